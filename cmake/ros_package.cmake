@@ -1,0 +1,22 @@
+# The catkin side: messages, devel space, and what other packages get.
+if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR AND NOT DEFINED CATKIN_DEVEL_PREFIX)
+  # rosrun does not look inside a package's build folder.
+  set(CATKIN_DEVEL_PREFIX ${PROJECT_SOURCE_DIR}/devel CACHE PATH "")
+endif()
+
+find_package(catkin REQUIRED COMPONENTS
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp
+  sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
+
+add_message_files(FILES
+  Bead.msg LayerHeight.msg MachineState.msg Setting.msg SliceSummary.msg Status.msg Toolpath.msg ToolpathLayer.msg
+  ToolpathPath.msg)
+add_service_files(FILES SliceMesh.srv)
+add_action_files(FILES Slice.action StreamProgram.action)
+generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
+
+catkin_package(
+  INCLUDE_DIRS include
+  LIBRARIES lamina_core
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_runtime nav_msgs
+    rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+
+namespace lamina {
+
+/// Port for the time that passes: real in production, set by hand in tests.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  /// [s] since an arbitrary start; never goes back.
+  virtual double now() const = 0;
+};
+
+/// The machine's steady clock.
+class SteadyClock final : public Clock {
+ public:
+  double now() const override {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+};
+
+}  // namespace lamina

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace lamina {
+
+enum class LogLevel { Debug, Info, Warning, Error };
+
+/// Where the core's log lines go: the port through which ROS, a terminal or a test receives them.
+/// Called from any thread; an empty function discards.
+using LogSink = std::function<void(LogLevel level, const std::string& line)>;
+
+/// A sink that discards every line.
+inline LogSink silentLog() {
+  return [](LogLevel, const std::string&) {};
+}
+
+}  // namespace lamina

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "lamina/base/progress.hpp"
+
+namespace lamina {
+
+/// Runs `body(i)` for every i in [0, count), on as many threads as the machine has, and reports progress.
+/// The results are the same whatever the number of threads, as long as body(i) writes only what belongs to i.
+///
+/// @throws Cancelled if `progress` is cancelled; otherwise the first exception a body threw
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, Progress& progress,
+                 const std::string& stage);
+
+/// While it lives, parallel loops of this process use at most `threads` threads (at least 1).
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+}  // namespace lamina

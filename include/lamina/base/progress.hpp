@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace lamina {
+
+/// Port through which long work tells how far it is, and learns that it should stop.
+/// Both calls may come from any thread; `report` should return at once.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+
+  /// @param stage     what is being done, one or two words ("slice", "plan")
+  /// @param fraction  of this stage, 0 to 1
+  virtual void report(const std::string& stage, double fraction) = 0;
+
+  virtual bool isCancelled() const = 0;
+};
+
+/// Progress nobody watches and nobody cancels.
+class NoProgress final : public Progress {
+ public:
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return false; }
+};
+
+/// @throws Cancelled if `progress` is cancelled, naming the stage
+void throwIfCancelled(const Progress& progress, const std::string& stage);
+
+}  // namespace lamina

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lamina {
+
+/// Bounds of a numeric setting, both included unless said otherwise.
+struct Bounds {
+  double low = 0.0;
+  double high = 0.0;
+  bool excludes_low = false;
+};
+
+/// One configuration key bound to the field that holds it. Values travel as text, as they stand in YAML, in `--set`
+/// and in a ROS request.
+struct Setting {
+  std::string key;         ///< dotted, unit last: "slicing.layer_height_mm"
+  std::string type;        ///< "number", "integer", "flag", "text", or the choices "a | b | c"
+  std::string bounds;      ///< as a person reads it: "(0, 10]"; empty if there are none
+  std::string meaning;     ///< one sentence
+  std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
+  std::function<std::string()> get;
+};
+
+/// The settings of one or more stages: each stage's `describe(schema, settings)` adds its own keys. The bound structs
+/// must outlive the schema.
+class SettingsSchema {
+ public:
+  void number(const std::string& key, double& field, Bounds bounds, const std::string& meaning);
+  void integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning);
+  void flag(const std::string& key, bool& field, const std::string& meaning);
+  void text(const std::string& key, std::string& field, const std::string& meaning);
+  /// A text that must be one of `choices`.
+  void choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
+              const std::string& meaning);
+  /// An enumeration by its names.
+  template <class Enum>
+  void choice(const std::string& key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
+              const std::string& meaning);
+
+  const std::vector<Setting>& settings() const { return settings_; }
+
+  /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
+  void set(const std::string& key, const std::string& text);
+
+ private:
+  void addChoice(const std::string& key, const std::vector<std::string>& names, const std::string& meaning,
+                 const std::function<void(std::size_t)>& choose, const std::function<std::size_t()>& chosen);
+
+  std::vector<Setting> settings_;
+};
+
+/// A key and its value as text.
+struct SettingText {
+  std::string key;
+  std::string text;
+};
+
+/// Reads a YAML document into dotted keys, in document order. An empty document gives nothing.
+/// @throws InvalidConfig if it is not YAML, not a map, or a key stands twice; names the line
+std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name);
+
+/// Splits "key=value".
+/// @throws InvalidConfig if there is no '=' or no key
+SettingText settingFromAssignment(const std::string& assignment);
+
+/// The schema's current values as a commented YAML document, grouped by the first part of the key.
+std::string settingsToYaml(const SettingsSchema& schema);
+
+template <class Enum>
+void SettingsSchema::choice(const std::string& key, Enum& field,
+                            const std::vector<std::pair<std::string, Enum>>& choices, const std::string& meaning) {
+  std::vector<std::string> names;
+  for (const auto& choice : choices) names.push_back(choice.first);
+  addChoice(
+      key, names, meaning, [&field, choices](std::size_t i) { field = choices[i].second; },
+      [&field, choices] {
+        std::size_t i = 0;
+        while (i + 1 < choices.size() && choices[i].second != field) ++i;
+        return i;
+      });
+}
+
+}  // namespace lamina

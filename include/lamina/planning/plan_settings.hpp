@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// Cross-section of the beads.
+struct BeadSettings {
+  double width_mm = 0.4;
+  /// Part of the width by which neighbouring beads of a full fill run into each other (0 sets them side by side).
+  double overlap = 0.0;
+};
+
+enum class WallOrder { OutsideIn, InsideOut };
+
+struct WallSettings {
+  int count = 2;
+  WallOrder order = WallOrder::InsideOut;
+};
+
+struct InfillSettings {
+  std::string strategy = "zigzag";
+  double density = 0.2;           ///< 1 is solid, 0 is none
+  double angle_deg = 45.0;
+  double alternation_deg = 90.0;  ///< added from one layer to the next
+  double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
+};
+
+struct SkirtSettings {
+  int count = 1;
+  double distance_mm = 4.0;
+};
+
+enum class SeamPlacement { Nearest, Aligned, Rear, Random };
+
+struct SeamSettings {
+  SeamPlacement placement = SeamPlacement::Aligned;
+  int seed = 1;  ///< of random placement
+};
+
+struct TravelSettings {
+  double feed_mm_s = 150.0;
+  double hop_mm = 0.2;                      ///< lift during a retracted travel
+  double retraction_threshold_mm = 2.0;     ///< shorter travels neither retract nor hop
+};
+
+struct FeedSettings {
+  double outer_wall_mm_s = 30.0;
+  double inner_wall_mm_s = 45.0;
+  double infill_mm_s = 60.0;
+  double skirt_mm_s = 40.0;
+  double first_layer_mm_s = 20.0;  ///< an upper bound for all roles in the first layer
+};
+
+/// How layers become paths.
+struct PlanSettings {
+  BeadSettings bead;
+  WallSettings walls;
+  InfillSettings infill;
+  SkirtSettings skirt;
+  SeamSettings seam;
+  TravelSettings travel;
+  FeedSettings feed;
+  double simplification_mm = 0.01;  ///< how far a planned outline may leave the sliced one
+};
+
+/// Adds the keys bead.*, walls.*, infill.*, skirt.*, seam.*, travel.*, feed.* and planning.*.
+void describe(SettingsSchema& schema, PlanSettings& settings);
+
+}  // namespace lamina

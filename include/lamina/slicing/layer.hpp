@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/slicing/layer_stack.hpp"
+#include "lamina/slicing/planar_slicer.hpp"
+
+namespace lamina {
+
+/// One layer of a part: where it lies and what the mesh looks like there. What planners start from.
+struct Layer {
+  LayerSlab slab;
+  Section section;
+};
+
+}  // namespace lamina

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// What a path is for.
+enum class PathRole : std::uint8_t { Skirt = 0, OuterWall = 1, InnerWall = 2, Infill = 3, GapFill = 4, Travel = 5 };
+
+/// The role as written in files and shown to people: "outer_wall".
+const char* toString(PathRole role);
+/// @throws InvalidInput if the name is unknown
+PathRole pathRoleFromString(const std::string& name);
+
+/// Cross-section of what is deposited [mm]. A width of 0 deposits nothing.
+struct Bead {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+
+  friend bool operator==(const Bead& a, const Bead& b) {
+    return a.width_mm == b.width_mm && a.height_mm == b.height_mm;
+  }
+};
+
+/// A quantity along a path: one value for all waypoints, or one per waypoint where it varies.
+template <class Value>
+class AlongPath {
+ public:
+  AlongPath() : values_(1) {}
+  AlongPath(Value common) : values_(1, std::move(common)) {}  // NOLINT: a single value is a quantity along a path
+  /// @param each one value per waypoint of the path
+  explicit AlongPath(std::vector<Value> each) : values_(std::move(each)) {}
+
+  const Value& at(std::size_t waypoint) const { return values_.size() == 1 ? values_[0] : values_[waypoint]; }
+  bool isCommon() const { return values_.size() == 1; }
+  /// One value, or as many as the path has waypoints.
+  const std::vector<Value>& values() const { return values_; }
+
+ private:
+  std::vector<Value> values_;
+};
+
+/// What the process does along a path besides depositing.
+struct ProcessFlags {
+  /// Material is pulled back before the first motion of this path and pushed forth after the last one.
+  bool is_retracted = false;
+};
+
+/// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what feed on
+/// the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed path returns from
+/// its last waypoint to its first, which is not repeated: waypoint 0 then tells of that return.
+struct Path {
+  PathRole role = PathRole::Infill;
+  bool is_closed = false;
+  ProcessFlags process;
+  std::vector<Point3> points;                            ///< nozzle tip [mm, part frame]; at least two
+  AlongPath<Eigen::Quaterniond> orientation{Eigen::Quaterniond(0, 1, 0, 0)};  ///< part_from_nozzle
+  AlongPath<Bead> bead;                                  ///< width 0 on travel
+  AlongPath<double> feed_mm_s{0.0};                      ///< speed of the nozzle tip [mm/s]
+
+  /// Number of motions: points.size(), less one if open.
+  std::size_t motionCount() const;
+  /// Waypoint index at which motion m (0 based) ends. Motion m starts at waypoint m.
+  std::size_t motionEnd(std::size_t motion) const { return motion + 1 == points.size() ? 0 : motion + 1; }
+  const Point3& firstPoint() const { return points.front(); }
+  /// Where the nozzle is when the path is done: the first point if closed.
+  const Point3& lastPoint() const { return is_closed ? points.front() : points.back(); }
+};
+
+/// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is deposited in
+/// between, a Travel path stands between them.
+struct ToolpathLayer {
+  double z_mm = 0.0;       ///< height of the nozzle tip above the part's bottom: the top of the layer
+  double height_mm = 0.0;  ///< from the layer beneath
+  std::vector<Path> paths;
+};
+
+/// Everything the nozzle does for one part, in the part frame: the value that slicers and planners make, that programs
+/// are written from and that simulators and metrics read.
+struct Toolpath {
+  std::string part_name;
+  std::vector<ToolpathLayer> layers;
+};
+
+/// Nozzle pointing straight down: its z (the jet) along -z of the part, its x along x of the part.
+Eigen::Quaterniond nozzleDown();
+
+/// Length of the path including the return of a closed one [mm].
+double length(const Path& path);
+
+/// Area [mm²] of the stadium a bead fills: a rectangle between two half discs of the smaller side's diameter,
+/// (w - h) h + pi h² / 4 for w >= h; a bead higher than wide is the same stadium upright.
+double crossSection(const Bead& bead);
+
+/// Material laid along the path [mm³].
+double depositedVolume(const Path& path);
+
+/// Lengths and counts of a toolpath.
+struct ToolpathTotals {
+  std::size_t layers = 0;
+  std::size_t waypoints = 0;
+  std::size_t deposition_runs = 0;  ///< paths that deposit
+  double deposition_mm = 0.0;
+  double travel_mm = 0.0;
+  double deposited_mm3 = 0.0;
+};
+ToolpathTotals totals(const Toolpath& toolpath);
+
+/// Smallest box around all waypoints that deposit.
+Box3 depositionBox(const Toolpath& toolpath);
+
+/// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
+std::string toolpathId(const Toolpath& toolpath);
+
+/// Checks the promises above: finite numbers, two points at least, quantities of one value or one per waypoint,
+/// positive feeds, consecutive paths that join within 1e-6 mm.
+/// @throws InvalidInput naming layer, path and waypoint
+void validate(const Toolpath& toolpath);
+
+}  // namespace lamina

@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/settings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+std::string shortest(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+std::string describeBounds(const Bounds& bounds) {
+  const std::string high = std::isinf(bounds.high) ? "inf)" : shortest(bounds.high) + "]";
+  const std::string low = std::isinf(bounds.low) ? "(-inf" : (bounds.excludes_low ? "(" : "[") + shortest(bounds.low);
+  return low + ", " + high;
+}
+
+[[noreturn]] void refuse(const std::string& key, const std::string& text, const std::string& expected) {
+  throw InvalidConfig(key + " is '" + text + "'; must be " + expected);
+}
+
+template <class Number>
+Number parse(const std::string& key, const std::string& text, const std::string& expected) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end) refuse(key, text, expected);
+  return value;
+}
+
+bool isInside(double value, const Bounds& bounds) {
+  if (!std::isfinite(value)) return false;
+  return value <= bounds.high && (bounds.excludes_low ? value > bounds.low : value >= bounds.low);
+}
+
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+void SettingsSchema::number(const std::string& key, double& field, Bounds bounds, const std::string& meaning) {
+  const std::string expected = "a number in " + describeBounds(bounds);
+  const auto set = [key, &field, bounds, expected](const std::string& text) {
+    const double value = parse<double>(key, text, expected);
+    if (!isInside(value, bounds)) refuse(key, text, expected);
+    field = value;
+  };
+  settings_.push_back({key, "number", describeBounds(bounds), meaning, set, [&field] { return shortest(field); }});
+}
+
+void SettingsSchema::integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning) {
+  const std::string expected = "an integer in " + describeBounds(bounds);
+  const auto set = [key, &field, bounds, expected](const std::string& text) {
+    const int value = parse<int>(key, text, expected);
+    if (!isInside(value, bounds)) refuse(key, text, expected);
+    field = value;
+  };
+  settings_.push_back(
+      {key, "integer", describeBounds(bounds), meaning, set, [&field] { return std::to_string(field); }});
+}
+
+void SettingsSchema::flag(const std::string& key, bool& field, const std::string& meaning) {
+  const auto set = [key, &field](const std::string& text) {
+    if (text != "true" && text != "false") refuse(key, text, "true or false");
+    field = text == "true";
+  };
+  settings_.push_back({key, "flag", "", meaning, set, [&field] { return std::string(field ? "true" : "false"); }});
+}
+
+void SettingsSchema::text(const std::string& key, std::string& field, const std::string& meaning) {
+  settings_.push_back({key, "text", "", meaning, [&field](const std::string& text) { field = text; },
+                       [&field] { return field; }});
+}
+
+void SettingsSchema::choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
+                            const std::string& meaning) {
+  addChoice(
+      key, choices, meaning, [&field, choices](std::size_t i) { field = choices[i]; },
+      [&field, choices] {
+        return static_cast<std::size_t>(std::find(choices.begin(), choices.end(), field) - choices.begin());
+      });
+}
+
+void SettingsSchema::addChoice(const std::string& key, const std::vector<std::string>& names,
+                               const std::string& meaning, const std::function<void(std::size_t)>& choose,
+                               const std::function<std::size_t()>& chosen) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : " | ") + name;
+  const auto set = [key, names, list, choose](const std::string& text) {
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) refuse(key, text, "one of " + list);
+    choose(static_cast<std::size_t>(found - names.begin()));
+  };
+  settings_.push_back({key, list, "", meaning, set, [names, chosen] { return names.at(chosen()); }});
+}
+
+void SettingsSchema::set(const std::string& key, const std::string& text) {
+  const Setting* nearest = nullptr;
+  std::size_t nearest_distance = std::numeric_limits<std::size_t>::max();
+  for (const Setting& setting : settings_) {
+    if (setting.key == key) return setting.set(text);
+    const std::size_t distance = editDistance(setting.key, key);
+    if (distance < nearest_distance) nearest = &setting, nearest_distance = distance;
+  }
+  throw InvalidConfig("unknown setting '" + key + "'" +
+                      (nearest == nullptr ? std::string() : "; did you mean '" + nearest->key + "'?"));
+}
+
+SettingText settingFromAssignment(const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InvalidConfig("'" + assignment + "' is no setting; expected key=value");
+  return {assignment.substr(0, equals), assignment.substr(equals + 1)};
+}
+
+}  // namespace lamina

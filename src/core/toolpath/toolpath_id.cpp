@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <cstring>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+namespace {
+
+/// FNV-1a over 64-bit words instead of bytes: as good for telling toolpaths apart, eight times as fast.
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001B3ULL; }
+  void add(double value) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof word);
+    add(word);
+    hash_ ^= hash_ >> 29;
+  }
+  void add(const Bead& bead) {
+    add(bead.width_mm);
+    add(bead.height_mm);
+  }
+  void add(const Eigen::Quaterniond& q) {
+    for (int i = 0; i < 4; ++i) add(q.coeffs()[i]);
+  }
+  template <class Value>
+  void add(const AlongPath<Value>& along) {
+    add(static_cast<std::uint64_t>(along.values().size()));
+    for (const Value& value : along.values()) add(value);
+  }
+  void add(const Path& path) {
+    add(static_cast<std::uint64_t>(path.role));
+    add(static_cast<std::uint64_t>(path.is_closed) | static_cast<std::uint64_t>(path.process.is_retracted) << 1);
+    add(static_cast<std::uint64_t>(path.points.size()));
+    for (const Point3& point : path.points)
+      for (int i = 0; i < 3; ++i) add(point[i]);
+    add(path.orientation);
+    add(path.bead);
+    add(path.feed_mm_s);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325ULL;
+};
+
+}  // namespace
+
+std::string toolpathId(const Toolpath& toolpath) {
+  Fingerprint fingerprint;
+  for (const char c : toolpath.part_name) fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    fingerprint.add(layer.z_mm);
+    fingerprint.add(layer.height_mm);
+    for (const Path& path : layer.paths) fingerprint.add(path);
+  }
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint.value()));
+  return text;
+}
+
+}  // namespace lamina

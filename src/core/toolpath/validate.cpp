@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kJoinTolerance = 1e-6;  // mm: far below any machine, far above rounding
+
+template <class Value>
+bool fits(const AlongPath<Value>& along, std::size_t waypoints) {
+  return along.isCommon() || along.values().size() == waypoints;
+}
+
+[[noreturn]] void refuse(std::size_t layer, std::size_t path, const std::string& what) {
+  throw InvalidInput("toolpath layer " + std::to_string(layer) + ", path " + std::to_string(path) + ": " + what);
+}
+
+std::string firstFault(const Path& path) {
+  const std::size_t count = path.points.size();
+  if (count < 2) return std::to_string(count) + " waypoints; at least 2 are needed";
+  if (!fits(path.orientation, count) || !fits(path.bead, count) || !fits(path.feed_mm_s, count))
+    return "orientation, bead and feed need one value or " + std::to_string(count) + ", one per waypoint";
+  for (std::size_t i = 0; i < count; ++i)
+    if (!path.points[i].allFinite()) return "waypoint " + std::to_string(i) + " is not finite";
+  for (const double feed : path.feed_mm_s.values())
+    if (!(feed > 0.0 && std::isfinite(feed))) return "feed is " + std::to_string(feed) + " mm/s; must be positive";
+  for (const Bead& bead : path.bead.values())
+    if (!(bead.width_mm >= 0.0 && bead.height_mm >= 0.0 && std::isfinite(bead.width_mm + bead.height_mm)))
+      return "bead is " + std::to_string(bead.width_mm) + " x " + std::to_string(bead.height_mm) + " mm";
+  for (const Eigen::Quaterniond& q : path.orientation.values())
+    if (!(std::abs(q.norm() - 1.0) < 1e-6)) return "orientation is no unit quaternion";
+  return {};
+}
+
+}  // namespace
+
+void validate(const Toolpath& toolpath) {
+  const Path* previous = nullptr;
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l) {
+    const auto& paths = toolpath.layers[l].paths;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      const std::string fault = firstFault(paths[p]);
+      if (!fault.empty()) refuse(l, p, fault);
+      if (previous != nullptr && !((previous->lastPoint() - paths[p].firstPoint()).norm() <= kJoinTolerance))
+        refuse(l, p, "does not start where the path before it ends");
+      previous = &paths[p];
+    }
+  }
+}
+
+}  // namespace lamina
