@@ -1,9 +1,4 @@
 # The catkin side: messages, devel space, and what other packages get.
-if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR AND NOT DEFINED CATKIN_DEVEL_PREFIX)
-  # rosrun does not look inside a package's build folder.
-  set(CATKIN_DEVEL_PREFIX ${PROJECT_SOURCE_DIR}/devel CACHE PATH "")
-endif()
-
 find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp
   sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
