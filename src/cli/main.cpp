@@ -1,25 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
-#include <iostream>
+#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
 #include "subcommand.hpp"
 
-int main(int argc, char** argv) {
-  using namespace lamina;
+namespace lamina::cli {
+namespace {
+
+void printFailure(const Failure& failure, OutputFormat format) {
+  std::fprintf(stderr, "lamina: %s: %s\n", toString(failure.code), failure.message.c_str());
+  if (format == OutputFormat::Text) return;
+  const nlohmann::json error = {{"error", {{"code", toString(failure.code)}, {"message", failure.message}}}};
+  std::printf("%s\n", error.dump().c_str());
+}
+
+int runCommandLine(int argc, char** argv) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
-  cli::Run run;
+  Chosen chosen;
   try {
     app.parse(argc, argv);
-    if (run) run();
+    chosen.run();
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
   } catch (...) {
-    const Failure failure = currentFailure();
-    std::cerr << "lamina: " << toString(failure.code) << ": " << failure.message << '\n';
+    printFailure(currentFailure(), chosen.format);
     return 1;
   }
 }
+
+}  // namespace
+}  // namespace lamina::cli
+
+int main(int argc, char** argv) { return lamina::cli::runCommandLine(argc, argv); }

@@ -7,12 +7,20 @@
 
 namespace lamina::cli {
 
-/// What a subcommand does once the arguments are read. Throws on failure; the caller prints the error and chooses the
-/// exit code.
-using Run = std::function<void()>;
+/// How a subcommand tells what it found.
+enum class OutputFormat { Text, Json };
 
-/// Each adds its subcommand with all its options to `app`; when it is chosen on the command line, `run` is set.
-/// `run` must outlive the parsing.
-using AddSubcommand = void (*)(CLI::App& app, Run& run);
+/// The subcommand chosen on the command line: what it does once the arguments are read, and how it tells the result.
+/// `run` throws on failure; `main` prints the error and chooses the exit code.
+struct Chosen {
+  std::function<void()> run;
+  OutputFormat format = OutputFormat::Text;
+};
+
+/// Adds the flag `--json` to a subcommand.
+void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
+
+// Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
+// `chosen` must outlive the parsing.
 
 }  // namespace lamina::cli

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "terminal_progress.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+namespace lamina::cli {
+namespace {
+
+// A signal handler can reach nothing but a variable of this kind.
+volatile std::sig_atomic_t was_interrupted = 0;
+
+void interrupt(int) { was_interrupted = 1; }
+
+}  // namespace
+
+TerminalProgress::TerminalProgress() : is_shown_(::isatty(STDERR_FILENO) != 0) {
+  was_interrupted = 0;
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+}
+
+TerminalProgress::~TerminalProgress() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  if (!drawn_.empty()) std::fputs("\r\x1b[K", stderr);
+}
+
+void TerminalProgress::report(const std::string& stage, double fraction) {
+  if (!is_shown_) return;
+  const std::string line = stage + " " + std::to_string(static_cast<int>(100.0 * fraction)) + " %";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (line == drawn_) return;
+  drawn_ = line;
+  std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
+  std::fflush(stderr);
+}
+
+bool TerminalProgress::isCancelled() const { return was_interrupted != 0; }
+
+}  // namespace lamina::cli
