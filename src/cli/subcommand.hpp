@@ -10,8 +10,8 @@ namespace lamina::cli {
 /// How a subcommand tells what it found.
 enum class OutputFormat { Text, Json };
 
-/// The subcommand chosen on the command line: what it does once the arguments are read, and how it tells the result.
-/// `run` throws on failure; `main` prints the error and chooses the exit code.
+/// The subcommand chosen on the command line: what it does once the arguments are read, and how it tells the
+/// result. `run` throws on failure; `main` prints the error and chooses the exit code.
 struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;

@@ -9,8 +9,8 @@
 
 namespace lamina::cli {
 
-/// Progress on the terminal: one line on standard error, redrawn in place; silent where standard error is no terminal.
-/// Ctrl-C (SIGINT) and SIGTERM cancel the work while it lives. One at a time.
+/// Progress on the terminal: one line on standard error, redrawn in place; silent where standard error is no
+/// terminal. Ctrl-C (SIGINT) and SIGTERM cancel the work while it lives. One at a time.
 class TerminalProgress final : public Progress {
  public:
   TerminalProgress();

@@ -41,7 +41,8 @@ enum class ErrorCode : std::uint8_t {
 /// The code as written in messages and JSON: "InvalidMesh".
 const char* toString(ErrorCode code);
 
-/// Base of everything the core throws. The message says what, the actual value with its unit, and what was expected.
+/// Base of everything the core throws. The message says what, the actual value with its unit, and what was
+/// expected.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
@@ -75,7 +76,8 @@ using Rejected = ErrorOf<ErrorCode::Rejected, DeviceError>;
 using TimedOut = ErrorOf<ErrorCode::TimedOut, DeviceError>;
 using Cancelled = ErrorOf<ErrorCode::Cancelled, Error>;
 
-/// A failure as a value: the code and the sentence of any exception. Anything that is no `Error` is `Internal`.
+/// A failure as a value: the code and the sentence of any exception. Anything that is no `Error` is
+/// `Internal`.
 struct Failure {
   ErrorCode code = ErrorCode::Ok;
   std::string message;

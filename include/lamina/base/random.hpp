@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// Small seeded generator (SplitMix64, Steele et al. 2014): the same seed gives the same numbers on every machine,
-/// which the distributions of the standard library do not promise.
+/// Small seeded generator (SplitMix64, Steele et al. 2014): the same seed gives the same numbers on every
+/// machine, which the distributions of the standard library do not promise.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -16,19 +16,19 @@ struct Bounds {
   bool excludes_low = false;
 };
 
-/// One configuration key bound to the field that holds it. Values travel as text, as they stand in YAML, in `--set`
-/// and in a ROS request.
+/// One configuration key bound to the field that holds it. Values travel as text, as they stand in YAML, in
+/// `--set` and in a ROS request.
 struct Setting {
-  std::string key;         ///< dotted, unit last: "slicing.layer_height_mm"
-  std::string type;        ///< "number", "integer", "flag", "text", or the choices "a | b | c"
-  std::string bounds;      ///< as a person reads it: "(0, 10]"; empty if there are none
-  std::string meaning;     ///< one sentence
+  std::string key;      ///< dotted, unit last: "slicing.layer_height_mm"
+  std::string type;     ///< "number", "integer", "flag", "text", or the choices "a | b | c"
+  std::string bounds;   ///< as a person reads it: "(0, 10]"; empty if there are none
+  std::string meaning;  ///< one sentence
   std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
   std::function<std::string()> get;
 };
 
-/// The settings of one or more stages: each stage's `describe(schema, settings)` adds its own keys. The bound structs
-/// must outlive the schema.
+/// The settings of one or more stages: each stage's `describe(schema, settings)` adds its own keys. The bound
+/// structs must outlive the schema.
 class SettingsSchema {
  public:
   void number(const std::string& key, double& field, Bounds bounds, const std::string& meaning);
@@ -74,7 +74,8 @@ std::string settingsToYaml(const SettingsSchema& schema);
 
 template <class Enum>
 void SettingsSchema::choice(const std::string& key, Enum& field,
-                            const std::vector<std::pair<std::string, Enum>>& choices, const std::string& meaning) {
+                            const std::vector<std::pair<std::string, Enum>>& choices,
+                            const std::string& meaning) {
   std::vector<std::string> names;
   for (const auto& choice : choices) names.push_back(choice.first);
   addChoice(

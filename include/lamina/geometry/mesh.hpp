@@ -13,8 +13,8 @@ namespace lamina {
 /// Indices of a triangle's vertices, counter-clockwise seen from outside the solid.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Indexed triangles: vertices [mm, part frame], each stored once. Nothing is promised of closedness or orientation;
-/// `reportMesh` tells, `repairMesh` mends.
+/// Indexed triangles: vertices [mm, part frame], each stored once. Nothing is promised of closedness or
+/// orientation; `reportMesh` tells, `repairMesh` mends.
 struct Mesh {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;
@@ -23,8 +23,8 @@ struct Mesh {
 /// The smallest box around the vertices that triangles use; empty for a mesh without triangles.
 Box3 boundingBox(const Mesh& mesh);
 
-/// Enclosed volume [mm³] by the divergence theorem; positive if the triangles face outwards. Meaningful for closed
-/// meshes; parts that overlap count twice.
+/// Enclosed volume [mm³] by the divergence theorem; positive if the triangles face outwards. Meaningful for
+/// closed meshes; parts that overlap count twice.
 double volume(const Mesh& mesh);
 
 /// Sum of the triangles' areas [mm²].

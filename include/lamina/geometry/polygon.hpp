@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// Closed outline [mm]: the last point joins the first, which is not repeated. Counter-clockwise encloses material,
-/// clockwise encloses a hole.
+/// Closed outline [mm]: the last point joins the first, which is not repeated. Counter-clockwise encloses
+/// material, clockwise encloses a hole.
 using Polygon = std::vector<Point2>;
 
 /// Open line through points [mm].

@@ -12,9 +12,9 @@ namespace lamina {
 
 /// What a fill strategy is asked for.
 struct InfillRequest {
-  double spacing_mm = 0.4;     ///< between neighbouring lines, centre to centre
+  double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre
   double bead_width_mm = 0.4;
-  double angle_rad = 0.0;      ///< of the raster, from x counter-clockwise
+  double angle_rad = 0.0;  ///< of the raster, from x counter-clockwise
 };
 
 /// One run of a fill in the plane of the layer [mm].
@@ -23,9 +23,11 @@ struct FillPath {
   bool is_closed = false;
 };
 
-/// Fills regions with paths whose centre lines lie inside them. The regions are where centre lines may run: whoever
-/// calls has already taken off half a bead. No region gives no path. The same regions give the same paths.
-using InfillStrategy = std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
+/// Fills regions with paths whose centre lines lie inside them. The regions are where centre lines may run:
+/// whoever calls has already taken off half a bead. No region gives no path. The same regions give the same
+/// paths.
+using InfillStrategy =
+    std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
 
 /// The strategy of that name.
 /// @throws InvalidConfig if there is none, naming those there are

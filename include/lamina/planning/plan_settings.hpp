@@ -11,7 +11,8 @@ namespace lamina {
 /// Cross-section of the beads.
 struct BeadSettings {
   double width_mm = 0.4;
-  /// Part of the width by which neighbouring beads of a full fill run into each other (0 sets them side by side).
+  /// Part of the width by which neighbouring beads of a full fill run into each other (0 sets them side by
+  /// side).
   double overlap = 0.0;
 };
 
@@ -24,7 +25,7 @@ struct WallSettings {
 
 struct InfillSettings {
   std::string strategy = "zigzag";
-  double density = 0.2;           ///< 1 is solid, 0 is none
+  double density = 0.2;  ///< 1 is solid, 0 is none
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
@@ -44,8 +45,8 @@ struct SeamSettings {
 
 struct TravelSettings {
   double feed_mm_s = 150.0;
-  double hop_mm = 0.2;                      ///< lift during a retracted travel
-  double retraction_threshold_mm = 2.0;     ///< shorter travels neither retract nor hop
+  double hop_mm = 0.2;                   ///< lift during a retracted travel
+  double retraction_threshold_mm = 2.0;  ///< shorter travels neither retract nor hop
 };
 
 struct FeedSettings {

@@ -11,15 +11,16 @@ namespace lamina {
 /// How a toolpath is written as G-code (Marlin flavour).
 struct ProgramSettings {
   double filament_diameter_mm = 1.75;
-  double flow = 1.0;                     ///< factor on all extrusion
-  double nozzle_temperature_c = 210.0;   ///< 0 leaves the heater alone
-  double bed_temperature_c = 60.0;       ///< 0 leaves the heater alone
-  double retraction_length_mm = 0.8;     ///< of filament
+  double flow = 1.0;                    ///< factor on all extrusion
+  double nozzle_temperature_c = 210.0;  ///< 0 leaves the heater alone
+  double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
+  double retraction_length_mm = 0.8;    ///< of filament
   double retraction_feed_mm_s = 35.0;
   /// Written before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.
-  std::string start_code = "G28\n"
-                           "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
-                           "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
+  std::string start_code =
+      "G28\n"
+      "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
+      "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "M104 S0\nM140 S0\nM84";
 };
 

@@ -17,9 +17,9 @@ struct LayerSlab {
   double cut() const { return 0.5 * (bottom_mm + top_mm); }
 };
 
-/// The layers of a part that reaches from `bottom_mm` to `top_mm`: the first with its own height, the others equal.
-/// A last layer is added only where more than half of it would lie inside the part, so that each cut meets material.
-/// Empty if the part is thinner than half the first layer.
+/// The layers of a part that reaches from `bottom_mm` to `top_mm`: the first with its own height, the others
+/// equal. A last layer is added only where more than half of it would lie inside the part, so that each cut
+/// meets material. Empty if the part is thinner than half the first layer.
 ///
 /// @throws InvalidConfig if a height is not positive, or more than 10 million layers would result
 std::vector<LayerSlab> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings);

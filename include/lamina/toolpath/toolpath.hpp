@@ -12,7 +12,14 @@
 namespace lamina {
 
 /// What a path is for.
-enum class PathRole : std::uint8_t { Skirt = 0, OuterWall = 1, InnerWall = 2, Infill = 3, GapFill = 4, Travel = 5 };
+enum class PathRole : std::uint8_t {
+  Skirt = 0,
+  OuterWall = 1,
+  InnerWall = 2,
+  Infill = 3,
+  GapFill = 4,
+  Travel = 5
+};
 
 /// The role as written in files and shown to people: "outer_wall".
 const char* toString(PathRole role);
@@ -34,7 +41,8 @@ template <class Value>
 class AlongPath {
  public:
   AlongPath() : values_(1) {}
-  AlongPath(Value common) : values_(1, std::move(common)) {}  // NOLINT: a single value is a quantity along a path
+  AlongPath(Value common)
+      : values_(1, std::move(common)) {}  // NOLINT: a single value is a quantity along a path
   /// @param each one value per waypoint of the path
   explicit AlongPath(std::vector<Value> each) : values_(std::move(each)) {}
 
@@ -53,17 +61,18 @@ struct ProcessFlags {
   bool is_retracted = false;
 };
 
-/// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what feed on
-/// the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed path returns from
-/// its last waypoint to its first, which is not repeated: waypoint 0 then tells of that return.
+/// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what
+/// feed on the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed
+/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then tells of that
+/// return.
 struct Path {
   PathRole role = PathRole::Infill;
   bool is_closed = false;
   ProcessFlags process;
-  std::vector<Point3> points;                            ///< nozzle tip [mm, part frame]; at least two
+  std::vector<Point3> points;  ///< nozzle tip [mm, part frame]; at least two
   AlongPath<Eigen::Quaterniond> orientation{Eigen::Quaterniond(0, 1, 0, 0)};  ///< part_from_nozzle
-  AlongPath<Bead> bead;                                  ///< width 0 on travel
-  AlongPath<double> feed_mm_s{0.0};                      ///< speed of the nozzle tip [mm/s]
+  AlongPath<Bead> bead;                                                       ///< width 0 on travel
+  AlongPath<double> feed_mm_s{0.0};  ///< speed of the nozzle tip [mm/s]
 
   /// Number of motions: points.size(), less one if open.
   std::size_t motionCount() const;
@@ -74,16 +83,16 @@ struct Path {
   const Point3& lastPoint() const { return is_closed ? points.front() : points.back(); }
 };
 
-/// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is deposited in
-/// between, a Travel path stands between them.
+/// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is
+/// deposited in between, a Travel path stands between them.
 struct ToolpathLayer {
   double z_mm = 0.0;       ///< height of the nozzle tip above the part's bottom: the top of the layer
   double height_mm = 0.0;  ///< from the layer beneath
   std::vector<Path> paths;
 };
 
-/// Everything the nozzle does for one part, in the part frame: the value that slicers and planners make, that programs
-/// are written from and that simulators and metrics read.
+/// Everything the nozzle does for one part, in the part frame: the value that slicers and planners make, that
+/// programs are written from and that simulators and metrics read.
 struct Toolpath {
   std::string part_name;
   std::vector<ToolpathLayer> layers;
@@ -119,8 +128,8 @@ Box3 depositionBox(const Toolpath& toolpath);
 /// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
 std::string toolpathId(const Toolpath& toolpath);
 
-/// Checks the promises above: finite numbers, two points at least, quantities of one value or one per waypoint,
-/// positive feeds, consecutive paths that join within 1e-6 mm.
+/// Checks the promises above: finite numbers, two points at least, quantities of one value or one per
+/// waypoint, positive feeds, consecutive paths that join within 1e-6 mm.
 /// @throws InvalidInput naming layer, path and waypoint
 void validate(const Toolpath& toolpath);
 

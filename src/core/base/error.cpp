@@ -8,19 +8,32 @@ namespace lamina {
 
 const char* toString(ErrorCode code) {
   switch (code) {
-    case ErrorCode::Ok: return "Ok";
-    case ErrorCode::Internal: return "Internal";
-    case ErrorCode::InvalidInput: return "InvalidInput";
-    case ErrorCode::InvalidMesh: return "InvalidMesh";
-    case ErrorCode::InvalidConfig: return "InvalidConfig";
-    case ErrorCode::InvalidProgram: return "InvalidProgram";
-    case ErrorCode::FileError: return "FileError";
-    case ErrorCode::Unreachable: return "Unreachable";
-    case ErrorCode::DeviceError: return "DeviceError";
-    case ErrorCode::Disconnected: return "Disconnected";
-    case ErrorCode::Rejected: return "Rejected";
-    case ErrorCode::TimedOut: return "TimedOut";
-    case ErrorCode::Cancelled: return "Cancelled";
+    case ErrorCode::Ok:
+      return "Ok";
+    case ErrorCode::Internal:
+      return "Internal";
+    case ErrorCode::InvalidInput:
+      return "InvalidInput";
+    case ErrorCode::InvalidMesh:
+      return "InvalidMesh";
+    case ErrorCode::InvalidConfig:
+      return "InvalidConfig";
+    case ErrorCode::InvalidProgram:
+      return "InvalidProgram";
+    case ErrorCode::FileError:
+      return "FileError";
+    case ErrorCode::Unreachable:
+      return "Unreachable";
+    case ErrorCode::DeviceError:
+      return "DeviceError";
+    case ErrorCode::Disconnected:
+      return "Disconnected";
+    case ErrorCode::Rejected:
+      return "Rejected";
+    case ErrorCode::TimedOut:
+      return "TimedOut";
+    case ErrorCode::Cancelled:
+      return "Cancelled";
   }
   return "Unknown";
 }

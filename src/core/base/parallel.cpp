@@ -18,7 +18,8 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
     throwIfCancelled(progress, stage);
     body(i);
     const std::size_t done = ++finished;
-    if (done % report_every == 0) progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
+    if (done % report_every == 0)
+      progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
   });
 }
 

@@ -21,7 +21,8 @@ std::string shortest(double value) {
 
 std::string describeBounds(const Bounds& bounds) {
   const std::string high = std::isinf(bounds.high) ? "inf)" : shortest(bounds.high) + "]";
-  const std::string low = std::isinf(bounds.low) ? "(-inf" : (bounds.excludes_low ? "(" : "[") + shortest(bounds.low);
+  const std::string low =
+      std::isinf(bounds.low) ? "(-inf" : (bounds.excludes_low ? "(" : "[") + shortest(bounds.low);
   return low + ", " + high;
 }
 
@@ -60,14 +61,16 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-void SettingsSchema::number(const std::string& key, double& field, Bounds bounds, const std::string& meaning) {
+void SettingsSchema::number(const std::string& key, double& field, Bounds bounds,
+                            const std::string& meaning) {
   const std::string expected = "a number in " + describeBounds(bounds);
   const auto set = [key, &field, bounds, expected](const std::string& text) {
     const double value = parse<double>(key, text, expected);
     if (!isInside(value, bounds)) refuse(key, text, expected);
     field = value;
   };
-  settings_.push_back({key, "number", describeBounds(bounds), meaning, set, [&field] { return shortest(field); }});
+  settings_.push_back(
+      {key, "number", describeBounds(bounds), meaning, set, [&field] { return shortest(field); }});
 }
 
 void SettingsSchema::integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning) {
@@ -86,7 +89,8 @@ void SettingsSchema::flag(const std::string& key, bool& field, const std::string
     if (text != "true" && text != "false") refuse(key, text, "true or false");
     field = text == "true";
   };
-  settings_.push_back({key, "flag", "", meaning, set, [&field] { return std::string(field ? "true" : "false"); }});
+  settings_.push_back(
+      {key, "flag", "", meaning, set, [&field] { return std::string(field ? "true" : "false"); }});
 }
 
 void SettingsSchema::text(const std::string& key, std::string& field, const std::string& meaning) {
@@ -94,8 +98,8 @@ void SettingsSchema::text(const std::string& key, std::string& field, const std:
                        [&field] { return field; }});
 }
 
-void SettingsSchema::choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
-                            const std::string& meaning) {
+void SettingsSchema::choice(const std::string& key, std::string& field,
+                            const std::vector<std::string>& choices, const std::string& meaning) {
   addChoice(
       key, choices, meaning, [&field, choices](std::size_t i) { field = choices[i]; },
       [&field, choices] {

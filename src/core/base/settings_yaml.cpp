@@ -69,7 +69,8 @@ std::string settingsToYaml(const SettingsSchema& schema) {
     const bool is_text = setting.type == "text";
     if (is_text) value << YAML::DoubleQuoted;
     value << setting.get();
-    const std::string range = setting.bounds.empty() ? (is_text ? "" : " (" + setting.type + ")") : " " + setting.bounds;
+    const std::string range =
+        setting.bounds.empty() ? (is_text ? "" : " (" + setting.type + ")") : " " + setting.bounds;
     yaml += "  # " + setting.meaning + range + "\n";
     yaml += "  " + setting.key.substr(current.size() + 1) + ": " + value.c_str() + "\n";
   }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/toolpath/toolpath.hpp"
 
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lamina/base/error.hpp"
@@ -11,8 +11,8 @@
 namespace lamina {
 namespace {
 
-constexpr std::array<const char*, 6> kRoleNames = {"skirt",    "outer_wall", "inner_wall",
-                                                   "infill",   "gap_fill",   "travel"};
+constexpr std::array<const char*, 6> kRoleNames = {"skirt",  "outer_wall", "inner_wall",
+                                                   "infill", "gap_fill",   "travel"};
 
 }  // namespace
 
@@ -21,7 +21,8 @@ const char* toString(PathRole role) { return kRoleNames.at(static_cast<std::size
 PathRole pathRoleFromString(const std::string& name) {
   for (std::size_t i = 0; i < kRoleNames.size(); ++i)
     if (name == kRoleNames[i]) return static_cast<PathRole>(i);
-  throw InvalidInput("path role is '" + name + "'; must be skirt, outer_wall, inner_wall, infill, gap_fill or travel");
+  throw InvalidInput("path role is '" + name +
+                     "'; must be skirt, outer_wall, inner_wall, infill, gap_fill or travel");
 }
 
 std::size_t Path::motionCount() const {

@@ -32,7 +32,8 @@ class Fingerprint {
   }
   void add(const Path& path) {
     add(static_cast<std::uint64_t>(path.role));
-    add(static_cast<std::uint64_t>(path.is_closed) | static_cast<std::uint64_t>(path.process.is_retracted) << 1);
+    add(static_cast<std::uint64_t>(path.is_closed) | static_cast<std::uint64_t>(path.process.is_retracted)
+                                                         << 1);
     add(static_cast<std::uint64_t>(path.points.size()));
     for (const Point3& point : path.points)
       for (int i = 0; i < 3; ++i) add(point[i]);
@@ -50,7 +51,8 @@ class Fingerprint {
 
 std::string toolpathId(const Toolpath& toolpath) {
   Fingerprint fingerprint;
-  for (const char c : toolpath.part_name) fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  for (const char c : toolpath.part_name)
+    fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
   for (const ToolpathLayer& layer : toolpath.layers) {
     fingerprint.add(layer.z_mm);
     fingerprint.add(layer.height_mm);

@@ -16,7 +16,8 @@ bool fits(const AlongPath<Value>& along, std::size_t waypoints) {
 }
 
 [[noreturn]] void refuse(std::size_t layer, std::size_t path, const std::string& what) {
-  throw InvalidInput("toolpath layer " + std::to_string(layer) + ", path " + std::to_string(path) + ": " + what);
+  throw InvalidInput("toolpath layer " + std::to_string(layer) + ", path " + std::to_string(path) + ": " +
+                     what);
 }
 
 std::string firstFault(const Path& path) {
@@ -27,7 +28,8 @@ std::string firstFault(const Path& path) {
   for (std::size_t i = 0; i < count; ++i)
     if (!path.points[i].allFinite()) return "waypoint " + std::to_string(i) + " is not finite";
   for (const double feed : path.feed_mm_s.values())
-    if (!(feed > 0.0 && std::isfinite(feed))) return "feed is " + std::to_string(feed) + " mm/s; must be positive";
+    if (!(feed > 0.0 && std::isfinite(feed)))
+      return "feed is " + std::to_string(feed) + " mm/s; must be positive";
   for (const Bead& bead : path.bead.values())
     if (!(bead.width_mm >= 0.0 && bead.height_mm >= 0.0 && std::isfinite(bead.width_mm + bead.height_mm)))
       return "bead is " + std::to_string(bead.width_mm) + " x " + std::to_string(bead.height_mm) + " mm";

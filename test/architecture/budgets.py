@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""The size budget of CONTRIBUTING.md: files of at most 400 lines, functions of at most 60, no names that say nothing,
+no unfinished work.
+
+Usage: budgets.py [ROOT]   exits 1 and names each offending place
+"""
+import pathlib
+import re
+import subprocess
+import sys
+
+MAX_FILE_LINES = 400
+MAX_FUNCTION_LINES = 60
+EMPTY_NAMES = re.compile(r"(^|_)(utils?|helpers?|manager|misc|common)(_|\.|$)")
+UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
+FUNCTION_START = re.compile(r"^\s*[A-Za-z_].*\)\s*(const)?\s*(noexcept)?\s*(override)?\s*\{\s*$")
+NO_FUNCTION = re.compile(r"^\s*(namespace|if|for|while|switch|else|do|try|catch|struct|class|enum|\}|case)\b|^\s*\[|=\s*\[")
+
+
+def tracked(root, *patterns):
+    listed = subprocess.run(["git", "-C", root, "ls-files", *patterns], capture_output=True, text=True, check=True)
+    return [pathlib.Path(root) / name for name in listed.stdout.split("\n") if name]
+
+
+def function_lengths(lines):
+    """Yields (first line number, length) of each function definition, found by its indentation."""
+    start = indent = None
+    for number, line in enumerate(lines, 1):
+        if start is None and FUNCTION_START.match(line) and not NO_FUNCTION.match(line):
+            start, indent = number, len(line) - len(line.lstrip())
+        elif start is not None and line.rstrip() == " " * indent + "}":
+            yield start, number - start + 1
+            start = None
+
+
+def faults(root):
+    for path in tracked(root, "*.hpp", "*.cpp", "*.py", "tools/*"):
+        lines = path.read_text().splitlines()
+        if len(lines) > MAX_FILE_LINES:
+            yield f"{path}: {len(lines)} lines; at most {MAX_FILE_LINES}"
+        if EMPTY_NAMES.search(path.name):
+            yield f"{path}: the name says nothing"
+        for number, line in enumerate(lines, 1):
+            if UNFINISHED.search(line) and "budgets" not in path.name:
+                yield f"{path}:{number}: unfinished: {line.strip()}"
+        if path.suffix in (".hpp", ".cpp"):
+            for start, length in function_lengths(lines):
+                if length > MAX_FUNCTION_LINES:
+                    yield f"{path}:{start}: a function of {length} lines; at most {MAX_FUNCTION_LINES}"
+
+
+def main():
+    found = list(faults(sys.argv[1] if len(sys.argv) > 1 else "."))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

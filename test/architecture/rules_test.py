@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""The architecture checks must find what they are there to find."""
+import pathlib
+import tempfile
+import unittest
+
+import budgets
+import include_rule
+
+
+def tree(files):
+    root = pathlib.Path(tempfile.mkdtemp())
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return root
+
+
+def faults(files):
+    return list(include_rule.faults(tree(files)))
+
+
+class IncludeRule(unittest.TestCase):
+    def test_an_arrow_may_be_followed(self):
+        self.assertEqual(faults({"src/core/planning/a.cpp": '#include "lamina/base/error.hpp"\n'}), [])
+
+    def test_against_the_arrow_is_refused(self):
+        self.assertEqual(len(faults({"include/lamina/geometry/a.hpp": '#include "lamina/slicing/layer.hpp"\n'})), 1)
+
+    def test_siblings_do_not_meet(self):
+        self.assertEqual(len(faults({"src/core/slicing/a.cpp": '#include "lamina/toolpath/toolpath.hpp"\n'})), 1)
+
+    def test_ros_headers_and_generated_messages_are_refused(self):
+        for header in ("<ros/ros.h>", "<geometry_msgs/Point.h>", '"lamina/Toolpath.h"', "<tf2_ros/buffer.h>"):
+            self.assertEqual(len(faults({"src/core/base/a.cpp": f"#include {header}\n"})), 1, header)
+
+    def test_the_command_line_knows_no_ros(self):
+        self.assertEqual(len(faults({"src/cli/a.cpp": "#include <ros/ros.h>\n"})), 1)
+
+    def test_a_folder_outside_the_rule_is_refused(self):
+        self.assertEqual(len(faults({"src/core/extras/a.cpp": "\n"})), 1)
+
+
+class Budgets(unittest.TestCase):
+    def test_function_length_counts_from_signature_to_brace(self):
+        lines = ["int f(int a) {", "  return a;", "}", "", "void g() {", "}"]
+        self.assertEqual(list(budgets.function_lengths(lines)), [(1, 3), (5, 2)])
+
+
+if __name__ == "__main__":
+    unittest.main()
