@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <string_view>
+
+#include "lamina/program/program_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Receives a text piece by piece, in order. The pieces together are the text; a piece may end amid a line.
+using TextSink = std::function<void(std::string_view piece)>;
+
+/// Writes the toolpath as G-code (Marlin flavour), in bed coordinates.
+///
+/// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer
+/// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only
+/// words that change are written. `;TYPE:role` opens a deposition path where the role changes or nothing else
+/// would tell it from the path before. Positions have 3 decimals [mm], extrusion 5 [mm of filament], feeds 3
+/// [mm/min]; the remainder of each rounding of E is carried on, so that the sum of all E is that of the
+/// toolpath within half a unit of the last decimal.
+///
+/// The nozzle travels to the first waypoint height first, then across. Material is pulled back and pushed
+/// forth at retracted paths; consecutive retracted paths share one retraction. Layers are written by all
+/// threads in bounded memory; the bytes are the same whatever their number.
+///
+/// @param bed_from_part  where the part stands on the bed [mm]
+/// @throws InvalidInput if the toolpath holds no motion, a number is not finite or beyond 10 km, a feed is
+/// not
+///   positive, or the nozzle does not point straight down in the bed frame; names layer, path and waypoint.
+///   All of it is checked before the first piece is written.
+/// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c} and
+///   {bed_temperature_c}. A line whose placeholder stands for 0 °C is left out.
+void writeGcode(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                const ProgramSettings& settings, const TextSink& sink);
+
+}  // namespace lamina

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/gcode_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "program/extrusion.hpp"
+#include "program/fixed_point.hpp"
+#include "program/layer_writer.hpp"
+#include "program/start_code.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLargest = 1e7;        // mm and mm/s: 10 km, far inside what the counts of units can hold
+constexpr double kStraightDown = 1e-6;  // rad: what rounding leaves of a rotation
+constexpr std::size_t kWaypointsAtOnce = 1U << 17;  // some 4 MB of text
+
+[[noreturn]] void refuse(const Path& path, std::size_t waypoint, const std::string& what) {
+  throw InvalidInput(std::string(toString(path.role)) + " path, waypoint " + std::to_string(waypoint) + ": " +
+                     what);
+}
+
+bool isWritable(const Point3& point) { return point.cwiseAbs().maxCoeff() < kLargest && !point.hasNaN(); }
+
+void requireWritable(const Path& path) {
+  if (path.points.size() < 2) refuse(path, path.points.size(), "a path needs at least 2 waypoints");
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+    if (!isWritable(path.points[i])) refuse(path, i, "the position is not a number within 10 km");
+  const auto& feeds = path.feed_mm_s.values();
+  for (std::size_t i = 0; i < feeds.size(); ++i)
+    if (!(feeds[i] > 0.0 && feeds[i] < kLargest))
+      refuse(path, i, "feed is " + std::to_string(feeds[i]) + " mm/s; must be positive");
+  const auto& beads = path.bead.values();
+  for (std::size_t i = 0; i < beads.size(); ++i)
+    if (!(beads[i].width_mm >= 0.0 && beads[i].height_mm >= 0.0 && crossSection(beads[i]) < kLargest))
+      refuse(path, i, "bead width and height must be finite and not negative");
+}
+
+void requireStraightDown(const Path& path, const Eigen::Isometry3d& bed_from_part) {
+  const auto& orientations = path.orientation.values();
+  for (std::size_t i = 0; i < orientations.size(); ++i) {
+    const Point3 jet = bed_from_part.linear() * (orientations[i] * Point3::UnitZ());
+    const double tilt = std::atan2(jet.head<2>().norm(), -jet.z());
+    if (!(tilt <= kStraightDown))
+      refuse(path, i,
+             "the nozzle is tilted by " + std::to_string(tilt * 180.0 / M_PI) +
+                 " deg from straight down; a three-axis program needs 0");
+  }
+}
+
+/// @return filament the layer lays [mm]
+double checkLayer(const ToolpathLayer& layer, const Eigen::Isometry3d& bed_from_part,
+                  double filament_per_volume) {
+  double sum = 0.0;
+  for (const Path& path : layer.paths) {
+    requireWritable(path);
+    requireStraightDown(path, bed_from_part);
+    const PathExtrusion extrusion(path, filament_per_volume);
+    const std::size_t motions = path.motionCount();
+    for (std::size_t m = 0; m < motions; ++m) {
+      const std::size_t end = path.motionEnd(m);
+      sum += extrusion.along((path.points[end] - path.points[m]).norm(), end);
+    }
+  }
+  return sum;
+}
+
+std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                                    const ProgramSettings& settings) {
+  const double filament_per_volume = filamentPerVolume(settings);
+  std::vector<double> filament_mm(toolpath.layers.size());
+  NoProgress nobody;
+  const auto check = [&](std::size_t l) {
+    try {
+      filament_mm[l] = checkLayer(toolpath.layers[l], bed_from_part, filament_per_volume);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("toolpath layer " + std::to_string(l) + ", " + error.what());
+    }
+  };
+  parallelFor(toolpath.layers.size(), check, nobody, "check");
+
+  std::vector<LayerStart> starts(toolpath.layers.size());
+  double sum = 0.0;
+  for (std::size_t l = 0; l < starts.size(); ++l) {
+    starts[l].index = l;
+    starts[l].filament_mm = sum;
+    sum += filament_mm[l];
+  }
+  return starts;
+}
+
+/// Lets layers know whether material is pulled back where they meet. Layers without paths pass it on.
+void connectRetractions(const Toolpath& toolpath, std::vector<LayerStart>& starts) {
+  bool next_is_retracted = false;
+  for (std::size_t l = starts.size(); l-- > 0;) {
+    starts[l].next_is_retracted = next_is_retracted;
+    const auto& paths = toolpath.layers[l].paths;
+    if (!paths.empty()) next_is_retracted = paths.front().process.is_retracted;
+  }
+  bool is_retracted = false;
+  for (std::size_t l = 0; l < starts.size(); ++l) {
+    const auto& paths = toolpath.layers[l].paths;
+    if (paths.empty()) continue;
+    starts[l].is_retracted = is_retracted && paths.front().process.is_retracted;
+    is_retracted = paths.back().process.is_retracted;
+  }
+}
+
+const Path& firstPath(const Toolpath& toolpath) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    if (!layer.paths.empty()) return layer.paths.front();
+  throw InvalidInput("the toolpath of '" + toolpath.part_name +
+                     "' has no path; a program needs at least one motion");
+}
+
+std::string oneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  return text;
+}
+
+std::string approach(const Point3& first, double feed_mm_s) {
+  char line[128] = "G0 Z";
+  char* out = writeFixed<3>(line + 4, toUnits(first.z(), 1e3));
+  out = std::copy_n(" F", 2, out);
+  out = writeFixed<3>(out, toUnits(feed_mm_s, 60e3));
+  out = std::copy_n("\nG0 X", 5, out);
+  out = writeFixed<3>(out, toUnits(first.x(), 1e3));
+  out = std::copy_n(" Y", 2, out);
+  out = writeFixed<3>(out, toUnits(first.y(), 1e3));
+  *out++ = '\n';
+  return {line, out};
+}
+
+/// Feed of the first travel, or of the first path if there is no travel.
+double approachFeed(const Toolpath& toolpath) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::Travel) return path.feed_mm_s.at(path.points.size() - 1);
+  const Path& path = firstPath(toolpath);
+  return path.feed_mm_s.at(path.points.size() - 1);
+}
+
+std::size_t waypointCount(const ToolpathLayer& layer) {
+  std::size_t sum = 0;
+  for (const Path& path : layer.paths) sum += path.points.size();
+  return sum;
+}
+
+/// Index one past the layers, from `begin`, that together have some `kWaypointsAtOnce` waypoints.
+std::size_t batchEnd(const Toolpath& toolpath, std::size_t begin) {
+  std::size_t waypoints = 0;
+  std::size_t end = begin;
+  while (end < toolpath.layers.size() && waypoints < kWaypointsAtOnce)
+    waypoints += waypointCount(toolpath.layers[end++]);
+  return end;
+}
+
+void writeLayers(const Toolpath& toolpath, const std::vector<LayerStart>& starts, const LayerWriter& writer,
+                 const TextSink& sink) {
+  std::vector<std::string> texts;
+  NoProgress nobody;
+  for (std::size_t begin = 0; begin < toolpath.layers.size();) {
+    const std::size_t end = batchEnd(toolpath, begin);
+    if (texts.size() < end - begin) texts.resize(end - begin);
+    const auto write = [&](std::size_t i) {
+      texts[i].clear();
+      writer.write(toolpath.layers[begin + i], starts[begin + i], texts[i]);
+    };
+    parallelFor(end - begin, write, nobody, "write");
+    for (std::size_t i = 0; i < end - begin; ++i) sink(texts[i]);
+    begin = end;
+  }
+}
+
+}  // namespace
+
+void writeGcode(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                const ProgramSettings& settings, const TextSink& sink) {
+  const Path& first = firstPath(toolpath);
+  std::vector<LayerStart> starts = checkLayers(toolpath, bed_from_part, settings);
+  connectRetractions(toolpath, starts);
+  const std::string start_code = expandCode("program.start_code", settings.start_code, settings);
+  const std::string end_code = expandCode("program.end_code", settings.end_code, settings);
+
+  sink("; generated by Lamina\n; part: " + oneLine(toolpath.part_name) + "\n;LAYER_COUNT:" +
+       std::to_string(toolpath.layers.size()) + "\n" + start_code + "G21\nG90\nM83\nG92 E0\n");
+  sink(approach(bed_from_part * first.firstPoint(), approachFeed(toolpath)));
+  writeLayers(toolpath, starts, LayerWriter(bed_from_part, settings), sink);
+  sink("; end of the part\n" + end_code);
+}
+
+}  // namespace lamina

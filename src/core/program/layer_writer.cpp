@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/layer_writer.hpp"
+
+#include "program/extrusion.hpp"
+#include "program/fixed_point.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kPositionScale = 1e3;     // 3 decimals
+constexpr double kFilamentScale = 1e5;     // 5 decimals
+constexpr double kFeedScale = 60.0 * 1e3;  // mm/s to mm/min with 3 decimals
+constexpr std::size_t kLongestLine = 128;
+
+/// Appends " X1.5" if the value is not the one that holds.
+char* writeChanged(char* out, char letter, std::int64_t units, std::int64_t& modal) {
+  if (units == modal) return out;
+  modal = units;
+  *out++ = ' ';
+  *out++ = letter;
+  return writeFixed<3>(out, units);
+}
+
+void writeComment(const char* key, double value_mm, std::string& text) {
+  char line[kLongestLine];
+  char* end = writeFixed<3>(line, toUnits(value_mm, kPositionScale));
+  *end++ = '\n';
+  text.append(key).append(line, end);
+}
+
+}  // namespace
+
+LayerWriter::LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSettings& settings)
+    : rotation_(bed_from_part.linear()),
+      translation_(bed_from_part.translation()),
+      filament_per_volume_(filamentPerVolume(settings)),
+      retraction_length_mm_(settings.retraction_length_mm),
+      retraction_feed_mm_s_(settings.retraction_feed_mm_s) {}
+
+void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
+  text.append(";LAYER:").append(std::to_string(start.index)).append("\n");
+  writeComment(";Z:", layer.z_mm + translation_.z(), text);
+  writeComment(";HEIGHT:", layer.height_mm, text);
+  Modal modal;
+  modal.filament_mm = start.filament_mm;
+  modal.filament = toUnits(start.filament_mm, kFilamentScale);
+
+  bool is_retracted = start.is_retracted;
+  const Path* previous = nullptr;  // deposition path that ends where the next one starts
+  PathRole role = PathRole::Travel;
+  std::int64_t bead_height = toUnits(layer.height_mm, kPositionScale);
+  for (std::size_t p = 0; p < layer.paths.size(); ++p) {
+    const Path& path = layer.paths[p];
+    const bool next_is_retracted =
+        p + 1 < layer.paths.size() ? layer.paths[p + 1].process.is_retracted : start.next_is_retracted;
+    if (path.process.is_retracted && !is_retracted) writeRetraction(-retraction_length_mm_, modal, text);
+    if (path.role != PathRole::Travel) {
+      if (path.role != role || previous != nullptr)
+        text.append(";TYPE:").append(toString(path.role)).append("\n");
+      role = path.role;
+      const double height_mm = path.bead.at(0).height_mm;
+      if (toUnits(height_mm, kPositionScale) != bead_height) writeComment(";HEIGHT:", height_mm, text);
+      bead_height = toUnits(height_mm, kPositionScale);
+    }
+    previous = path.role == PathRole::Travel ? nullptr : &path;
+    writePath(path, modal, text);
+    is_retracted = path.process.is_retracted && next_is_retracted;
+    if (path.process.is_retracted && !is_retracted) writeRetraction(retraction_length_mm_, modal, text);
+  }
+}
+
+void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) const {
+  const PathExtrusion extrusion(path, filament_per_volume_);
+  const std::size_t motions = path.motionCount();
+  for (std::size_t m = 0; m < motions; ++m) {
+    const std::size_t end = path.motionEnd(m);
+    const double length_mm = (path.points[end] - path.points[m]).norm();
+    modal.filament_mm += extrusion.along(length_mm, end);
+    writeMotion(path.points[end], path.feed_mm_s.at(end), modal, text);
+  }
+}
+
+void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {
+  const Point3 target = rotation_ * end + translation_;
+  char line[kLongestLine];
+  char* out = line + 2;
+  out = writeChanged(out, 'X', toUnits(target.x(), kPositionScale), modal.x);
+  out = writeChanged(out, 'Y', toUnits(target.y(), kPositionScale), modal.y);
+  out = writeChanged(out, 'Z', toUnits(target.z(), kPositionScale), modal.z);
+  if (out == line + 2) return;  // shorter than the last decimal: its material goes to the next motion
+  const std::int64_t filament = toUnits(modal.filament_mm, kFilamentScale);
+  line[0] = 'G';
+  line[1] = '0';
+  if (filament != modal.filament) {
+    line[1] = '1';
+    *out++ = ' ';
+    *out++ = 'E';
+    out = writeFixed<5>(out, filament - modal.filament);
+    modal.filament = filament;
+  }
+  out = writeChanged(out, 'F', toUnits(feed_mm_s, kFeedScale), modal.feed);
+  *out++ = '\n';
+  text.append(line, out);
+}
+
+void LayerWriter::writeRetraction(double length_mm, Modal& modal, std::string& text) const {
+  const std::int64_t units = toUnits(length_mm, kFilamentScale);
+  if (units == 0) return;
+  char line[kLongestLine] = "G1 E";
+  char* out = writeFixed<5>(line + 4, units);
+  out = writeChanged(out, 'F', toUnits(retraction_feed_mm_s_, kFeedScale), modal.feed);
+  *out++ = '\n';
+  text.append(line, out);
+}
+
+}  // namespace lamina

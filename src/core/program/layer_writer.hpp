@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "lamina/program/program_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// What is known where a layer begins.
+struct LayerStart {
+  std::size_t index = 0;
+  double filament_mm = 0.0;        ///< laid by the layers before, without retractions
+  bool is_retracted = false;       ///< by the path before
+  bool next_is_retracted = false;  ///< the path after the layer's last one is a retracted one
+};
+
+/// Writes the layers of a toolpath as G-code; each layer by itself, so that layers can be written in any
+/// order.
+class LayerWriter {
+ public:
+  LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSettings& settings);
+
+  /// Appends the layer to `text`.
+  void write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const;
+
+ private:
+  static constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
+
+  /// Words that hold until they are written again, in units of their last decimal.
+  struct Modal {
+    std::int64_t x = kUnknown, y = kUnknown, z = kUnknown, feed = kUnknown;
+    std::int64_t filament = 0;  ///< sum of all E so far
+    double filament_mm = 0.0;   ///< the same before rounding
+  };
+
+  void writePath(const Path& path, Modal& modal, std::string& text) const;
+  void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
+  void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
+
+  Eigen::Matrix3d rotation_;
+  Point3 translation_;
+  double filament_per_volume_;
+  double retraction_length_mm_;
+  double retraction_feed_mm_s_;
+};
+
+}  // namespace lamina
