@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversions.hpp"
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kUnitTolerance = 1e-6;  // of a quaternion's norm: messages may come from single precision
+
+template <class Message, class Value>
+std::vector<Message> toMessages(const std::vector<Value>& values) {
+  std::vector<Message> messages;
+  messages.reserve(values.size());
+  for (const Value& value : values) messages.push_back(toMessage(value));
+  return messages;
+}
+
+template <class Value, class Message>
+std::vector<Value> fromMessages(const std::vector<Message>& messages) {
+  std::vector<Value> values;
+  values.reserve(messages.size());
+  for (const Message& message : messages) values.push_back(fromMessage(message));
+  return values;
+}
+
+lamina_msgs::ToolpathPath toMessage(const Path& path) {
+  lamina_msgs::ToolpathPath message;
+  message.role = static_cast<std::uint8_t>(path.role);
+  message.is_closed = path.is_closed;
+  message.is_retracted = path.process.is_retracted;
+  message.points = toMessages<geometry_msgs::Point>(path.points);
+  message.orientation = toMessages<geometry_msgs::Quaternion>(path.orientation.values());
+  message.bead = toMessages<lamina_msgs::Bead>(path.bead.values());
+  for (const double feed : path.feed_mm_s.values()) message.feed.push_back(toMetres(feed));
+  return message;
+}
+
+PathRole roleFromMessage(std::uint8_t role) {
+  if (role > lamina_msgs::ToolpathPath::TRAVEL)
+    throw InvalidInput("path role is " + std::to_string(role) + "; must be one of lamina/ToolpathPath");
+  return static_cast<PathRole>(role);
+}
+
+Path fromMessage(const lamina_msgs::ToolpathPath& message) {
+  Path path;
+  path.role = roleFromMessage(message.role);
+  path.is_closed = message.is_closed;
+  path.process.is_retracted = message.is_retracted;
+  path.points = fromMessages<Point3>(message.points);
+  path.orientation = AlongPath<Eigen::Quaterniond>(fromMessages<Eigen::Quaterniond>(message.orientation));
+  path.bead = AlongPath<Bead>(fromMessages<Bead>(message.bead));
+  std::vector<double> feed;
+  for (const double metres_per_second : message.feed) feed.push_back(toMillimetres(metres_per_second));
+  path.feed_mm_s = AlongPath<double>(std::move(feed));
+  return path;
+}
+
+lamina_msgs::ToolpathLayer toMessage(const ToolpathLayer& layer) {
+  lamina_msgs::ToolpathLayer message;
+  message.z = toMetres(layer.z_mm);
+  message.height = toMetres(layer.height_mm);
+  message.paths.reserve(layer.paths.size());
+  for (const Path& path : layer.paths) message.paths.push_back(toMessage(path));
+  return message;
+}
+
+ToolpathLayer fromMessage(const lamina_msgs::ToolpathLayer& message) {
+  ToolpathLayer layer;
+  layer.z_mm = toMillimetres(message.z);
+  layer.height_mm = toMillimetres(message.height);
+  layer.paths.reserve(message.paths.size());
+  for (const auto& path : message.paths) layer.paths.push_back(fromMessage(path));
+  return layer;
+}
+
+}  // namespace
+
+geometry_msgs::Point toMessage(const Point3& point) {
+  geometry_msgs::Point message;
+  message.x = toMetres(point.x());
+  message.y = toMetres(point.y());
+  message.z = toMetres(point.z());
+  return message;
+}
+
+Point3 fromMessage(const geometry_msgs::Point& point) {
+  return {toMillimetres(point.x), toMillimetres(point.y), toMillimetres(point.z)};
+}
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& rotation) {
+  geometry_msgs::Quaternion message;
+  message.x = rotation.x();
+  message.y = rotation.y();
+  message.z = rotation.z();
+  message.w = rotation.w();
+  return message;
+}
+
+Eigen::Quaterniond fromMessage(const geometry_msgs::Quaternion& rotation) {
+  return {rotation.w, rotation.x, rotation.y, rotation.z};
+}
+
+geometry_msgs::Pose toMessage(const Eigen::Isometry3d& pose) {
+  geometry_msgs::Pose message;
+  message.position = toMessage(Point3(pose.translation()));
+  message.orientation = toMessage(Eigen::Quaterniond(pose.linear()));
+  return message;
+}
+
+Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose) {
+  const Eigen::Quaterniond rotation = fromMessage(pose.orientation);
+  const Point3 position = fromMessage(pose.position);
+  if (!position.allFinite()) throw InvalidInput("the position of a pose is not finite");
+  if (!(std::abs(rotation.norm() - 1.0) < kUnitTolerance))
+    throw InvalidInput("the orientation of a pose has norm " + std::to_string(rotation.norm()) +
+                       "; must be 1");
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.linear() = rotation.normalized().toRotationMatrix();
+  isometry.translation() = position;
+  return isometry;
+}
+
+lamina_msgs::Bead toMessage(const Bead& bead) {
+  lamina_msgs::Bead message;
+  message.width = toMetres(bead.width_mm);
+  message.height = toMetres(bead.height_mm);
+  return message;
+}
+
+Bead fromMessage(const lamina_msgs::Bead& bead) {
+  return {toMillimetres(bead.width), toMillimetres(bead.height)};
+}
+
+lamina_msgs::Toolpath toMessage(const PlacedToolpath& placed) {
+  lamina_msgs::Toolpath message;
+  message.id = placed.id;
+  message.part_name = placed.toolpath.part_name;
+  message.bed_from_part = toMessage(placed.bed_from_part);
+  message.machine = placed.machine;
+  message.layers.reserve(placed.toolpath.layers.size());
+  for (const ToolpathLayer& layer : placed.toolpath.layers) message.layers.push_back(toMessage(layer));
+  return message;
+}
+
+PlacedToolpath fromMessage(const lamina_msgs::Toolpath& message) {
+  PlacedToolpath placed;
+  placed.id = message.id;
+  placed.machine = message.machine;
+  placed.bed_from_part = fromMessage(message.bed_from_part);
+  placed.toolpath.part_name = message.part_name;
+  placed.toolpath.layers.reserve(message.layers.size());
+  for (const auto& layer : message.layers) placed.toolpath.layers.push_back(fromMessage(layer));
+  validate(placed.toolpath);
+  return placed;
+}
+
+}  // namespace lamina

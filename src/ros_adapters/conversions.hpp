@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Point.h>
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Quaternion.h>
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "lamina/toolpath/toolpath.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+// The only place where the core's millimetres and the messages' metres meet. `toMessage` and `fromMessage`
+// are inverse to each other within rounding (1e-12 of the value).
+
+inline constexpr double kMetresPerMillimetre = 1e-3;
+inline constexpr double kMillimetresPerMetre = 1e3;
+
+/// Length [m] of a length [mm]; the same for speeds.
+inline double toMetres(double millimetres) { return millimetres * kMetresPerMillimetre; }
+/// Length [mm] of a length [m]; the same for speeds.
+inline double toMillimetres(double metres) { return metres * kMillimetresPerMetre; }
+
+geometry_msgs::Point toMessage(const Point3& point);
+Point3 fromMessage(const geometry_msgs::Point& point);
+
+geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& rotation);
+Eigen::Quaterniond fromMessage(const geometry_msgs::Quaternion& rotation);
+
+/// @param pose  translation [mm]
+geometry_msgs::Pose toMessage(const Eigen::Isometry3d& pose);
+/// @throws InvalidInput if the orientation is no unit quaternion or the position is not finite
+Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose);
+
+lamina_msgs::Bead toMessage(const Bead& bead);
+Bead fromMessage(const lamina_msgs::Bead& bead);
+
+/// A toolpath with its identity, and with where it is to be run: what travels as one message.
+struct PlacedToolpath {
+  std::string id;       ///< of the toolpath as it was planned
+  std::string machine;  ///< name of the machine it was planned for
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
+  Toolpath toolpath;
+};
+
+/// The message with an empty header: stamp and frame belong to the publisher.
+lamina_msgs::Toolpath toMessage(const PlacedToolpath& placed);
+/// The id is taken as it stands in the message: the values were rounded on the way through metres.
+/// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
+PlacedToolpath fromMessage(const lamina_msgs::Toolpath& message);
+
+}  // namespace lamina

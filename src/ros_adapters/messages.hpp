@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Lamina's generated messages, in namespace lamina_msgs: roscpp would put them into `lamina`, where the
+// core's own Toolpath, Bead and Setting live. Only C++ sees the other name; on the wire they are
+// lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
+
+#define lamina lamina_msgs
+#include <lamina/Bead.h>
+#include <lamina/LayerHeight.h>
+#include <lamina/MachineState.h>
+#include <lamina/Setting.h>
+#include <lamina/SliceAction.h>
+#include <lamina/SliceMesh.h>
+#include <lamina/SliceSummary.h>
+#include <lamina/Status.h>
+#include <lamina/StreamProgramAction.h>
+#include <lamina/Toolpath.h>
+#include <lamina/ToolpathLayer.h>
+#include <lamina/ToolpathPath.h>
+#undef lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Names of everything the nodes share, relative to the namespace they run in.
+namespace lamina::names {
+
+// Topics.
+inline constexpr char kToolpath[] = "toolpath";                 ///< lamina/Toolpath, latched
+inline constexpr char kToolpathMarkers[] = "toolpath_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kMachineState[] = "machine_state";        ///< lamina/MachineState, latched
+inline constexpr char kMachinePosition[] =
+    "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
+inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState
+inline constexpr char kJointTrajectory[] = "joint_trajectory";  ///< trajectory_msgs/JointTrajectory
+inline constexpr char kNozzlePath[] = "nozzle_path";            ///< nav_msgs/Path
+inline constexpr char kProfile[] = "profile";           ///< sensor_msgs/PointCloud2 of the profile sensor
+inline constexpr char kDeposited[] = "deposited";       ///< sensor_msgs/PointCloud2 of the deposited material
+inline constexpr char kLayerHeight[] = "layer_height";  ///< lamina/LayerHeight
+inline constexpr char kHeightMap[] = "height_map";      ///< sensor_msgs/PointCloud2 of measured heights
+inline constexpr char kHeightDeviation[] =
+    "height_deviation";  ///< sensor_msgs/PointCloud2 of measured less expected
+
+// Services.
+inline constexpr char kSliceMesh[] = "slice_mesh";           ///< lamina/SliceMesh
+inline constexpr char kPause[] = "pause";                    ///< std_srvs/Trigger
+inline constexpr char kResume[] = "resume";                  ///< std_srvs/Trigger
+inline constexpr char kAbort[] = "abort";                    ///< std_srvs/Trigger
+inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigger
+
+// Actions.
+inline constexpr char kSlice[] = "slice";                   ///< lamina/Slice
+inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamProgram
+
+// Frames.
+inline constexpr char kWorldFrame[] = "world";
+inline constexpr char kBaseFrame[] = "base_link";
+inline constexpr char kBedFrame[] = "bed";
+inline constexpr char kPartFrame[] = "part";
+inline constexpr char kNozzleFrame[] = "nozzle";
+inline constexpr char kToolFrame[] = "tool0";
+inline constexpr char kSensorFrame[] = "sensor";
+
+}  // namespace lamina::names

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parameters.hpp"
+
+#include <charconv>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+struct Parameter {
+  SettingText setting;
+  XmlRpcValue::Type type;
+};
+
+std::string shortest(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
+std::string textOf(const std::string& key, XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeBoolean:
+      return static_cast<bool>(value) ? "true" : "false";
+    case XmlRpcValue::TypeInt:
+      return std::to_string(static_cast<int>(value));
+    case XmlRpcValue::TypeDouble:
+      return shortest(static_cast<double>(value));
+    case XmlRpcValue::TypeString:
+      return static_cast<std::string>(value);
+    default:
+      throw InvalidConfig("parameter " + key + " is a list, a date or binary; must be a single value");
+  }
+}
+
+void flatten(const std::string& prefix, XmlRpcValue& group, std::vector<Parameter>& found) {
+  for (auto& [name, value] : group) {
+    const std::string key = prefix + name;
+    if (value.getType() == XmlRpcValue::TypeStruct)
+      flatten(key + ".", value, found);
+    else
+      found.push_back({{key, textOf(key, value)}, value.getType()});
+  }
+}
+
+std::vector<Parameter> parameters(const ros::NodeHandle& node) {
+  XmlRpcValue root;
+  std::vector<Parameter> found;
+  if (node.getParam(node.getNamespace(), root) && root.getType() == XmlRpcValue::TypeStruct)
+    flatten("", root, found);
+  return found;
+}
+
+bool fits(const std::string& setting_type, XmlRpcValue::Type type) {
+  if (setting_type == "flag") return type == XmlRpcValue::TypeBoolean;
+  if (setting_type == "integer") return type == XmlRpcValue::TypeInt;
+  if (setting_type == "number") return type == XmlRpcValue::TypeInt || type == XmlRpcValue::TypeDouble;
+  return type == XmlRpcValue::TypeString;
+}
+
+}  // namespace
+
+std::vector<SettingText> settingsFromParameters(const ros::NodeHandle& node) {
+  std::vector<SettingText> settings;
+  for (Parameter& parameter : parameters(node)) settings.push_back(std::move(parameter.setting));
+  return settings;
+}
+
+void applyParameters(SettingsSchema& schema, const ros::NodeHandle& node) {
+  for (const auto& [setting, type] : parameters(node)) {
+    for (const Setting& known : schema.settings())
+      if (known.key == setting.key && !fits(known.type, type))
+        throw InvalidConfig(setting.key + " is '" + setting.text + "', which is no " + known.type);
+    schema.set(setting.key, setting.text);
+  }
+}
+
+std::string describeSettings(const SettingsSchema& schema) {
+  std::string lines;
+  for (const Setting& setting : schema.settings()) lines += "\n  " + setting.key + ": " + setting.get();
+  return lines;
+}
+
+}  // namespace lamina

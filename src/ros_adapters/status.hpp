@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/error.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// The failure as an answer; code and message empty stand for success.
+lamina_msgs::Status toMessage(const Failure& failure);
+
+/// @throws InvalidInput if the code is none of Status.msg
+Failure fromMessage(const lamina_msgs::Status& status);
+
+/// Does nothing if the status is OK.
+/// @throws Error with the code and message of the status
+void throwIfFailed(const lamina_msgs::Status& status);
+
+}  // namespace lamina

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "toolpath_markers.hpp"
+
+#include <array>
+
+#include "conversions.hpp"
+
+namespace lamina {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+constexpr std::size_t kRoles = 6;
+constexpr std::size_t kPointsPerMarker = 40000;
+constexpr double kTravelWidth = 0.1;  // mm: a hair beside any bead
+
+std_msgs::ColorRGBA colour(PathRole role) {
+  struct Rgba {
+    float r, g, b, a;
+  };
+  static constexpr std::array<Rgba, kRoles> kColours = {{{0.55F, 0.55F, 0.60F, 1.0F},
+                                                         {0.95F, 0.45F, 0.10F, 1.0F},
+                                                         {0.98F, 0.75F, 0.25F, 1.0F},
+                                                         {0.20F, 0.55F, 0.85F, 1.0F},
+                                                         {0.75F, 0.25F, 0.70F, 1.0F},
+                                                         {0.40F, 0.85F, 0.55F, 0.15F}}};
+  const Rgba& rgba = kColours[static_cast<std::size_t>(role)];
+  std_msgs::ColorRGBA message;
+  message.r = rgba.r;
+  message.g = rgba.g;
+  message.b = rgba.b;
+  message.a = rgba.a;
+  return message;
+}
+
+/// Collects the segments of each role and gives them away as markers at the ends of layers.
+class MarkerChunks {
+ public:
+  explicit MarkerChunks(const std::string& frame) : frame_(frame) {
+    Marker clear;
+    clear.header.frame_id = frame;
+    clear.action = Marker::DELETEALL;
+    markers_.markers.push_back(clear);
+    for (std::size_t role = 0; role < kRoles; ++role) open_[role] = emptyMarker(static_cast<PathRole>(role));
+  }
+
+  void add(const Path& path) {
+    Marker& marker = open_[static_cast<std::size_t>(path.role)];
+    const bool is_travel = path.role == PathRole::Travel;
+    marker.scale.x = toMetres(is_travel ? kTravelWidth : path.bead.at(0).width_mm);
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      marker.points.push_back(toMessage(path.points[m]));
+      marker.points.push_back(toMessage(path.points[path.motionEnd(m)]));
+    }
+  }
+
+  void endLayer() {
+    for (Marker& marker : open_)
+      if (marker.points.size() >= kPointsPerMarker) close(marker);
+  }
+
+  MarkerArray finish() {
+    for (Marker& marker : open_)
+      if (!marker.points.empty()) close(marker);
+    return std::move(markers_);
+  }
+
+ private:
+  Marker emptyMarker(PathRole role) {
+    Marker marker;
+    marker.header.frame_id = frame_;
+    marker.ns = toString(role);
+    marker.id = next_id_++;
+    marker.type = Marker::LINE_LIST;
+    marker.pose.orientation.w = 1.0;
+    marker.color = colour(role);
+    return marker;
+  }
+
+  void close(Marker& marker) {
+    Marker next = emptyMarker(pathRoleFromString(marker.ns));
+    markers_.markers.push_back(std::move(marker));
+    marker = std::move(next);
+  }
+
+  std::string frame_;
+  int next_id_ = 0;
+  std::array<Marker, kRoles> open_;
+  MarkerArray markers_;
+};
+
+}  // namespace
+
+MarkerArray toolpathMarkers(const Toolpath& toolpath, const std::string& frame) {
+  MarkerChunks chunks(frame);
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const Path& path : layer.paths) chunks.add(path);
+    chunks.endLayer();
+  }
+  return chunks.finish();
+}
+
+}  // namespace lamina

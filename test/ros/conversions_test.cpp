@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversions.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <limits>
+
+#include "lamina/base/error.hpp"
+
+namespace {
+
+using lamina::Path;
+using lamina::PathRole;
+using lamina::PlacedToolpath;
+using lamina::Point3;
+
+constexpr double kRelative = 1e-12;  // what a multiplication and its inverse may round
+
+void expectNear(const Point3& actual, const Point3& expected) {
+  EXPECT_LE((actual - expected).norm(), kRelative * expected.norm());
+}
+
+/// A wall with a bead that varies, a retracted travel, and a fill: everything a message can carry.
+PlacedToolpath placedToolpath() {
+  Path wall;
+  wall.role = PathRole::OuterWall;
+  wall.is_closed = true;
+  wall.points = {{0.1, 0.2, 0.3}, {10.7, 0.2, 0.3}, {10.7, 9.9, 0.3}};
+  wall.bead = lamina::AlongPath<lamina::Bead>({{0.4, 0.3}, {0.41, 0.3}, {0.42, 0.31}});
+  wall.feed_mm_s = 33.3;
+  Path travel;
+  travel.role = PathRole::Travel;
+  travel.process.is_retracted = true;
+  travel.points = {wall.lastPoint(), {1.0 / 3.0, 5.0, 0.5}};
+  travel.feed_mm_s = 150.0;
+  Path fill;
+  fill.points = {travel.lastPoint(), {7.0, 5.0, 0.3}};
+  fill.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Point3::UnitX()));
+  fill.bead = lamina::Bead{0.4, 0.3};
+  fill.feed_mm_s = 60.0;
+  PlacedToolpath placed;
+  placed.toolpath.part_name = "wall";
+  placed.toolpath.layers = {{0.3, 0.3, {wall, travel, fill}}, {0.6, 0.3, {}}};
+  placed.id = toolpathId(placed.toolpath);
+  placed.machine = "gantry";
+  placed.bed_from_part = Eigen::Translation3d(100.0, 90.0, 0.0) * Eigen::AngleAxisd(0.5, Point3::UnitZ());
+  return placed;
+}
+
+TEST(Conversions, GiveMetresInMessages) {
+  const auto point = lamina::toMessage(Point3(1.0, -20.0, 300.0));
+  EXPECT_DOUBLE_EQ(point.x, 0.001);
+  EXPECT_DOUBLE_EQ(point.y, -0.02);
+  EXPECT_DOUBLE_EQ(point.z, 0.3);
+  EXPECT_DOUBLE_EQ(lamina::toMessage(lamina::Bead{0.4, 0.2}).width, 0.0004);
+  const auto message = lamina::toMessage(placedToolpath());
+  EXPECT_DOUBLE_EQ(message.bed_from_part.position.x, 0.1);
+  EXPECT_DOUBLE_EQ(message.layers.at(0).z, 0.0003);
+  EXPECT_DOUBLE_EQ(message.layers.at(0).paths.at(1).feed.at(0), 0.15);
+}
+
+TEST(Conversions, CarryAToolpathThereAndBack) {
+  const PlacedToolpath there = placedToolpath();
+  const PlacedToolpath back = lamina::fromMessage(lamina::toMessage(there));
+  EXPECT_EQ(back.id, there.id);
+  EXPECT_EQ(back.machine, there.machine);
+  EXPECT_EQ(back.toolpath.part_name, there.toolpath.part_name);
+  EXPECT_TRUE(back.bed_from_part.isApprox(there.bed_from_part, kRelative));
+  ASSERT_EQ(back.toolpath.layers.size(), there.toolpath.layers.size());
+  ASSERT_EQ(back.toolpath.layers[0].paths.size(), there.toolpath.layers[0].paths.size());
+  for (std::size_t p = 0; p < there.toolpath.layers[0].paths.size(); ++p) {
+    const Path& expected = there.toolpath.layers[0].paths[p];
+    const Path& actual = back.toolpath.layers[0].paths[p];
+    EXPECT_EQ(actual.role, expected.role);
+    EXPECT_EQ(actual.is_closed, expected.is_closed);
+    EXPECT_EQ(actual.process.is_retracted, expected.process.is_retracted);
+    EXPECT_EQ(actual.bead.values().size(), expected.bead.values().size());
+    EXPECT_NEAR(actual.feed_mm_s.at(0), expected.feed_mm_s.at(0), kRelative * expected.feed_mm_s.at(0));
+    EXPECT_TRUE(actual.orientation.at(0).isApprox(expected.orientation.at(0), kRelative));
+    for (std::size_t i = 0; i < expected.points.size(); ++i) expectNear(actual.points[i], expected.points[i]);
+  }
+}
+
+TEST(Conversions, CarryAnyPointThereAndBack) {
+  rc::check("a point survives the way through metres", [] {
+    const auto coordinate = [] { return *rc::gen::inRange(-2000000, 2000000) / 997.0; };
+    const Point3 point(coordinate(), coordinate(), coordinate());
+    RC_ASSERT((lamina::fromMessage(lamina::toMessage(point)) - point).norm() <= kRelative * point.norm());
+  });
+}
+
+TEST(Conversions, RefuseAToolpathThatBreaksItsPromises) {
+  const auto good = lamina::toMessage(placedToolpath());
+  auto not_finite = good;
+  not_finite.layers[0].paths[0].points[1].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(lamina::fromMessage(not_finite), lamina::InvalidInput);
+  auto gap = good;
+  gap.layers[0].paths.erase(gap.layers[0].paths.begin() + 1);
+  EXPECT_THROW(lamina::fromMessage(gap), lamina::InvalidInput);
+  auto no_feed = good;
+  no_feed.layers[0].paths[0].feed.clear();
+  EXPECT_THROW(lamina::fromMessage(no_feed), lamina::InvalidInput);
+  auto unknown_role = good;
+  unknown_role.layers[0].paths[0].role = 77;
+  EXPECT_THROW(lamina::fromMessage(unknown_role), lamina::InvalidInput);
+  auto no_pose = good;
+  no_pose.bed_from_part.orientation.w = 9.0;
+  EXPECT_THROW(lamina::fromMessage(no_pose), lamina::InvalidInput);
+}
+
+}  // namespace
