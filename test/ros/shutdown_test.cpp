@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shutdown.hpp"
+
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "lamina/base/error.hpp"
+
+namespace {
+
+/// Exit code of a node with this body in a process of its own; -1 if it died of a signal.
+int exitCodeOfNode(const std::string& name, const std::function<void()>& body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    char program[] = "shutdown_test";
+    char* arguments[] = {program, nullptr};
+    ::_exit(lamina::runNode(1, arguments, name, body));
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(RunNode, LeavesItsBodyOnSigterm) {
+  const int exit_code = exitCodeOfNode("terminated", [] {
+    std::raise(SIGTERM);
+    ros::spin();
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
+TEST(RunNode, LeavesItsBodyOnSigint) {
+  const int exit_code = exitCodeOfNode("interrupted", [] {
+    std::raise(SIGINT);
+    ros::spin();
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
+TEST(RunNode, GivesOneIfItsBodyThrows) {
+  EXPECT_EQ(exitCodeOfNode("refused", [] { throw lamina::InvalidConfig("walls.count is -1"); }), 1);
+  EXPECT_EQ(exitCodeOfNode("broken", [] { throw 42; }), 1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
