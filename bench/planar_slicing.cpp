@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Plane slicing and chaining alone, topology included, on one thread: time over triangles and over layers.
+// Google Benchmark fits the exponents ("BigO" and the printed N^x of the last lines).
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/slicing/planar_slicer.hpp"
+
+namespace {
+
+using namespace lamina;
+
+/// Sphere of 40 mm with bumps: r = 40 (1 + 0.12 sin 9 phi sin 7 theta sin^2 theta), about `triangles`
+/// triangles.
+Mesh bumpySphere(std::size_t triangles) {
+  const auto rings = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles) / 4.0)) + 1;
+  const std::uint32_t around = 2 * rings;
+  Mesh mesh;
+  const auto put = [&mesh](double theta, double phi) {
+    const double bump = std::sin(9.0 * phi) * std::sin(7.0 * theta) * std::sin(theta) * std::sin(theta);
+    const double r = 40.0 * (1.0 + 0.12 * bump);
+    mesh.vertices.emplace_back(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi),
+                               r * std::cos(theta));
+  };
+  put(0.0, 0.0);
+  for (std::uint32_t i = 1; i < rings; ++i)
+    for (std::uint32_t j = 0; j < around; ++j) put(M_PI * i / rings, 2.0 * M_PI * j / around);
+  put(M_PI, 0.0);
+  const auto at = [around](std::uint32_t i, std::uint32_t j) { return 1 + (i - 1) * around + j % around; };
+  const auto south = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+  for (std::uint32_t j = 0; j < around; ++j) {
+    mesh.triangles.push_back({0, at(1, j), at(1, j + 1)});
+    mesh.triangles.push_back({south, at(rings - 1, j + 1), at(rings - 1, j)});
+    for (std::uint32_t i = 1; i + 1 < rings; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+std::vector<double> planes(std::size_t count) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < count; ++i)
+    heights.push_back(-40.0 + 80.0 * (static_cast<double>(i) + 0.5) / count);
+  return heights;
+}
+
+void run(benchmark::State& state, std::size_t triangles, std::size_t layers, benchmark::IterationCount n) {
+  const ThreadLimit one_thread(1);
+  const Mesh mesh = bumpySphere(triangles);
+  const std::vector<double> heights = planes(layers);
+  NoProgress progress;
+  for (auto _ : state) benchmark::DoNotOptimize(sliceMesh(mesh, heights, progress));
+  state.SetComplexityN(n);
+  state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+}
+
+void overTriangles(benchmark::State& state) {
+  run(state, static_cast<std::size_t>(state.range(0)), 400, state.range(0));
+}
+
+void overLayers(benchmark::State& state) {
+  run(state, 100000, static_cast<std::size_t>(state.range(0)), state.range(0));
+}
+
+BENCHMARK(overTriangles)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(overLayers)->Arg(400)->Arg(4000)->Arg(40000)->Unit(benchmark::kMillisecond)->Complexity();
+
+}  // namespace
+
+BENCHMARK_MAIN();
