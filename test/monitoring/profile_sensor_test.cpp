@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/monitoring/profile_sensor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kStandOff = 60.0;
+
+Eigen::Isometry3d lookingDown(const Point3& position) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = position;
+  pose.linear() = Eigen::AngleAxisd(M_PI, Point3::UnitX()).toRotationMatrix();
+  return pose;
+}
+
+HeightMap plate(double height) {
+  return HeightMap(heightGrid({Point2(0, 0), Point2(100, 100)}, 0.5), height);
+}
+
+ProfileSensorSettings quiet() {
+  ProfileSensorSettings settings;
+  settings.noise_mm = 0.0;
+  return settings;
+}
+
+TEST(ProfileSensor, SeesAFlatPlateAtItsDistance) {
+  const auto points = ProfileSensor(quiet()).measure(plate(3.0), lookingDown({50, 50, 3.0 + kStandOff}));
+  ASSERT_EQ(points.size(), 300u);
+  for (const Point3& point : points) EXPECT_NEAR(point.z(), kStandOff, 1e-9);
+  EXPECT_NEAR(points.front().x(), -15.0, 1e-9);
+  EXPECT_NEAR(points.back().x(), 15.0, 1e-9);
+  EXPECT_DOUBLE_EQ(points.front().y(), 0.0);
+}
+
+TEST(ProfileSensor, PointsLieOnTheSurfaceFromATiltedPose) {
+  Eigen::Isometry3d pose = lookingDown({50, 50, 55});
+  pose.rotate(Eigen::AngleAxisd(0.3, Point3(1, 2, 0.5).normalized()));
+  const auto points = ProfileSensor(quiet()).measure(plate(2.0), pose);
+  ASSERT_GT(points.size(), 200u);
+  for (const Point3& point : points) EXPECT_NEAR((pose * point).z(), 2.0, 1e-9);
+}
+
+TEST(ProfileSensor, WhatIsOutOfRangeOrUnknownIsMissing) {
+  ProfileSensor sensor(quiet());
+  EXPECT_TRUE(sensor.measure(plate(0.0), lookingDown({50, 50, 81})).empty());
+  EXPECT_TRUE(sensor.measure(plate(0.0), lookingDown({50, 50, 39})).empty());
+  EXPECT_TRUE(sensor.measure(plate(HeightMap::kUnknown), lookingDown({50, 50, 60})).empty());
+  const auto half = sensor.measure(plate(0.0), lookingDown({0, 50, 60}));
+  EXPECT_NEAR(static_cast<double>(half.size()), 150.0, 1.0);
+}
+
+TEST(ProfileSensor, AStepCastsAShadow) {
+  HeightMap map = plate(0.0);
+  for (std::size_t cell = 0; cell < map.grid().cellCount(); ++cell)
+    if (map.grid().centre(cell).x() > 55.0) map.set(cell, 15.0);
+  for (const Point3& point : ProfileSensor(quiet()).measure(map, lookingDown({50, 50, 60}))) {
+    const Point3 hit = lookingDown({50, 50, 60}) * point;
+    // On the bed before the step, on its side within a step of the search, or on its top.
+    EXPECT_TRUE(hit.x() < 55.13 || std::abs(hit.z() - 15.0) < 1e-9) << hit.transpose();
+    EXPECT_TRUE(hit.x() > 54.87 || std::abs(hit.z()) < 1e-9) << hit.transpose();
+  }
+}
+
+TEST(ProfileSensor, NoiseHasItsDeviationAndIsRepeatable) {
+  ProfileSensorSettings settings = quiet();
+  settings.noise_mm = 0.05;
+  settings.points = 20000;
+  const auto points = ProfileSensor(settings).measure(plate(0.0), lookingDown({50, 50, 60}));
+  double sum = 0.0, squares = 0.0;
+  for (const Point3& point : points) {
+    sum += point.z() - kStandOff;
+    squares += std::pow(point.z() - kStandOff, 2);
+  }
+  EXPECT_LE(std::abs(sum / 20000), 3 * 0.05 / std::sqrt(20000.0));
+  EXPECT_NEAR(std::sqrt(squares / 20000), 0.05, 0.002);
+  EXPECT_EQ(points, ProfileSensor(settings).measure(plate(0.0), lookingDown({50, 50, 60})));
+}
+
+TEST(ProfileSensor, RefusesARangeThatStartsBehindIt) {
+  ProfileSensorSettings settings;
+  settings.range_mm = 130.0;
+  EXPECT_THROW(ProfileSensor{settings}, InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina
