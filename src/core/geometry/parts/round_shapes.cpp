@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "loft.hpp"
+#include "revolve.hpp"
+#include "shapes.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr const char* kSegmentsMeaning = "flat segments around the full circle";
+
+}  // namespace
+
+void describe(SettingsSchema& schema, Cylinder& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "radius");
+  schema.number("height_mm", shape.height_mm, kLength, "height");
+  schema.integer("segments", shape.segments, kSegments, kSegmentsMeaning);
+}
+
+Mesh build(const Cylinder& shape) {
+  return revolve(
+      {{0.0, 0.0}, {shape.radius_mm, 0.0}, {shape.radius_mm, shape.height_mm}, {0.0, shape.height_mm}},
+      shape.segments);
+}
+
+void describe(SettingsSchema& schema, Sphere& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "radius");
+  schema.integer("segments", shape.segments, {4.0, 4000.0, false},
+                 "flat segments around the equator, half as many up");
+}
+
+Mesh build(const Sphere& shape) {
+  const int rings = shape.segments / 2;
+  Polygon outline = {{0.0, 0.0}};
+  for (int i = 1; i < rings; ++i) {
+    const double angle = M_PI * i / rings;
+    outline.emplace_back(shape.radius_mm * std::sin(angle), shape.radius_mm * (1.0 - std::cos(angle)));
+  }
+  outline.emplace_back(0.0, 2.0 * shape.radius_mm);
+  return revolve(outline, shape.segments);
+}
+
+void describe(SettingsSchema& schema, Cone& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "radius of the base");
+  schema.number("top_radius_mm", shape.top_radius_mm, {0.0, 10000.0, false},
+                "radius at the top; 0 gives a tip");
+  schema.number("height_mm", shape.height_mm, kLength, "height");
+  schema.integer("segments", shape.segments, kSegments, kSegmentsMeaning);
+}
+
+Mesh build(const Cone& shape) {
+  Polygon outline = {{0.0, 0.0}, {shape.radius_mm, 0.0}};
+  if (shape.top_radius_mm > 0.0) outline.emplace_back(shape.top_radius_mm, shape.height_mm);
+  outline.emplace_back(0.0, shape.height_mm);
+  return revolve(outline, shape.segments);
+}
+
+void describe(SettingsSchema& schema, Tube& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "outer radius");
+  schema.number("inner_radius_mm", shape.inner_radius_mm, kLength, "inner radius");
+  schema.number("height_mm", shape.height_mm, kLength, "height");
+  schema.integer("segments", shape.segments, kSegments, kSegmentsMeaning);
+}
+
+Mesh build(const Tube& shape) {
+  if (shape.inner_radius_mm >= shape.radius_mm)
+    throw InvalidConfig("inner_radius_mm is " + std::to_string(shape.inner_radius_mm) +
+                        "; must be less than radius_mm, " + std::to_string(shape.radius_mm));
+  return revolve({{shape.inner_radius_mm, 0.0},
+                  {shape.radius_mm, 0.0},
+                  {shape.radius_mm, shape.height_mm},
+                  {shape.inner_radius_mm, shape.height_mm}},
+                 shape.segments);
+}
+
+void describe(SettingsSchema& schema, SemiCone& shape) {
+  schema.number("radius_mm", shape.radius_mm, kLength, "radius of the base");
+  schema.number("height_mm", shape.height_mm, kLength, "height of the tip");
+  schema.integer("segments", shape.segments, {2.0, 100000.0, false}, "flat segments around the half circle");
+}
+
+Mesh build(const SemiCone& shape) {
+  Polygon outline;
+  for (int i = 0; i <= shape.segments; ++i) {
+    const double angle = M_PI * i / shape.segments;
+    outline.emplace_back(shape.radius_mm * std::cos(angle), shape.radius_mm * std::sin(angle));
+  }
+  outline.back().y() = 0.0;
+  return pyramidOver(outline, {0.0, 0.0, shape.height_mm});
+}
+
+}  // namespace lamina

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+#include "lamina/geometry/mesh.hpp"
+
+namespace lamina {
+
+// The parametric parts: a struct of parameters each, `describe` that binds them to keys, and `build` that
+// makes the mesh. Lengths in mm, angles in degrees. `build` throws InvalidConfig if parameters contradict
+// each other.
+
+struct BoxShape {
+  double x_mm = 20.0;
+  double y_mm = 20.0;
+  double z_mm = 20.0;
+};
+
+struct FlatWall {
+  double length_mm = 40.0;
+  double thickness_mm = 2.0;
+  double height_mm = 20.0;
+};
+
+struct Pyramid {
+  double width_mm = 20.0;
+  double depth_mm = 20.0;
+  double height_mm = 20.0;
+};
+
+/// A truncated octahedron, the space-filling cell of foams, on a square face.
+struct Tetradecahedron {
+  double edge_mm = 8.0;
+};
+
+struct Cylinder {
+  double radius_mm = 10.0;
+  double height_mm = 20.0;
+  int segments = 128;
+};
+
+struct Sphere {
+  double radius_mm = 10.0;
+  int segments = 128;
+};
+
+struct Cone {
+  double radius_mm = 10.0;
+  double top_radius_mm = 0.0;
+  double height_mm = 20.0;
+  int segments = 128;
+};
+
+struct Tube {
+  double radius_mm = 10.0;
+  double inner_radius_mm = 6.0;
+  double height_mm = 20.0;
+  int segments = 128;
+};
+
+/// A cone cut in half by the plane y = 0, the half at y > 0.
+struct SemiCone {
+  double radius_mm = 10.0;
+  double height_mm = 20.0;
+  int segments = 64;
+};
+
+struct CurvedWall {
+  double radius_mm = 30.0;
+  double angle_deg = 90.0;
+  double thickness_mm = 2.0;
+  double height_mm = 20.0;
+  int segments = 64;
+};
+
+/// A cambered aerofoil section with a blunt trailing edge that twists about z and leans towards +y with
+/// height.
+struct Blade {
+  double chord_mm = 40.0;
+  double thickness_mm = 5.0;
+  double camber_mm = 2.0;
+  double height_mm = 40.0;
+  double twist_deg = 20.0;
+  double lean_deg = 5.0;
+  int points = 120;
+  int sections = 60;
+};
+
+struct ThroughHolePlate {
+  double x_mm = 30.0;
+  double y_mm = 30.0;
+  double z_mm = 10.0;
+  double hole_radius_mm = 8.0;
+  int segments = 128;
+};
+
+/// A plate with a hole from above.
+struct BlindHolePlate {
+  double x_mm = 30.0;
+  double y_mm = 30.0;
+  double z_mm = 10.0;
+  double hole_radius_mm = 8.0;
+  double hole_depth_mm = 6.0;
+  int segments = 128;
+};
+
+void describe(SettingsSchema& schema, BoxShape& shape);
+void describe(SettingsSchema& schema, FlatWall& shape);
+void describe(SettingsSchema& schema, Pyramid& shape);
+void describe(SettingsSchema& schema, Tetradecahedron& shape);
+void describe(SettingsSchema& schema, Cylinder& shape);
+void describe(SettingsSchema& schema, Sphere& shape);
+void describe(SettingsSchema& schema, Cone& shape);
+void describe(SettingsSchema& schema, Tube& shape);
+void describe(SettingsSchema& schema, SemiCone& shape);
+void describe(SettingsSchema& schema, CurvedWall& shape);
+void describe(SettingsSchema& schema, Blade& shape);
+void describe(SettingsSchema& schema, ThroughHolePlate& shape);
+void describe(SettingsSchema& schema, BlindHolePlate& shape);
+
+Mesh build(const BoxShape& shape);
+Mesh build(const FlatWall& shape);
+Mesh build(const Pyramid& shape);
+Mesh build(const Tetradecahedron& shape);
+Mesh build(const Cylinder& shape);
+Mesh build(const Sphere& shape);
+Mesh build(const Cone& shape);
+Mesh build(const Tube& shape);
+Mesh build(const SemiCone& shape);
+Mesh build(const CurvedWall& shape);
+Mesh build(const Blade& shape);
+Mesh build(const ThroughHolePlate& shape);
+Mesh build(const BlindHolePlate& shape);
+
+/// Bounds of a length that must be there [mm].
+constexpr Bounds kLength = {0.0, 10000.0, true};
+/// Bounds of a number of flat segments around a full circle.
+constexpr Bounds kSegments = {3.0, 100000.0, false};
+
+}  // namespace lamina
