@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// How briskly a machine moves its nozzle.
+struct MotionLimits {
+  double acceleration_mm_s2 = 1500.0;         ///< along the path, while depositing
+  double travel_acceleration_mm_s2 = 3000.0;  ///< along the path, while travelling
+  /// How far the nozzle would leave a corner if it rounded it at the corner's speed with the acceleration
+  /// above.
+  double junction_deviation_mm = 0.02;
+};
+
+/// Adds the keys motion.*.
+void describe(SettingsSchema& schema, MotionLimits& limits);
+
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/toolpath/timing.hpp"
+
+namespace lamina {
+
+/// Walks through the motions of a toolpath that go somewhere, in order. Motions shorter than any machine
+/// resolves are passed over.
+class MotionCursor {
+ public:
+  explicit MotionCursor(const Toolpath& toolpath) : toolpath_(&toolpath) {}
+
+  /// Steps to the next motion; the first call to the first one. False after the last.
+  bool step();
+
+  /// The motion it stands at.
+  const Path& path() const { return toolpath_->layers[layer_].paths[path_]; }
+  const Point3& start() const { return path().points[motion_]; }
+  const Point3& end() const { return path().points[path().motionEnd(motion_)]; }
+  double length() const { return length_mm_; }
+  std::size_t startWaypoint() const { return motion_; }
+  WaypointIndex endWaypoint() const { return {layer_, path_, path().motionEnd(motion_)}; }
+  MotionSegment segment(const MotionLimits& limits) const;
+
+ private:
+  bool stepAny();
+
+  const Toolpath* toolpath_;
+  std::size_t layer_ = 0;
+  std::size_t path_ = 0;
+  std::size_t motion_ = 0;
+  bool is_started_ = false;
+  double length_mm_ = 0.0;
+};
+
+}  // namespace lamina

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/toolpath/timing.hpp"
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "toolpath/motion_cursor.hpp"
+
+namespace lamina {
+namespace {
+
+/// Motions of a toolpath, each with its speed profile.
+class TimedMotions {
+ public:
+  TimedMotions(const Toolpath& toolpath, const MotionLimits& limits)
+      : limits_(limits), ahead_(toolpath), motion_(toolpath), planner_(limits.junction_deviation_mm) {}
+
+  /// Steps to the next motion; false after the last.
+  bool step() {
+    std::optional<SpeedProfile> next = planner_.next();
+    while (!next && !is_planned_) {
+      is_planned_ = !ahead_.step();
+      if (is_planned_)
+        planner_.finish();
+      else
+        planner_.add(ahead_.segment(limits_));
+      next = planner_.next();
+    }
+    if (!next) return false;
+    profile_ = *next;
+    return motion_.step();
+  }
+
+  const MotionCursor& motion() const { return motion_; }
+  const SpeedProfile& profile() const { return profile_; }
+
+ private:
+  MotionLimits limits_;
+  MotionCursor ahead_;
+  MotionCursor motion_;
+  MotionPlanner planner_;
+  SpeedProfile profile_;
+  bool is_planned_ = false;
+};
+
+}  // namespace
+
+ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits) {
+  ToolpathTime time;
+  time.layer_start_s.reserve(toolpath.layers.size());
+  TimedMotions motions(toolpath, limits);
+  while (motions.step()) {
+    const std::size_t layer = motions.motion().endWaypoint().layer;
+    if (time.layer_start_s.size() <= layer) time.layer_start_s.resize(layer + 1, time.total_s);
+    time.total_s += motions.profile().duration_s;
+  }
+  time.layer_start_s.resize(toolpath.layers.size(), time.total_s);
+  return time;
+}
+
+class ToolpathPlayer::State {
+ public:
+  State(const Toolpath& toolpath, const MotionLimits& limits)
+      : toolpath_(toolpath), limits_(limits), motions_(toolpath, limits) {}
+
+  NozzleSample at(double time_s) {
+    if (!is_started_ || time_s < start_s_) rewind();
+    while (!is_finished_ && time_s >= start_s_ + motions_.profile().duration_s) {
+      const double end_s = start_s_ + motions_.profile().duration_s;
+      is_finished_ = !motions_.step();
+      if (!is_finished_) start_s_ = end_s;
+    }
+    return sample(time_s);
+  }
+  bool isFinished() const { return is_finished_; }
+
+ private:
+  void rewind() {
+    motions_ = TimedMotions(toolpath_, limits_);
+    start_s_ = 0.0;
+    is_finished_ = false;
+    is_started_ = motions_.step();
+    if (!is_started_)
+      throw InvalidInput("the toolpath of '" + toolpath_.part_name + "' has no motion to play");
+  }
+
+  NozzleSample sample(double time_s) const {
+    const MotionCursor& motion = motions_.motion();
+    const SpeedProfile& profile = motions_.profile();
+    const double local_s = is_finished_ ? profile.duration_s : time_s - start_s_;
+    const double fraction = profile.distanceAt(local_s) / profile.length_mm;
+    const auto& orientation = motion.path().orientation;
+    NozzleSample sample;
+    sample.time_s = time_s;
+    sample.heading_for = motion.endWaypoint();
+    sample.position = motion.start() + fraction * (motion.end() - motion.start());
+    sample.orientation = orientation.isCommon()
+                             ? orientation.at(0)
+                             : orientation.at(motion.startWaypoint())
+                                   .slerp(fraction, orientation.at(sample.heading_for.waypoint));
+    sample.speed_mm_s = profile.speedAt(local_s);
+    return sample;
+  }
+
+  const Toolpath& toolpath_;
+  MotionLimits limits_;
+  TimedMotions motions_;
+  double start_s_ = 0.0;
+  bool is_started_ = false;
+  bool is_finished_ = false;
+};
+
+ToolpathPlayer::ToolpathPlayer(const Toolpath& toolpath, const MotionLimits& limits)
+    : state_(std::make_unique<State>(toolpath, limits)) {}
+ToolpathPlayer::~ToolpathPlayer() = default;
+ToolpathPlayer::ToolpathPlayer(ToolpathPlayer&&) noexcept = default;
+ToolpathPlayer& ToolpathPlayer::operator=(ToolpathPlayer&&) noexcept = default;
+
+NozzleSample ToolpathPlayer::at(double time_s) { return state_->at(time_s); }
+bool ToolpathPlayer::isFinished() const { return state_->isFinished(); }
+
+}  // namespace lamina
