@@ -48,9 +48,13 @@ class SettingsSchema {
   /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
   void set(const std::string& key, const std::string& text);
 
+  /// Checks what the fields hold now, however it came there.
+  /// @throws InvalidConfig naming key, value and bound
+  void validate() const;
+
  private:
   void addChoice(const std::string& key, const std::vector<std::string>& names, const std::string& meaning,
-                 const std::function<void(std::size_t)>& choose, const std::function<std::size_t()>& chosen);
+                 const std::function<void(std::size_t)>& choose, std::function<std::string()> get);
 
   std::vector<Setting> settings_;
 };
@@ -81,9 +85,9 @@ void SettingsSchema::choice(const std::string& key, Enum& field,
   addChoice(
       key, names, meaning, [&field, choices](std::size_t i) { field = choices[i].second; },
       [&field, choices] {
-        std::size_t i = 0;
-        while (i + 1 < choices.size() && choices[i].second != field) ++i;
-        return i;
+        for (const auto& choice : choices)
+          if (choice.second == field) return choice.first;
+        return std::to_string(static_cast<long long>(field));
       });
 }
 

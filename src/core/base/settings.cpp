@@ -102,14 +102,12 @@ void SettingsSchema::choice(const std::string& key, std::string& field,
                             const std::vector<std::string>& choices, const std::string& meaning) {
   addChoice(
       key, choices, meaning, [&field, choices](std::size_t i) { field = choices[i]; },
-      [&field, choices] {
-        return static_cast<std::size_t>(std::find(choices.begin(), choices.end(), field) - choices.begin());
-      });
+      [&field] { return field; });
 }
 
 void SettingsSchema::addChoice(const std::string& key, const std::vector<std::string>& names,
                                const std::string& meaning, const std::function<void(std::size_t)>& choose,
-                               const std::function<std::size_t()>& chosen) {
+                               std::function<std::string()> get) {
   std::string list;
   for (const auto& name : names) list += (list.empty() ? "" : " | ") + name;
   const auto set = [key, names, list, choose](const std::string& text) {
@@ -117,7 +115,13 @@ void SettingsSchema::addChoice(const std::string& key, const std::vector<std::st
     if (found == names.end()) refuse(key, text, "one of " + list);
     choose(static_cast<std::size_t>(found - names.begin()));
   };
-  settings_.push_back({key, list, "", meaning, set, [names, chosen] { return names.at(chosen()); }});
+  settings_.push_back({key, list, "", meaning, set, std::move(get)});
+}
+
+void SettingsSchema::validate() const {
+  // Values travel as text, exactly; setting each to what it is goes through the same checks as setting it at
+  // all.
+  for (const Setting& setting : settings_) setting.set(setting.get());
 }
 
 void SettingsSchema::set(const std::string& key, const std::string& text) {
