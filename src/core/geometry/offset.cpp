@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/offset.hpp"
+
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kUnitsPerMm = 1e5;
+/// Within this, Clipper stays with 64-bit integers.
+constexpr double kFarthestMm = 10000.0;
+constexpr double kMitreLimit = 2.0;
+constexpr double kArcToleranceUnits = 0.005 * kUnitsPerMm;
+
+ClipperLib::Path toUnits(const Polygon& polygon) {
+  ClipperLib::Path path;
+  path.reserve(polygon.size());
+  for (const Point2& point : polygon) {
+    if (!(point.cwiseAbs().maxCoeff() <= kFarthestMm))
+      throw InvalidInput("outline point (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) +
+                         ") mm; must be within 10 m of the origin");
+    path.emplace_back(std::llround(point.x() * kUnitsPerMm), std::llround(point.y() * kUnitsPerMm));
+  }
+  return path;
+}
+
+Polygon fromUnits(const ClipperLib::Path& path) {
+  Polygon polygon;
+  polygon.reserve(path.size());
+  for (const ClipperLib::IntPoint& point : path)
+    polygon.emplace_back(static_cast<double>(point.X) / kUnitsPerMm,
+                         static_cast<double>(point.Y) / kUnitsPerMm);
+  return polygon;
+}
+
+/// Clipper's tree alternates outer outlines and holes level by level.
+Regions fromTree(const ClipperLib::PolyTree& tree) {
+  Regions regions;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
+    if (node->IsHole()) continue;
+    Region region;
+    region.outer = fromUnits(node->Contour);
+    region.holes.reserve(node->Childs.size());
+    for (const ClipperLib::PolyNode* hole : node->Childs) region.holes.push_back(fromUnits(hole->Contour));
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+void add(ClipperLib::Clipper& clipper, const Regions& regions, ClipperLib::PolyType type) {
+  for (const Region& region : regions) {
+    clipper.AddPath(toUnits(region.outer), type, true);
+    for (const Polygon& hole : region.holes) clipper.AddPath(toUnits(hole), type, true);
+  }
+}
+
+Regions combine(const Regions& a, const Regions& b, ClipperLib::ClipType operation) {
+  ClipperLib::Clipper clipper;
+  add(clipper, a, ClipperLib::ptSubject);
+  add(clipper, b, ClipperLib::ptClip);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(operation, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return fromTree(tree);
+}
+
+}  // namespace
+
+Regions unite(const std::vector<Polygon>& polygons) {
+  ClipperLib::Clipper clipper;
+  for (const Polygon& polygon : polygons) clipper.AddPath(toUnits(polygon), ClipperLib::ptSubject, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return fromTree(tree);
+}
+
+Regions offset(const Regions& regions, double delta_mm, Join join) {
+  ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcToleranceUnits);
+  const ClipperLib::JoinType type = join == Join::Mitre ? ClipperLib::jtMiter : ClipperLib::jtRound;
+  for (const Region& region : regions) {
+    offsetter.AddPath(toUnits(region.outer), type, ClipperLib::etClosedPolygon);
+    for (const Polygon& hole : region.holes)
+      offsetter.AddPath(toUnits(hole), type, ClipperLib::etClosedPolygon);
+  }
+  ClipperLib::PolyTree tree;
+  offsetter.Execute(tree, delta_mm * kUnitsPerMm);
+  return fromTree(tree);
+}
+
+Regions difference(const Regions& regions, const Regions& subtracted) {
+  return combine(regions, subtracted, ClipperLib::ctDifference);
+}
+
+Regions intersection(const Regions& a, const Regions& b) { return combine(a, b, ClipperLib::ctIntersection); }
+
+}  // namespace lamina

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/simplify.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+double squaredDistanceToSegment(const Point2& point, const Point2& a, const Point2& b) {
+  const Point2 along = b - a;
+  const double squared_length = along.squaredNorm();
+  if (squared_length == 0.0) return (point - a).squaredNorm();
+  const double t = std::clamp((point - a).dot(along) / squared_length, 0.0, 1.0);
+  return (point - a - t * along).squaredNorm();
+}
+
+std::size_t farthestFrom(const Polygon& polygon, const Point2& point) {
+  std::size_t farthest = 0;
+  double farthest_distance = -1.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const double distance = (polygon[i] - point).squaredNorm();
+    if (distance > farthest_distance) farthest = i, farthest_distance = distance;
+  }
+  return farthest;
+}
+
+/// Marks the points of an open chain that stay. Keeps its own stack: recursion would go as deep as the chain
+/// is long.
+class Chain {
+ public:
+  Chain(const Polygon& points, double tolerance)
+      : points_(points), squared_tolerance_(tolerance * tolerance) {}
+
+  /// `last` may run past the end of the polygon: indices wrap round.
+  void keep(std::size_t first, std::size_t last) {
+    is_kept_.resize(points_.size(), false);
+    is_kept_[first % points_.size()] = is_kept_[last % points_.size()] = true;
+    stack_.emplace_back(first, last);
+    while (!stack_.empty()) {
+      const auto [from, to] = stack_.back();
+      stack_.pop_back();
+      split(from, to);
+    }
+  }
+
+  Polygon kept() const {
+    Polygon result;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (is_kept_[i]) result.push_back(points_[i]);
+    return result;
+  }
+
+ private:
+  const Point2& at(std::size_t i) const { return points_[i < points_.size() ? i : i - points_.size()]; }
+
+  void split(std::size_t from, std::size_t to) {
+    double worst = squared_tolerance_;
+    std::size_t at_worst = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double distance = squaredDistanceToSegment(at(i), at(from), at(to));
+      if (distance > worst) worst = distance, at_worst = i;
+    }
+    if (at_worst == from) return;
+    is_kept_[at_worst % points_.size()] = true;
+    stack_.emplace_back(from, at_worst);
+    stack_.emplace_back(at_worst, to);
+  }
+
+  const Polygon& points_;
+  double squared_tolerance_;
+  std::vector<bool> is_kept_;
+  std::vector<std::pair<std::size_t, std::size_t>> stack_;
+};
+
+}  // namespace
+
+Polygon simplify(const Polygon& polygon, double tolerance_mm) {
+  if (polygon.size() < 3) return {};
+  // Two points that stay whatever the tolerance: far apart, so that the chains between them have a direction.
+  const std::size_t first = farthestFrom(polygon, polygon.front());
+  const std::size_t second = farthestFrom(polygon, polygon[first]);
+  const auto [low, high] = std::minmax(first, second);
+  if (low == high) return {};
+  Chain chain(polygon, tolerance_mm);
+  chain.keep(low, high);
+  chain.keep(high, low + polygon.size());
+  Polygon result = chain.kept();
+  if (result.size() < 3) result.clear();
+  return result;
+}
+
+std::vector<Polygon> simplify(const std::vector<Polygon>& polygons, double tolerance_mm) {
+  std::vector<Polygon> result;
+  result.reserve(polygons.size());
+  for (const Polygon& polygon : polygons) {
+    Polygon simplified = simplify(polygon, tolerance_mm);
+    if (!simplified.empty()) result.push_back(std::move(simplified));
+  }
+  return result;
+}
+
+}  // namespace lamina
