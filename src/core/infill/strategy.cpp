@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/infill/strategy.hpp"
+
+#include <map>
+
+#include "infill/zigzag.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+const std::map<std::string, InfillStrategy>& strategies() {
+  static const std::map<std::string, InfillStrategy> kStrategies = {{"zigzag", zigzag}};
+  return kStrategies;
+}
+
+}  // namespace
+
+InfillStrategy infillStrategy(const std::string& name) {
+  const auto found = strategies().find(name);
+  if (found != strategies().end()) return found->second;
+  std::string names;
+  for (const std::string& known : infillStrategyNames()) names += (names.empty() ? "" : " | ") + known;
+  throw InvalidConfig("infill.strategy is '" + name + "'; must be one of " + names);
+}
+
+std::vector<std::string> infillStrategyNames() {
+  std::vector<std::string> names;
+  for (const auto& entry : strategies()) names.push_back(entry.first);
+  return names;
+}
+
+}  // namespace lamina

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+
+/// Parallel lines at the requested angle and spacing, joined along the outline into runs that go to and fro.
+/// One line passes through the origin, so that the lines of two layers with the same angle lie above each
+/// other. Neighbouring lines are joined where the outline leads from one to the other within three spacings.
+/// Parts of a region that lie between two lines get none.
+std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request);
+
+}  // namespace lamina
