@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "lamina/infill/strategy.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// What all layers of a plan share.
+struct PlanContext {
+  PlanSettings settings;
+  InfillStrategy fill;
+  Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
+  double bottom_mm = 0.0;          ///< of the first layer
+};
+
+/// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
+/// layers can be planned side by side.
+/// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
+ToolpathLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context);
+
+}  // namespace lamina

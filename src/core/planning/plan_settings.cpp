@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/plan_settings.hpp"
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr Bounds kFeed{0.0, 10000.0, true};
+constexpr Bounds kAngle{-360.0, 360.0, false};
+
+void describe(SettingsSchema& schema, BeadSettings& bead) {
+  schema.number("bead.width_mm", bead.width_mm, {0.01, 100.0, false}, "Width of a bead.");
+  schema.number("bead.overlap", bead.overlap, {0.0, 0.9, false},
+                "Part of the width by which neighbouring beads run into each other.");
+}
+
+void describe(SettingsSchema& schema, WallSettings& walls) {
+  schema.integer("walls.count", walls.count, {0, 1000, false}, "Number of walls along each outline.");
+  schema.choice<WallOrder>("walls.order", walls.order,
+                           {{"outside_in", WallOrder::OutsideIn}, {"inside_out", WallOrder::InsideOut}},
+                           "Which walls come first.");
+}
+
+void describe(SettingsSchema& schema, InfillSettings& infill) {
+  schema.choice("infill.strategy", infill.strategy, infillStrategyNames(), "How the inside is filled.");
+  schema.number("infill.density", infill.density, {0.0, 1.0, false},
+                "Part of the inside that is filled; 1 is solid.");
+  schema.number("infill.angle_deg", infill.angle_deg, kAngle,
+                "Direction of the first layer's infill, from x.");
+  schema.number("infill.alternation_deg", infill.alternation_deg, kAngle,
+                "Turn of the infill from each layer to the next.");
+  schema.number("infill.wall_overlap", infill.wall_overlap, {0.0, 0.9, false},
+                "Part of the bead width by which infill runs into the innermost wall.");
+}
+
+void describe(SettingsSchema& schema, SkirtSettings& skirt) {
+  schema.integer("skirt.count", skirt.count, {0, 1000, false}, "Number of loops round the first layer.");
+  schema.number("skirt.distance_mm", skirt.distance_mm, {0.0, 1000.0, false},
+                "Free space between part and skirt.");
+}
+
+void describe(SettingsSchema& schema, SeamSettings& seam) {
+  schema.choice<SeamPlacement>("seam.placement", seam.placement,
+                               {{"nearest", SeamPlacement::Nearest},
+                                {"aligned", SeamPlacement::Aligned},
+                                {"rear", SeamPlacement::Rear},
+                                {"random", SeamPlacement::Random}},
+                               "Where closed loops start.");
+  schema.integer("seam.seed", seam.seed, {0, 2147483647, false}, "Seed of random seams.");
+}
+
+void describe(SettingsSchema& schema, TravelSettings& travel) {
+  schema.number("travel.feed_mm_s", travel.feed_mm_s, kFeed, "Speed of motions that deposit nothing.");
+  schema.number("travel.hop_mm", travel.hop_mm, {0.0, 1000.0, false}, "Lift during a retracted travel.");
+  schema.number("travel.retraction_threshold_mm", travel.retraction_threshold_mm, {0.0, 10000.0, false},
+                "Travels up to this length neither retract nor hop.");
+}
+
+void describe(SettingsSchema& schema, FeedSettings& feed) {
+  schema.number("feed.outer_wall_mm_s", feed.outer_wall_mm_s, kFeed, "Speed of outer walls.");
+  schema.number("feed.inner_wall_mm_s", feed.inner_wall_mm_s, kFeed, "Speed of inner walls.");
+  schema.number("feed.infill_mm_s", feed.infill_mm_s, kFeed, "Speed of infill.");
+  schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of the skirt.");
+  schema.number("feed.first_layer_mm_s", feed.first_layer_mm_s, kFeed,
+                "Upper bound of these in the first layer.");
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, PlanSettings& settings) {
+  describe(schema, settings.bead);
+  describe(schema, settings.walls);
+  describe(schema, settings.infill);
+  describe(schema, settings.skirt);
+  describe(schema, settings.seam);
+  describe(schema, settings.travel);
+  describe(schema, settings.feed);
+  schema.number("planning.simplification_mm", settings.simplification_mm, {0.0, 10.0, false},
+                "How far a planned outline may leave the sliced one.");
+}
+
+}  // namespace lamina

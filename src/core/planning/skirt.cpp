@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/skirt.hpp"
+
+#include "lamina/geometry/convex_hull.hpp"
+#include "lamina/geometry/offset.hpp"
+
+namespace lamina {
+
+std::vector<Polygon> makeSkirt(const Regions& first_layer, const PlanSettings& settings) {
+  std::vector<Point2> points;
+  for (const Region& region : first_layer)
+    points.insert(points.end(), region.outer.begin(), region.outer.end());
+  const Polygon hull = convexHull(std::move(points));
+  std::vector<Polygon> loops;
+  if (hull.empty()) return loops;
+  for (int i = settings.skirt.count - 1; i >= 0; --i) {
+    const double distance = settings.skirt.distance_mm + (i + 0.5) * settings.bead.width_mm;
+    for (Region& region : offset({Region{hull, {}}}, distance, Join::Round))
+      loops.push_back(std::move(region.outer));
+  }
+  return loops;
+}
+
+}  // namespace lamina

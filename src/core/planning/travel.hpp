@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The motion without deposition from one point to another, none if they are the same. In the plane up to the
+/// threshold it is straight. Farther, it is retracted and goes up by the hop, over, and down. To another
+/// height it first goes to the greater of both, plus the hop if it is retracted.
+std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings);
+
+}  // namespace lamina
