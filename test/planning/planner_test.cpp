@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::circle;
+using test::rectangle;
+using test::reversed;
+
+/// Layers of the same section, 0.2 mm high.
+std::vector<Layer> prism(const std::vector<Polygon>& contours, int count) {
+  std::vector<Layer> layers;
+  for (int i = 0; i < count; ++i) layers.push_back({{0.2 * i, 0.2 * (i + 1)}, {contours, {}}});
+  return layers;
+}
+
+PlanSettings plainSettings() {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  return settings;
+}
+
+Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
+  NoProgress progress;
+  Toolpath toolpath = planToolpath("part", layers, settings, progress);
+  validate(toolpath);
+  return toolpath;
+}
+
+double lengthOf(const Toolpath& toolpath, PathRole role) {
+  double sum = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == role) sum += length(path);
+  return sum;
+}
+
+TEST(Planner, LaysTheWallsOfASquareHalfABeadAndThenABeadApart) {
+  const Toolpath toolpath = plan(prism({rectangle(0, 0, 20, 20)}, 1), plainSettings());
+  EXPECT_NEAR(lengthOf(toolpath, PathRole::OuterWall), 4 * 19.6, 1e-3);
+  EXPECT_NEAR(lengthOf(toolpath, PathRole::InnerWall), 4 * 18.8, 1e-3);
+}
+
+TEST(Planner, WithoutWallsAndInfillGivesEmptyLayers) {
+  PlanSettings settings = plainSettings();
+  settings.walls.count = 0;
+  settings.infill.density = 0.0;
+  const Toolpath toolpath = plan(prism({rectangle(0, 0, 20, 20)}, 3), settings);
+  ASSERT_EQ(toolpath.layers.size(), 3U);
+  for (const ToolpathLayer& layer : toolpath.layers) EXPECT_TRUE(layer.paths.empty());
+}
+
+TEST(Planner, KeepsLayersWhoseSectionIsEmpty) {
+  std::vector<Layer> layers = prism({rectangle(0, 0, 20, 20)}, 3);
+  layers[1].section.contours.clear();
+  const Toolpath toolpath = plan(layers, plainSettings());
+  EXPECT_TRUE(toolpath.layers[1].paths.empty());
+  EXPECT_EQ(toolpath.layers[2].paths.front().role, PathRole::Travel);
+}
+
+TEST(Planner, RunsAtTheTopOfEachLayerWithABeadAsHighAsIt) {
+  std::vector<Layer> layers = prism({rectangle(0, 0, 20, 20)}, 2);
+  layers[1].slab = {0.2, 0.5};
+  const Toolpath toolpath = plan(layers, plainSettings());
+  EXPECT_DOUBLE_EQ(toolpath.layers[1].z_mm, 0.5);
+  const Path& last = toolpath.layers[1].paths.back();
+  EXPECT_DOUBLE_EQ(last.firstPoint().z(), 0.5);
+  EXPECT_DOUBLE_EQ(last.bead.at(0).height_mm, 0.3);
+}
+
+TEST(Planner, IsTheSameForAnyNumberOfThreads) {
+  const std::vector<Polygon> ring = {circle({5, 5}, 10, 90), reversed(circle({5, 5}, 5, 60))};
+  const std::vector<Layer> layers = prism(ring, 40);
+  std::vector<std::string> ids;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    ids.push_back(toolpathId(plan(layers, plainSettings())));
+  }
+  EXPECT_EQ(ids[0], ids[1]);
+  EXPECT_EQ(ids[0], ids[2]);
+}
+
+TEST(Planner, RefusesAnUnknownStrategyNamingTheChoices) {
+  PlanSettings settings = plainSettings();
+  settings.infill.strategy = "spaghetti";
+  try {
+    plan(prism({rectangle(0, 0, 20, 20)}, 1), settings);
+    FAIL() << "nothing thrown";
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("zigzag"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Planner, RefusesSettingsOutOfRange) {
+  PlanSettings settings = plainSettings();
+  settings.bead.width_mm = 0.0;
+  EXPECT_THROW(plan(prism({rectangle(0, 0, 20, 20)}, 1), settings), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina
