@@ -3,16 +3,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <functional>
-#include <string_view>
 
 #include "lamina/program/program_settings.hpp"
+#include "lamina/program/text_sink.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
-
-/// Receives a text piece by piece, in order. The pieces together are the text; a piece may end amid a line.
-using TextSink = std::function<void(std::string_view piece)>;
 
 /// Writes the toolpath as G-code (Marlin flavour), in bed coordinates.
 ///

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/program/text_sink.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// First line of a toolpath as CSV.
+constexpr const char* kCsvHeader =
+    "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s";
+
+/// Writes the toolpath as comma-separated values in the part frame: the header, then one row for each motion
+/// target, in order. A path begins with a row for where it starts; a closed path ends with a row that repeats
+/// that position. Layers and the paths of each layer count from 0; `closed` is 1 or 0; the quaternion is
+/// part_from_nozzle; a travel has bead width 0. Bead and feed stand in the row of the waypoint they lead to.
+/// Numbers are the shortest that read back to the same double.
+///
+/// Retraction, the part's name and layers without paths do not appear.
+///
+/// @throws InvalidInput if `validate` refuses the toolpath, before the first piece is written
+void writeCsv(const Toolpath& toolpath, const TextSink& sink);
+
+}  // namespace lamina
