@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include <cstdio>
+
+#include "parameters.hpp"
+#include "print_part.hpp"
+#include "shutdown.hpp"
+
+int main(int argc, char** argv) {
+  return lamina::runNode(argc, argv, "print_part", [] {
+    lamina::PrintPartSettings settings;
+    lamina::SettingsSchema schema;
+    describe(schema, settings);
+    lamina::applyParameters(schema, ros::NodeHandle("~"));
+    const lamina::PrintReport report = lamina::PrintPart(ros::NodeHandle(), settings).run();
+    std::fputs(lamina::summaryText(report).c_str(), stdout);
+  });
+}

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "print_part.hpp"
+
+#include <ros/callback_queue.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+
+#include "conversions.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSettlingTime = 3.0;  // s without a further height once streaming is over
+
+void writeFile(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+/// The answer of an action that is done; its status is what it ended with.
+template <class Client>
+auto resultOf(Client& client, const std::string& action) {
+  const auto result = client.getResult();
+  if (!result)
+    throw Disconnected("action " + action + " ended without a result: " + client.getState().toString());
+  throwIfFailed(result->status);
+  return *result;
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, PrintPartSettings& settings) {
+  schema.text("part", settings.part, "Mesh file to print, or the name of a parametric part.");
+  schema.text("output_folder", settings.output_folder, "Folder for the program, pictures and reports.");
+  schema.number("patience_s", settings.patience_s, {0.0, 3600.0, true},
+                "How long another node may stay silent.");
+}
+
+PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
+    : settings_(std::move(settings)),
+      slice_(node, names::kSlice, false),
+      stream_(node, names::kStreamProgram, false),
+      save_height_map_(node.serviceClient<std_srvs::Trigger>(names::kSaveHeightMap)) {
+  std::filesystem::create_directories(settings_.output_folder);
+  settings_.output_folder = std::filesystem::absolute(settings_.output_folder);
+  // The nodes that read the part may run in another folder.
+  if (std::filesystem::exists(settings_.part)) settings_.part = std::filesystem::absolute(settings_.part);
+  const boost::function<void(const lamina_msgs::LayerHeightConstPtr&)> onLayer = [this](const auto& layer) {
+    layers_.push_back(*layer);
+    noteAdvance();
+  };
+  layer_subscriber_ = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 1000, onLayer);
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
+      [this](const auto& toolpath) { toolpath_ = toolpath; };
+  toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  await("slicing_service", [this] { return slice_.isServerConnected(); });
+  await("gcode_streamer", [this] { return stream_.isServerConnected(); });
+  await("layer_height_monitor", [this] { return save_height_map_.exists(); });
+}
+
+PrintReport PrintPart::run() {
+  const auto start = Clock::now();
+  PrintReport report;
+  report.part = settings_.part;
+  const auto sliced = slice();
+  report.toolpath_id = sliced.toolpath_id;
+  report.slicing = sliced.summary;
+  await("toolpath", [&] { return toolpath_ != nullptr && toolpath_->id == sliced.toolpath_id; });
+  report.streaming = stream();
+  awaitHeights();
+  report.layers = layers_;
+  report.wall_time_s = std::chrono::duration<double>(Clock::now() - start).count();
+  saveHeightMap();
+  saveFiles(report);
+  return report;
+}
+
+lamina_msgs::SliceResult PrintPart::slice() {
+  lamina_msgs::SliceGoal goal;
+  goal.part = settings_.part;
+  goal.output = outputFile("part.gcode");
+  slice_.sendGoal(goal, {}, {}, [this](const lamina_msgs::SliceFeedbackConstPtr& feedback) {
+    console_.show(feedback->stage, feedback->fraction, "");
+    noteAdvance();
+  });
+  await("slicing_service", [this] { return slice_.getState().isDone(); });
+  console_.finish();
+  return resultOf(slice_, names::kSlice);
+}
+
+lamina_msgs::StreamProgramResult PrintPart::stream() {
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = outputFile("part.gcode");
+  stream_.sendGoal(goal, {}, {}, [this](const lamina_msgs::StreamProgramFeedbackConstPtr& feedback) {
+    console_.show("print", feedback->fraction,
+                  std::to_string(feedback->lines_acknowledged) + " / " +
+                      std::to_string(feedback->lines_total) + " lines, " + std::to_string(layers_.size()) +
+                      " layers measured");
+    noteAdvance();
+  });
+  await("gcode_streamer", [this] { return stream_.getState().isDone(); });
+  console_.finish();
+  return resultOf(stream_, names::kStreamProgram);
+}
+
+void PrintPart::awaitHeights() {
+  noteAdvance();
+  await("layer_height_monitor", [this] {
+    const bool is_last = !layers_.empty() && layers_.back().layer + 1 >= toolpath_->layers.size();
+    return is_last || silence() > kSettlingTime;
+  });
+  if (layers_.empty()) throw TimedOut("no layer height was measured; the scan passes gave no profiles");
+}
+
+void PrintPart::saveHeightMap() {
+  std_srvs::Trigger request;
+  if (!save_height_map_.call(request)) throw Disconnected("layer_height_monitor does not answer");
+  if (!request.response.success) throw FileError("height map not saved: " + request.response.message);
+}
+
+void PrintPart::saveFiles(const PrintReport& report) {
+  writeFile(outputFile("layer_heights.csv"), layerHeightsCsv(report.layers));
+  writeFile(outputFile("summary"), summaryText(report));
+}
+
+std::string PrintPart::outputFile(const std::string& name) const {
+  return settings_.output_folder + "/" + name;
+}
+
+void PrintPart::await(const std::string& what, const std::function<bool()>& isDone) {
+  noteAdvance();
+  while (!isDone()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+    if (!ros::ok()) throw Cancelled("printing was interrupted while waiting for " + what);
+    if (silence() > settings_.patience_s)
+      throw TimedOut("nothing from " + what + " for " +
+                     std::to_string(static_cast<int>(settings_.patience_s)) + " s");
+  }
+}
+
+double PrintPart::silence() const {
+  return std::chrono::duration<double>(Clock::now() - last_advance_).count();
+}
+
+}  // namespace lamina

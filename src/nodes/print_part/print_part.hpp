@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "console_progress.hpp"
+#include "lamina/base/settings.hpp"
+#include "print_report.hpp"
+
+namespace lamina {
+
+/// What to print and where its files go.
+struct PrintPartSettings {
+  std::string part = "blade";            ///< a mesh file, or the name of a parametric part
+  std::string output_folder = "output";  ///< part.gcode, toolpath.png, layer_heights.csv and summary
+  double patience_s = 30.0;              ///< how long another node may stay silent
+};
+
+void describe(SettingsSchema& schema, PrintPartSettings& settings);
+
+/// Drives the cell through one part: slices it, streams the program, and waits for the measured heights.
+///
+/// Action clients   slice (lamina/Slice), stream_program (lamina/StreamProgram)
+/// Service clients  save_height_map (std_srvs/Trigger)
+/// Subscribes       toolpath (lamina/Toolpath), layer_height (lamina/LayerHeight)
+class PrintPart {
+ public:
+  /// Waits for the other nodes.
+  /// @throws TimedOut if one of them is not there
+  PrintPart(ros::NodeHandle node, PrintPartSettings settings);
+
+  /// @throws Error with the code and message of the node that failed; TimedOut if one falls silent; Cancelled
+  /// when
+  ///         ROS shuts down
+  PrintReport run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  lamina_msgs::SliceResult slice();
+  lamina_msgs::StreamProgramResult stream();
+  void awaitHeights();
+  void saveHeightMap();
+  void saveFiles(const PrintReport& report);
+  std::string outputFile(const std::string& name) const;
+  /// Handles callbacks until `isDone`.
+  /// @throws TimedOut if no callback told of any advance for `patience_s`
+  void await(const std::string& what, const std::function<bool()>& isDone);
+  double silence() const;  ///< [s] since the last advance
+  void noteAdvance() { last_advance_ = Clock::now(); }
+
+  PrintPartSettings settings_;
+  ConsoleProgress console_;
+  actionlib::SimpleActionClient<lamina_msgs::SliceAction> slice_;
+  actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction> stream_;
+  ros::ServiceClient save_height_map_;
+  lamina_msgs::ToolpathConstPtr toolpath_;
+  std::vector<lamina_msgs::LayerHeight> layers_;
+  ros::Subscriber toolpath_subscriber_;
+  ros::Subscriber layer_subscriber_;
+  Clock::time_point last_advance_ = Clock::now();
+};
+
+}  // namespace lamina
