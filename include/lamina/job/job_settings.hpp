@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/geometry/mesh_reader.hpp"
+#include "lamina/job/placement.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/slicing/slicing_settings.hpp"
+#include "lamina/toolpath/motion_limits.hpp"
+
+namespace lamina {
+
+/// What becomes of a mesh that is open or wrongly oriented.
+enum class RepairPolicy { Repair, Strict };
+
+/// How the part is read.
+struct InputSettings {
+  MeshUnits units;
+  RepairPolicy repair = RepairPolicy::Repair;
+};
+
+/// The settings of all stages from mesh to program.
+struct JobSettings {
+  InputSettings input;
+  Placement placement = Placement::Centre;
+  SlicingSettings slicing;
+  PlanSettings planning;
+  MotionLimits motion;
+  ProgramSettings program;
+};
+
+/// Adds the keys of all stages. The settings must outlive the schema.
+void describe(SettingsSchema& schema, JobSettings& settings);
+
+/// The defaults, overridden by a YAML file and then by `overrides`, in order.
+/// @param yaml_path  empty for none
+/// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
+JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);
+
+/// @throws InvalidConfig naming key, value and bound, whatever way the values came there
+void validate(const JobSettings& settings);
+
+}  // namespace lamina

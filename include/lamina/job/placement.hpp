@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Where a part stands on the bed.
+enum class Placement {
+  Centre,  ///< middle of its box over the middle of the bed, bottom on the bed
+  AsIs,    ///< coordinates of the file are coordinates of the bed
+};
+
+/// bed_from_part [mm] of a part with this box. Turns nothing.
+Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placement placement);
+
+}  // namespace lamina

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// What slicing a part gave, and what it took.
+struct SliceSummary {
+  std::size_t triangles = 0;  ///< of the repaired mesh
+  std::size_t layers = 0;
+  std::size_t contours = 0;       ///< closed ones, of all layers
+  std::size_t open_contours = 0;  ///< none on a closed mesh
+  std::size_t deposition_runs = 0;
+  double mesh_volume_mm3 = 0.0;    ///< of the repaired mesh
+  double sliced_volume_mm3 = 0.0;  ///< signed area of the contours times layer height
+  double deposition_mm = 0.0;
+  double travel_mm = 0.0;
+  double deposited_mm3 = 0.0;
+  double estimated_time_s = 0.0;
+  std::vector<std::string> repairs;  ///< what was changed on the mesh and where
+  double read_s = 0.0;               ///< reading and repairing
+  double slice_s = 0.0;
+  double plan_s = 0.0;
+  double write_s = 0.0;
+  double wall_s = 0.0;
+  double peak_memory_mb = 0.0;  ///< most memory the process ever held [MiB]
+};
+
+}  // namespace lamina

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina slice` as it was typed.
+struct SliceArguments {
+  std::string part;
+  std::string output;
+  std::string config;
+  std::vector<std::string> settings;
+  int threads = 0;
+  bool is_strict = false;
+  bool prints_config = false;
+};
+
+void printConfig() {
+  JobSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  std::fputs(settingsToYaml(schema).c_str(), stdout);
+}
+
+SliceJob jobFrom(const SliceArguments& arguments) {
+  if (arguments.part.empty())
+    throw InvalidInput("no part is given; expected a mesh file or the name of a part");
+  std::vector<SettingText> overrides;
+  for (const std::string& assignment : arguments.settings)
+    overrides.push_back(settingFromAssignment(assignment));
+  if (arguments.is_strict) overrides.push_back({"input.repair", "strict"});
+  return {arguments.part, arguments.output, loadJobSettings(arguments.config, overrides)};
+}
+
+void printJson(const SliceSummary& s, const std::string& output) {
+  const nlohmann::ordered_json json = {
+      {"triangles", s.triangles},
+      {"layers", s.layers},
+      {"contours", s.contours},
+      {"open_contours", s.open_contours},
+      {"mesh_volume_mm3", s.mesh_volume_mm3},
+      {"sliced_volume_mm3", s.sliced_volume_mm3},
+      {"deposition_mm", s.deposition_mm},
+      {"travel_mm", s.travel_mm},
+      {"deposition_runs", s.deposition_runs},
+      {"deposited_mm3", s.deposited_mm3},
+      {"estimated_time_s", s.estimated_time_s},
+      {"repairs", s.repairs},
+      {"output", output},
+      {"read_s", s.read_s},
+      {"slice_s", s.slice_s},
+      {"plan_s", s.plan_s},
+      {"write_s", s.write_s},
+      {"wall_s", s.wall_s},
+      {"peak_memory_mb", s.peak_memory_mb},
+  };
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const SliceSummary& s, const std::string& output) {
+  for (const std::string& repair : s.repairs) std::printf("repaired: %s\n", repair.c_str());
+  std::printf("mesh        %zu triangles, %.2f cm3\n", s.triangles, s.mesh_volume_mm3 / 1e3);
+  std::printf("layers      %zu, %zu contours", s.layers, s.contours);
+  if (s.open_contours > 0) std::printf(", and %zu open", s.open_contours);
+  std::printf("\ndeposition  %.2f m in %zu runs, %.2f cm3\n", s.deposition_mm / 1e3, s.deposition_runs,
+              s.deposited_mm3 / 1e3);
+  std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
+  std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);
+  std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
+              s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);
+  if (!output.empty()) std::printf("written to  %s\n", output.c_str());
+}
+
+void slice(const SliceArguments& arguments, OutputFormat format) {
+  if (arguments.prints_config) return printConfig();
+  const SliceJob job = jobFrom(arguments);
+  std::optional<ThreadLimit> limit;
+  if (arguments.threads > 0) limit.emplace(arguments.threads);
+  SliceSummary summary;
+  {
+    TerminalProgress progress;
+    summary = runSliceJob(job, progress).summary;
+  }
+  if (format == OutputFormat::Json)
+    printJson(summary, job.output);
+  else
+    printText(summary, job.output);
+}
+
+}  // namespace
+
+void addSlice(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand("slice", "Slice a part and write its program");
+  const auto arguments = std::make_shared<SliceArguments>();
+  subcommand->add_option("part", arguments->part,
+                         "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part");
+  subcommand->add_option("-o,--output", arguments->output,
+                         "File to write: .gcode or .csv; without it nothing is written");
+  subcommand->add_option("--config", arguments->config,
+                         "Settings (YAML); those not given keep their defaults");
+  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
+      ->allow_extra_args(false);
+  subcommand->add_option("--threads", arguments->threads, "At most this many threads")
+      ->check(CLI::Range(1, 1024));
+  subcommand->add_flag("--strict", arguments->is_strict, "Refuse a broken mesh instead of repairing it");
+  subcommand->add_flag("--print-config", arguments->prints_config,
+                       "Print the default settings as YAML and stop");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { slice(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

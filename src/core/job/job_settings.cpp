@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/job_settings.hpp"
+
+#include "lamina/base/atomic_file.hpp"
+
+namespace lamina {
+namespace {
+
+void describe(SettingsSchema& schema, InputSettings& input) {
+  schema.choice<LengthUnit>("input.unit", input.units.unit, lengthUnits(),
+                            "Unit of mesh files that state none.");
+  schema.number("input.scale", input.units.scale, {0.0, 1e6, true}, "Factor on the size of the part.");
+  schema.choice<RepairPolicy>("input.repair", input.repair,
+                              {{"repair", RepairPolicy::Repair}, {"strict", RepairPolicy::Strict}},
+                              "Whether a broken mesh is repaired or refused.");
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, JobSettings& settings) {
+  describe(schema, settings.input);
+  schema.choice<Placement>("part.placement", settings.placement,
+                           {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
+                           "Put the part in the middle of the bed, or where its file says.");
+  describe(schema, settings.slicing);
+  describe(schema, settings.planning);
+  describe(schema, settings.motion);
+  describe(schema, settings.program);
+}
+
+JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides) {
+  JobSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  if (!yaml_path.empty())
+    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
+      schema.set(setting.key, setting.text);
+  for (const SettingText& setting : overrides) schema.set(setting.key, setting.text);
+  return settings;
+}
+
+void validate(const JobSettings& settings) {
+  JobSettings checked = settings;
+  SettingsSchema schema;
+  describe(schema, checked);
+  schema.validate();
+}
+
+}  // namespace lamina

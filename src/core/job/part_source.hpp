@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/mesh.hpp"
+#include "lamina/job/job_settings.hpp"
+
+namespace lamina {
+
+/// A part fit to be sliced, and what was changed to make it so.
+struct SourcePart {
+  Mesh mesh;
+  std::vector<std::string> repairs;
+};
+
+/// @param part  name of a parametric part, otherwise path of a mesh file
+SourcePart readPart(const std::string& part, const InputSettings& settings);
+
+}  // namespace lamina

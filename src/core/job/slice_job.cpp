@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/slice_job.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "job/part_source.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "lamina/planning/planner.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/toolpath/timing.hpp"
+
+namespace lamina {
+namespace {
+
+/// Time since the last lap [s].
+class Laps {
+ public:
+  double lap() {
+    const double now = clock_.now();
+    const double passed = now - last_;
+    last_ = now;
+    return passed;
+  }
+
+ private:
+  SteadyClock clock_;
+  double last_ = clock_.now();
+};
+
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+std::vector<Layer> sliceIntoLayers(const Mesh& mesh, const Box3& box, const SlicingSettings& settings,
+                                   Progress& progress) {
+  const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
+  if (slabs.empty())
+    throw InvalidInput("the part is " + std::to_string(box.size().z()) + " mm high; the first layer of " +
+                       std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
+  std::vector<double> heights;
+  heights.reserve(slabs.size());
+  for (const LayerSlab& slab : slabs) heights.push_back(slab.cut());
+  std::vector<Section> sections = sliceMesh(mesh, heights, progress);
+  std::vector<Layer> layers(slabs.size());
+  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {slabs[i], std::move(sections[i])};
+  return layers;
+}
+
+void addSections(SliceSummary& summary, const std::vector<Layer>& layers) {
+  summary.layers = layers.size();
+  for (const Layer& layer : layers) {
+    summary.contours += layer.section.contours.size();
+    summary.open_contours += layer.section.open_contours.size();
+    summary.sliced_volume_mm3 += signedArea(layer.section.contours) * layer.slab.height();
+  }
+}
+
+void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLimits& limits) {
+  const ToolpathTotals sums = totals(toolpath);
+  summary.deposition_runs = sums.deposition_runs;
+  summary.deposition_mm = sums.deposition_mm;
+  summary.travel_mm = sums.travel_mm;
+  summary.deposited_mm3 = sums.deposited_mm3;
+  summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
+}
+
+/// Reads and slices; the mesh is gone when the layers are planned.
+std::vector<Layer> layersOf(const SliceJob& job, Laps& laps, SlicedPart& sliced, Progress& progress) {
+  progress.report("read", 0.0);
+  SourcePart source = readPart(job.part, job.settings.input);
+  const Box3 box = boundingBox(source.mesh);
+  sliced.bed_from_part = placePart(box, Point2(0.0, 0.0), job.settings.placement);
+  sliced.summary.triangles = source.mesh.triangles.size();
+  sliced.summary.mesh_volume_mm3 = volume(source.mesh);
+  sliced.summary.repairs = std::move(source.repairs);
+  sliced.summary.read_s = laps.lap();
+  std::vector<Layer> layers = sliceIntoLayers(source.mesh, box, job.settings.slicing, progress);
+  addSections(sliced.summary, layers);
+  sliced.summary.slice_s = laps.lap();
+  return layers;
+}
+
+}  // namespace
+
+SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
+  Laps whole;
+  Laps laps;
+  validate(job.settings);
+  if (!job.output.empty()) outputWriterFor(job.output);
+  SlicedPart sliced;
+  std::vector<Layer> layers = layersOf(job, laps, sliced, progress);
+  sliced.toolpath =
+      planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
+  layers = {};
+  addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
+  sliced.summary.plan_s = laps.lap();
+  throwIfCancelled(progress, "write");
+  progress.report("write", 0.0);
+  if (!job.output.empty())
+    writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, job.settings.program);
+  sliced.summary.write_s = laps.lap();
+  sliced.summary.wall_s = whole.lap();
+  sliced.summary.peak_memory_mb = peakMemory();
+  return sliced;
+}
+
+}  // namespace lamina
