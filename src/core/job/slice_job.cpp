@@ -102,8 +102,8 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   layers = {};
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   sliced.summary.plan_s = laps.lap();
-  throwIfCancelled(progress, "write");
   progress.report("write", 0.0);
+  throwIfCancelled(progress, "write");
   if (!job.output.empty())
     writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, job.settings.program);
   sliced.summary.write_s = laps.lap();

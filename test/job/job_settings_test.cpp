@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/job_settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <map>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+std::map<std::string, std::string> textsOf(JobSettings settings) {
+  SettingsSchema schema;
+  describe(schema, settings);
+  std::map<std::string, std::string> texts;
+  for (const Setting& setting : schema.settings()) texts[setting.key] = setting.get();
+  return texts;
+}
+
+TEST(JobSettings, HasTheKeysThatUsersKnow) {
+  const auto texts = textsOf({});
+  for (const char* key : {"slicing.layer_height_mm", "walls.count", "bead.width_mm", "infill.strategy",
+                          "infill.density", "infill.angle_deg", "input.unit", "part.placement"})
+    EXPECT_EQ(texts.count(key), 1U) << key;
+}
+
+TEST(JobSettings, TheShippedFileHoldsEveryKeyAndTheDefaults) {
+  const std::string path = std::string(LAMINA_SOURCE_DIR) + "/config/slicing.yaml";
+  JobSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  EXPECT_EQ(readFile(path), settingsToYaml(schema)) << "renew it by lamina slice --print-config";
+  EXPECT_EQ(textsOf(loadJobSettings(path, {})), textsOf({}));
+}
+
+TEST(JobSettings, OverridesWinOverTheFile) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("a.yaml")) << "slicing: {layer_height_mm: 0.3}\nwalls:\n  count: 5\n";
+  const JobSettings settings = loadJobSettings(folder.file("a.yaml"), {{"walls.count", "1"}});
+  EXPECT_DOUBLE_EQ(settings.slicing.layer_height_mm, 0.3);
+  EXPECT_EQ(settings.planning.walls.count, 1);
+}
+
+TEST(JobSettings, RefusesWhatIsUnknownOrOutOfBounds) {
+  EXPECT_THROW(loadJobSettings("", {{"slicing.layer_hight_mm", "0.2"}}), InvalidConfig);
+  for (const char* bad : {"0", "-1", "nan", "inf", "thick", "", "0.2mm"})
+    EXPECT_THROW(loadJobSettings("", {{"slicing.layer_height_mm", bad}}), InvalidConfig) << bad;
+}
+
+TEST(JobSettings, RefusesAFileThatIsMissingOrNoYaml) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("a.yaml")) << "slicing: [";
+  EXPECT_THROW(loadJobSettings(folder.file("a.yaml"), {}), InvalidConfig);
+  EXPECT_THROW(loadJobSettings(folder.file("b.yaml"), {}), FileError);
+}
+
+TEST(JobSettings, ValidateFindsWhatCodeHasSet) {
+  JobSettings settings;
+  validate(settings);
+  settings.slicing.layer_height_mm = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(validate(settings), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/output_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/program/csv_writer.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+Toolpath oneLine() {
+  Path line;
+  line.role = PathRole::Infill;
+  line.points = {{0, 0, 0.2}, {5, 0, 0.2}};
+  line.bead = Bead{0.4, 0.2};
+  line.feed_mm_s = 50.0;
+  Toolpath toolpath;
+  toolpath.part_name = "line";
+  toolpath.layers = {{0.2, 0.2, {line}}};
+  return toolpath;
+}
+
+TEST(OutputWriter, IsChosenByTheSuffix) {
+  const test::ScratchFolder folder;
+  const Toolpath toolpath = oneLine();
+  const Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  for (const std::string& suffix : outputSuffixes())
+    writeOutput(folder.file("a" + suffix), {toolpath, bed_from_part}, {});
+  EXPECT_EQ(readFile(folder.file("a.csv")).rfind(kCsvHeader, 0), 0U);
+  EXPECT_NE(readFile(folder.file("a.gcode")).find("G90"), std::string::npos);
+}
+
+TEST(OutputWriter, RefusesASuffixWithoutWriter) {
+  for (const char* path : {"a.stl", "a", ".gcode", "a.gcode.old", "folder.gcode/a"})
+    EXPECT_THROW(outputWriterFor(path), InvalidInput) << path;
+}
+
+TEST(OutputWriter, LeavesAnExistingFileWhenTheToolpathIsRefused) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder.file("a.gcode")) << "precious";
+  const Toolpath empty;
+  const Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  EXPECT_THROW(writeOutput(folder.file("a.gcode"), {empty, bed_from_part}, {}), InvalidInput);
+  EXPECT_EQ(readFile(folder.file("a.gcode")), "precious");
+}
+
+TEST(OutputWriter, RefusesAFolderThatIsNotThere) {
+  const Toolpath toolpath = oneLine();
+  const Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  EXPECT_THROW(writeOutput("/nowhere/a.csv", {toolpath, bed_from_part}, {}), FileError);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/slice_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/program/csv_reader.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+/// Remembers the stages; cancels as soon as one begins.
+class Watch final : public Progress {
+ public:
+  explicit Watch(std::string cancelled_stage = "") : cancelled_stage_(std::move(cancelled_stage)) {}
+  void report(const std::string& stage, double) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stages_.insert(stage);
+  }
+  bool isCancelled() const override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return stages_.count(cancelled_stage_) > 0;
+  }
+  std::set<std::string> stages() const { return stages_; }
+
+ private:
+  mutable std::mutex mutex_;
+  std::string cancelled_stage_;
+  std::set<std::string> stages_;
+};
+
+class SliceJobTest : public ::testing::Test {
+ protected:
+  SliceJobTest() {
+    job_.part = folder_.file("box.stl");
+    job_.output = folder_.file("box.csv");
+    job_.settings.planning.skirt.count = 0;
+    writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 50, 6}));
+  }
+
+  SlicedPart run() {
+    Watch progress;
+    return runSliceJob(job_, progress);
+  }
+
+  bool hasOutput() const { return std::filesystem::exists(job_.output); }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+};
+
+TEST_F(SliceJobTest, SummarisesABoxExactly) {
+  const SliceSummary summary = run().summary;
+  EXPECT_EQ(summary.triangles, 12U);
+  EXPECT_EQ(summary.layers, 5U);
+  EXPECT_EQ(summary.contours, 5U);
+  EXPECT_EQ(summary.open_contours, 0U);
+  EXPECT_NEAR(summary.mesh_volume_mm3, 600.0, 1e-9);
+  EXPECT_NEAR(summary.sliced_volume_mm3, 600.0, 1e-9);
+  EXPECT_TRUE(summary.repairs.empty());
+  EXPECT_GT(summary.estimated_time_s, 0.0);
+  EXPECT_GT(summary.peak_memory_mb, 0.0);
+  EXPECT_GE(summary.wall_s, summary.read_s + summary.slice_s + summary.plan_s);
+}
+
+TEST_F(SliceJobTest, KeepsThePartsCoordinatesAndPlacesItOnTheBed) {
+  const SlicedPart sliced = run();
+  const Box3 box = depositionBox(sliced.toolpath);
+  EXPECT_NEAR(box.centre().x(), 20.0, 1e-3);
+  EXPECT_NEAR(box.low.x(), 10.2, 1e-3);
+  EXPECT_NEAR(box.low.z(), 5.2, 1e-9);
+  EXPECT_NEAR((sliced.bed_from_part * Point3(20, 35, 5)).z(), 0.0, 1e-12);
+}
+
+TEST_F(SliceJobTest, WritesTheToolpathItReturns) {
+  const SlicedPart sliced = run();
+  const Toolpath written = readCsv(readFile(job_.output), "box");
+  const ToolpathTotals a = totals(sliced.toolpath);
+  const ToolpathTotals b = totals(written);
+  EXPECT_EQ(a.waypoints, b.waypoints);
+  EXPECT_DOUBLE_EQ(a.deposition_mm, b.deposition_mm);
+  EXPECT_DOUBLE_EQ(a.deposited_mm3, sliced.summary.deposited_mm3);
+}
+
+TEST_F(SliceJobTest, WritesTheSameBytesWithAnyNumberOfThreads) {
+  job_.part = "sphere";
+  run();
+  const std::string expected = readFile(job_.output);
+  const ThreadLimit one(1);
+  run();
+  EXPECT_EQ(readFile(job_.output), expected);
+}
+
+TEST_F(SliceJobTest, TakesAParametricPartByItsName) {
+  job_.part = "box";
+  const SlicedPart sliced = run();
+  EXPECT_EQ(sliced.toolpath.part_name, "box");
+  EXPECT_NEAR(sliced.summary.sliced_volume_mm3 / sliced.summary.mesh_volume_mm3, 1.0, 1e-9);
+}
+
+TEST_F(SliceJobTest, ScalesThePart) {
+  job_.settings.input.units.scale = 2.0;
+  EXPECT_NEAR(run().summary.mesh_volume_mm3, 4800.0, 1e-6);
+  job_.part = "box";
+  const double doubled = run().summary.mesh_volume_mm3;
+  job_.settings.input.units.scale = 1.0;
+  EXPECT_NEAR(doubled / run().summary.mesh_volume_mm3, 8.0, 1e-9);
+}
+
+TEST_F(SliceJobTest, ReportsItsStages) {
+  Watch watch;
+  runSliceJob(job_, watch);
+  EXPECT_EQ(watch.stages(), (std::set<std::string>{"read", "slice", "plan", "write"}));
+}
+
+TEST_F(SliceJobTest, WritesNothingWhenCancelled) {
+  for (const char* stage : {"read", "slice", "plan", "write"}) {
+    Watch watch(stage);
+    EXPECT_THROW(runSliceJob(job_, watch), Cancelled) << stage;
+    EXPECT_FALSE(hasOutput()) << stage;
+  }
+}
+
+TEST_F(SliceJobTest, RefusesAPartWithoutALayer) {
+  job_.settings.slicing.first_layer_height_mm = 2.5;
+  EXPECT_THROW(run(), InvalidInput);
+}
+
+TEST_F(SliceJobTest, RefusesBadSettingsBeforeReading) {
+  job_.settings.planning.bead.width_mm = 0.0;
+  Watch watch;
+  EXPECT_THROW(runSliceJob(job_, watch), InvalidConfig);
+  EXPECT_TRUE(watch.stages().empty());
+}
+
+TEST_F(SliceJobTest, RefusesAnOutputWithoutWriterBeforeReading) {
+  job_.output = folder_.file("box.stl");
+  const std::string mesh = readFile(job_.part);
+  Watch watch;
+  EXPECT_THROW(runSliceJob(job_, watch), InvalidInput);
+  EXPECT_TRUE(watch.stages().empty());
+  EXPECT_EQ(readFile(job_.part), mesh);
+}
+
+TEST_F(SliceJobTest, RefusesAPartThatIsMissingOrNoMesh) {
+  std::ofstream(folder_.file("text.stl")) << "hello";
+  job_.part = folder_.file("text.stl");
+  EXPECT_THROW(run(), InvalidMesh);
+  job_.part = folder_.file("missing.stl");
+  EXPECT_THROW(run(), FileError);
+  EXPECT_FALSE(hasOutput());
+}
+
+}  // namespace
+}  // namespace lamina
