@@ -16,8 +16,17 @@ namespace lamina {
 bool isExactBinaryStl(std::string_view bytes);
 /// Whether the bytes are text that speaks of facets and vertices.
 bool isAsciiStl(std::string_view bytes);
+bool isPly(std::string_view bytes);
+/// Whether the bytes are a ZIP archive, as every 3MF file is.
+bool isThreemf(std::string_view bytes);
+/// Whether the bytes are text with lines that start with the letter v.
+bool isObj(std::string_view bytes);
 
 Mesh readBinaryStl(std::string_view bytes, const std::string& name);
 Mesh readAsciiStl(std::string_view bytes, const std::string& name);
+Mesh readPly(std::string_view bytes, const std::string& name);
+Mesh readObj(std::string_view bytes, const std::string& name);
+/// In millimetres: the format states its unit.
+Mesh readThreemf(std::string_view bytes, const std::string& name);
 
 }  // namespace lamina

@@ -36,9 +36,11 @@ std::string lowerSuffix(const std::string& name) {
 
 Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY or 3MF)");
+  if (isPly(bytes)) return readPly(bytes, name);
   if (isExactBinaryStl(bytes)) return readBinaryStl(bytes, name);
   if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
   if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
+  if (isObj(bytes)) return readObj(bytes, name);
   throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY nor 3MF");
 }
 
@@ -71,9 +73,10 @@ Mesh readMesh(const std::string& path, const MeshUnits& units) {
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {
   if (!(units.scale > 0.0) || !std::isfinite(units.scale))
     throw InvalidConfig("scale is " + std::to_string(units.scale) + "; must be positive and finite");
-  Mesh mesh = readInFileUnits(bytes, name);
+  const bool states_unit = isThreemf(bytes);
+  Mesh mesh = states_unit ? readThreemf(bytes, name) : readInFileUnits(bytes, name);
   if (mesh.triangles.empty()) throw InvalidMesh(name + ": no triangles");
-  convertToMillimetres(mesh, units.scale * millimetresPer(units.unit), name);
+  convertToMillimetres(mesh, units.scale * (states_unit ? 1.0 : millimetresPer(units.unit)), name);
   return mesh;
 }
 
