@@ -20,6 +20,7 @@ int runCommandLine(int argc, char** argv) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
   Chosen chosen;
+  addPart(app, chosen);
   addSlice(app, chosen);
   try {
     app.parse(argc, argv);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "edge_balance.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_topology.hpp"
 #include "mesh_formats.hpp"
 #include "text_cursor.hpp"
 #include "vertex_welder.hpp"
@@ -20,7 +20,7 @@ class AsciiStlReader {
   Mesh read() {
     while (!cursor_.isAtEnd()) readItem();
     mesh_.vertices = welder_.takeVertices();
-    if (!has_end_ && !isBalanced(mesh_))
+    if (!has_end_ && pairHalfEdges(mesh_).has_border)
       cursor_.refuse("truncated: the text ends without 'endsolid' and leaves holes");
     return std::move(mesh_);
   }

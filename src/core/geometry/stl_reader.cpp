@@ -5,8 +5,8 @@
 #include <cstring>
 #include <string>
 
-#include "edge_balance.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_topology.hpp"
 #include "mesh_formats.hpp"
 #include "vertex_welder.hpp"
 
@@ -103,7 +103,7 @@ Mesh readBinaryStl(std::string_view bytes, const std::string& name) {
   const std::size_t count = countToRead(bytes, name);
   Mesh mesh = weldRecords(bytes.data() + kStart, count);
   if (!isFinite(mesh)) refuseNonFinite(bytes, count, name);
-  if (statedCount(bytes) > count && !isBalanced(mesh))
+  if (statedCount(bytes) > count && (count == 0 || pairHalfEdges(mesh).has_border))
     throw InvalidMesh(name + ": truncated at byte " + std::to_string(bytes.size()) + ": " +
                       std::to_string(count) + " triangles, which leave holes; the header states " +
                       std::to_string(statedCount(bytes)));
