@@ -51,11 +51,13 @@ class Fingerprint {
 
 std::string toolpathId(const Toolpath& toolpath) {
   Fingerprint fingerprint;
+  fingerprint.add(static_cast<std::uint64_t>(toolpath.part_name.size()));
   for (const char c : toolpath.part_name)
     fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
   for (const ToolpathLayer& layer : toolpath.layers) {
     fingerprint.add(layer.z_mm);
     fingerprint.add(layer.height_mm);
+    fingerprint.add(static_cast<std::uint64_t>(layer.paths.size()));
     for (const Path& path : layer.paths) fingerprint.add(path);
   }
   char text[17];
