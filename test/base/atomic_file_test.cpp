@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lamina {
+namespace {
+
+void writeWhole(const std::string& path, const std::string& bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+std::string everyByte() {
+  std::string bytes;
+  for (int i = 0; i < 256 * 1024; ++i) bytes.push_back(static_cast<char>(i));
+  return bytes;
+}
+
+TEST(AtomicFile, HoldsWhatWasWrittenAfterCommit) {
+  const test::TemporaryFolder folder;
+  writeWhole(folder.file("a"), everyByte());
+  EXPECT_EQ(readFile(folder.file("a")), everyByte());
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(AtomicFile, MayBeEmpty) {
+  const test::TemporaryFolder folder;
+  writeWhole(folder.file("a"), "");
+  EXPECT_EQ(readFile(folder.file("a")), "");
+}
+
+TEST(AtomicFile, LeavesNothingBehindWithoutCommit) {
+  const test::TemporaryFolder folder;
+  {
+    AtomicFile file(folder.file("a"));
+    file.write("half");
+  }
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+TEST(AtomicFile, LeavesAnExistingFileUntouchedUntilCommit) {
+  const test::TemporaryFolder folder;
+  writeWhole(folder.file("a"), "old");
+  {
+    AtomicFile file(folder.file("a"));
+    file.write("new");
+    EXPECT_EQ(readFile(folder.file("a")), "old");
+  }
+  EXPECT_EQ(readFile(folder.file("a")), "old");
+  writeWhole(folder.file("a"), "new");
+  EXPECT_EQ(readFile(folder.file("a")), "new");
+}
+
+TEST(AtomicFile, TakesWhatALibraryWroteUnderTheTemporaryName) {
+  const test::TemporaryFolder folder;
+  AtomicFile file(folder.file("a"));
+  std::FILE* other = std::fopen(file.temporaryPath().c_str(), "wb");
+  ASSERT_NE(other, nullptr);
+  std::fputs("theirs", other);
+  std::fclose(other);
+  file.commit();
+  EXPECT_EQ(readFile(folder.file("a")), "theirs");
+}
+
+TEST(AtomicFile, InAFolderThatIsMissingIsRefusedNamingThePath) {
+  const test::TemporaryFolder folder;
+  try {
+    AtomicFile file(folder.file("missing/a"));
+    FAIL() << "nothing thrown";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("missing/a"), std::string::npos) << error.what();
+  }
+}
+
+TEST(AtomicFile, CannotReplaceAFolder) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("a"));
+  EXPECT_THROW(writeWhole(folder.file("a"), "x"), FileError);
+  EXPECT_TRUE(std::filesystem::is_directory(folder.file("a")));
+  EXPECT_EQ(folder.fileCount(), 1U);
+}
+
+TEST(ReadFile, RefusesAFolderAndAMissingFile) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(readFile(folder.file("missing")), FileError);
+  EXPECT_THROW(readFile(folder.file(".")), FileError);
+}
+
+}  // namespace
+}  // namespace lamina

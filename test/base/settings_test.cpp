@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+enum class Colour { Red, Green };
+
+struct Lamp {
+  double power_w = 40.0;
+  int count = 2;
+  bool is_on = false;
+  std::string name = "desk";
+  std::string shape = "round";
+  Colour colour = Colour::Red;
+};
+
+void describe(SettingsSchema& schema, Lamp& lamp) {
+  schema.number("lamp.power_w", lamp.power_w, {0.0, 100.0, true}, "Power.");
+  schema.integer("lamp.count", lamp.count, {0, 10, false}, "How many.");
+  schema.flag("lamp.is_on", lamp.is_on, "Whether it shines.");
+  schema.text("lamp.name", lamp.name, "Its name.");
+  schema.choice("shade.shape", lamp.shape, std::vector<std::string>{"round", "square"}, "Form of the shade.");
+  schema.choice<Colour>("shade.colour", lamp.colour, {{"red", Colour::Red}, {"green", Colour::Green}},
+                        "Its colour.");
+}
+
+class Settings : public testing::Test {
+ protected:
+  Settings() { describe(schema_, lamp_); }
+
+  std::string refusalOf(const std::string& key, const std::string& text) {
+    try {
+      schema_.set(key, text);
+      return {};
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+  }
+
+  Lamp lamp_;
+  SettingsSchema schema_;
+};
+
+TEST_F(Settings, ReachTheFields) {
+  schema_.set("lamp.power_w", "12.5");
+  schema_.set("lamp.count", "7");
+  schema_.set("lamp.is_on", "true");
+  schema_.set("lamp.name", "a: b # c");
+  schema_.set("shade.shape", "square");
+  schema_.set("shade.colour", "green");
+  EXPECT_EQ(lamp_.power_w, 12.5);
+  EXPECT_EQ(lamp_.count, 7);
+  EXPECT_TRUE(lamp_.is_on);
+  EXPECT_EQ(lamp_.name, "a: b # c");
+  EXPECT_EQ(lamp_.shape, "square");
+  EXPECT_EQ(lamp_.colour, Colour::Green);
+}
+
+TEST_F(Settings, SuggestTheNearestKeyForAnUnknownOne) {
+  const std::string refusal = refusalOf("lamp.powr_w", "3");
+  EXPECT_NE(refusal.find("'lamp.powr_w'"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("'lamp.power_w'"), std::string::npos) << refusal;
+}
+
+TEST_F(Settings, KeepToTheirBounds) {
+  EXPECT_EQ(refusalOf("lamp.power_w", "100"), "");
+  EXPECT_EQ(refusalOf("lamp.count", "0"), "");
+  for (const char* bad : {"0", "-1", "100.001", "nan", "inf", "1e999"})
+    EXPECT_NE(refusalOf("lamp.power_w", bad), "");
+  const std::string refusal = refusalOf("lamp.power_w", "0");
+  for (const char* part : {"lamp.power_w", "'0'", "(0, 100]"})
+    EXPECT_NE(refusal.find(part), std::string::npos) << refusal;
+  EXPECT_EQ(lamp_.power_w, 100.0);
+}
+
+TEST_F(Settings, RefuseWhatIsOfAnotherType) {
+  for (const char* bad : {"", " 3", "3 ", "3mm", "0x10", "three", "1,5"})
+    EXPECT_NE(refusalOf("lamp.power_w", bad), "");
+  for (const char* bad : {"1.5", "", "99999999999"}) EXPECT_NE(refusalOf("lamp.count", bad), "");
+  for (const char* bad : {"1", "True", "yes", ""}) EXPECT_NE(refusalOf("lamp.is_on", bad), "");
+  EXPECT_NE(refusalOf("shade.colour", "blue").find("red | green"), std::string::npos);
+  EXPECT_NE(refusalOf("shade.shape", "Round"), "");
+}
+
+TEST_F(Settings, AreCheckedHoweverTheFieldsWereFilled) {
+  EXPECT_NO_THROW(schema_.validate());
+  lamp_.power_w = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(schema_.validate(), InvalidConfig);
+  lamp_ = {};
+  lamp_.shape = "oval";
+  EXPECT_THROW(schema_.validate(), InvalidConfig);
+  lamp_ = {};
+  lamp_.colour = static_cast<Colour>(7);
+  EXPECT_THROW(schema_.validate(), InvalidConfig);
+}
+
+TEST_F(Settings, ComeBackFromTheirYaml) {
+  lamp_ = {0.1 + 0.2, 9, true, "quotes \" and\nlines: yes", "square", Colour::Green};
+  const std::string yaml = settingsToYaml(schema_);
+  Lamp copy;
+  SettingsSchema schema_of_copy;
+  describe(schema_of_copy, copy);
+  for (const SettingText& setting : settingsFromYaml(yaml, "own"))
+    schema_of_copy.set(setting.key, setting.text);
+  EXPECT_EQ(copy.power_w, lamp_.power_w);
+  EXPECT_EQ(copy.count, 9);
+  EXPECT_TRUE(copy.is_on);
+  EXPECT_EQ(copy.name, lamp_.name);
+  EXPECT_EQ(copy.shape, "square");
+  EXPECT_EQ(copy.colour, Colour::Green);
+  EXPECT_EQ(settingsToYaml(schema_of_copy), yaml);
+}
+
+TEST(SettingsFromYaml, FlattensMapsIntoDottedKeysInOrder) {
+  const auto settings = settingsFromYaml("b:\n  y: 1\n  x: {z: two}\na.c: 3.50\n", "file");
+  ASSERT_EQ(settings.size(), 3U);
+  EXPECT_EQ(settings[0].key, "b.y");
+  EXPECT_EQ(settings[1].key, "b.x.z");
+  EXPECT_EQ(settings[1].text, "two");
+  EXPECT_EQ(settings[2].key, "a.c");
+  EXPECT_EQ(settings[2].text, "3.50");
+}
+
+TEST(SettingsFromYaml, OfAnEmptyDocumentIsEmpty) {
+  EXPECT_TRUE(settingsFromYaml("", "file").empty());
+  EXPECT_TRUE(settingsFromYaml("# nothing\n", "file").empty());
+}
+
+TEST(SettingsFromYaml, RefusesWhatIsNoMapOfValuesNamingTheLine) {
+  for (const char* bad : {"- 1\n- 2\n", "just text", "a: [1, 2]", "a:\n", "a: {b: 1\n", "a: 1\na: 2\n",
+                          "a:\n  b: 1\na.b: 2\n"}) {
+    try {
+      settingsFromYaml(bad, "some.yaml");
+      ADD_FAILURE() << "accepted: " << bad;
+    } catch (const InvalidConfig& error) {
+      EXPECT_EQ(std::string(error.what()).find("some.yaml:"), 0U) << error.what();
+    }
+  }
+}
+
+TEST(SettingFromAssignment, SplitsAtTheFirstEquals) {
+  EXPECT_EQ(settingFromAssignment("a.b=c=d").key, "a.b");
+  EXPECT_EQ(settingFromAssignment("a.b=c=d").text, "c=d");
+  EXPECT_EQ(settingFromAssignment("a=").text, "");
+  EXPECT_THROW(settingFromAssignment("a.b"), InvalidConfig);
+  EXPECT_THROW(settingFromAssignment("=3"), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina
