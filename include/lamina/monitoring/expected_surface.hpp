@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "lamina/geometry/height_map.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The top surface that a toolpath should give, layer by layer: each bead stands as wide as planned and as
+/// high as the nozzle ran; elsewhere the height is that of earlier layers, or unknown. Linear in the
+/// deposited length.
+class ExpectedSurface {
+ public:
+  /// @param bed_from_part translation [mm]
+  ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& bed_from_part);
+
+  /// Adds what the next layer deposits.
+  void addLayer(const ToolpathLayer& layer);
+
+  /// Heights after the layers added so far [mm, bed frame].
+  const HeightMap& heights() const { return heights_; }
+
+  /// Cells of the latest layer, the skirt left out, that should be level with the nozzle: their centres lie
+  /// on the flat top of a bead, no farther from its centre line than half of width less height, where its
+  /// rounded edges begin (for beads higher than wide: half a cell). In no particular order, each once.
+  const std::vector<std::size_t>& topCells() const { return top_cells_; }
+
+ private:
+  void addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role);
+
+  HeightMap heights_;
+  Eigen::Isometry3d bed_from_part_;
+  std::vector<std::uint32_t> top_in_layer_;  ///< latest layer (from 1) that has the cell among its top cells
+  std::vector<std::size_t> top_cells_;
+  std::uint32_t layers_ = 0;
+};
+
+}  // namespace lamina

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Tells from the heights the nozzle passes through which layer is being scanned. Only layers of the toolpath
+/// that have a scan pass count, each once and in ascending order.
+class LayerClock {
+ public:
+  /// @param bed_from_part  turned about z at most: layers stay level; translation [mm]
+  /// @param clearance_mm   that the scan passes were planned with
+  LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, double clearance_mm);
+
+  /// The layer being scanned while the nozzle is at that height [mm, bed frame], if one is: its scan height
+  /// must be within a quarter of its layer height, and it must be the next one to be scanned or the one that
+  /// the nozzle was last seen to print. So a nozzle on its way through other heights, or parked at one of
+  /// them, scans nothing. A layer whose scan height the nozzle has left is done with.
+  std::optional<std::size_t> observe(double nozzle_height_mm);
+
+ private:
+  struct Mark {
+    double height_mm;
+    double tolerance_mm;
+    std::size_t layer;
+  };
+  static std::optional<std::size_t> layerAt(const std::vector<Mark>& marks, double height_mm);
+  bool isDue(std::size_t layer) const;
+  void notePrinting(double nozzle_height_mm);
+
+  std::vector<Mark> scans_;     ///< ascending
+  std::vector<Mark> prints_;    ///< ascending
+  std::size_t first_open_ = 0;  ///< layers below are done with
+  std::optional<std::size_t> scanned_;
+  std::optional<std::size_t> printed_;
+  std::optional<double> last_height_mm_;
+};
+
+}  // namespace lamina

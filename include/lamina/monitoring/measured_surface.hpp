@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lamina/geometry/height_map.hpp"
+
+namespace lamina {
+
+/// Measured points fused into one height per cell. The rule: within a pass (one sweep of the sensor, in which
+/// the surface stands still) a cell holds the mean of its points; the first point of a later pass replaces
+/// what was there, as the surface has grown since. Of fixed size; a point costs the same however many came
+/// before.
+class MeasuredSurface {
+ public:
+  explicit MeasuredSurface(const HeightGrid& grid);
+
+  const HeightGrid& grid() const { return grid_; }
+
+  /// Number of the pass that points are now added to; starts at 1.
+  std::uint32_t pass() const { return pass_; }
+  /// Ends the pass and begins the next.
+  void beginPass() { ++pass_; }
+
+  enum class Fused { Inside, Outside };
+
+  /// @param point [mm, bed frame]; one that is beyond the grid or not finite changes nothing and is Outside
+  Fused insert(const Point3& point) {
+    const std::size_t index = grid_.cellAt(point.head<2>());
+    if (index == HeightGrid::kNoCell || !std::isfinite(point.z())) return Fused::Outside;
+    Cell& cell = cells_[index];
+    if (cell.pass != pass_) cell = {0.0, pass_, 0};
+    cell.sum += point.z();
+    ++cell.points;
+    return Fused::Inside;
+  }
+
+  /// Height of a cell [mm]; unknown if it was never seen.
+  double height(std::size_t cell) const {
+    return cells_[cell].points == 0 ? HeightMap::kUnknown : cells_[cell].sum / cells_[cell].points;
+  }
+  /// Height of a cell if it was seen in the present pass, otherwise unknown.
+  double heightInPass(std::size_t cell) const {
+    return cells_[cell].pass == pass_ ? height(cell) : HeightMap::kUnknown;
+  }
+
+  /// All heights as they stand.
+  HeightMap heights() const;
+
+ private:
+  struct Cell {
+    double sum = 0.0;
+    std::uint32_t pass = 0;
+    std::uint32_t points = 0;
+  };
+  HeightGrid grid_;
+  std::vector<Cell> cells_;
+  std::uint32_t pass_ = 1;
+};
+
+}  // namespace lamina

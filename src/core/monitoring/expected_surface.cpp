@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/monitoring/expected_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/geometry/cells_near_segment.hpp"
+
+namespace lamina {
+
+ExpectedSurface::ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& bed_from_part)
+    : heights_(grid), bed_from_part_(bed_from_part), top_in_layer_(grid.cellCount(), 0) {}
+
+void ExpectedSurface::addLayer(const ToolpathLayer& layer) {
+  ++layers_;
+  top_cells_.clear();
+  for (const Path& path : layer.paths) {
+    if (path.role == PathRole::Travel) continue;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t end = path.motionEnd(m);
+      addMotion(bed_from_part_ * path.points[m], bed_from_part_ * path.points[end], path.bead.at(end),
+                path.role);
+    }
+  }
+}
+
+void ExpectedSurface::addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role) {
+  const HeightGrid& grid = heights_.grid();
+  const double flat =
+      bead.width_mm > bead.height_mm ? 0.5 * (bead.width_mm - bead.height_mm) : 0.5 * grid.cell_mm;
+  const double reach = std::max(flat, 0.5 * bead.width_mm);
+  forCellsNearSegment(grid, start.head<2>(), end.head<2>(), reach,
+                      [&](std::size_t cell, double distance, double along) {
+                        const double z = start.z() + along * (end.z() - start.z());
+                        const double before = heights_.at(cell);
+                        if (!(before >= z)) heights_.set(cell, z);
+                        if (role == PathRole::Skirt || distance > flat || top_in_layer_[cell] == layers_)
+                          return;
+                        top_in_layer_[cell] = layers_;
+                        top_cells_.push_back(cell);
+                      });
+}
+
+}  // namespace lamina
