@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace lamina {
+
+/// A letter and the number after it; no number for flags such as the axes of `G28 X`.
+struct GcodeWord {
+  char letter = 0;  ///< upper case
+  std::optional<double> value;
+};
+
+/// One line of a program, taken apart. The views are into the text it was made from.
+struct GcodeLine {
+  std::size_t number = 0;                  ///< in the file, 1 based
+  std::optional<std::int64_t> sequence;    ///< after N
+  std::vector<GcodeWord> words;            ///< without N and checksum; empty if the line is `is_other`
+  std::vector<std::string_view> comments;  ///< after ; or within ( ), trimmed
+  std::string_view command;                ///< what is left without N, checksum and the comment after ;
+  bool is_other = false;  ///< a command whose arguments are not words, or that Lamina does not know
+};
+
+/// Takes lines apart, reusing its memory.
+///
+/// Words are read of the commands that move or change how motions are read: G0 to G6, G17 to G21, G28, G90 to
+/// G92, M82, M83, and lines of coordinates alone. Everything else may carry free text and is `is_other`, kept
+/// whole.
+class GcodeLineParser {
+ public:
+  /// @param text  one line without its line break
+  /// @throws InvalidProgram if a number is malformed, not finite or beyond 1e9, a character cannot start a
+  /// word, a
+  ///   comment is not closed, or the checksum after * is not the exclusive or of the bytes before it; names
+  ///   the line
+  /// @return valid until the next call
+  const GcodeLine& parse(std::string_view text, std::size_t number);
+
+ private:
+  std::string_view withoutComment(std::string_view text);
+  std::string_view withoutChecksum(std::string_view text) const;
+  std::string_view withoutSequence(std::string_view text);
+  void parseWords(std::string_view text);
+
+  GcodeLine line_;
+};
+
+}  // namespace lamina

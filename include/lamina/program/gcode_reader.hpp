@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A straight motion of a program, in machine coordinates. Arcs are many of them.
+struct GcodeMotion {
+  Point3 start = Point3::Zero();  ///< [mm]
+  Point3 end = Point3::Zero();    ///< [mm]; equal to the start for a motion of the filament alone
+  double extrusion_mm = 0.0;      ///< filament pushed forth; negative pulls back
+  double feed_mm_s = 0.0;
+  std::size_t line = 0;             ///< 1 based
+  std::optional<int> layer;         ///< as the slicer's comments tell; none before the first layer
+  std::optional<PathRole> role;     ///< as the slicer's comments tell
+  std::optional<double> height_mm;  ///< of the bead, as the slicer's comments tell
+  std::size_t section = 0;          ///< changes wherever a comment opens a layer or a path
+};
+
+/// Called for what a program does, in its order. Empty functions discard.
+struct GcodeHandlers {
+  std::function<void(const GcodeMotion&)> motion;
+  std::function<void(std::size_t line, double seconds)> dwell;  ///< G4
+  std::function<void(std::size_t line, std::string_view command)>
+      other;  ///< heaters, fans, tools, homing, unknown
+};
+
+struct GcodeReaderSettings {
+  double chord_tolerance_mm = 0.01;  ///< how far the motions of an arc may be off it
+  double initial_feed_mm_s = 25.0;   ///< until the first F, as Marlin's
+};
+
+/// Reads a program as a modal interpreter (Marlin's dialect of RS-274), piece by piece, in constant memory.
+///
+/// Understood: G0, G1, arcs G2 and G3 by I J K or R in the planes of G17 G18 G19 (helices too), G4, G20, G21,
+/// G28 (homes to 0), G90 and G91 (which set extrusion too, as in Marlin), G92, M82, M83, lines of coordinates
+/// alone, N, *, and comments. Positions start at 0, absolute, in mm.
+class GcodeReader {
+ public:
+  GcodeReader(GcodeReaderSettings settings, GcodeHandlers handlers);
+  ~GcodeReader();
+  GcodeReader(GcodeReader&&) noexcept;
+  GcodeReader& operator=(GcodeReader&&) noexcept;
+
+  /// Takes the next piece, which may end amid a line.
+  /// @throws InvalidProgram naming the line: a number that is bad, not finite or too large, a word without
+  /// its value or
+  ///   given twice, a feed that is not positive, an arc without centre or off its circle, two motions in one
+  ///   line, a spline (G5, G6), a rotary axis, a line longer than 1 MiB
+  void read(std::string_view piece);
+  /// Takes what is left of the last line.
+  void finish();
+
+ private:
+  class Interpreter;
+  std::unique_ptr<Interpreter> interpreter_;
+  std::string unfinished_;
+  std::size_t line_ = 0;
+};
+
+/// Reads a whole file.
+/// @throws FileError if it cannot be read
+/// @throws InvalidProgram as above
+void readGcodeFile(const std::string& path, const GcodeReaderSettings& settings,
+                   const GcodeHandlers& handlers);
+
+}  // namespace lamina

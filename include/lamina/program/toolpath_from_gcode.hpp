@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "lamina/program/gcode_reader.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Builds the toolpath that a program prints, in machine coordinates, from its motions.
+///
+/// A motion that pushes filament forth deposits; every other is travel, which is retracted from where
+/// filament is pulled back alone until it is pushed forth alone. A path ends where kind or role change, where
+/// a comment opens a path or layer, and at retractions; deposition that ends where it started is closed.
+/// Layers are those of the slicer's comments, and what comes before the first and after the last of them is
+/// left out; without comments a layer begins wherever material is laid at another height. Bead height is that
+/// of the comments, or of the layer; bead width is that of the stadium which holds the volume laid per
+/// length. Where one width explains a path within the rounding of a program (1e-5 mm of filament, 1e-3 mm of
+/// length) the path has one width.
+class ToolpathBuilder {
+ public:
+  /// Of the settings, filament diameter and flow are used.
+  explicit ToolpathBuilder(const ProgramSettings& settings);
+  ~ToolpathBuilder();
+
+  void add(const GcodeMotion& motion);
+  /// The toolpath so far; the builder is empty afterwards.
+  Toolpath finish(const std::string& part_name);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+/// Reads a program that is held in memory.
+/// @throws InvalidProgram naming the line; also if nothing in it moves
+Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,
+                           const std::string& part_name);
+
+/// Reads a file piece by piece; the toolpath is named after it.
+/// @throws FileError if it cannot be read
+/// @throws InvalidProgram naming the line; also if nothing in it moves
+Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& settings);
+
+/// Width of the stadium of this height and area; 0 if the area is 0.
+/// @param area_mm2, height_mm  positive
+double beadWidth(double area_mm2, double height_mm);
+
+}  // namespace lamina

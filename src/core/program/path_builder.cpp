@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/path_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lamina/program/toolpath_from_gcode.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSamePoint = 1e-6;         // mm: beneath what programs resolve
+constexpr double kFilamentRounding = 1e-5;  // mm: last decimal of E
+constexpr double kLengthRounding = 1.5e-3;  // mm: diagonal of the last decimals of X and Y at both ends
+
+bool deposits(const GcodeMotion& motion) { return motion.extrusion_mm > 0.0 && motion.start != motion.end; }
+
+/// The values of the motions as those of the waypoints at which they end.
+template <class Value>
+AlongPath<Value> perWaypoint(const std::vector<Value>& of_motions, bool is_closed) {
+  const bool is_common = std::all_of(of_motions.begin(), of_motions.end(),
+                                     [&](const Value& value) { return value == of_motions.front(); });
+  if (is_common) return of_motions.front();
+  std::vector<Value> each;
+  each.reserve(of_motions.size() + 1);
+  each.push_back(is_closed ? of_motions.back() : of_motions.front());
+  each.insert(each.end(), of_motions.begin(), of_motions.end() - (is_closed ? 1 : 0));
+  return AlongPath<Value>(std::move(each));
+}
+
+}  // namespace
+
+double beadWidth(double area_mm2, double height_mm) {
+  const double disc = 0.25 * M_PI * height_mm * height_mm;
+  if (area_mm2 >= disc) return height_mm + (area_mm2 - disc) / height_mm;
+  // An upright stadium of width w: (h - w) w + pi w² / 4 = area.
+  constexpr double kMissing = 1.0 - 0.25 * M_PI;
+  return (height_mm - std::sqrt(height_mm * height_mm - 4.0 * kMissing * area_mm2)) / (2.0 * kMissing);
+}
+
+PathBuilder::PathBuilder(const GcodeMotion& motion, bool is_retracted)
+    : deposits_(lamina::deposits(motion)),
+      is_retracted_(is_retracted && !deposits_),
+      role_(motion.role),
+      height_mm_(motion.height_mm),
+      section_(motion.section),
+      points_{motion.start} {
+  add(motion);
+}
+
+bool PathBuilder::accepts(const GcodeMotion& motion, bool is_retracted) const {
+  if (lamina::deposits(motion) != deposits_ || motion.start != points_.back()) return false;
+  if (!deposits_) return is_retracted == is_retracted_;
+  return motion.section == section_ && motion.role == role_ && motion.height_mm == height_mm_;
+}
+
+void PathBuilder::add(const GcodeMotion& motion) {
+  points_.push_back(motion.end);
+  filament_mm_.push_back(motion.extrusion_mm);
+  feed_mm_s_.push_back(motion.feed_mm_s);
+}
+
+bool PathBuilder::isClosed() const {
+  return deposits_ && points_.size() > 2 && (points_.back() - points_.front()).norm() < kSamePoint;
+}
+
+AlongPath<Bead> PathBuilder::beads(double height_mm, double volume_per_filament) const {
+  std::vector<double> lengths(filament_mm_.size());
+  for (std::size_t m = 0; m < lengths.size(); ++m) lengths[m] = (points_[m + 1] - points_[m]).norm();
+  const double mean = std::accumulate(filament_mm_.begin(), filament_mm_.end(), 0.0) /
+                      std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const auto bead = [&](double filament_per_length) {
+    return Bead{beadWidth(filament_per_length * volume_per_filament, height_mm), height_mm};
+  };
+  bool is_common = true;
+  for (std::size_t m = 0; m < lengths.size(); ++m)
+    is_common &= std::abs(filament_mm_[m] - mean * lengths[m]) <= kFilamentRounding + mean * kLengthRounding;
+  if (is_common) return bead(mean);
+  std::vector<Bead> each(lengths.size());
+  for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m]);
+  return perWaypoint(each, isClosed());
+}
+
+Path PathBuilder::build(double layer_height_mm, double volume_per_filament) const {
+  Path path;
+  path.role = deposits_ ? role_.value_or(PathRole::Infill) : PathRole::Travel;
+  path.is_closed = isClosed();
+  path.process.is_retracted = is_retracted_;
+  path.points = points_;
+  if (path.is_closed) path.points.pop_back();
+  path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed);
+  if (deposits_) path.bead = beads(height_mm_.value_or(layer_height_mm), volume_per_filament);
+  return path;
+}
+
+}  // namespace lamina

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/slicer_comments.hpp"
+
+#include <charconv>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr std::pair<std::string_view, PathRole> kTypes[] = {
+    {"skirt", PathRole::Skirt},
+    {"outer_wall", PathRole::OuterWall},
+    {"inner_wall", PathRole::InnerWall},
+    {"infill", PathRole::Infill},
+    {"gap_fill", PathRole::GapFill},
+    {"SKIRT", PathRole::Skirt},
+    {"WALL-OUTER", PathRole::OuterWall},
+    {"WALL-INNER", PathRole::InnerWall},
+    {"FILL", PathRole::Infill},
+    {"SKIN", PathRole::Infill},
+    {"Skirt", PathRole::Skirt},
+    {"Skirt/Brim", PathRole::Skirt},
+    {"Brim", PathRole::Skirt},
+    {"External perimeter", PathRole::OuterWall},
+    {"Overhang perimeter", PathRole::OuterWall},
+    {"Perimeter", PathRole::InnerWall},
+    {"Internal infill", PathRole::Infill},
+    {"Solid infill", PathRole::Infill},
+    {"Top solid infill", PathRole::Infill},
+    {"Bridge infill", PathRole::Infill},
+    {"Gap fill", PathRole::GapFill},
+};
+
+/// Slic3r tells the role beside each motion.
+constexpr std::pair<std::string_view, PathRole> kMotionRemarks[] = {
+    {"perimeter", PathRole::InnerWall}, {"infill", PathRole::Infill}, {"infill (bridge)", PathRole::Infill},
+    {"skirt", PathRole::Skirt},         {"brim", PathRole::Skirt},    {"gap fill", PathRole::GapFill},
+};
+
+template <std::size_t count>
+std::optional<PathRole> find(const std::pair<std::string_view, PathRole> (&names)[count],
+                             std::string_view name) {
+  for (const auto& entry : names)
+    if (entry.first == name) return entry.second;
+  return std::nullopt;
+}
+
+bool takePrefix(std::string_view& text, std::string_view prefix) {
+  if (text.substr(0, prefix.size()) != prefix) return false;
+  text.remove_prefix(prefix.size());
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  return true;
+}
+
+template <class Number>
+std::optional<Number> number(std::string_view text) {
+  Number value{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc{}) return std::nullopt;
+  return value;
+}
+
+void openLayer(std::optional<int> layer, SlicerContext& context) {
+  if (!layer) return;
+  context.layer = layer;
+  ++context.section;
+}
+
+void setHeight(std::string_view text, SlicerContext& context) {
+  const auto height_mm = number<double>(text);
+  if (height_mm && *height_mm > 0.0 && *height_mm < 1e3) context.height_mm = height_mm;
+}
+
+}  // namespace
+
+void readComment(std::string_view comment, SlicerContext& context) {
+  if (takePrefix(comment, "TYPE:")) {
+    context.role = find(kTypes, comment);
+    ++context.section;
+  } else if (takePrefix(comment, "LAYER:") || takePrefix(comment, "move to next layer (")) {
+    openLayer(number<int>(comment), context);
+  } else if (comment == "LAYER_CHANGE") {
+    openLayer(context.layer.value_or(-1) + 1, context);
+  } else if (takePrefix(comment, "HEIGHT:") || takePrefix(comment, "Layer height:")) {
+    setHeight(comment, context);
+  } else if (comment == "end of the part") {
+    context.layer.reset();
+    ++context.section;
+  } else if (const auto role = find(kMotionRemarks, comment)) {
+    context.role = role;
+  }
+}
+
+}  // namespace lamina

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// What the comments of Lamina, Cura, PrusaSlicer and Slic3r (verbose) tell of the motions that follow.
+struct SlicerContext {
+  std::optional<int> layer;         ///< as numbered by the slicer; none before the first and after the part
+  std::optional<PathRole> role;     ///< none if not told, or of a kind Lamina has no name for
+  std::optional<double> height_mm;  ///< of the beads
+  std::size_t section = 0;          ///< counts the comments that open a layer or a path
+};
+
+/// Updates the context; other comments change nothing.
+void readComment(std::string_view comment, SlicerContext& context);
+
+}  // namespace lamina

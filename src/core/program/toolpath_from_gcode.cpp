@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/toolpath_from_gcode.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+#include "program/extrusion.hpp"
+#include "program/path_builder.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
+
+bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.end; }
+
+}  // namespace
+
+class ToolpathBuilder::State {
+ public:
+  explicit State(const ProgramSettings& settings) : volume_per_filament_(1.0 / filamentPerVolume(settings)) {}
+
+  void add(const GcodeMotion& motion) {
+    if (motion.layer != layer_) changeLayer(motion.layer);
+    if (isFilamentAlone(motion)) {
+      if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
+      is_interrupted_ = true;
+      return;
+    }
+    if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
+    if (has_comments_ && !layer_) return;  // before the first layer or after the part
+    if (!has_comments_ && motion.extrusion_mm > 0.0) beginLayerByHeight(motion);
+    if (!runs_.empty() && !is_interrupted_ && runs_.back().accepts(motion, is_retracted_))
+      runs_.back().add(motion);
+    else
+      begin(motion);
+    is_interrupted_ = false;
+  }
+
+  Toolpath finish(const std::string& part_name) {
+    closeLayer(runs_.size());
+    toolpath_.part_name = part_name;
+    return std::move(toolpath_);
+  }
+
+ private:
+  void begin(const GcodeMotion& motion) {
+    // Homing moves the nozzle without a motion of its own.
+    if (!runs_.empty() && runs_.back().lastPoint() != motion.start) {
+      GcodeMotion homing = motion;
+      homing.start = runs_.back().lastPoint();
+      homing.end = motion.start;
+      homing.extrusion_mm = 0.0;
+      runs_.emplace_back(homing, is_retracted_);
+    }
+    runs_.emplace_back(motion, is_retracted_);
+  }
+
+  void changeLayer(std::optional<int> layer) {
+    if (has_comments_)
+      closeLayer(runs_.size());
+    else
+      toolpath_.layers.clear(), runs_.clear();
+    has_comments_ = true;
+    layer_ = layer;
+  }
+
+  /// The travel that leads to the new height belongs to the new layer.
+  void beginLayerByHeight(const GcodeMotion& motion) {
+    const double z = motion.end.z();
+    std::size_t kept = runs_.size();
+    while (kept > 0 && !runs_[kept - 1].deposits()) --kept;
+    if (kept > 0 && std::abs(runs_[kept - 1].lastZ() - z) > kSameHeight) closeLayer(kept);
+  }
+
+  void closeLayer(std::size_t count) {
+    if (count == 0) return;
+    ToolpathLayer layer;
+    layer.z_mm = runs_[count - 1].lastZ();
+    for (std::size_t i = count; i-- > 0;)
+      if (runs_[i].deposits()) layer.z_mm = runs_[i].lastZ();
+    const double below_mm = toolpath_.layers.empty() ? 0.0 : toolpath_.layers.back().z_mm;
+    const double step_mm = layer.z_mm - below_mm;
+    layer.height_mm = runs_.front().height().value_or(step_mm > kSameHeight ? step_mm : fallback_height_mm_);
+    fallback_height_mm_ = layer.height_mm;
+    layer.paths.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      layer.paths.push_back(runs_[i].build(layer.height_mm, volume_per_filament_));
+    runs_.erase(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(count));
+    toolpath_.layers.push_back(std::move(layer));
+  }
+
+  double volume_per_filament_;
+  std::optional<int> layer_;
+  bool has_comments_ = false;
+  bool is_retracted_ = false;
+  bool is_interrupted_ = false;      ///< by a motion of the filament alone
+  double fallback_height_mm_ = 0.2;  ///< of a layer no higher than the one before it
+  std::vector<PathBuilder> runs_;    ///< of the layer being read
+  Toolpath toolpath_;
+};
+
+ToolpathBuilder::ToolpathBuilder(const ProgramSettings& settings)
+    : state_(std::make_unique<State>(settings)) {}
+ToolpathBuilder::~ToolpathBuilder() = default;
+void ToolpathBuilder::add(const GcodeMotion& motion) { state_->add(motion); }
+Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->finish(part_name); }
+
+Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,
+                           const std::string& part_name) {
+  ToolpathBuilder builder(settings);
+  GcodeReader reader({}, {[&](const GcodeMotion& motion) { builder.add(motion); }, {}, {}});
+  reader.read(program);
+  reader.finish();
+  Toolpath toolpath = builder.finish(part_name);
+  if (toolpath.layers.empty())
+    throw InvalidProgram("'" + part_name + "' has no motion; expected a program that prints");
+  return toolpath;
+}
+
+Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& settings) {
+  ToolpathBuilder builder(settings);
+  readGcodeFile(path, {}, {[&](const GcodeMotion& motion) { builder.add(motion); }, {}, {}});
+  const std::string file_name = path.substr(path.find_last_of('/') + 1);
+  Toolpath toolpath = builder.finish(file_name.substr(0, file_name.find_last_of('.')));
+  if (toolpath.layers.empty())
+    throw InvalidProgram("'" + path + "' has no motion; expected a program that prints");
+  return toolpath;
+}
+
+}  // namespace lamina
