@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A linear axis.
+struct MachineAxis {
+  std::string name;                   ///< of the URDF's joint
+  Point3 direction = Point3::Zero();  ///< in which the nozzle moves over the bed, of unit length [bed frame]
+  double low_mm = 0.0;
+  double high_mm = 0.0;
+  double max_speed_mm_s = 0.0;
+};
+
+/// Values of the machine's axes in the order of `Machine::axes` [mm].
+using AxisValues = Eigen::Vector3d;
+
+/// A machine whose nozzle is carried by three linear axes and held at a fixed angle.
+struct Machine {
+  std::string name;
+  std::string urdf;                                                           ///< the text it was made from
+  std::array<MachineAxis, 3> axes;                                            ///< x, y, z
+  Eigen::Isometry3d bed_from_nozzle_at_zero = Eigen::Isometry3d::Identity();  ///< all axes at 0 [mm]
+  Eigen::Isometry3d nozzle_from_sensor =
+      Eigen::Isometry3d::Identity();  ///< sensor z is its viewing direction [mm]
+};
+
+/// Names of the machines that come with Lamina (`urdf/`).
+std::vector<std::string> machineNames();
+
+/// @throws InvalidConfig if there is none of that name; names those there are
+Machine machineByName(const std::string& name);
+
+/// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor;
+/// lengths in the text are metres, as in every URDF.
+/// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
+/// that moves,
+///   or the axes do not span space
+Machine machineFromUrdf(const std::string& text);
+
+/// Box of the nozzle positions all axis values give [mm, bed frame].
+Box3 workspace(const Machine& machine);
+
+/// Where the nozzle is [mm].
+Eigen::Isometry3d bedFromNozzle(const Machine& machine, const AxisValues& values);
+
+/// Axis values that bring the nozzle tip to a position. The limits are not looked at.
+/// @param position  [mm, bed frame]
+AxisValues axisValues(const Machine& machine, const Point3& position);
+
+/// Axis values that bring the nozzle to a pose. The turn about the jet is free.
+/// @throws Unreachable if the jet is another than the machine's by more than 0.01 deg (gives the angle), or
+/// an axis
+///   would leave its limits (gives axis, value and limit)
+AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle);
+
+/// Checks every waypoint.
+/// @throws Unreachable as `axisValuesWithin`, naming layer, path and waypoint of the first that is out of
+/// reach
+void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                      const Machine& machine);
+
+}  // namespace lamina
