@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-6;  // of a quaternion's norm: messages may come from single precision
 
+double toCubicMetres(double cubic_millimetres) { return cubic_millimetres * 1e-9; }
+
 template <class Message, class Value>
 std::vector<Message> toMessages(const std::vector<Value>& values) {
   std::vector<Message> messages;
@@ -135,7 +137,25 @@ Bead fromMessage(const lamina_msgs::Bead& bead) {
   return {toMillimetres(bead.width), toMillimetres(bead.height)};
 }
 
-lamina_msgs::Toolpath toMessage(const PlacedToolpath& placed) {
+lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
+  lamina_msgs::SliceSummary message;
+  message.triangles = static_cast<std::uint32_t>(summary.triangles);
+  message.layers = static_cast<std::uint32_t>(summary.layers);
+  message.contours = static_cast<std::uint32_t>(summary.contours);
+  message.open_contours = static_cast<std::uint32_t>(summary.open_contours);
+  message.deposition_runs = static_cast<std::uint32_t>(summary.deposition_runs);
+  message.mesh_volume = toCubicMetres(summary.mesh_volume_mm3);
+  message.sliced_volume = toCubicMetres(summary.sliced_volume_mm3);
+  message.deposition = toMetres(summary.deposition_mm);
+  message.travel = toMetres(summary.travel_mm);
+  message.deposited_volume = toCubicMetres(summary.deposited_mm3);
+  message.estimated_time = summary.estimated_time_s;
+  message.wall_time = summary.wall_s;
+  message.repairs = summary.repairs;
+  return message;
+}
+
+lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   lamina_msgs::Toolpath message;
   message.id = placed.id;
   message.part_name = placed.toolpath.part_name;
@@ -146,8 +166,8 @@ lamina_msgs::Toolpath toMessage(const PlacedToolpath& placed) {
   return message;
 }
 
-PlacedToolpath fromMessage(const lamina_msgs::Toolpath& message) {
-  PlacedToolpath placed;
+MachineToolpath fromMessage(const lamina_msgs::Toolpath& message) {
+  MachineToolpath placed;
   placed.id = message.id;
   placed.machine = message.machine;
   placed.bed_from_part = fromMessage(message.bed_from_part);

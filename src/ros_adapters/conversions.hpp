@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "lamina/job/slice_summary.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "messages.hpp"
 
@@ -39,8 +40,12 @@ Eigen::Isometry3d fromMessage(const geometry_msgs::Pose& pose);
 lamina_msgs::Bead toMessage(const Bead& bead);
 Bead fromMessage(const lamina_msgs::Bead& bead);
 
-/// A toolpath with its identity, and with where it is to be run: what travels as one message.
-struct PlacedToolpath {
+/// Times other than the estimated and the whole one, and the memory, stay behind.
+lamina_msgs::SliceSummary toMessage(const SliceSummary& summary);
+
+/// A toolpath with its identity, and with where on which machine it is to be run: what travels as one
+/// message.
+struct MachineToolpath {
   std::string id;       ///< of the toolpath as it was planned
   std::string machine;  ///< name of the machine it was planned for
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
@@ -48,9 +53,9 @@ struct PlacedToolpath {
 };
 
 /// The message with an empty header: stamp and frame belong to the publisher.
-lamina_msgs::Toolpath toMessage(const PlacedToolpath& placed);
+lamina_msgs::Toolpath toMessage(const MachineToolpath& placed);
 /// The id is taken as it stands in the message: the values were rounded on the way through metres.
 /// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
-PlacedToolpath fromMessage(const lamina_msgs::Toolpath& message);
+MachineToolpath fromMessage(const lamina_msgs::Toolpath& message);
 
 }  // namespace lamina

@@ -61,6 +61,12 @@ bool fits(const std::string& setting_type, XmlRpcValue::Type type) {
   return type == XmlRpcValue::TypeString;
 }
 
+std::string onOneLine(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += c == '\n' ? std::string("\\n") : std::string(1, c);
+  return line;
+}
+
 }  // namespace
 
 std::vector<SettingText> settingsFromParameters(const ros::NodeHandle& node) {
@@ -80,7 +86,8 @@ void applyParameters(SettingsSchema& schema, const ros::NodeHandle& node) {
 
 std::string describeSettings(const SettingsSchema& schema) {
   std::string lines;
-  for (const Setting& setting : schema.settings()) lines += "\n  " + setting.key + ": " + setting.get();
+  for (const Setting& setting : schema.settings())
+    lines += "\n  " + setting.key + ": " + onOneLine(setting.get());
   return lines;
 }
 

@@ -11,9 +11,9 @@
 
 namespace {
 
+using lamina::MachineToolpath;
 using lamina::Path;
 using lamina::PathRole;
-using lamina::PlacedToolpath;
 using lamina::Point3;
 
 constexpr double kRelative = 1e-12;  // what a multiplication and its inverse may round
@@ -23,7 +23,7 @@ void expectNear(const Point3& actual, const Point3& expected) {
 }
 
 /// A wall with a bead that varies, a retracted travel, and a fill: everything a message can carry.
-PlacedToolpath placedToolpath() {
+MachineToolpath machineToolpath() {
   Path wall;
   wall.role = PathRole::OuterWall;
   wall.is_closed = true;
@@ -40,7 +40,7 @@ PlacedToolpath placedToolpath() {
   fill.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Point3::UnitX()));
   fill.bead = lamina::Bead{0.4, 0.3};
   fill.feed_mm_s = 60.0;
-  PlacedToolpath placed;
+  MachineToolpath placed;
   placed.toolpath.part_name = "wall";
   placed.toolpath.layers = {{0.3, 0.3, {wall, travel, fill}}, {0.6, 0.3, {}}};
   placed.id = toolpathId(placed.toolpath);
@@ -55,15 +55,28 @@ TEST(Conversions, GiveMetresInMessages) {
   EXPECT_DOUBLE_EQ(point.y, -0.02);
   EXPECT_DOUBLE_EQ(point.z, 0.3);
   EXPECT_DOUBLE_EQ(lamina::toMessage(lamina::Bead{0.4, 0.2}).width, 0.0004);
-  const auto message = lamina::toMessage(placedToolpath());
+  const auto message = lamina::toMessage(machineToolpath());
   EXPECT_DOUBLE_EQ(message.bed_from_part.position.x, 0.1);
   EXPECT_DOUBLE_EQ(message.layers.at(0).z, 0.0003);
   EXPECT_DOUBLE_EQ(message.layers.at(0).paths.at(1).feed.at(0), 0.15);
 }
 
+TEST(Conversions, GiveASummaryInMetres) {
+  lamina::SliceSummary summary;
+  summary.layers = 7;
+  summary.mesh_volume_mm3 = 1000.0;
+  summary.deposition_mm = 2500.0;
+  summary.repairs = {"2 holes filled"};
+  const auto message = lamina::toMessage(summary);
+  EXPECT_EQ(message.layers, 7U);
+  EXPECT_DOUBLE_EQ(message.mesh_volume, 1e-6);
+  EXPECT_DOUBLE_EQ(message.deposition, 2.5);
+  EXPECT_EQ(message.repairs, summary.repairs);
+}
+
 TEST(Conversions, CarryAToolpathThereAndBack) {
-  const PlacedToolpath there = placedToolpath();
-  const PlacedToolpath back = lamina::fromMessage(lamina::toMessage(there));
+  const MachineToolpath there = machineToolpath();
+  const MachineToolpath back = lamina::fromMessage(lamina::toMessage(there));
   EXPECT_EQ(back.id, there.id);
   EXPECT_EQ(back.machine, there.machine);
   EXPECT_EQ(back.toolpath.part_name, there.toolpath.part_name);
@@ -92,7 +105,7 @@ TEST(Conversions, CarryAnyPointThereAndBack) {
 }
 
 TEST(Conversions, RefuseAToolpathThatBreaksItsPromises) {
-  const auto good = lamina::toMessage(placedToolpath());
+  const auto good = lamina::toMessage(machineToolpath());
   auto not_finite = good;
   not_finite.layers[0].paths[0].points[1].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(lamina::fromMessage(not_finite), lamina::InvalidInput);

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slicing_service.hpp"
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "ros_progress.hpp"
+#include "status.hpp"
+#include "toolpath_markers.hpp"
+
+namespace lamina {
+
+SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings)
+    : settings_(settings),
+      toolpath_(node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>(names::kToolpathMarkers, 1, true)),
+      service_(node.advertiseService(names::kSliceMesh, &SlicingService::onService, this)),
+      action_(
+          node, names::kSlice, [this](const lamina_msgs::SliceGoalConstPtr& goal) { onGoal(goal); }, false) {
+  action_.start();
+}
+
+bool SlicingService::onService(lamina_msgs::SliceMesh::Request& request,
+                               lamina_msgs::SliceMesh::Response& response) {
+  ServiceProgress progress;
+  const Answer given = answer({request.part, request.settings, request.output}, progress);
+  response.status = given.status;
+  response.toolpath_id = given.toolpath_id;
+  response.summary = given.summary;
+  return true;
+}
+
+void SlicingService::onGoal(const lamina_msgs::SliceGoalConstPtr& goal) {
+  ActionProgress progress(action_);
+  const Answer given = answer({goal->part, goal->settings, goal->output}, progress);
+  lamina_msgs::SliceResult result;
+  result.status = given.status;
+  result.toolpath_id = given.toolpath_id;
+  result.summary = given.summary;
+  if (given.status.code == lamina_msgs::Status::OK)
+    action_.setSucceeded(result);
+  else if (given.status.code == lamina_msgs::Status::CANCELLED)
+    action_.setPreempted(result, given.status.message);
+  else
+    action_.setAborted(result, given.status.message);
+}
+
+SlicingService::Answer SlicingService::answer(const Request& request, Progress& progress) {
+  try {
+    const std::unique_lock<std::mutex> lock(job_, std::try_to_lock);
+    if (!lock) throw Rejected("another part is being sliced; wait for it or cancel it");
+    ROS_INFO_STREAM("slicing '" << request.part << "'");
+    const Answer given = slice(request, progress);
+    ROS_INFO_STREAM("sliced '" << request.part << "' into " << given.summary.layers << " layers, toolpath "
+                               << given.toolpath_id);
+    return given;
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM("cannot slice '" << request.part << "': " << toString(failure.code) << ": "
+                                      << failure.message);
+    Answer refused;
+    refused.status = toMessage(failure);
+    return refused;
+  }
+}
+
+SlicingService::Answer SlicingService::slice(const Request& request, Progress& progress) {
+  SliceJob job{request.part, request.output, settings_};
+  SettingsSchema schema;
+  describe(schema, job.settings);
+  for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
+  SlicedPart sliced = runSliceJob(job, progress);
+  Answer answer;
+  answer.toolpath_id = toolpathId(sliced.toolpath);
+  answer.summary = toMessage(sliced.summary);
+  publish(std::move(sliced), answer.toolpath_id);
+  return answer;
+}
+
+void SlicingService::publish(SlicedPart sliced, const std::string& id) {
+  MachineToolpath placed;
+  placed.id = id;
+  placed.bed_from_part = sliced.bed_from_part;
+  placed.toolpath = std::move(sliced.toolpath);
+  lamina_msgs::Toolpath message = toMessage(placed);
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kPartFrame;
+  toolpath_.publish(message);
+  markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
+}
+
+}  // namespace lamina

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <ros/node_handle.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "lamina/job/slice_job.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Slices parts on request.
+///
+/// Services    slice_mesh (lamina/SliceMesh)
+/// Actions     slice (lamina/Slice): the same with progress and cancel; a new goal cancels the one under way
+/// Publishes   toolpath (lamina/Toolpath, latched), toolpath_markers (visualization_msgs/MarkerArray,
+/// latched)
+///
+/// One part at a time: a request during another one is answered with REJECTED. A request that fails publishes
+/// and writes nothing.
+class SlicingService {
+ public:
+  /// @param settings  of every job, as far as its request does not override them
+  SlicingService(ros::NodeHandle node, const JobSettings& settings);
+
+ private:
+  /// What the service's request and the action's goal have in common, and what their answers have.
+  struct Request {
+    std::string part;
+    std::vector<lamina_msgs::Setting> settings;
+    std::string output;
+  };
+  struct Answer {
+    lamina_msgs::Status status;
+    std::string toolpath_id;
+    lamina_msgs::SliceSummary summary;
+  };
+
+  bool onService(lamina_msgs::SliceMesh::Request& request, lamina_msgs::SliceMesh::Response& response);
+  void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
+  Answer answer(const Request& request, Progress& progress);
+  Answer slice(const Request& request, Progress& progress);
+  void publish(SlicedPart sliced, const std::string& id);
+
+  JobSettings settings_;
+  std::mutex job_;
+  ros::Publisher toolpath_;
+  ros::Publisher markers_;
+  ros::ServiceServer service_;
+  actionlib::SimpleActionServer<lamina_msgs::SliceAction> action_;
+};
+
+}  // namespace lamina

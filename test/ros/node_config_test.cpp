@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The shipped config/<node>.yaml state every parameter of the node with the default that the code has.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/job/job_settings.hpp"
+
+namespace {
+
+std::map<std::string, std::string> valuesOf(const lamina::SettingsSchema& schema) {
+  std::map<std::string, std::string> values;
+  for (const lamina::Setting& setting : schema.settings()) values[setting.key] = setting.get();
+  return values;
+}
+
+/// Expects config/<node>.yaml to hold the schema's keys and the values it has now.
+void expectDefaults(const std::string& node, const lamina::SettingsSchema& schema) {
+  const std::string path = std::string(LAMINA_SOURCE_DIR) + "/config/" + node + ".yaml";
+  std::map<std::string, std::string> shipped;
+  for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path))
+    shipped[setting.key] = setting.text;
+  EXPECT_EQ(shipped, valuesOf(schema));
+}
+
+TEST(NodeConfig, OfSlicingServiceIsCompleteAndHasTheDefaults) {
+  lamina::JobSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("slicing_service", schema);
+}
+
+}  // namespace

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls the running node slicing_service as a client would.
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "lamina/base/atomic_file.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using lamina_msgs::SliceMesh;
+using lamina_msgs::Status;
+using Client = actionlib::SimpleActionClient<lamina_msgs::SliceAction>;
+
+constexpr double kPatience = 30.0;  // s: far above what a job takes, for loaded machines
+
+lamina_msgs::Setting setting(const std::string& key, const std::string& value) {
+  lamina_msgs::Setting message;
+  message.key = key;
+  message.value = value;
+  return message;
+}
+
+class SlicingService : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("lamina_slicing_service_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience)));
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  SliceMesh::Response call(const std::string& part, const std::vector<lamina_msgs::Setting>& settings = {},
+                           const std::string& output = "") {
+    SliceMesh service;
+    service.request.part = part;
+    service.request.settings = settings;
+    service.request.output = output;
+    EXPECT_TRUE(client_.call(service)) << "the node does not answer";
+    return service.response;
+  }
+
+  /// The latched toolpath; null if there is none.
+  lamina_msgs::ToolpathConstPtr latchedToolpath() {
+    return ros::topic::waitForMessage<lamina_msgs::Toolpath>(lamina::names::kToolpath, node_,
+                                                             ros::Duration(2.0));
+  }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// A file that a refused request must not touch.
+  std::string precious() {
+    std::ofstream(file("precious.gcode")) << "G28\n";
+    return file("precious.gcode");
+  }
+
+  void expectRefused(const SliceMesh::Response& response, std::uint8_t code, const std::string& word) {
+    EXPECT_EQ(response.status.code + 0, code + 0) << response.status.message;
+    EXPECT_NE(response.status.message.find(word), std::string::npos) << response.status.message;
+    EXPECT_EQ(response.toolpath_id, "");
+    if (fs::exists(file("precious.gcode"))) {
+      EXPECT_EQ(lamina::readFile(file("precious.gcode")), "G28\n");
+      EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "something was left behind";
+    }
+  }
+
+  ros::NodeHandle node_;
+  ros::ServiceClient client_ = node_.serviceClient<SliceMesh>(lamina::names::kSliceMesh);
+  fs::path folder_;
+};
+
+TEST_F(SlicingService, SlicesAParametricPartAndPublishesItsToolpath) {
+  const auto response = call("box", {}, file("box.gcode"));
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  const auto& summary = response.summary;
+  EXPECT_EQ(summary.triangles, 12U);
+  EXPECT_EQ(summary.open_contours, 0U);
+  EXPECT_NEAR(summary.sliced_volume, summary.mesh_volume, 1e-9 * summary.mesh_volume);
+  EXPECT_GT(fs::file_size(file("box.gcode")), 1000U);
+  const auto toolpath = latchedToolpath();
+  ASSERT_TRUE(toolpath);
+  EXPECT_EQ(toolpath->id, response.toolpath_id);
+  EXPECT_EQ(toolpath->header.frame_id, lamina::names::kPartFrame);
+  EXPECT_EQ(toolpath->layers.size(), summary.layers);
+}
+
+TEST_F(SlicingService, GivesTheSameIdForTheSameRequest) {
+  EXPECT_EQ(call("box").toolpath_id, call("box").toolpath_id);
+}
+
+TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
+  const auto fine = call("box");
+  const auto coarse = call(
+      "box", {setting("slicing.layer_height_mm", "0.4"), setting("slicing.first_layer_height_mm", "0.4")});
+  const auto fine_again = call("box");
+  ASSERT_EQ(coarse.status.code, Status::OK + 0) << coarse.status.message;
+  EXPECT_EQ(2 * coarse.summary.layers, fine.summary.layers);
+  EXPECT_EQ(fine_again.summary.layers, fine.summary.layers);
+}
+
+TEST_F(SlicingService, RefusesAMissingFile) {
+  expectRefused(call("/nowhere/part.stl", {}, precious()), Status::FILE_ERROR, "/nowhere/part.stl");
+}
+
+TEST_F(SlicingService, RefusesAPartItDoesNotKnow) {
+  EXPECT_NE(call("no_such_part").status.code, Status::OK + 0);
+}
+
+TEST_F(SlicingService, RefusesAMeshThatIsNotFinite) {
+  const fs::path mesh = fs::temp_directory_path() / ("lamina_nan_" + std::to_string(::getpid()) + ".stl");
+  std::ofstream(mesh)
+      << "solid s\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\nendsolid s\n";
+  expectRefused(call(mesh, {}, precious()), Status::INVALID_MESH, "");
+  fs::remove(mesh);
+}
+
+TEST_F(SlicingService, RefusesAnUnknownSetting) {
+  expectRefused(call("box", {setting("slicing.layer_heigth_mm", "0.2")}, precious()), Status::INVALID_CONFIG,
+                "slicing.layer_height_mm");
+}
+
+TEST_F(SlicingService, RefusesALayerHeightOfZero) {
+  expectRefused(call("box", {setting("slicing.layer_height_mm", "0")}, precious()), Status::INVALID_CONFIG,
+                "slicing.layer_height_mm is '0'");
+}
+
+TEST_F(SlicingService, RefusesAnOutputItCannotWrite) {
+  EXPECT_EQ(call("box", {}, "/nowhere/box.gcode").status.code, Status::FILE_ERROR + 0);
+}
+
+TEST_F(SlicingService, TellsProgressAndGivesTheAnswerOfTheService) {
+  Client client(lamina::names::kSlice, true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  lamina_msgs::SliceGoal goal;
+  goal.part = "sphere";
+  std::vector<std::string> stages;
+  client.sendGoal(goal, {}, {}, [&](const lamina_msgs::SliceFeedbackConstPtr& feedback) {
+    stages.push_back(feedback->stage);
+  });
+  ASSERT_TRUE(client.waitForResult(ros::Duration(kPatience)));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(client.getResult()->toolpath_id, call("sphere").toolpath_id);
+  EXPECT_FALSE(stages.empty());
+}
+
+TEST_F(SlicingService, StopsWhenTheGoalIsCancelledAndServesTheNext) {
+  Client client(lamina::names::kSlice, true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  const auto before = call("box");
+  lamina_msgs::SliceGoal goal;
+  goal.part = "sphere";
+  goal.settings = {setting("slicing.layer_height_mm", "0.001"),
+                   setting("slicing.first_layer_height_mm", "0.001")};
+  goal.output = precious();
+  client.sendGoal(goal);
+  ros::Duration(0.2).sleep();
+  EXPECT_EQ(call("box").status.code, Status::REJECTED + 0) << "one part at a time";
+  client.cancelGoal();
+  ASSERT_TRUE(client.waitForResult(ros::Duration(kPatience)));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
+  EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED + 0);
+  EXPECT_EQ(lamina::readFile(file("precious.gcode")), "G28\n");
+  EXPECT_EQ(latchedToolpath()->id, before.toolpath_id);
+  EXPECT_EQ(call("box").toolpath_id, before.toolpath_id);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "slicing_service_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
