@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/raw_offset.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -69,6 +70,33 @@ Regions combine(const Regions& a, const Regions& b, ClipperLib::ClipType operati
   return fromTree(tree);
 }
 
+Regions offsetRound(const Regions& regions, double delta_mm) {
+  ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcToleranceUnits);
+  for (const Region& region : regions) {
+    offsetter.AddPath(toUnits(region.outer), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+    for (const Polygon& hole : region.holes)
+      offsetter.AddPath(toUnits(hole), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  }
+  ClipperLib::PolyTree tree;
+  offsetter.Execute(tree, delta_mm * kUnitsPerMm);
+  return fromTree(tree);
+}
+
+Regions offsetMitred(const Regions& regions, double delta_mm) {
+  ClipperLib::Clipper clipper;
+  const auto addMoved = [&](const Polygon& outline) {
+    if (outline.size() > 2)
+      clipper.AddPath(toUnits(rawOffset(outline, delta_mm)), ClipperLib::ptSubject, true);
+  };
+  for (const Region& region : regions) {
+    addMoved(region.outer);
+    for (const Polygon& hole : region.holes) addMoved(hole);
+  }
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
+  return fromTree(tree);
+}
+
 }  // namespace
 
 Regions unite(const std::vector<Polygon>& polygons) {
@@ -80,16 +108,7 @@ Regions unite(const std::vector<Polygon>& polygons) {
 }
 
 Regions offset(const Regions& regions, double delta_mm, Join join) {
-  ClipperLib::ClipperOffset offsetter(kMitreLimit, kArcToleranceUnits);
-  const ClipperLib::JoinType type = join == Join::Mitre ? ClipperLib::jtMiter : ClipperLib::jtRound;
-  for (const Region& region : regions) {
-    offsetter.AddPath(toUnits(region.outer), type, ClipperLib::etClosedPolygon);
-    for (const Polygon& hole : region.holes)
-      offsetter.AddPath(toUnits(hole), type, ClipperLib::etClosedPolygon);
-  }
-  ClipperLib::PolyTree tree;
-  offsetter.Execute(tree, delta_mm * kUnitsPerMm);
-  return fromTree(tree);
+  return join == Join::Mitre ? offsetMitred(regions, delta_mm) : offsetRound(regions, delta_mm);
 }
 
 Regions difference(const Regions& regions, const Regions& subtracted) {
