@@ -14,6 +14,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/program/csv_reader.hpp"
+#include "lamina/toolpath/scan_height.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
@@ -160,6 +161,15 @@ TEST_F(SliceJobTest, RefusesAPartThatIsMissingOrNoMesh) {
   job_.part = folder_.file("missing.stl");
   EXPECT_THROW(run(), FileError);
   EXPECT_FALSE(hasOutput());
+}
+
+TEST_F(SliceJobTest, ScansTheLayersItIsAskedTo) {
+  job_.settings.scan.every_layers = 2;
+  const SlicedPart sliced = run();
+  std::size_t scanned = 0;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers) scanned += isScanned(layer, 1.0) ? 1 : 0;
+  EXPECT_EQ(scanned, (sliced.toolpath.layers.size() + 1) / 2);
+  EXPECT_NO_THROW(validate(sliced.toolpath));
 }
 
 }  // namespace

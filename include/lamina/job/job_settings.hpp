@@ -9,6 +9,7 @@
 #include "lamina/geometry/mesh_reader.hpp"
 #include "lamina/job/placement.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
@@ -30,6 +31,8 @@ struct JobSettings {
   Placement placement = Placement::Centre;
   SlicingSettings slicing;
   PlanSettings planning;
+  ScanSettings scan;
+  ScanSensor sensor;
   MotionLimits motion;
   ProgramSettings program;
 };

@@ -20,9 +20,12 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 
 /// A profile sensor that travels with the nozzle, its line of light along x of the part.
 struct ScanSensor {
-  Point2 offset_mm = Point2::Zero();  ///< of the line's middle from the nozzle, in the part's x and y
-  double swath_mm = 30.0;             ///< length of the line on the layer
+  Point2 offset_mm{0.0, 40.0};  ///< of the line's middle from the nozzle, in the part's x and y
+  double swath_mm = 28.0;       ///< length of the line on the layer
 };
+
+/// Adds the keys scan.sensor_x_mm, scan.sensor_y_mm and scan.swath_mm.
+void describe(SettingsSchema& schema, ScanSensor& sensor);
 
 /// The toolpath with a retracted travel at the end of every n-th layer, and of the last one that deposits,
 /// that carries the sensor's line over the whole box of what the layer deposits (the skirt left out): back

@@ -25,6 +25,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
                            "Put the part in the middle of the bed, or where its file says.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
+  describe(schema, settings.scan);
+  describe(schema, settings.sensor);
   describe(schema, settings.motion);
   describe(schema, settings.program);
 }

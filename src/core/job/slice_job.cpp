@@ -100,6 +100,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.toolpath =
       planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
   layers = {};
+  sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, job.settings.sensor);
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   sliced.summary.plan_s = laps.lap();
   progress.report("write", 0.0);

@@ -99,6 +99,16 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const S
   return toolpath;
 }
 
+void describe(SettingsSchema& schema, ScanSensor& sensor) {
+  const Bounds offset{-1000.0, 1000.0};
+  schema.number("scan.sensor_x_mm", sensor.offset_mm.x(), offset,
+                "Offset of the sensor's line from the nozzle.");
+  schema.number("scan.sensor_y_mm", sensor.offset_mm.y(), offset,
+                "Offset of the sensor's line from the nozzle.");
+  schema.number("scan.swath_mm", sensor.swath_mm, {0.0, 1000.0, true},
+                "Length of the sensor's line on the layer.");
+}
+
 void describe(SettingsSchema& schema, ScanSettings& settings) {
   schema.integer("scan.every_layers", settings.every_layers, {0, 1000000},
                  "A scan with the profile sensor follows each n-th layer and the last; 0 scans none.");

@@ -33,13 +33,12 @@ struct LayerHeightReport {
 /// Follows one print: fuses profiles into a surface, attributes those of scan passes to layers, and compares
 /// each scanned layer with what the toolpath should have given. Time and memory do not grow with the number
 /// of profiles.
-class LayerHeightMonitor {
+class HeightMonitor {
  public:
   /// @param bed_from_part translation [mm]
   /// @throws InvalidInput if the toolpath deposits nothing or is too large for the cell size; names one that
   /// fits
-  LayerHeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                     const MonitorSettings& settings);
+  HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
   /// Adds one profile.
   ///

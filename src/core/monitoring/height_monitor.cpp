@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/monitoring/layer_height_monitor.hpp"
+#include "lamina/monitoring/height_monitor.hpp"
 
 #include <utility>
 
@@ -24,8 +24,8 @@ HeightGrid gridAround(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fro
 
 }  // namespace
 
-LayerHeightMonitor::LayerHeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                                       const MonitorSettings& settings)
+HeightMonitor::HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                             const MonitorSettings& settings)
     : toolpath_(std::move(toolpath)),
       bed_from_part_(bed_from_part),
       clock_(toolpath_, bed_from_part, settings.scan_clearance_mm),
@@ -33,8 +33,8 @@ LayerHeightMonitor::LayerHeightMonitor(Toolpath toolpath, const Eigen::Isometry3
       expected_(measured_.grid(), bed_from_part),
       deviation_(measured_.grid()) {}
 
-std::optional<LayerHeightReport> LayerHeightMonitor::insert(const std::vector<Point3>& points,
-                                                            std::optional<double> nozzle_height) {
+std::optional<LayerHeightReport> HeightMonitor::insert(const std::vector<Point3>& points,
+                                                       std::optional<double> nozzle_height) {
   const auto layer = nozzle_height ? clock_.observe(*nozzle_height) : std::nullopt;
   std::optional<LayerHeightReport> report;
   if (layer != scanned_) {
@@ -47,13 +47,13 @@ std::optional<LayerHeightReport> LayerHeightMonitor::insert(const std::vector<Po
   return report;
 }
 
-void LayerHeightMonitor::begin(std::size_t layer) {
+void HeightMonitor::begin(std::size_t layer) {
   measured_.beginPass();
   scanned_ = layer;
   while (layers_expected_ <= layer) expected_.addLayer(toolpath_.layers[layers_expected_++]);
 }
 
-std::optional<LayerHeightReport> LayerHeightMonitor::finish() {
+std::optional<LayerHeightReport> HeightMonitor::finish() {
   if (!scanned_) return std::nullopt;
   LayerHeightReport report;
   report.layer = *scanned_;

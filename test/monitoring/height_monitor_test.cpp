@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/monitoring/layer_height_monitor.hpp"
+#include "lamina/monitoring/height_monitor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,10 @@ namespace {
 const Box2 kPlate{Point2(5, 5), Point2(25, 15)};
 using Surface = std::function<double(const Point2&)>;
 
-LayerHeightMonitor onePlate() {
-  return LayerHeightMonitor(scannedPlates({kPlate}), Eigen::Isometry3d::Identity(), {});
-}
+HeightMonitor onePlate() { return HeightMonitor(scannedPlates({kPlate}), Eigen::Isometry3d::Identity(), {}); }
 
 /// Scans the area with one point per cell of 0.1 mm, a row a profile; holes in the surface are NaN.
-void scan(LayerHeightMonitor& monitor, const Surface& surface, double nozzle_height = 1.3) {
+void scan(HeightMonitor& monitor, const Surface& surface, double nozzle_height = 1.3) {
   for (double y = 4.05; y < 16.0; y += 0.1) {
     std::vector<Point3> profile;
     for (double x = 4.05; x < 26.0; x += 0.1) profile.emplace_back(x, y, surface({x, y}));
@@ -31,14 +29,14 @@ void scan(LayerHeightMonitor& monitor, const Surface& surface, double nozzle_hei
 }
 
 HeightStatistics statisticsOf(const Surface& surface) {
-  LayerHeightMonitor monitor = onePlate();
+  HeightMonitor monitor = onePlate();
   scan(monitor, surface);
   const auto report = monitor.finish();
   EXPECT_TRUE(report.has_value());
   return report->statistics;
 }
 
-TEST(LayerHeightMonitor, AFlatPlateShowsItsOffset) {
+TEST(HeightMonitor, AFlatPlateShowsItsOffset) {
   const HeightStatistics statistics = statisticsOf([](const Point2&) { return 0.2 + 0.037; });
   EXPECT_NEAR(statistics.mean_mm, 0.037, 1e-12);
   EXPECT_NEAR(statistics.rms_mm, 0.037, 1e-12);
@@ -46,7 +44,7 @@ TEST(LayerHeightMonitor, AFlatPlateShowsItsOffset) {
   EXPECT_DOUBLE_EQ(statistics.coverage, 1.0);
 }
 
-TEST(LayerHeightMonitor, ATiltedPlateShowsItsSlope) {
+TEST(HeightMonitor, ATiltedPlateShowsItsSlope) {
   // About the middle of the plate the errors cancel; their mean square is slope² width² / 12.
   const HeightStatistics statistics =
       statisticsOf([](const Point2& p) { return 0.2 + 0.01 * (p.x() - 15.0); });
@@ -57,7 +55,7 @@ TEST(LayerHeightMonitor, ATiltedPlateShowsItsSlope) {
   EXPECT_NEAR(std::abs(statistics.worst_mm), 0.01 * 0.5 * width, 1.5e-3);
 }
 
-TEST(LayerHeightMonitor, AMissingCornerShowsInTheWorstError) {
+TEST(HeightMonitor, AMissingCornerShowsInTheWorstError) {
   const HeightStatistics statistics =
       statisticsOf([](const Point2& p) { return p.x() > 20 && p.y() > 10 ? 0.0 : 0.2; });
   EXPECT_NEAR(statistics.worst_mm, -0.2, 1e-12);
@@ -65,14 +63,14 @@ TEST(LayerHeightMonitor, AMissingCornerShowsInTheWorstError) {
   EXPECT_DOUBLE_EQ(statistics.coverage, 1.0);
 }
 
-TEST(LayerHeightMonitor, AnUnseenCornerShowsInTheCoverage) {
+TEST(HeightMonitor, AnUnseenCornerShowsInTheCoverage) {
   const HeightStatistics statistics =
       statisticsOf([](const Point2& p) { return p.x() > 20 && p.y() > 10 ? NAN : 0.2; });
   EXPECT_NEAR(statistics.coverage, 1.0 - 0.25 * 0.5, 0.01);
   EXPECT_NEAR(statistics.worst_mm, 0.0, 1e-12);
 }
 
-TEST(LayerHeightMonitor, NoiseStaysWithinThreeDeviationsOfTheMean) {
+TEST(HeightMonitor, NoiseStaysWithinThreeDeviationsOfTheMean) {
   Random random(11);
   const double sigma = 0.02;
   const HeightStatistics statistics =
@@ -81,8 +79,8 @@ TEST(LayerHeightMonitor, NoiseStaysWithinThreeDeviationsOfTheMean) {
   EXPECT_NEAR(statistics.rms_mm, sigma, 0.001);
 }
 
-TEST(LayerHeightMonitor, ALayerIsFinalWhenTheNozzleLeavesItsScanHeight) {
-  LayerHeightMonitor monitor(scannedPlates({kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
+TEST(HeightMonitor, ALayerIsFinalWhenTheNozzleLeavesItsScanHeight) {
+  HeightMonitor monitor(scannedPlates({kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
   scan(
       monitor, [](const Point2&) { return 0.21; }, 1.3);
   const auto first = monitor.insert({{10, 10, 0.21}}, 0.4);
@@ -100,8 +98,8 @@ TEST(LayerHeightMonitor, ALayerIsFinalWhenTheNozzleLeavesItsScanHeight) {
   EXPECT_FALSE(monitor.finish().has_value());
 }
 
-TEST(LayerHeightMonitor, OtherProfilesEnterTheMapAlone) {
-  LayerHeightMonitor monitor = onePlate();
+TEST(HeightMonitor, OtherProfilesEnterTheMapAlone) {
+  HeightMonitor monitor = onePlate();
   scan(
       monitor, [](const Point2&) { return 0.3; }, 0.2);
   monitor.insert({{10.02, 10.02, 0.5}}, std::nullopt);
@@ -111,19 +109,19 @@ TEST(LayerHeightMonitor, OtherProfilesEnterTheMapAlone) {
   EXPECT_GT(heightRange(monitor.measured().heights()).known, 10000u);
 }
 
-TEST(LayerHeightMonitor, PointsBeyondTheMapAreCounted) {
-  LayerHeightMonitor monitor = onePlate();
+TEST(HeightMonitor, PointsBeyondTheMapAreCounted) {
+  HeightMonitor monitor = onePlate();
   monitor.insert({{10, 10, 0.2}, {1000, 10, 0.2}, {NAN, 0, 0}}, 1.3);
   EXPECT_EQ(monitor.pointsOutside(), 2u);
 }
 
-TEST(LayerHeightMonitor, RefusesAToolpathThatDepositsNothing) {
-  EXPECT_THROW(LayerHeightMonitor({}, Eigen::Isometry3d::Identity(), {}), InvalidInput);
+TEST(HeightMonitor, RefusesAToolpathThatDepositsNothing) {
+  EXPECT_THROW(HeightMonitor({}, Eigen::Isometry3d::Identity(), {}), InvalidInput);
 }
 
-TEST(LayerHeightMonitor, RefusesAPartTooLargeForTheCells) {
+TEST(HeightMonitor, RefusesAPartTooLargeForTheCells) {
   const Toolpath large = scannedPlates({{{0, 0}, {2000, 2000}}});
-  EXPECT_THROW(LayerHeightMonitor(large, Eigen::Isometry3d::Identity(), {}), InvalidInput);
+  EXPECT_THROW(HeightMonitor(large, Eigen::Isometry3d::Identity(), {}), InvalidInput);
 }
 
 }  // namespace
