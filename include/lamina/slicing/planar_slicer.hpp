@@ -6,6 +6,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh_topology.hpp"
 #include "lamina/geometry/polygon.hpp"
 
 namespace lamina {
@@ -29,5 +30,9 @@ struct Section {
 /// @return one section per height; empty where the plane misses the mesh. The same for any number of threads.
 /// @throws Cancelled if `progress` is cancelled
 std::vector<Section> sliceMesh(const Mesh& mesh, const std::vector<double>& heights, Progress& progress);
+
+/// The same where the mesh's topology is known already, as after `repairMesh`.
+std::vector<Section> sliceMesh(const Mesh& mesh, const MeshTopology& topology,
+                               const std::vector<double>& heights, Progress& progress);
 
 }  // namespace lamina

@@ -4,18 +4,30 @@
 
 #include <algorithm>
 
+#include "lamina/geometry/mesh_repair.hpp"
 #include "lamina/geometry/parts.hpp"
 
 namespace lamina {
 
-SourcePart readPart(const std::string& part, const InputSettings& settings) {
+namespace {
+
+Mesh readOrMake(const std::string& part, const InputSettings& settings) {
   const std::vector<std::string> names = partNames();
-  if (std::find(names.begin(), names.end(), part) != names.end()) {
-    Mesh mesh = makePart(part);
-    for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
-    return {std::move(mesh), {}};
-  }
-  return {readMesh(part, settings.units), {}};
+  if (std::find(names.begin(), names.end(), part) == names.end()) return readMesh(part, settings.units);
+  Mesh mesh = makePart(part);
+  for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
+  return mesh;
+}
+
+}  // namespace
+
+SourcePart readPart(const std::string& part, const InputSettings& settings) {
+  Mesh mesh = readOrMake(part, settings);
+  if (settings.repair == RepairPolicy::Strict) requireSound(mesh);
+  RepairResult repaired = repairMesh(std::move(mesh));
+  SourcePart source = {std::move(repaired.mesh), std::move(repaired.topology), {}};
+  for (const RepairChange& change : repaired.changes) source.repairs.push_back(toText(change));
+  return source;
 }
 
 }  // namespace lamina

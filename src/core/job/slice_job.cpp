@@ -39,7 +39,7 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-std::vector<Layer> sliceIntoLayers(const Mesh& mesh, const Box3& box, const SlicingSettings& settings,
+std::vector<Layer> sliceIntoLayers(const SourcePart& source, const Box3& box, const SlicingSettings& settings,
                                    Progress& progress) {
   const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
   if (slabs.empty())
@@ -48,7 +48,7 @@ std::vector<Layer> sliceIntoLayers(const Mesh& mesh, const Box3& box, const Slic
   std::vector<double> heights;
   heights.reserve(slabs.size());
   for (const LayerSlab& slab : slabs) heights.push_back(slab.cut());
-  std::vector<Section> sections = sliceMesh(mesh, heights, progress);
+  std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
   std::vector<Layer> layers(slabs.size());
   for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {slabs[i], std::move(sections[i])};
   return layers;
@@ -82,7 +82,7 @@ std::vector<Layer> layersOf(const SliceJob& job, Laps& laps, SlicedPart& sliced,
   sliced.summary.mesh_volume_mm3 = volume(source.mesh);
   sliced.summary.repairs = std::move(source.repairs);
   sliced.summary.read_s = laps.lap();
-  std::vector<Layer> layers = sliceIntoLayers(source.mesh, box, job.settings.slicing, progress);
+  std::vector<Layer> layers = sliceIntoLayers(source, box, job.settings.slicing, progress);
   addSections(sliced.summary, layers);
   sliced.summary.slice_s = laps.lap();
   return layers;

@@ -105,7 +105,11 @@ class SectionTracer {
 }  // namespace
 
 std::vector<Section> sliceMesh(const Mesh& mesh, const std::vector<double>& heights, Progress& progress) {
-  const MeshTopology topology = pairHalfEdges(mesh);
+  return sliceMesh(mesh, pairHalfEdges(mesh), heights, progress);
+}
+
+std::vector<Section> sliceMesh(const Mesh& mesh, const MeshTopology& topology,
+                               const std::vector<double>& heights, Progress& progress) {
   throwIfCancelled(progress, "slice");
   const PlaneIndex index = indexPlanes(mesh, heights);
   std::vector<Section> sections(heights.size());
