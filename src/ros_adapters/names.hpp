@@ -19,7 +19,7 @@ inline constexpr char kDeposited[] = "deposited";       ///< sensor_msgs/PointCl
 inline constexpr char kLayerHeight[] = "layer_height";  ///< lamina/LayerHeight
 inline constexpr char kHeightMap[] = "height_map";      ///< sensor_msgs/PointCloud2 of measured heights
 inline constexpr char kHeightDeviation[] =
-    "height_deviation";  ///< sensor_msgs/PointCloud2 of measured less expected
+    "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected
 
 // Services.
 inline constexpr char kSliceMesh[] = "slice_mesh";           ///< lamina/SliceMesh

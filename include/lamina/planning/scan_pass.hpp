@@ -20,7 +20,7 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 
 /// A profile sensor that travels with the nozzle, its line of light along x of the part.
 struct ScanSensor {
-  Point2 offset_mm{0.0, 40.0};  ///< of the line's middle from the nozzle, in the part's x and y
+  Point2 offset_mm{25.0, 0.0};  ///< of the line's middle from the nozzle, in the part's x and y
   double swath_mm = 28.0;       ///< length of the line on the layer
 };
 

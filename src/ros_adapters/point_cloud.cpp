@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "point_cloud.hpp"
+
+#include <sensor_msgs/image_encodings.h>
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+using sensor_msgs::PointField;
+
+std::size_t offsetOf(const sensor_msgs::PointCloud2& cloud, const std::string& name) {
+  const auto field = std::find_if(cloud.fields.begin(), cloud.fields.end(),
+                                  [&name](const PointField& each) { return each.name == name; });
+  if (field == cloud.fields.end())
+    throw InvalidInput("point cloud has no field '" + name + "'; needs x, y and z");
+  if (field->datatype != PointField::FLOAT32)
+    throw InvalidInput("field '" + name + "' of the point cloud is of type " +
+                       std::to_string(field->datatype) + "; must be FLOAT32 (7)");
+  if (std::size_t(field->offset) + sizeof(float) > cloud.point_step)
+    throw InvalidInput("field '" + name + "' of the point cloud lies beyond its point_step of " +
+                       std::to_string(cloud.point_step) + " bytes");
+  return field->offset;
+}
+
+void checkLayout(const sensor_msgs::PointCloud2& cloud) {
+  if (cloud.is_bigendian) throw InvalidInput("point cloud is big-endian; little-endian is understood");
+  const std::size_t row = std::size_t(cloud.width) * cloud.point_step;
+  const std::size_t needed = cloud.height == 0 ? 0 : std::size_t(cloud.height - 1) * cloud.row_step + row;
+  if ((cloud.height > 1 && cloud.row_step < row) || cloud.data.size() < needed)
+    throw InvalidInput("point cloud of " + std::to_string(cloud.width) + " x " +
+                       std::to_string(cloud.height) + " points has " + std::to_string(cloud.data.size()) +
+                       " bytes; needs " + std::to_string(needed));
+}
+
+float floatAt(const std::uint8_t* bytes) {
+  float value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+
+sensor_msgs::PointCloud2 emptyCloud(const std::vector<std::string>& fields) {
+  sensor_msgs::PointCloud2 cloud;
+  for (const std::string& name : fields) {
+    PointField field;
+    field.name = name;
+    field.offset = cloud.point_step;
+    field.datatype = PointField::FLOAT32;
+    field.count = 1;
+    cloud.fields.push_back(field);
+    cloud.point_step += sizeof(float);
+  }
+  cloud.height = 1;
+  return cloud;
+}
+
+void append(sensor_msgs::PointCloud2& cloud, std::initializer_list<double> millimetres) {
+  for (const double value : millimetres) {
+    const auto metres = static_cast<float>(toMetres(value));
+    std::uint8_t bytes[sizeof metres];
+    std::memcpy(bytes, &metres, sizeof metres);
+    cloud.data.insert(cloud.data.end(), bytes, bytes + sizeof metres);
+  }
+  ++cloud.width;
+  cloud.row_step += cloud.point_step;
+}
+
+}  // namespace
+
+CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud) {
+  const std::size_t x = offsetOf(cloud, "x");
+  const std::size_t y = offsetOf(cloud, "y");
+  const std::size_t z = offsetOf(cloud, "z");
+  checkLayout(cloud);
+  CloudPoints result;
+  result.points.reserve(std::size_t(cloud.width) * cloud.height);
+  for (std::uint32_t row = 0; row < cloud.height; ++row) {
+    const std::uint8_t* at = cloud.data.data() + std::size_t(row) * cloud.row_step;
+    for (std::uint32_t i = 0; i < cloud.width; ++i, at += cloud.point_step) {
+      const Point3 metres(floatAt(at + x), floatAt(at + y), floatAt(at + z));
+      if (metres.allFinite())
+        result.points.push_back(target_from_cloud * Point3(metres * kMillimetresPerMetre));
+      else
+        ++result.not_finite;
+    }
+  }
+  return result;
+}
+
+sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points) {
+  sensor_msgs::PointCloud2 cloud = emptyCloud({"x", "y", "z"});
+  cloud.is_dense = true;
+  cloud.data.reserve(points.size() * cloud.point_step);
+  for (const Point3& point : points) append(cloud, {point.x(), point.y(), point.z()});
+  return cloud;
+}
+
+sensor_msgs::PointCloud2 toCloudMessage(const HeightMap& heights, const HeightMap& deviation) {
+  sensor_msgs::PointCloud2 cloud = emptyCloud({"x", "y", "z", "deviation"});
+  for (std::size_t cell = 0; cell < heights.grid().cellCount(); ++cell) {
+    if (!heights.isKnown(cell)) continue;
+    const Point2 centre = heights.grid().centre(cell);
+    append(cloud, {centre.x(), centre.y(), heights.at(cell), deviation.at(cell)});
+  }
+  return cloud;
+}
+
+sensor_msgs::Image toImageMessage(const HeightMap& map) {
+  const HeightGrid& grid = map.grid();
+  sensor_msgs::Image image;
+  image.width = static_cast<std::uint32_t>(grid.columns);
+  image.height = static_cast<std::uint32_t>(grid.rows);
+  image.encoding = sensor_msgs::image_encodings::TYPE_32FC1;
+  image.step = static_cast<std::uint32_t>(image.width * sizeof(float));
+  image.data.resize(std::size_t(image.step) * image.height);
+  std::uint8_t* at = image.data.data();
+  for (int row = grid.rows - 1; row >= 0; --row) {
+    for (int column = 0; column < grid.columns; ++column, at += sizeof(float)) {
+      const auto value = static_cast<float>(toMetres(map.at(grid.cell(column, row))));
+      std::memcpy(at, &value, sizeof value);
+    }
+  }
+  return image;
+}
+
+}  // namespace lamina

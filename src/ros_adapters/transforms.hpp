@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/Transform.h>
+#include <tf2/buffer_core.h>
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+namespace lamina {
+
+/// @return translation [mm]
+Eigen::Isometry3d fromMessage(const geometry_msgs::Transform& transform);
+/// @param transform  translation [mm]
+geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
+
+/// target_from_source at a time [mm]; nothing if tf does not know it.
+std::optional<Eigen::Isometry3d> lookUp(const tf2::BufferCore& buffer, const std::string& target,
+                                        const std::string& source, const ros::Time& stamp);
+
+}  // namespace lamina
