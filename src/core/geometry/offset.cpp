@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/offset.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <polyclipping/clipper.hpp>
 #include <string>
 #include <utility>
 
+#include "geometry/direct_shrinking.hpp"
+#include "geometry/nesting.hpp"
+#include "geometry/outline_crossings.hpp"
 #include "geometry/raw_offset.hpp"
 #include "lamina/base/error.hpp"
 
@@ -19,15 +25,25 @@ constexpr double kFarthestMm = 10000.0;
 constexpr double kMitreLimit = 2.0;
 constexpr double kArcToleranceUnits = 0.005 * kUnitsPerMm;
 
-ClipperLib::Path toUnits(const Polygon& polygon) {
-  ClipperLib::Path path;
-  path.reserve(polygon.size());
-  for (const Point2& point : polygon) {
+void refuseFarPoints(const Polygon& polygon) {
+  for (const Point2& point : polygon)
     if (!(point.cwiseAbs().maxCoeff() <= kFarthestMm))
       throw InvalidInput("outline point (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) +
                          ") mm; must be within 10 m of the origin");
-    path.emplace_back(std::llround(point.x() * kUnitsPerMm), std::llround(point.y() * kUnitsPerMm));
+}
+
+void refuseFarPoints(const Regions& regions) {
+  for (const Region& region : regions) {
+    refuseFarPoints(region.outer);
+    for (const Polygon& hole : region.holes) refuseFarPoints(hole);
   }
+}
+
+ClipperLib::Path toUnits(const Polygon& polygon) {
+  ClipperLib::Path path;
+  path.reserve(polygon.size());
+  for (const Point2& point : polygon)
+    path.emplace_back(std::llround(point.x() * kUnitsPerMm), std::llround(point.y() * kUnitsPerMm));
   return path;
 }
 
@@ -62,6 +78,8 @@ void add(ClipperLib::Clipper& clipper, const Regions& regions, ClipperLib::PolyT
 }
 
 Regions combine(const Regions& a, const Regions& b, ClipperLib::ClipType operation) {
+  refuseFarPoints(a);
+  refuseFarPoints(b);
   ClipperLib::Clipper clipper;
   add(clipper, a, ClipperLib::ptSubject);
   add(clipper, b, ClipperLib::ptClip);
@@ -97,9 +115,27 @@ Regions offsetMitred(const Regions& regions, double delta_mm) {
   return fromTree(tree);
 }
 
+/// Regions that shrink do not meet, so that each can be shrunk by itself.
+Regions shrinkEach(const Regions& regions, double distance_mm) {
+  Regions result;
+  for (const Region& region : regions) {
+    if (std::optional<Region> shrunk = shrinkDirectly(region, distance_mm)) {
+      result.push_back(std::move(*shrunk));
+    } else {
+      Regions clipped = offsetMitred({region}, -distance_mm);
+      std::move(clipped.begin(), clipped.end(), std::back_inserter(result));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 Regions unite(const std::vector<Polygon>& polygons) {
+  for (const Polygon& polygon : polygons) refuseFarPoints(polygon);
+  if (areSurelyApart(polygons)) {
+    if (std::optional<Regions> nested = nest(polygons)) return std::move(*nested);
+  }
   ClipperLib::Clipper clipper;
   for (const Polygon& polygon : polygons) clipper.AddPath(toUnits(polygon), ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
@@ -108,7 +144,9 @@ Regions unite(const std::vector<Polygon>& polygons) {
 }
 
 Regions offset(const Regions& regions, double delta_mm, Join join) {
-  return join == Join::Mitre ? offsetMitred(regions, delta_mm) : offsetRound(regions, delta_mm);
+  refuseFarPoints(regions);
+  if (join == Join::Round) return offsetRound(regions, delta_mm);
+  return delta_mm < 0.0 ? shrinkEach(regions, -delta_mm) : offsetMitred(regions, delta_mm);
 }
 
 Regions difference(const Regions& regions, const Regions& subtracted) {

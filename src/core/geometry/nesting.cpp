@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/nesting.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kMostOutlines = 64;
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+struct Outline {
+  const Polygon* points;
+  Box2 box;
+  double area;
+};
+
+bool encloses(const Outline& outline, const Point2& point) {
+  if ((point - outline.box.low).minCoeff() < 0.0 || (outline.box.high - point).minCoeff() < 0.0) return false;
+  bool is_inside = false;
+  const Polygon& points = *outline.points;
+  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
+    const Point2& a = points[j];
+    const Point2& b = points[i];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y())) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+/// What lies round an outline: how often it is wound round, and the smallest that does.
+struct Surroundings {
+  int winding = 0;
+  std::size_t parent = kNone;
+};
+
+Surroundings surroundingsOf(std::size_t of, const std::vector<Outline>& all) {
+  Surroundings result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i == of || !encloses(all[i], all[of].points->front())) continue;
+    result.winding += all[i].area > 0.0 ? 1 : -1;
+    if (result.parent == kNone || std::abs(all[i].area) < std::abs(all[result.parent].area))
+      result.parent = i;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Regions> nest(std::vector<Polygon> outlines) {
+  if (outlines.size() > kMostOutlines) return std::nullopt;
+  std::vector<Outline> all;
+  all.reserve(outlines.size());
+  for (const Polygon& outline : outlines) {
+    all.push_back({&outline, {}, signedArea(outline)});
+    if (all.back().area == 0.0) return std::nullopt;
+    for (const Point2& point : outline) all.back().box.include(point);
+  }
+  std::vector<Surroundings> around;
+  around.reserve(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    around.push_back(surroundingsOf(i, all));
+    if (around.back().winding != (all[i].area > 0.0 ? 0 : 1)) return std::nullopt;
+  }
+  Regions regions;
+  std::vector<std::size_t> region_of(all.size(), kNone);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].area < 0.0) continue;
+    region_of[i] = regions.size();
+    regions.push_back({std::move(outlines[i]), {}});
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].area < 0.0) regions[region_of[around[i].parent]].holes.push_back(std::move(outlines[i]));
+  return regions;
+}
+
+}  // namespace lamina
