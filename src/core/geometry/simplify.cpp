@@ -9,13 +9,32 @@
 namespace lamina {
 namespace {
 
-double squaredDistanceToSegment(const Point2& point, const Point2& a, const Point2& b) {
-  const Point2 along = b - a;
-  const double squared_length = along.squaredNorm();
-  if (squared_length == 0.0) return (point - a).squaredNorm();
-  const double t = std::clamp((point - a).dot(along) / squared_length, 0.0, 1.0);
-  return (point - a - t * along).squaredNorm();
-}
+/// Compares distances from a segment without dividing by its length.
+class SegmentDistance {
+ public:
+  SegmentDistance(const Point2& a, const Point2& b)
+      : a_(a), b_(b), along_(b - a), squared_length_(along_.squaredNorm()) {}
+
+  /// What stands for a distance here: its square times that of the length; of a point just the square.
+  double scaled(double squared_distance) const {
+    return squared_length_ == 0.0 ? squared_distance : squared_distance * squared_length_;
+  }
+
+  double scaledTo(const Point2& point) const {
+    const Point2 offset = point - a_;
+    const double projection = offset.dot(along_);
+    if (projection <= 0.0) return scaled(offset.squaredNorm());
+    if (projection >= squared_length_) return scaled((point - b_).squaredNorm());
+    const double area = along_.x() * offset.y() - along_.y() * offset.x();
+    return area * area;
+  }
+
+ private:
+  Point2 a_;
+  Point2 b_;
+  Point2 along_;
+  double squared_length_;
+};
 
 std::size_t farthestFrom(const Polygon& polygon, const Point2& point) {
   std::size_t farthest = 0;
@@ -57,10 +76,12 @@ class Chain {
   const Point2& at(std::size_t i) const { return points_[i < points_.size() ? i : i - points_.size()]; }
 
   void split(std::size_t from, std::size_t to) {
-    double worst = squared_tolerance_;
+    if (to - from < 2) return;
+    const SegmentDistance segment(at(from), at(to));
+    double worst = segment.scaled(squared_tolerance_);
     std::size_t at_worst = from;
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double distance = squaredDistanceToSegment(at(i), at(from), at(to));
+      const double distance = segment.scaledTo(at(i));
       if (distance > worst) worst = distance, at_worst = i;
     }
     if (at_worst == from) return;

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of planning one layer, and whole plans over the number of layers, on one thread.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/simplify.hpp"
+#include "lamina/infill/strategy.hpp"
+#include "lamina/planning/planner.hpp"
+
+namespace {
+
+using namespace lamina;
+
+Polygon wavyCircle(const Point2& centre, double radius, int points) {
+  Polygon polygon;
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2.0 * M_PI * i / points;
+    const double r = radius * (1.0 + 0.05 * std::sin(9.0 * angle));
+    polygon.emplace_back(centre + r * Point2(std::cos(angle), std::sin(angle)));
+  }
+  return polygon;
+}
+
+/// A wavy disc of 60 mm with four wavy holes of 10 mm, of `points` points altogether.
+std::vector<Polygon> section(int points) {
+  std::vector<Polygon> contours = {wavyCircle({0, 0}, 30.0, points / 2)};
+  for (const Point2& centre : {Point2(12, 0), Point2(0, 12), Point2(-12, 0), Point2(0, -12)}) {
+    const Polygon hole = wavyCircle(centre, 5.0, points / 8);
+    contours.emplace_back(hole.rbegin(), hole.rend());
+  }
+  return contours;
+}
+
+/// A wall too thin for two beads in the middle: its moved outlines meet, so that they must be clipped.
+Regions necked(int points) {
+  Polygon polygon;
+  for (int i = 0; i < points / 2; ++i) {
+    const double x = 40.0 * i / points - 10.0;
+    polygon.emplace_back(x, -0.1 - 0.01 * x * x);
+  }
+  for (int i = points / 2; i > 0; --i) {
+    const double x = 40.0 * i / points - 10.0;
+    polygon.emplace_back(x, 0.1 + 0.01 * x * x);
+  }
+  return {{polygon, {}}};
+}
+
+int pointsOf(const benchmark::State& state) { return static_cast<int>(state.range(0)); }
+
+void Simplify(benchmark::State& state) {
+  const std::vector<Polygon> contours = section(pointsOf(state));
+  for (auto _ : state) benchmark::DoNotOptimize(simplify(contours, 0.01));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(Simplify)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
+
+void Unite(benchmark::State& state) {
+  const std::vector<Polygon> contours = section(pointsOf(state));
+  for (auto _ : state) benchmark::DoNotOptimize(unite(contours));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(Unite)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
+
+void ShrinkDirectly(benchmark::State& state) {
+  const Regions regions = unite(section(pointsOf(state)));
+  for (auto _ : state) benchmark::DoNotOptimize(offset(regions, -0.2));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(ShrinkDirectly)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
+
+void ShrinkByClipping(benchmark::State& state) {
+  const Regions regions = necked(pointsOf(state));
+  for (auto _ : state) benchmark::DoNotOptimize(offset(regions, -0.2));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(ShrinkByClipping)->RangeMultiplier(8)->Range(64, 4096)->Complexity();
+
+void Zigzag(benchmark::State& state) {
+  const Regions regions = unite(section(512));
+  const InfillStrategy fill = infillStrategy("zigzag");
+  const InfillRequest request{60.0 / static_cast<double>(state.range(0)), 0.4, 0.7};
+  for (auto _ : state) benchmark::DoNotOptimize(fill(regions, request));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(Zigzag)->RangeMultiplier(4)->Range(8, 2048)->Complexity();
+
+void PlanLayers(benchmark::State& state) {
+  const ThreadLimit one_thread(1);
+  std::vector<Layer> layers;
+  for (int i = 0; i < pointsOf(state); ++i) layers.push_back({{0.2 * i, 0.2 * (i + 1)}, {section(1024), {}}});
+  NoProgress progress;
+  for (auto _ : state) benchmark::DoNotOptimize(planToolpath("part", layers, PlanSettings{}, progress));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(PlanLayers)->RangeMultiplier(4)->Range(16, 256)->Complexity()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
