@@ -1,6 +1,7 @@
 # The catkin side: messages, devel space, and what other packages get.
 find_package(catkin REQUIRED COMPONENTS
-  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp
+  actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs kdl_parser message_generation nav_msgs
+  rosbag roscpp
   sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
 
 add_message_files(FILES
@@ -13,5 +14,5 @@ generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES lamina_core
-  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs message_runtime nav_msgs
+  CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs kdl_parser message_runtime nav_msgs
     rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory_publisher.hpp"
+
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "trajectory_messages.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kBurst =
+    20000;  // positions: what a machine in accelerated time may report while a subscriber is busy
+
+geometry_msgs::TransformStamped named(const std::string& parent, const std::string& child,
+                                      const geometry_msgs::Pose& pose) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = pose.position.x;
+  message.transform.translation.y = pose.position.y;
+  message.transform.translation.z = pose.position.z;
+  message.transform.rotation = pose.orientation;
+  return message;
+}
+
+/// A service that does one thing.
+template <class Action>
+ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Action action) {
+  using Request = std_srvs::Trigger::Request;
+  using Response = std_srvs::Trigger::Response;
+  const boost::function<bool(Request&, Response&)> answer = [action](Request&, Response& response) {
+    action();
+    response.success = true;
+    return true;
+  };
+  return node.advertiseService(name, answer);
+}
+
+}  // namespace
+
+TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings)
+    : settings_(settings), machine_(machineByName(settings.machine_name)), transforms_(machine_.urdf) {
+  describeMachine(node);
+  advertise(node);
+  toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
+  if (settings_.mode == TrajectoryMode::Follow) {
+    machine_position_ =
+        node.subscribe(names::kMachinePosition, kBurst, &TrajectoryPublisher::onMachinePosition, this,
+                       ros::TransportHints().tcpNoDelay());
+  } else {
+    last_tick_ = ros::Time::now();
+    timer_ = node.createTimer(ros::Duration(1.0 / settings_.rate_hz), &TrajectoryPublisher::onTick, this);
+  }
+  ROS_INFO(
+      "machine %s; %s", machine_.name.c_str(),
+      settings_.mode == TrajectoryMode::Follow ? "following its reports" : "waiting for a toolpath to play");
+}
+
+void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
+  constexpr char kDescription[] = "robot_description";
+  if (!node.hasParam(kDescription)) node.setParam(kDescription, machine_.urdf);
+  auto fixed = transforms_.fixed(ros::Time::now());
+  if (transforms_.rootLink() != names::kWorldFrame)
+    fixed.push_back(
+        named(names::kWorldFrame, transforms_.rootLink(), toMessage(Eigen::Isometry3d::Identity())));
+  static_tf_.sendTransform(fixed);
+}
+
+void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kBurst);
+  joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
+  nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
+  if (settings_.mode == TrajectoryMode::Follow) return;
+  joint_trajectory_ = node.advertise<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 1, true);
+  ros::NodeHandle own("~");
+  play_ = trigger(own, "play", [this] { is_playing_ = true; });
+  pause_ = trigger(own, "pause", [this] { is_playing_ = false; });
+  rewind_ = trigger(own, "rewind", [this] {
+    if (playback_) playback_->at_s = 0.0, playback_->announced_layers = 0;
+  });
+}
+
+void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
+  try {
+    accept(fromMessage(*message));
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR("toolpath refused: %s: %s", toString(failure.code), failure.message.c_str());
+  }
+}
+
+void TrajectoryPublisher::accept(PlacedToolpath placed) {
+  if (!placed.machine.empty() && placed.machine != machine_.name)
+    throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node shows '" + machine_.name +
+                       "'");
+  requireReachable(placed.toolpath, placed.bed_from_part, machine_);
+  nav_msgs::Path path = nozzlePath(placed.toolpath, settings_.path_spacing_mm);
+  path.header.stamp = ros::Time::now();
+  static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(placed.bed_from_part)));
+  nozzle_path_.publish(path);
+  ROS_INFO("toolpath %s of '%s': %zu layers", placed.id.c_str(), placed.toolpath.part_name.c_str(),
+           placed.toolpath.layers.size());
+  if (settings_.mode == TrajectoryMode::Visualise)
+    playback_ = std::make_unique<Playback>(std::move(placed), settings_.motion);
+}
+
+void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {
+  try {
+    publishPosition(*message);
+  } catch (const Error& error) {
+    ROS_ERROR_THROTTLE(5.0, "machine position refused: %s", error.what());
+  }
+}
+
+void TrajectoryPublisher::onTick(const ros::TimerEvent& event) {
+  const double passed_s = std::max(0.0, (event.current_real - last_tick_).toSec());
+  last_tick_ = event.current_real;
+  if (!playback_) return;
+  if (is_playing_)
+    playback_->at_s = std::min(playback_->time.total_s, playback_->at_s + passed_s * settings_.speed_up);
+  announceLayer(event.current_real);
+  const NozzleSample sample = playback_->player.at(playback_->at_s);
+  sensor_msgs::JointState state =
+      jointState(machine_, axisValues(machine_, playback_->placed.bed_from_part * sample.position));
+  state.header.stamp = event.current_real;
+  publishPosition(state);
+}
+
+void TrajectoryPublisher::announceLayer(const ros::Time& stamp) {
+  const auto& starts = playback_->time.layer_start_s;
+  const auto begun = static_cast<std::size_t>(
+      std::upper_bound(starts.begin(), starts.end(), playback_->at_s) - starts.begin());
+  if (begun == playback_->announced_layers) return;
+  playback_->announced_layers = begun;
+  const TimeSpan span{starts[begun - 1], begun < starts.size() ? starts[begun] : playback_->time.total_s};
+  trajectory_msgs::JointTrajectory trajectory = jointTrajectory(
+      machine_, playback_->placed.bed_from_part, playback_->layer_player, span, 1.0 / settings_.rate_hz);
+  trajectory.header.stamp = stamp;
+  trajectory.header.frame_id = transforms_.rootLink();
+  joint_trajectory_.publish(trajectory);
+}
+
+void TrajectoryPublisher::publishPosition(const sensor_msgs::JointState& state) {
+  if (state.name.size() != state.position.size())
+    throw InvalidInput(std::to_string(state.name.size()) + " axes and " +
+                       std::to_string(state.position.size()) + " positions; there must be as many");
+  JointPositions positions;
+  for (std::size_t i = 0; i < state.name.size(); ++i) positions[state.name[i]] = state.position[i];
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms = transforms_.moving(positions, state.header.stamp);
+  tf_.publish(transforms);
+  joint_states_.publish(state);
+}
+
+}  // namespace lamina

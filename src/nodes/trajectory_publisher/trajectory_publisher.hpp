@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include <memory>
+
+#include "conversions.hpp"
+#include "lamina/kinematics/machine.hpp"
+#include "lamina/toolpath/timing.hpp"
+#include "machine_transforms.hpp"
+#include "messages.hpp"
+#include "trajectory_settings.hpp"
+
+namespace lamina {
+
+/// Shows where the machine is: the toolpath played in time, or what the machine itself reports.
+///
+/// Subscribes   toolpath (lamina/Toolpath, latched); in mode follow machine_position (sensor_msgs/JointState)
+/// Publishes    joint_states (sensor_msgs/JointState), nozzle_path (nav_msgs/Path, latched); in mode
+/// visualise
+///              joint_trajectory (trajectory_msgs/JointTrajectory, latched) of the layer being played
+/// Provides tf  world -> base_link and the machine's fixed links, bed -> part (static); its moving links, at
+/// the stamps
+///              of the positions
+/// Services     in mode visualise ~play, ~pause, ~rewind (std_srvs/Trigger)
+/// Parameter    sets robot_description to the machine's URDF if it is absent
+class TrajectoryPublisher {
+ public:
+  /// @throws InvalidConfig if the machine is unknown
+  TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings);
+
+ private:
+  /// A toolpath being played; never moved, since the players refer to it.
+  struct Playback {
+    Playback(PlacedToolpath accepted, const MotionLimits& limits)
+        : placed(std::move(accepted)),
+          time(estimateTime(placed.toolpath, limits)),
+          player(placed.toolpath, limits),
+          layer_player(placed.toolpath, limits) {}
+    const PlacedToolpath placed;
+    const ToolpathTime time;
+    ToolpathPlayer player;
+    ToolpathPlayer layer_player;
+    double at_s = 0.0;
+    std::size_t announced_layers = 0;
+  };
+
+  void advertise(ros::NodeHandle& node);
+  void describeMachine(ros::NodeHandle& node);
+  void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
+  void accept(PlacedToolpath placed);
+  void onMachinePosition(const sensor_msgs::JointStateConstPtr& message);
+  void onTick(const ros::TimerEvent& event);
+  void announceLayer(const ros::Time& stamp);
+  void publishPosition(const sensor_msgs::JointState& state);
+
+  TrajectorySettings settings_;
+  Machine machine_;
+  MachineTransforms transforms_;
+  tf2_ros::StaticTransformBroadcaster static_tf_;
+  ros::Publisher tf_;
+  ros::Publisher joint_states_;
+  ros::Publisher nozzle_path_;
+  ros::Publisher joint_trajectory_;
+  ros::Subscriber toolpath_;
+  ros::Subscriber machine_position_;
+  ros::ServiceServer play_;
+  ros::ServiceServer pause_;
+  ros::ServiceServer rewind_;
+  ros::Timer timer_;
+  std::unique_ptr<Playback> playback_;
+  ros::Time last_tick_;
+  bool is_playing_ = true;
+};
+
+}  // namespace lamina

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/toolpath/motion_limits.hpp"
+
+namespace lamina {
+
+/// Where the axis positions come from.
+enum class TrajectoryMode {
+  Visualise,  ///< the toolpath, played in time
+  Follow,     ///< the machine's own reports
+};
+
+struct TrajectorySettings {
+  std::string machine_name = "cartesian_gantry";
+  TrajectoryMode mode = TrajectoryMode::Visualise;
+  double speed_up = 1.0;         ///< of playing
+  double rate_hz = 50.0;         ///< of playing
+  double path_spacing_mm = 1.0;  ///< least distance between the poses of nozzle_path
+  MotionLimits motion;           ///< of playing
+};
+
+/// Adds the keys machine.name, mode, speed_up, rate_hz, path_spacing_mm and motion.*.
+void describe(SettingsSchema& schema, TrajectorySettings& settings);
+
+}  // namespace lamina
