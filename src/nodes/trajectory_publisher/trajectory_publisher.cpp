@@ -98,7 +98,7 @@ void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& messag
   }
 }
 
-void TrajectoryPublisher::accept(PlacedToolpath placed) {
+void TrajectoryPublisher::accept(MachineToolpath placed) {
   if (!placed.machine.empty() && placed.machine != machine_.name)
     throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node shows '" + machine_.name +
                        "'");

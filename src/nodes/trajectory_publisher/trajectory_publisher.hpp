@@ -37,12 +37,12 @@ class TrajectoryPublisher {
  private:
   /// A toolpath being played; never moved, since the players refer to it.
   struct Playback {
-    Playback(PlacedToolpath accepted, const MotionLimits& limits)
+    Playback(MachineToolpath accepted, const MotionLimits& limits)
         : placed(std::move(accepted)),
           time(estimateTime(placed.toolpath, limits)),
           player(placed.toolpath, limits),
           layer_player(placed.toolpath, limits) {}
-    const PlacedToolpath placed;
+    const MachineToolpath placed;
     const ToolpathTime time;
     ToolpathPlayer player;
     ToolpathPlayer layer_player;
@@ -53,7 +53,7 @@ class TrajectoryPublisher {
   void advertise(ros::NodeHandle& node);
   void describeMachine(ros::NodeHandle& node);
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
-  void accept(PlacedToolpath placed);
+  void accept(MachineToolpath placed);
   void onMachinePosition(const sensor_msgs::JointStateConstPtr& message);
   void onTick(const ros::TimerEvent& event);
   void announceLayer(const ros::Time& stamp);

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+#include <trajectory_msgs/JointTrajectory.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+#include "conversions.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+const Point3 kPartOnBed(100.0, 50.0, 0.0);
+
+/// A square wall of 10 mm on two layers, placed on the bed.
+MachineToolpath square() {
+  MachineToolpath placed;
+  placed.id = "0123456789abcdef";
+  placed.machine = "cartesian_gantry";
+  placed.bed_from_part = Eigen::Translation3d(kPartOnBed);
+  placed.toolpath.part_name = "square";
+  for (const double z : {0.2, 0.4}) {
+    Path wall;
+    wall.role = PathRole::OuterWall;
+    wall.is_closed = true;
+    wall.points = {{0, 0, z}, {10, 0, z}, {10, 10, z}, {0, 10, z}};
+    wall.bead = Bead{0.4, 0.2};
+    wall.feed_mm_s = 50.0;
+    Path climb;
+    climb.role = PathRole::Travel;
+    climb.points = {{0, 0, z - 0.2}, {0, 0, z}};
+    climb.feed_mm_s = 50.0;
+    placed.toolpath.layers.push_back({z, 0.2, {climb, wall}});
+  }
+  return placed;
+}
+
+template <class Message>
+using Callback = boost::function<void(const boost::shared_ptr<const Message>&)>;
+
+/// Everything one of the two nodes publishes.
+class Listener {
+ public:
+  explicit Listener(const std::string& name) : node_(name), buffer_(ros::Duration(3600.0)) {
+    const Callback<tf2_msgs::TFMessage> on_tf = [this](const auto& message) { keep(*message, false); };
+    const Callback<tf2_msgs::TFMessage> on_tf_static = [this](const auto& message) { keep(*message, true); };
+    const Callback<nav_msgs::Path> on_path = [this](const auto& message) { path = *message; };
+    const Callback<trajectory_msgs::JointTrajectory> on_trajectory = [this](const auto& message) {
+      trajectories.push_back(*message);
+    };
+    tf_ = node_.subscribe<tf2_msgs::TFMessage>("tf", 10000, on_tf);
+    tf_static_ = node_.subscribe<tf2_msgs::TFMessage>("tf_static", 100, on_tf_static);
+    path_ = node_.subscribe<nav_msgs::Path>(names::kNozzlePath, 10, on_path);
+    trajectory_ =
+        node_.subscribe<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 10, on_trajectory);
+    toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 10, true);
+    position_ = node_.advertise<sensor_msgs::JointState>(names::kMachinePosition, 10000);
+  }
+
+  void send(const lamina_msgs::Toolpath& message) { toolpath_.publish(message); }
+  void report(const Point3& axes_mm, const ros::Time& stamp) {
+    sensor_msgs::JointState state;
+    state.header.stamp = stamp;
+    state.name = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) state.position.push_back(toMetres(axes_mm[i]));
+    position_.publish(state);
+  }
+  bool isConnected() const { return toolpath_.getNumSubscribers() > 0; }
+  bool canTransform(const std::string& target, const std::string& source, const ros::Time& stamp) const {
+    return buffer_.canTransform(target, source, stamp);
+  }
+  Eigen::Isometry3d transform(const std::string& target, const std::string& source,
+                              const ros::Time& stamp) const {
+    const auto found = buffer_.lookupTransform(target, source, stamp).transform;
+    geometry_msgs::Pose pose;
+    pose.position.x = found.translation.x;
+    pose.position.y = found.translation.y;
+    pose.position.z = found.translation.z;
+    pose.orientation = found.rotation;
+    return fromMessage(pose);
+  }
+  ros::NodeHandle& node() { return node_; }
+
+  nav_msgs::Path path;
+  std::vector<trajectory_msgs::JointTrajectory> trajectories;
+
+ private:
+  void keep(const tf2_msgs::TFMessage& message, bool is_static) {
+    for (const auto& transform : message.transforms) buffer_.setTransform(transform, "test", is_static);
+  }
+
+  ros::NodeHandle node_;
+  tf2::BufferCore buffer_;
+  ros::Subscriber tf_, tf_static_, path_, trajectory_;
+  ros::Publisher toolpath_, position_;
+};
+
+bool await(const std::function<bool()>& isTrue) {
+  for (int i = 0; i < 1000 && ros::ok(); ++i) {
+    ros::spinOnce();
+    if (isTrue()) return true;
+    ros::WallDuration(0.01).sleep();
+  }
+  return false;
+}
+
+TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
+  Listener listener("follower");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  const MachineToolpath placed = square();
+  listener.send(toMessage(placed));
+  ASSERT_TRUE(await([&] { return listener.canTransform("world", "part", ros::Time(0)); }));
+  // A machine in accelerated time reports faster than the clock runs.
+  const auto& points = placed.toolpath.layers[0].paths[1].points;
+  const auto stamp = [](int i) { return ros::Time(1000.0 + 0.01 * i); };
+  for (int i = 0; i < 2000; ++i)
+    listener.report(kPartOnBed + points[static_cast<std::size_t>(i) % 4], stamp(i));
+  ASSERT_TRUE(await([&] { return listener.canTransform("part", "nozzle", stamp(1999)); }));
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Isometry3d part_from_nozzle = listener.transform("part", "nozzle", stamp(i));
+    EXPECT_TRUE(part_from_nozzle.translation().isApprox(points[static_cast<std::size_t>(i) % 4], 1e-6)) << i;
+    EXPECT_TRUE(part_from_nozzle.linear().isApprox(nozzleDown().toRotationMatrix(), 1e-6));
+  }
+  EXPECT_TRUE(listener.canTransform("world", "sensor", stamp(1999)));
+}
+
+TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
+  Listener listener("player");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  const MachineToolpath placed = square();
+  listener.send(toMessage(placed));
+  const Point3 last = placed.toolpath.layers.back().paths.back().lastPoint();
+  const auto isAtEnd = [&] {
+    return listener.canTransform("part", "nozzle", ros::Time(0)) &&
+           (listener.transform("part", "nozzle", ros::Time(0)).translation() - last).norm() < 1e-6;
+  };
+  EXPECT_TRUE(await(isAtEnd));
+  EXPECT_EQ(listener.path.poses.size(), 10U);  // start and four corners of each layer; the climb is shorter than the spacing
+  ASSERT_TRUE(await([&] { return !listener.trajectories.empty(); }));
+  const auto& end = listener.trajectories.back().points.back().positions;
+  EXPECT_NEAR(end[2], 0.0004, 1e-9);
+}
+
+TEST(TrajectoryPublisher, PausesRewindsAndPlaysOnRequest) {
+  Listener listener("player");
+  std_srvs::Trigger trigger;
+  const auto call = [&](const std::string& name) {
+    return listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/" + name).call(trigger);
+  };
+  ASSERT_TRUE(ros::service::waitForService("/player/trajectory_publisher/pause", 10000));
+  listener.send(toMessage(square()));
+  EXPECT_TRUE(call("pause") && call("rewind"));
+  EXPECT_TRUE(await([&] {
+    return listener.canTransform("part", "nozzle", ros::Time(0)) &&
+           listener.transform("part", "nozzle", ros::Time(0)).translation().norm() < 1e-6;
+  }));
+  EXPECT_TRUE(call("play"));
+}
+
+TEST(TrajectoryPublisher, SurvivesToolpathsItCannotUse) {
+  Listener listener("player");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  lamina_msgs::Toolpath broken = toMessage(square());
+  broken.layers[0].paths[0].points[0].x = std::nan("");
+  listener.send(broken);
+  MachineToolpath far = square();
+  far.bed_from_part = Eigen::Translation3d(1000.0, 0.0, 0.0);
+  listener.send(toMessage(far));
+  MachineToolpath foreign = square();
+  foreign.machine = "gantry_45";
+  listener.send(toMessage(foreign));
+  listener.path = nav_msgs::Path();
+  listener.send(toMessage(square()));
+  EXPECT_TRUE(await([&] { return listener.path.poses.size() == 10U; }));
+}
+
+TEST(TrajectoryPublisher, EndsWithCode1OnAnUnknownMachine) {
+  const std::string command =
+      std::string(LAMINA_NODE) + " __name:=refused _machine/name:=delta > /dev/null 2>&1";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+TEST(TrajectoryPublisher, DescribesTheMachineForRviz) {
+  std::string description;
+  EXPECT_TRUE(ros::param::get("/player/robot_description", description));
+  EXPECT_NE(description.find("<robot name=\"cartesian_gantry\">"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "trajectory_publisher_test");
+  ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
