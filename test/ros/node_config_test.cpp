@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "nodes/trajectory_publisher/trajectory_settings.hpp"
 
 namespace {
 
@@ -30,6 +31,13 @@ TEST(NodeConfig, OfSlicingServiceIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("slicing_service", schema);
+}
+
+TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {
+  lamina::TrajectorySettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("trajectory_publisher", schema);
 }
 
 }  // namespace

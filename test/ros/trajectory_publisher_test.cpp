@@ -144,7 +144,8 @@ TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
            (listener.transform("part", "nozzle", ros::Time(0)).translation() - last).norm() < 1e-6;
   };
   EXPECT_TRUE(await(isAtEnd));
-  EXPECT_EQ(listener.path.poses.size(), 10U);  // start and four corners of each layer; the climb is shorter than the spacing
+  EXPECT_EQ(listener.path.poses.size(),
+            10U);  // start and four corners of each layer; the climb is shorter than the spacing
   ASSERT_TRUE(await([&] { return !listener.trajectories.empty(); }));
   const auto& end = listener.trajectories.back().points.back().positions;
   EXPECT_NEAR(end[2], 0.0004, 1e-9);
