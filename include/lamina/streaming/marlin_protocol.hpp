@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace lamina {
+
+/// Exclusive or of all bytes: Marlin's check of a line, over everything before the '*'.
+std::uint8_t marlinChecksum(std::string_view text);
+
+/// "N<number> <command>*<checksum>\n".
+std::string frameLine(std::uint64_t number, std::string_view command);
+
+enum class ReplyKind : std::uint8_t {
+  Ok,           ///< one line was taken; perhaps with its number, free buffers, temperatures
+  Resend,       ///< the line to send again
+  LineError,    ///< why a resend is asked for; the resend follows
+  Fatal,        ///< the firmware has halted or protects the machine
+  Warning,      ///< an error that stops nothing
+  Busy,         ///< still alive, and working on what it has
+  Start,        ///< the firmware has started, and has forgotten everything
+  Information,  ///< reports and everything else
+};
+
+struct MarlinTemperatures {
+  double nozzle_c = 0.0;
+  double nozzle_target_c = 0.0;
+  std::optional<double> bed_c;
+  std::optional<double> bed_target_c;
+};
+
+/// [mm], as the machine counts them.
+struct MarlinPosition {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double e = 0.0;
+};
+
+/// One line the firmware sent.
+struct MarlinReply {
+  ReplyKind kind = ReplyKind::Information;
+  std::optional<std::uint64_t> line;       ///< of a resend; of an ok by firmware with ADVANCED_OK
+  std::optional<int> free_planner_blocks;  ///< P of an advanced ok
+  std::optional<int> free_command_slots;   ///< B of an advanced ok
+  std::optional<MarlinTemperatures> temperatures;
+  std::optional<MarlinPosition> position;
+  std::string text;  ///< the line, without end of line
+};
+
+/// What a line from the firmware means. Nothing is refused: an unknown line is Information, a resend whose
+/// number cannot be read has no line.
+MarlinReply parseReply(std::string_view line);
+
+}  // namespace lamina

@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/streamer_machine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+// A line that is refused this often without any progress will never be taken.
+constexpr int kMostRefusals = 100;
+constexpr int kMostOddRequests = 5;
+constexpr int kReportAttempts = 3;
+// Lines under way when a job is aborted must not be taken for those of the safe stop.
+constexpr std::uint64_t kSafeStopGap = 1000;
+
+/// Commands during which firmware may say nothing for long.
+bool isBlocking(const std::string& command) {
+  constexpr std::array<std::string_view, 16> kCommands = {"G28",  "G29",  "G30",  "G34",  "G4",   "M0",
+                                                          "M1",   "M48",  "M109", "M190", "M191", "M226",
+                                                          "M303", "M400", "M600", "M701"};
+  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view name) {
+    return command.compare(0, name.size(), name) == 0 &&
+           (command.size() == name.size() ||
+            std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
+  });
+}
+
+LineFeed::Source sourceOf(const StreamableProgram& program) {
+  return [cursor = std::make_shared<ProgramCursor>(program.open())] { return cursor->next(); };
+}
+
+LineFeed::Source sourceOf(std::vector<std::string> commands) {
+  std::reverse(commands.begin(), commands.end());
+  return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
+    if (left.empty()) return std::nullopt;
+    ProgramLine line{left.back(), -1};
+    left.pop_back();
+    return line;
+  };
+}
+
+std::vector<std::string> reportRequests(const StreamSettings& settings) {
+  std::vector<std::string> requests;
+  if (settings.position_interval_s > 0)
+    requests.push_back("M154 S" + std::to_string(settings.position_interval_s));
+  if (settings.temperature_interval_s > 0) {
+    requests.push_back("M155 S" + std::to_string(settings.temperature_interval_s));
+  }
+  return requests;
+}
+
+double firstRetry(const StreamSettings& settings) { return settings.probe_after_s; }
+
+std::string seconds(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find('.') + 2);
+  return text + " s";
+}
+
+}  // namespace
+
+Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings)
+    : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
+  validate(settings);
+  status_.lines_total = program.lines();
+  reports_ = reportRequests(settings);
+}
+
+void Streamer::Machine::enter(PackmlState state) {
+  status_.state = state;
+  entered_.push_back(state);
+}
+
+void Streamer::Machine::beginPhase(Phase phase, double now) {
+  phase_ = phase;
+  timer_.restart(now);
+}
+
+bool Streamer::Machine::isWaiting() const {
+  if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling();
+  return phase_ != Phase::Idle;
+}
+
+double Streamer::Machine::silenceLimit() const {
+  if (status_.state == PackmlState::Starting) return settings_.connect_timeout_s;
+  const bool is_blocked = phase_ == Phase::Draining || sent_.hasBlocking();
+  return is_blocked ? settings_.blocking_timeout_s : settings_.silence_timeout_s;
+}
+
+double Streamer::Machine::nextDeadline() const {
+  if (!isWaiting()) return kNever;
+  const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
+  const double deadline = std::min(timer_.retryAt(), give_up);
+  return isSettling() ? std::min(deadline, settle_until_) : deadline;
+}
+
+void Streamer::Machine::start(double now) {
+  if (status_.state != PackmlState::Idle) return;
+  enter(PackmlState::Starting);
+  beginNumbering(0, now);
+}
+
+// --- replies
+// ---------------------------------------------------------------------------------------------------------
+
+void Streamer::Machine::receive(std::string_view bytes, double now) {
+  constexpr std::size_t kLongestReply = 4096;
+  while (!bytes.empty()) {
+    const std::size_t end = bytes.find('\n');
+    received_ += bytes.substr(0, end);
+    if (end == std::string_view::npos) {
+      if (received_.size() > kLongestReply) received_.clear();
+      break;
+    }
+    bytes.remove_prefix(end + 1);
+    const MarlinReply reply = parseReply(received_);
+    received_.clear();
+    onReply(reply, now);
+  }
+  if (phase_ == Phase::Feeding) proceed(now);
+}
+
+void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
+  if (phase_ == Phase::Idle) return;
+  if (reply.temperatures) status_.temperatures = reply.temperatures;
+  if (reply.position) status_.position = reply.position;
+  const bool is_ok_of_resend = std::exchange(expects_ok_of_resend_, false) && reply.kind == ReplyKind::Ok;
+  if (reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning) {
+    has_answered_ = true;
+    if (status_.state != PackmlState::Starting) timer_.restart(now);
+    if (isSettling()) settle_until_ = now + settings_.settle_s;
+  }
+  switch (reply.kind) {
+    case ReplyKind::Ok:
+      if (!is_ok_of_resend) onOk(reply, now);
+      break;
+    case ReplyKind::Resend:
+      onResend(reply, now);
+      break;
+    case ReplyKind::Start:
+      onStart(now);
+      break;
+    case ReplyKind::Fatal:
+      onFatal(reply, now);
+      break;
+    case ReplyKind::Warning:
+      status_.message = reply.text;
+      break;
+    case ReplyKind::Information:
+      if (reply.text.find("Unknown command") != std::string::npos) status_.message = reply.text;
+      break;
+    case ReplyKind::LineError:
+    case ReplyKind::Busy:
+      break;
+  }
+}
+
+void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
+  if (phase_ == Phase::Reporting) {
+    reports_.pop_back();
+    report_attempts_ = 0;
+    nextReport(now);
+  } else if (phase_ == Phase::Draining) {
+    phase_ = Phase::Idle;
+    enter(PackmlState::Complete);
+  } else if (phase_ == Phase::Feeding || phase_ == Phase::Probing) {
+    odd_requests_ = 0;
+    if (reply.line && *reply.line < feed_.end()) {
+      sent_.acknowledgeUpTo(*reply.line);
+      acknowledgedUpTo(*reply.line);
+    } else if (const auto number = sent_.acknowledge()) {
+      acknowledgedUpTo(*number);
+    }
+  }
+}
+
+void Streamer::Machine::acknowledgedUpTo(std::uint64_t line) {
+  if (isStopping() || line <= status_.lines_acknowledged) return;
+  status_.lines_acknowledged = line;
+  status_.layer = feed_.layerOf(line);
+}
+
+void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
+  expects_ok_of_resend_ = true;
+  if (!reply.line) return;
+  if (phase_ == Phase::Numbering) {
+    if (*reply.line != base_ + 1) return;
+    refusals_in_a_row_ = 0;
+    sent_.clear();
+    if (isStopping()) {
+      beginPhase(Phase::Feeding, now);
+      proceed(now);
+    } else {
+      nextReport(now);
+    }
+  } else if (phase_ == Phase::Probing) {
+    onProbeAnswer(*reply.line, now);
+  } else if (phase_ == Phase::Feeding) {
+    if (*reply.line == rewound_to_ && sent_.absorbRefusal()) return;
+    if (goTo(*reply.line, now)) onRefusal(*reply.line, now);
+  }
+}
+
+/// What was sent after the refused line is refused too or discarded. Sending waits for that to be over: the
+/// answers would ask for lines that are under way again, whose second copies would be refused in turn, and so
+/// for ever.
+void Streamer::Machine::onRefusal(std::uint64_t wanted, double now) {
+  ++status_.resends;
+  sent_.refuse(wanted);
+  must_send_one_ = true;
+  settle_until_ = now + settings_.settle_s;
+}
+
+void Streamer::Machine::settle(double now) {
+  if (!isSettling() || (now < settle_until_ && sent_.hasStale())) return;
+  sent_.dropStale();
+  settle_until_ = 0.0;
+}
+
+/// Goes on with `line`, which the firmware has asked for.
+bool Streamer::Machine::goTo(std::uint64_t line, double now) {
+  if (!feed_.rewind(line)) {
+    if (++odd_requests_ < kMostOddRequests) return false;
+    abort({ErrorCode::Rejected, "the machine asks for line " + std::to_string(line) +
+                                    "; expected one up to " + std::to_string(feed_.end()) + whereItStands()},
+          now);
+    return false;
+  }
+  odd_requests_ = 0;
+  refusals_in_a_row_ = line == rewound_to_ ? refusals_in_a_row_ + 1 : 0;
+  rewound_to_ = line;
+  if (!isStopping()) {
+    status_.lines_acknowledged = line - 1;
+    status_.layer = feed_.layerOf(line - 1);
+  }
+  if (refusals_in_a_row_ < kMostRefusals) return true;
+  abort({ErrorCode::Rejected, "the machine refused line " + std::to_string(line) + " " +
+                                  std::to_string(kMostRefusals) + " times" + whereItStands()},
+        now);
+  return false;
+}
+
+void Streamer::Machine::onStart(double now) {
+  if (phase_ == Phase::Numbering) {
+    timer_.restart(now);
+    retry(now);
+    return;
+  }
+  abort({ErrorCode::DeviceError, "the machine was reset" + whereItStands()}, now);
+}
+
+void Streamer::Machine::onFatal(const MarlinReply& reply, double now) {
+  abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + whereItStands()}, now);
+}
+
+std::string Streamer::Machine::whereItStands() const {
+  return "; line " + std::to_string(status_.lines_acknowledged) + " of " +
+         std::to_string(status_.lines_total) + " was the last acknowledged";
+}
+
+// --- sending
+// ---------------------------------------------------------------------------------------------------------
+
+void Streamer::Machine::beginNumbering(std::uint64_t base, double now) {
+  base_ = base;
+  beginPhase(Phase::Numbering, now);
+  retry(now);
+}
+
+void Streamer::Machine::nextReport(double now) {
+  if (!reports_.empty()) {
+    beginPhase(Phase::Reporting, now);
+    output_ += reports_.back() + "\n";
+    return;
+  }
+  enter(PackmlState::Execute);
+  beginPhase(Phase::Feeding, now);
+  proceed(now);
+}
+
+/// Sends what may be sent, and takes the step that is due when nothing is under way any more.
+void Streamer::Machine::proceed(double now) {
+  settle(now);
+  if (isSettling()) return;
+  if (status_.state == PackmlState::Execute || isStopping()) pump(now);
+  if (!sent_.empty()) return;
+  if (status_.state == PackmlState::Holding) {
+    enter(PackmlState::Held);
+  } else if (status_.state == PackmlState::Execute || isStopping()) {
+    // Nothing is left to send either: the machine must tell that it has all.
+    beginPhase(Phase::Probing, now);
+    probe(now);
+  }
+}
+
+bool Streamer::Machine::hasRoom(std::size_t bytes) const {
+  if (sent_.empty() || must_send_one_) return true;
+  return sent_.count() < static_cast<std::size_t>(settings_.window_lines) &&
+         sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
+}
+
+void Streamer::Machine::pump(double now) {
+  while (const ProgramLine* line = feed_.peek()) {
+    const std::string framed = frameLine(feed_.next(), line->command);
+    if (!hasRoom(framed.size())) break;
+    if (sent_.empty()) timer_.restart(now);
+    must_send_one_ = false;
+    sent_.add({feed_.next(), framed.size(), isBlocking(line->command), feed_.next() < feed_.end(), false});
+    output_ += framed;
+    feed_.advance();
+  }
+  if (!isStopping()) status_.lines_sent = feed_.end() - 1;
+}
+
+/// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
+/// after the next one.
+void Streamer::Machine::probe(double) {
+  ++status_.probes;
+  const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
+  output_ += frameLine(expected + 1, "M105");
+}
+
+void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
+  if (!goTo(wanted, now)) return;
+  // The firmware has read everything that was sent before the probe.
+  sent_.clear();
+  settle_until_ = 0.0;
+  must_send_one_ = false;
+  if (wanted < feed_.end()) ++status_.resends;
+  beginPhase(Phase::Feeding, now);
+  const bool may_feed = status_.state == PackmlState::Execute || isStopping();
+  if (may_feed && feed_.peek() == nullptr) onAllTaken(now);
+}
+
+void Streamer::Machine::onAllTaken(double now) {
+  if (isStopping()) {
+    finishAborted("");
+    return;
+  }
+  enter(PackmlState::Completing);
+  beginPhase(Phase::Draining, now);
+  output_ += "M400\n";
+}
+
+// --- time
+// ------------------------------------------------------------------------------------------------------------
+
+void Streamer::Machine::elapse(double now) {
+  if (!isWaiting()) return;
+  if (isStopping() && now >= safe_stop_by_) {
+    finishAborted("; the machine did not confirm the safe stop");
+  } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
+    timeOut(now);
+  } else if (now >= timer_.retryAt()) {
+    retry(now);
+  } else if (isSettling() && now >= settle_until_) {
+    proceed(now);
+  }
+}
+
+void Streamer::Machine::retry(double now) {
+  timer_.asked(now);
+  switch (phase_) {
+    case Phase::Numbering:
+      if (isStopping()) output_ += "M108\nM410\n";
+      output_ += frameLine(base_, "M110 N" + std::to_string(base_));
+      probe(now);
+      break;
+    case Phase::Reporting:
+      if (++report_attempts_ < kReportAttempts) {
+        output_ += reports_.back() + "\n";
+      } else {
+        onOk({}, now);  // a machine without reports prints all the same
+      }
+      break;
+    case Phase::Feeding:
+      phase_ = Phase::Probing;
+      settle_until_ = 0.0;
+      probe(now);
+      break;
+    case Phase::Probing:
+      probe(now);
+      break;
+    case Phase::Draining:
+      output_ += "M400\n";
+      break;
+    case Phase::Idle:
+      break;
+  }
+}
+
+void Streamer::Machine::timeOut(double now) {
+  if (status_.state != PackmlState::Starting) {
+    abort({ErrorCode::TimedOut,
+           "no answer from the machine for " + seconds(timer_.quietFor(now)) + whereItStands()},
+          now);
+  } else if (has_answered_) {
+    abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
+  } else {
+    abort({ErrorCode::TimedOut, "no machine answered within " + seconds(settings_.connect_timeout_s) +
+                                    "; is it on, and is the baud rate right?"},
+          now);
+  }
+}
+
+// --- commands
+// --------------------------------------------------------------------------------------------------------
+
+bool Streamer::Machine::pause(double now) {
+  if (status_.state != PackmlState::Execute) return false;
+  enter(PackmlState::Holding);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
+bool Streamer::Machine::resume(double now) {
+  if (status_.state != PackmlState::Held && status_.state != PackmlState::Holding) return false;
+  if (status_.state == PackmlState::Holding) enter(PackmlState::Held);
+  enter(PackmlState::Unholding);
+  enter(PackmlState::Execute);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
+void Streamer::Machine::abort(const Failure& why, double now) {
+  if (isStopping() || isFinal(status_.state)) return;
+  status_.failure = why;
+  const bool is_machine_there = has_answered_ && status_.state != PackmlState::Idle;
+  enter(PackmlState::Aborting);
+  if (!is_machine_there) {
+    finishAborted("");
+    return;
+  }
+  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  std::vector<std::string> safe_stop = {"M410"};
+  if (!settings_.keep_heaters_on) safe_stop.insert(safe_stop.end(), {"M104 S0", "M140 S0"});
+  const std::uint64_t base = feed_.end() + kSafeStopGap;
+  feed_ = LineFeed(sourceOf(std::move(safe_stop)), base + 1);
+  sent_.clear();
+  settle_until_ = 0.0;
+  must_send_one_ = false;
+  beginNumbering(base, now);
+}
+
+void Streamer::Machine::disconnect(const std::string& why) {
+  if (isFinal(status_.state)) return;
+  if (!isStopping()) {
+    status_.failure = {ErrorCode::Disconnected, why + whereItStands()};
+    enter(PackmlState::Aborting);
+  }
+  finishAborted(", or the link was lost before the machine could confirm the safe stop");
+}
+
+void Streamer::Machine::finishAborted(const std::string& remark) {
+  if (status_.failure.code != ErrorCode::Disconnected) status_.failure.message += remark;
+  phase_ = Phase::Idle;
+  sent_.clear();
+  enter(PackmlState::Aborted);
+}
+
+std::string Streamer::Machine::takeOutput() { return std::exchange(output_, {}); }
+
+std::vector<PackmlState> Streamer::Machine::takeStateChanges() { return std::exchange(entered_, {}); }
+
+}  // namespace lamina
