@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/emulated_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, EmulatedSettings& settings) {
+  const Bounds times{0.0, 3600.0, false};
+  const Bounds rates{0.0, 1e6, true};
+  schema.number("emulator.speed_up", settings.speed_up, {0.0, 1000.0, false},
+                "Machine time per wall time; 0 for as fast as possible.");
+  schema.integer("emulator.block_queue", settings.block_queue, {1, 4096}, "Motions planned ahead.");
+  schema.integer("emulator.command_queue", settings.command_queue, {1, 256}, "Lines taken and not yet run.");
+  schema.integer("emulator.rx_buffer_bytes", settings.rx_buffer_bytes, {0, 1 << 24},
+                 "Receive buffer; what comes while it is full is lost; 0 for no limit.");
+  schema.integer("emulator.max_line_bytes", settings.max_line_bytes, {32, 4096},
+                 "Longest line; what it has more is cut off.");
+  schema.number("emulator.busy_interval_s", settings.busy_interval_s, {0.0, 3600.0, true},
+                "Wall time between two busy messages.");
+  schema.number("emulator.ambient_c", settings.ambient_c, {-50.0, 100.0, false}, "Temperature of the room.");
+  schema.number("emulator.nozzle_heating_c_s", settings.nozzle_heating_c_s, rates,
+                "How fast the nozzle heats.");
+  schema.number("emulator.bed_heating_c_s", settings.bed_heating_c_s, rates, "How fast the bed heats.");
+  schema.number("emulator.fault_delay_s", settings.fault_delay_s, times, "Wall time of a delayed ok.");
+  schema.number("emulator.fault_silence_s", settings.fault_silence_s, times, "Wall time of a silence.");
+  schema.number("emulator.fault_replug_s", settings.fault_replug_s, times,
+                "Wall time from a disconnect until the link is back.");
+  schema.integer("emulator.fault_seed", settings.fault_seed, {0, 1000000000}, "Seed of the faults.");
+  describe(schema, settings.motion);
+}
+
+}  // namespace lamina
