@@ -20,8 +20,10 @@ int runCommandLine(int argc, char** argv) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
   Chosen chosen;
+  addEmulate(app, chosen);
   addPart(app, chosen);
   addSlice(app, chosen);
+  addStream(app, chosen);
   try {
     app.parse(argc, argv);
     chosen.run();

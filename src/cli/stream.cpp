@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/stream_session.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+struct StreamArguments {
+  std::string program;
+  MachinePort port;
+  std::vector<std::string> settings;
+};
+
+StreamSettings settingsFrom(const StreamArguments& arguments) {
+  StreamSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const std::string& assignment : arguments.settings) {
+    const SettingText setting = settingFromAssignment(assignment);
+    schema.set(setting.key, setting.text);
+  }
+  validate(settings);
+  return settings;
+}
+
+/// Streams to the end, or to the safe stop after Ctrl-C.
+StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings& settings,
+                         const MachinePort& port) {
+  constexpr double kPollInterval = 0.1;  // s
+  TerminalProgress progress;
+  StreamSession session(program, settings, port, [&](const StreamStatus& status) {
+    progress.report(toString(status.state),
+                    static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
+  });
+  while (!session.waitFor(kPollInterval)) {
+    if (progress.isCancelled()) session.abort({ErrorCode::Cancelled, "stopped by the user"});
+  }
+  return session.status();
+}
+
+void print(const StreamStatus& status, double duration_s, OutputFormat format) {
+  const double lines_per_s =
+      duration_s > 0.0 ? static_cast<double>(status.lines_acknowledged) / duration_s : 0.0;
+  if (format == OutputFormat::Json) {
+    const nlohmann::ordered_json json = {
+        {"lines", status.lines_total},    {"acknowledged", status.lines_acknowledged},
+        {"resends", status.resends},      {"probes", status.probes},
+        {"duration_s", duration_s},       {"lines_per_s", lines_per_s},
+        {"state", toString(status.state)}};
+    std::printf("%s\n", json.dump().c_str());
+    return;
+  }
+  std::printf("%s: %llu lines in %.1f s (%.0f per second), %llu resends\n", toString(status.state),
+              static_cast<unsigned long long>(status.lines_acknowledged), duration_s, lines_per_s,
+              static_cast<unsigned long long>(status.resends));
+}
+
+void runStream(const StreamArguments& arguments, OutputFormat format) {
+  const StreamSettings settings = settingsFrom(arguments);
+  const auto program = StreamableProgram::fromFile(arguments.program, settings.max_line_bytes);
+  const SteadyClock clock;
+  const double start = clock.now();
+  const StreamStatus status = streamWhole(program, settings, arguments.port);
+  throwIfFailed(status);
+  print(status, clock.now() - start, format);
+}
+
+}  // namespace
+
+void addStream(CLI::App& app, Chosen& chosen) {
+  CLI::App* command =
+      app.add_subcommand("stream", "Stream a G-code program to a machine with Marlin firmware");
+  auto arguments = std::make_shared<StreamArguments>();
+  command->add_option("program", arguments->program, "G-code file")->required();
+  command->add_option("--port,-p", arguments->port.name, "serial port such as /dev/ttyUSB0, or tcp:host:port")
+      ->required();
+  command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
+  command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
+  addJsonFlag(*command, chosen);
+  command->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { runStream(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli
