@@ -25,8 +25,9 @@ std::map<std::string, std::string> textsOf(JobSettings settings) {
 
 TEST(JobSettings, HasTheKeysThatUsersKnow) {
   const auto texts = textsOf({});
-  for (const char* key : {"slicing.layer_height_mm", "walls.count", "bead.width_mm", "infill.strategy",
-                          "infill.density", "infill.angle_deg", "input.unit", "part.placement"})
+  for (const char* key :
+       {"slicing.layer_height_mm", "walls.count", "bead.width_mm", "infill.strategy", "infill.density",
+        "infill.angle_deg", "machine.name", "input.unit", "part.placement"})
     EXPECT_EQ(texts.count(key), 1U) << key;
 }
 

@@ -81,7 +81,8 @@ TEST_F(SliceJobTest, KeepsThePartsCoordinatesAndPlacesItOnTheBed) {
   EXPECT_NEAR(box.centre().x(), 20.0, 1e-3);
   EXPECT_NEAR(box.low.x(), 10.2, 1e-3);
   EXPECT_NEAR(box.low.z(), 5.2, 1e-9);
-  EXPECT_NEAR((sliced.bed_from_part * Point3(20, 35, 5)).z(), 0.0, 1e-12);
+  // Middle of the bed of 220 mm.
+  EXPECT_TRUE((sliced.bed_from_part * Point3(20, 35, 5)).isApprox(Point3(110, 110, 0)));
 }
 
 TEST_F(SliceJobTest, WritesTheToolpathItReturns) {
@@ -136,6 +137,24 @@ TEST_F(SliceJobTest, WritesNothingWhenCancelled) {
 TEST_F(SliceJobTest, RefusesAPartWithoutALayer) {
   job_.settings.slicing.first_layer_height_mm = 2.5;
   EXPECT_THROW(run(), InvalidInput);
+}
+
+TEST_F(SliceJobTest, RefusesAPartLargerThanTheMachine) {
+  job_.settings.input.units.scale = 20.0;
+  EXPECT_THROW(run(), Unreachable);
+  EXPECT_FALSE(hasOutput());
+}
+
+TEST_F(SliceJobTest, RefusesAPartBesideTheBed) {
+  job_.settings.placement = Placement::AsIs;
+  writeStl(job_.part, test::boxBetween({-50, 0, 0}, {-40, 10, 1}));
+  EXPECT_THROW(run(), Unreachable);
+  EXPECT_FALSE(hasOutput());
+}
+
+TEST_F(SliceJobTest, RefusesAMachineThatIsNotThere) {
+  job_.settings.machine.name = "warp_drive";
+  EXPECT_THROW(run(), InvalidConfig);
 }
 
 TEST_F(SliceJobTest, RefusesBadSettingsBeforeReading) {

@@ -25,10 +25,16 @@ struct InputSettings {
   RepairPolicy repair = RepairPolicy::Repair;
 };
 
+/// Which machine prints the part.
+struct MachineSettings {
+  std::string name = "cartesian_gantry";  ///< one of `machineNames`
+};
+
 /// The settings of all stages from mesh to program.
 struct JobSettings {
   InputSettings input;
   Placement placement = Placement::Centre;
+  MachineSettings machine;
   SlicingSettings slicing;
   PlanSettings planning;
   ScanSettings scan;

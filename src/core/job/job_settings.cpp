@@ -3,6 +3,7 @@
 #include "lamina/job/job_settings.hpp"
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/kinematics/machine.hpp"
 
 namespace lamina {
 namespace {
@@ -23,6 +24,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice<Placement>("part.placement", settings.placement,
                            {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
                            "Put the part in the middle of the bed, or where its file says.");
+  schema.choice("machine.name", settings.machine.name, machineNames(), "Machine that prints the part.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
   describe(schema, settings.scan);

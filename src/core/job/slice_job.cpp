@@ -4,13 +4,14 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include "job/part_source.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/kinematics/machine.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/timing.hpp"
@@ -72,12 +73,29 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
 
+std::string sizeText(const Point3& size) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g mm", size.x(), size.y(), size.z());
+  return text;
+}
+
+/// Refuses early what cannot fit anywhere; the exact check is made on the toolpath.
+void requireFits(const Box3& part, const Box3& bed, const std::string& machine) {
+  if ((part.size().array() <= bed.size().array()).all()) return;
+  throw Unreachable("the part is " + sizeText(part.size()) + "; the machine " + machine + " reaches over " +
+                    sizeText(bed.size()));
+}
+
 /// Reads and slices; the mesh is gone when the layers are planned.
-std::vector<Layer> layersOf(const SliceJob& job, Laps& laps, SlicedPart& sliced, Progress& progress) {
+std::vector<Layer> layersOf(const SliceJob& job, const Machine& machine, SlicedPart& sliced,
+                            Progress& progress) {
+  Laps laps;
   progress.report("read", 0.0);
   SourcePart source = readPart(job.part, job.settings.input);
   const Box3 box = boundingBox(source.mesh);
-  sliced.bed_from_part = placePart(box, Point2(0.0, 0.0), job.settings.placement);
+  const Box3 bed = workspace(machine);
+  requireFits(box, bed, machine.name);
+  sliced.bed_from_part = placePart(box, bed.centre().head<2>(), job.settings.placement);
   sliced.summary.triangles = source.mesh.triangles.size();
   sliced.summary.mesh_volume_mm3 = volume(source.mesh);
   sliced.summary.repairs = std::move(source.repairs);
@@ -92,16 +110,18 @@ std::vector<Layer> layersOf(const SliceJob& job, Laps& laps, SlicedPart& sliced,
 
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   Laps whole;
-  Laps laps;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
+  const Machine machine = machineByName(job.settings.machine.name);
   SlicedPart sliced;
-  std::vector<Layer> layers = layersOf(job, laps, sliced, progress);
+  std::vector<Layer> layers = layersOf(job, machine, sliced, progress);
+  Laps laps;
   sliced.toolpath =
       planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
   layers = {};
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, job.settings.sensor);
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
+  requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   sliced.summary.plan_s = laps.lap();
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");

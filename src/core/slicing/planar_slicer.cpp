@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/geometry/mesh_topology.hpp"
 #include "slicing/plane_index.hpp"
 
 namespace lamina {
