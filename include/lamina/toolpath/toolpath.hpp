@@ -86,7 +86,7 @@ struct Path {
 /// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is
 /// deposited in between, a Travel path stands between them.
 struct ToolpathLayer {
-  double z_mm = 0.0;       ///< height of the nozzle tip above the part's bottom: the top of the layer
+  double z_mm = 0.0;       ///< height of the nozzle tip [part frame]: the top of the layer
   double height_mm = 0.0;  ///< from the layer beneath
   std::vector<Path> paths;
 };

@@ -39,7 +39,7 @@ class LayerPlanner {
         seam_(settings_.seam, context.anchor, index),
         nozzle_(context.anchor),
         top_(layer.slab.top_mm) {
-    result_.z_mm = layer.slab.top_mm - context.bottom_mm;
+    result_.z_mm = layer.slab.top_mm;
     result_.height_mm = layer.slab.height();
   }
 

@@ -16,7 +16,6 @@ struct PlanContext {
   PlanSettings settings;
   InfillStrategy fill;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
-  double bottom_mm = 0.0;          ///< of the first layer
 };
 
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that

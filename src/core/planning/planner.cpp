@@ -18,7 +18,6 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   SettingsSchema schema;
   describe(schema, context.settings);
   schema.validate();
-  if (!layers.empty()) context.bottom_mm = layers.front().slab.bottom_mm;
   for (const Layer& layer : layers) {
     const Box2 box = boundingBox(layer.section.contours);
     if (box.isEmpty()) continue;
