@@ -119,13 +119,16 @@ class MovingOutline {
     return true;
   }
 
-  /// Between two edges that meet, all corners must turn left and all edges lie far enough from where they
-  /// meet.
+  /// Edges between two that meet must point between them and lie far enough from where they meet: so do they
+  /// then from all that the two leave.
   bool cellsAreSound(std::uint32_t first, std::uint32_t last) const {
-    for (std::uint32_t i = first; i != last; i = after(i))
-      if (cross(edges_[i].direction, edges_[after(i)].direction) < 0.0) return false;
-    for (std::uint32_t i = after(first); i != last; i = after(i))
-      if (cross(edges_[i].direction, edges_[last].start - points_[i]) < distance_ - kTolerance) return false;
+    const Edge& a = edges_[first];
+    const Edge& b = edges_[last];
+    for (std::uint32_t i = after(first); i != last; i = after(i)) {
+      const Point2& direction = edges_[i].direction;
+      if (cross(a.direction, direction) < 0.0 || cross(direction, b.direction) < 0.0) return false;
+      if (cross(direction, b.start - points_[i]) < distance_ - kTolerance) return false;
+    }
     return true;
   }
 
