@@ -21,6 +21,7 @@ int runCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
   Chosen chosen;
   addEmulate(app, chosen);
+  addInfo(app, chosen);
   addPart(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);

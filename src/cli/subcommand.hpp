@@ -23,8 +23,8 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addEmulate(CLI::App& app, Chosen& chosen);
+void addInfo(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
-
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 

@@ -11,14 +11,14 @@
 
 namespace lamina {
 
-/// One kind of change: so many of these, the first of them here.
+/// One kind of change: so many of these, the first of them (or the middle of the hole) here.
 struct RepairChange {
   std::string what;  ///< "degenerate triangles dropped"
   std::size_t count = 0;
   Point3 where = Point3::Zero();  ///< [mm, part frame]
 };
 
-/// "8 degenerate triangles dropped, first at (1.5, 2, 0.3) mm"
+/// "8 degenerate triangles dropped near (1.5, 2, 0.3) mm"
 std::string toText(const RepairChange& change);
 
 struct RepairSettings {

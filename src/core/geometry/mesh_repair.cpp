@@ -104,8 +104,7 @@ class Repair {
 }  // namespace
 
 std::string toText(const RepairChange& change) {
-  return std::to_string(change.count) + " " + change.what + (change.count > 1 ? ", first at " : " at ") +
-         toText(change.where);
+  return std::to_string(change.count) + " " + change.what + " near " + toText(change.where);
 }
 
 RepairResult repairMesh(Mesh mesh, const RepairSettings& settings) {
