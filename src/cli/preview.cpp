@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
+#include "lamina/program/csv_reader.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina preview` as it was typed.
+struct PreviewArguments {
+  std::string input;
+  std::string output = "preview.png";
+  std::string config;
+  std::vector<std::string> settings;
+  std::optional<std::size_t> layer;
+  std::string view = "oblique";
+  std::string colour = "role";
+};
+
+bool endsWith(const std::string& text, const std::string& suffix) {
+  return text.size() >= suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+Toolpath toolpathOf(const PreviewArguments& arguments) {
+  std::vector<SettingText> overrides;
+  for (const std::string& assignment : arguments.settings) overrides.push_back(settingFromAssignment(assignment));
+  const JobSettings settings = loadJobSettings(arguments.config, overrides);
+  const std::string& input = arguments.input;
+  if (endsWith(input, ".gcode")) return toolpathFromGcodeFile(input, settings.program);
+  if (endsWith(input, ".csv")) return readCsv(readFile(input), input.substr(input.find_last_of('/') + 1));
+  TerminalProgress progress;
+  return runSliceJob({input, "", settings}, progress).toolpath;
+}
+
+void print(const Toolpath& toolpath, const PreviewArguments& arguments, OutputFormat format) {
+  const ToolpathTotals sums = totals(toolpath);
+  if (format == OutputFormat::Text) {
+    std::printf("%zu layers, %zu waypoints; written to %s\n", sums.layers, sums.waypoints, arguments.output.c_str());
+    return;
+  }
+  const nlohmann::ordered_json json = {{"layers", sums.layers},
+                                       {"waypoints", sums.waypoints},
+                                       {"deposition_runs", sums.deposition_runs},
+                                       {"deposition_mm", sums.deposition_mm},
+                                       {"travel_mm", sums.travel_mm},
+                                       {"deposited_mm3", sums.deposited_mm3},
+                                       {"output", arguments.output}};
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void preview(const PreviewArguments& arguments, OutputFormat format) {
+  if (!endsWith(arguments.output, ".png"))
+    throw InvalidInput("output is '" + arguments.output + "'; its suffix must be .png");
+  const Toolpath toolpath = toolpathOf(arguments);
+  ToolpathPictureSettings settings;
+  settings.view = arguments.view == "top" ? PictureView::Top : PictureView::Oblique;
+  settings.colour = arguments.colour == "height" ? PictureColour::Height : PictureColour::Role;
+  if (arguments.layer)
+    drawToolpathLayer(toolpath, *arguments.layer, settings, arguments.output);
+  else
+    drawToolpath(toolpath, settings, arguments.output);
+  print(toolpath, arguments, format);
+}
+
+}  // namespace
+
+void addPreview(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand("preview", "Draw a program, a toolpath or a sliced part");
+  const auto arguments = std::make_shared<PreviewArguments>();
+  subcommand->add_option("input", arguments->input, "Program (.gcode), toolpath (.csv), mesh file or name of a part")
+      ->required();
+  subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
+  subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0");
+  subcommand->add_option("--view", arguments->view, "Where the part is seen from")
+      ->check(CLI::IsMember({"oblique", "top"}))
+      ->capture_default_str();
+  subcommand->add_option("--colour", arguments->colour, "What the colours tell")
+      ->check(CLI::IsMember({"role", "height"}))
+      ->capture_default_str();
+  subcommand->add_option("--config", arguments->config, "Settings (YAML) for slicing and reading");
+  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
+      ->allow_extra_args(false);
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { preview(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

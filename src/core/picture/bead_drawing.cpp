@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture/bead_drawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+constexpr double kAzimuth = -32.0 * M_PI / 180.0;
+constexpr double kElevation = 30.0 * M_PI / 180.0;
+constexpr double kDarkest = 0.58;
+constexpr int kShades = 24;
+constexpr double kLeastStep = 0.6;  // px: finer detail cannot be seen
+
+/// Gathers the points of strokes that share colour and width.
+class StrokePen {
+ public:
+  explicit StrokePen(Canvas& canvas) : canvas_(canvas) {}
+  ~StrokePen() { flush(); }
+
+  /// Continues to `to`; starts a new stroke at `from` if the look differs from the one before.
+  void draw(const Point2& from, const Point2& to, const Stroke& stroke) {
+    if (points_.empty() || stroke.width_px != stroke_.width_px || stroke.colour.red != stroke_.colour.red) {
+      flush();
+      points_.push_back(from);
+      stroke_ = stroke;
+    }
+    points_.push_back(to);
+  }
+
+ private:
+  void flush() {
+    if (!points_.empty()) canvas_.linePx(points_, stroke_);
+    points_.clear();
+  }
+
+  Canvas& canvas_;
+  Stroke stroke_;
+  std::vector<Point2> points_;
+};
+
+}  // namespace
+
+Projection::Projection(PictureView view) : elevation_(view == PictureView::Top ? M_PI / 2 : kElevation) {
+  const double azimuth = view == PictureView::Top ? 0.0 : kAzimuth;
+  right_ = Point3(std::cos(azimuth), std::sin(azimuth), 0.0);
+  into_ = Point3(-std::sin(azimuth), std::cos(azimuth), 0.0);
+  plane_from_part_.row(0) = right_;
+  plane_from_part_.row(1) = std::sin(elevation_) * into_ + std::cos(elevation_) * Point3::UnitZ();
+}
+
+double Projection::seenHeight(const Bead& bead) const {
+  return bead.width_mm * std::sin(elevation_) + bead.height_mm * std::cos(elevation_);
+}
+
+double Projection::light(const Point3& direction) const {
+  const Point2 level = direction.head<2>();
+  if (level.isZero()) return 1.0;
+  Point3 side(-level.y(), level.x(), 0.0);
+  side.normalize();
+  if (side.dot(into_) > 0.0) side = -side;
+  const Point3 to_light = (-0.6 * right_ - 0.8 * into_).normalized();
+  const double shade = kDarkest + (1.0 - kDarkest) * std::max(0.0, side.dot(to_light));
+  return std::round(shade * kShades) / kShades;
+}
+
+void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
+  StrokePen pen(canvas);
+  Point3 start = path.firstPoint();
+  Point2 from = canvas.toPixels(projection(start));
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const std::size_t end = path.motionEnd(m);
+    const Point2 to = canvas.toPixels(projection(path.points[end]));
+    if ((to - from).norm() < kLeastStep && m + 1 < path.motionCount()) continue;
+    const double width_px = std::max(1.2, projection.seenHeight(path.bead.at(end)) * canvas.pixelsPerMm());
+    pen.draw(from, to, {shaded(colour, projection.light(path.points[end] - start)), width_px});
+    start = path.points[end];
+    from = to;
+  }
+}
+
+void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour) {
+  struct Coat {
+    double width;
+    double shade;
+  };
+  for (const Coat coat : {Coat{1.0, 0.68}, Coat{0.84, 1.0}, Coat{0.35, 1.16}}) {
+    StrokePen pen(canvas);
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t end = path.motionEnd(m);
+      const double width_px = std::max(0.5, coat.width * path.bead.at(end).width_mm * canvas.pixelsPerMm());
+      pen.draw(canvas.toPixels(path.points[m].head<2>()), canvas.toPixels(path.points[end].head<2>()),
+               {shaded(colour, coat.shade), width_px});
+    }
+  }
+}
+
+}  // namespace lamina

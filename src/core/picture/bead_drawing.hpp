@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/picture/canvas.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
+
+namespace lamina {
+
+/// Looks at the part along a direction, without perspective.
+class Projection {
+ public:
+  explicit Projection(PictureView view);
+
+  /// In the plane of the picture [mm].
+  Point2 operator()(const Point3& point) const { return plane_from_part_ * point; }
+  /// Height of a bead as it is seen [mm].
+  double seenHeight(const Bead& bead) const;
+  /// Light on the side of a bead that runs in this direction, about 0.6 to 1.
+  double light(const Point3& direction) const;
+
+ private:
+  Eigen::Matrix<double, 2, 3> plane_from_part_;
+  Point3 right_;
+  Point3 into_;  ///< horizontal, away from the viewer
+  double elevation_;
+};
+
+/// Draws a path's beads as they are seen from outside, lit from the left.
+void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour);
+
+/// Draws a path's beads at their width from above, each with a darker edge.
+void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour);
+
+}  // namespace lamina

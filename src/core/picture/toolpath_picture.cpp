@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/picture/toolpath_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "lamina/base/error.hpp"
+#include "lamina/picture/annotation.hpp"
+#include "picture/bead_drawing.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMargin = 40.0;        // px
+constexpr double kTitleHeight = 84.0;   // px
+constexpr double kFooterHeight = 72.0;  // px
+constexpr double kBarWidth = 130.0;     // px, of the colour bar with its values
+constexpr Colour kGrid{0.86, 0.87, 0.89};
+constexpr Colour kTravel{0.35, 0.38, 0.45, 0.75};
+constexpr Colour kStart{0.10, 0.10, 0.12};
+
+/// Walls last: they are what is seen where beads touch.
+constexpr std::array<PathRole, 5> kDrawingOrder = {PathRole::Infill, PathRole::GapFill, PathRole::InnerWall,
+                                                   PathRole::OuterWall, PathRole::Skirt};
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string label(PathRole role) {
+  std::string name = toString(role);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::vector<LegendEntry> rolesOf(const Toolpath& toolpath) {
+  std::array<bool, 6> is_used{};
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) is_used[static_cast<std::size_t>(path.role)] = true;
+  std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i < is_used.size(); ++i) {
+    const auto role = static_cast<PathRole>(i);
+    if (is_used[i] && role != PathRole::Travel) entries.push_back({label(role), roleColour(role)});
+  }
+  return entries;
+}
+
+Box2 drawingArea(const ToolpathPictureSettings& settings) {
+  const double right = settings.colour == PictureColour::Height ? kMargin + kBarWidth : kMargin;
+  Box2 area;
+  area.include({kMargin, kTitleHeight});
+  area.include({settings.width_px - right, settings.height_px - kFooterHeight});
+  return area;
+}
+
+/// Lines on the bed at multiples of the spacing, round the part.
+void drawGrid(Canvas& canvas, const Projection& projection, const Box3& box) {
+  const double spacing = box.size().maxCoeff() > 300.0 ? 50.0 : 10.0;
+  const Point2 low = (box.low.head<2>() / spacing).array().floor() * spacing;
+  const Point2 high = (box.high.head<2>() / spacing).array().ceil() * spacing;
+  const auto draw = [&](double x0, double y0, double x1, double y1) {
+    canvas.line({projection({x0, y0, box.low.z()}), projection({x1, y1, box.low.z()})}, {kGrid, 1.0});
+  };
+  for (double x = low.x(); x < high.x() + 0.5 * spacing; x += spacing) draw(x, low.y(), x, high.y());
+  for (double y = low.y(); y < high.y() + 0.5 * spacing; y += spacing) draw(low.x(), y, high.x(), y);
+}
+
+/// What the part and the grid beneath it cover in the picture's plane.
+Box2 seenBox(const Projection& projection, const Box3& box) {
+  const double spacing = box.size().maxCoeff() > 300.0 ? 50.0 : 10.0;
+  const Point2 low = (box.low.head<2>() / spacing).array().floor() * spacing;
+  const Point2 high = (box.high.head<2>() / spacing).array().ceil() * spacing;
+  Box2 seen;
+  for (int corner = 0; corner < 8; ++corner)
+    seen.include(projection({(corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
+                             (corner & 4) != 0 ? box.high.z() : box.low.z()}));
+  return seen;
+}
+
+void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
+                PictureColour colouring) {
+  const double height = std::max(1e-9, box.size().z());
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    const Colour of_height = colourAt(ColourMap::Sequential, (layer.z_mm - box.low.z()) / height);
+    for (const PathRole role : kDrawingOrder)
+      for (const Path& path : layer.paths)
+        if (path.role == role)
+          drawBeads(canvas, projection, path, colouring == PictureColour::Role ? roleColour(role) : of_height);
+  }
+}
+
+void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box, const ToolpathPictureSettings& settings) {
+  const double base = settings.height_px - 30.0;
+  drawScaleBar(canvas, {kMargin, base});
+  if (settings.colour == PictureColour::Role) {
+    drawLegend(canvas, {kMargin + 270.0, base + 4.0}, rolesOf(toolpath));
+    return;
+  }
+  Box2 bar;
+  bar.include({settings.width_px - kBarWidth, kTitleHeight + 60.0});
+  bar.include({settings.width_px - kBarWidth + 22.0, settings.height_px - kFooterHeight - 60.0});
+  drawColourBar(canvas, bar, {ColourMap::Sequential, 0.0, box.size().z(), "height [mm]"});
+}
+
+Box3 requireDeposition(const Toolpath& toolpath) {
+  const Box3 box = depositionBox(toolpath);
+  if (box.isEmpty()) throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
+  return box;
+}
+
+std::string titleOf(const Toolpath& toolpath) { return toolpath.part_name.empty() ? "part" : toolpath.part_name; }
+
+}  // namespace
+
+Colour roleColour(PathRole role) {
+  switch (role) {
+    case PathRole::Skirt: return {0.62, 0.64, 0.67};
+    case PathRole::OuterWall: return {0.93, 0.49, 0.16};
+    case PathRole::InnerWall: return {0.98, 0.78, 0.32};
+    case PathRole::Infill: return {0.27, 0.56, 0.78};
+    case PathRole::GapFill: return {0.70, 0.38, 0.68};
+    case PathRole::Travel: return kTravel;
+  }
+  return kTravel;
+}
+
+void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings, const std::string& png_path) {
+  Box3 box = requireDeposition(toolpath);
+  box.low.z() -= toolpath.layers.front().height_mm;
+  const Projection projection(settings.view);
+  Canvas canvas(settings.width_px, settings.height_px);
+  canvas.show(seenBox(projection, box), drawingArea(settings));
+  drawGrid(canvas, projection, box);
+  drawLayers(canvas, projection, toolpath, box, settings.colour);
+
+  const ToolpathTotals sums = totals(toolpath);
+  drawTitle(canvas, titleOf(toolpath),
+            formatted("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
+                      sums.layers, box.size().x(), box.size().y(), box.size().z(), sums.deposition_mm / 1e3,
+                      sums.deposited_mm3 / 1e3, sums.travel_mm / 1e3));
+  drawKey(canvas, toolpath, box, settings);
+  canvas.writePng(png_path);
+}
+
+void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const ToolpathPictureSettings& settings,
+                       const std::string& png_path) {
+  if (layer >= toolpath.layers.size())
+    throw InvalidInput("layer " + std::to_string(layer) + " of '" + toolpath.part_name + "' does not exist; it has " +
+                       std::to_string(toolpath.layers.size()) + " layers, the first is 0");
+  Toolpath alone;
+  alone.part_name = toolpath.part_name;
+  alone.layers.push_back(toolpath.layers[layer]);
+  const ToolpathLayer& drawn = alone.layers.front();
+  const Box3 box = requireDeposition(alone);
+
+  ToolpathPictureSettings flat = settings;
+  flat.colour = PictureColour::Role;
+  Canvas canvas(flat.width_px, flat.height_px);
+  Box2 seen;
+  seen.include(box.low.head<2>() - Point2(1.0, 1.0));
+  seen.include(box.high.head<2>() + Point2(1.0, 1.0));
+  canvas.show(seen, drawingArea(flat));
+  for (const Path& path : drawn.paths)
+    if (path.role != PathRole::Travel) drawFlatBeads(canvas, path, roleColour(path.role));
+  for (const Path& path : drawn.paths) {
+    if (path.role == PathRole::Travel) {
+      std::vector<Point2> points;
+      for (const Point3& point : path.points) points.emplace_back(point.head<2>());
+      canvas.line(points, {kTravel, 1.3, 6.0});
+    } else {
+      canvas.dot(path.firstPoint().head<2>(), 3.0, kStart);
+    }
+  }
+
+  const ToolpathTotals sums = totals(alone);
+  drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer),
+            formatted("top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel",
+                      drawn.z_mm, drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3,
+                      sums.travel_mm / 1e3));
+  const double base = flat.height_px - 30.0;
+  drawScaleBar(canvas, {kMargin, base});
+  std::vector<LegendEntry> entries = rolesOf(alone);
+  entries.push_back({"travel", {kTravel.red, kTravel.green, kTravel.blue}});
+  entries.push_back({"path start", kStart});
+  drawLegend(canvas, {kMargin + 270.0, base + 4.0}, entries);
+  canvas.writePng(png_path);
+}
+
+}  // namespace lamina
