@@ -23,6 +23,7 @@ int runCommandLine(int argc, char** argv) {
   addEmulate(app, chosen);
   addInfo(app, chosen);
   addPart(app, chosen);
+  addPreview(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);
   try {

@@ -29,12 +29,14 @@ struct PreviewArguments {
 };
 
 bool endsWith(const std::string& text, const std::string& suffix) {
-  return text.size() >= suffix.size() && text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+  return text.size() >= suffix.size() &&
+         text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
 Toolpath toolpathOf(const PreviewArguments& arguments) {
   std::vector<SettingText> overrides;
-  for (const std::string& assignment : arguments.settings) overrides.push_back(settingFromAssignment(assignment));
+  for (const std::string& assignment : arguments.settings)
+    overrides.push_back(settingFromAssignment(assignment));
   const JobSettings settings = loadJobSettings(arguments.config, overrides);
   const std::string& input = arguments.input;
   if (endsWith(input, ".gcode")) return toolpathFromGcodeFile(input, settings.program);
@@ -46,7 +48,8 @@ Toolpath toolpathOf(const PreviewArguments& arguments) {
 void print(const Toolpath& toolpath, const PreviewArguments& arguments, OutputFormat format) {
   const ToolpathTotals sums = totals(toolpath);
   if (format == OutputFormat::Text) {
-    std::printf("%zu layers, %zu waypoints; written to %s\n", sums.layers, sums.waypoints, arguments.output.c_str());
+    std::printf("%zu layers, %zu waypoints; written to %s\n", sums.layers, sums.waypoints,
+                arguments.output.c_str());
     return;
   }
   const nlohmann::ordered_json json = {{"layers", sums.layers},
@@ -78,7 +81,9 @@ void preview(const PreviewArguments& arguments, OutputFormat format) {
 void addPreview(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("preview", "Draw a program, a toolpath or a sliced part");
   const auto arguments = std::make_shared<PreviewArguments>();
-  subcommand->add_option("input", arguments->input, "Program (.gcode), toolpath (.csv), mesh file or name of a part")
+  subcommand
+      ->add_option("input", arguments->input,
+                   "Program (.gcode), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
   subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0");

@@ -25,6 +25,7 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
+void addPreview(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 

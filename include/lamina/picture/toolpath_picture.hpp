@@ -26,10 +26,11 @@ struct ToolpathPictureSettings {
 /// The colour of a role in all pictures.
 Colour roleColour(PathRole role);
 
-/// Draws all that is deposited, with title, scale bar and legend, over a grid of 10 mm (50 mm for parts above 300 mm).
-/// Beads are as wide as they are; what lies beneath others is hidden by them.
+/// Draws all that is deposited, with title, scale bar and legend, over a grid of 10 mm (50 mm for parts above
+/// 300 mm). Beads are as wide as they are; what lies beneath others is hidden by them.
 /// @throws InvalidInput if nothing is deposited, or the size is out of bounds; FileError
-void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings, const std::string& png_path);
+void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings,
+                  const std::string& png_path);
 
 /// Draws one layer from above: beads at their true width, travels as thin dashed lines, path starts as dots.
 /// @throws InvalidInput if there is no such layer, or it has no path; FileError

@@ -91,11 +91,13 @@ void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& to
     for (const PathRole role : kDrawingOrder)
       for (const Path& path : layer.paths)
         if (path.role == role)
-          drawBeads(canvas, projection, path, colouring == PictureColour::Role ? roleColour(role) : of_height);
+          drawBeads(canvas, projection, path,
+                    colouring == PictureColour::Role ? roleColour(role) : of_height);
   }
 }
 
-void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box, const ToolpathPictureSettings& settings) {
+void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box,
+             const ToolpathPictureSettings& settings) {
   const double base = settings.height_px - 30.0;
   drawScaleBar(canvas, {kMargin, base});
   if (settings.colour == PictureColour::Role) {
@@ -110,27 +112,37 @@ void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box, const To
 
 Box3 requireDeposition(const Toolpath& toolpath) {
   const Box3 box = depositionBox(toolpath);
-  if (box.isEmpty()) throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
+  if (box.isEmpty())
+    throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
   return box;
 }
 
-std::string titleOf(const Toolpath& toolpath) { return toolpath.part_name.empty() ? "part" : toolpath.part_name; }
+std::string titleOf(const Toolpath& toolpath) {
+  return toolpath.part_name.empty() ? "part" : toolpath.part_name;
+}
 
 }  // namespace
 
 Colour roleColour(PathRole role) {
   switch (role) {
-    case PathRole::Skirt: return {0.62, 0.64, 0.67};
-    case PathRole::OuterWall: return {0.93, 0.49, 0.16};
-    case PathRole::InnerWall: return {0.98, 0.78, 0.32};
-    case PathRole::Infill: return {0.27, 0.56, 0.78};
-    case PathRole::GapFill: return {0.70, 0.38, 0.68};
-    case PathRole::Travel: return kTravel;
+    case PathRole::Skirt:
+      return {0.62, 0.64, 0.67};
+    case PathRole::OuterWall:
+      return {0.93, 0.49, 0.16};
+    case PathRole::InnerWall:
+      return {0.98, 0.78, 0.32};
+    case PathRole::Infill:
+      return {0.27, 0.56, 0.78};
+    case PathRole::GapFill:
+      return {0.70, 0.38, 0.68};
+    case PathRole::Travel:
+      return kTravel;
   }
   return kTravel;
 }
 
-void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings, const std::string& png_path) {
+void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings,
+                  const std::string& png_path) {
   Box3 box = requireDeposition(toolpath);
   box.low.z() -= toolpath.layers.front().height_mm;
   const Projection projection(settings.view);
@@ -140,10 +152,11 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   drawLayers(canvas, projection, toolpath, box, settings.colour);
 
   const ToolpathTotals sums = totals(toolpath);
-  drawTitle(canvas, titleOf(toolpath),
-            formatted("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
-                      sums.layers, box.size().x(), box.size().y(), box.size().z(), sums.deposition_mm / 1e3,
-                      sums.deposited_mm3 / 1e3, sums.travel_mm / 1e3));
+  drawTitle(
+      canvas, titleOf(toolpath),
+      formatted("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
+                sums.layers, box.size().x(), box.size().y(), box.size().z(), sums.deposition_mm / 1e3,
+                sums.deposited_mm3 / 1e3, sums.travel_mm / 1e3));
   drawKey(canvas, toolpath, box, settings);
   canvas.writePng(png_path);
 }
@@ -151,8 +164,9 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const ToolpathPictureSettings& settings,
                        const std::string& png_path) {
   if (layer >= toolpath.layers.size())
-    throw InvalidInput("layer " + std::to_string(layer) + " of '" + toolpath.part_name + "' does not exist; it has " +
-                       std::to_string(toolpath.layers.size()) + " layers, the first is 0");
+    throw InvalidInput("layer " + std::to_string(layer) + " of '" + toolpath.part_name +
+                       "' does not exist; it has " + std::to_string(toolpath.layers.size()) +
+                       " layers, the first is 0");
   Toolpath alone;
   alone.part_name = toolpath.part_name;
   alone.layers.push_back(toolpath.layers[layer]);
