@@ -18,6 +18,7 @@ inline constexpr char kProfile[] = "profile";           ///< sensor_msgs/PointCl
 inline constexpr char kDeposited[] = "deposited";       ///< sensor_msgs/PointCloud2 of the deposited material
 inline constexpr char kLayerHeight[] = "layer_height";  ///< lamina/LayerHeight
 inline constexpr char kHeightMap[] = "height_map";      ///< sensor_msgs/PointCloud2 of measured heights
+inline constexpr char kHeightOctomap[] = "height_octomap";  ///< octomap_msgs/Octomap, if that is installed
 inline constexpr char kHeightDeviation[] =
     "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected
 

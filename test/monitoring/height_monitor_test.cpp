@@ -98,6 +98,24 @@ TEST(HeightMonitor, ALayerIsFinalWhenTheNozzleLeavesItsScanHeight) {
   EXPECT_FALSE(monitor.finish().has_value());
 }
 
+TEST(HeightMonitor, AFinishedScanStaysFinished) {
+  HeightMonitor monitor = onePlate();
+  scan(monitor, [](const Point2&) { return 0.2; });
+  EXPECT_GT(monitor.cellsInScan(), 0u);
+  EXPECT_TRUE(monitor.finish().has_value());
+  scan(monitor, [](const Point2&) { return 0.5; });
+  EXPECT_EQ(monitor.cellsInScan(), 0u);
+  EXPECT_FALSE(monitor.finish().has_value());
+}
+
+TEST(HeightMonitor, FromOneScanStraightIntoTheNextBothAreReported) {
+  HeightMonitor monitor(scannedPlates({kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
+  scan(
+      monitor, [](const Point2&) { return 0.2; }, 1.3);
+  EXPECT_EQ(monitor.insert({{10, 10, 0.4}}, 1.5)->layer, 0u);
+  EXPECT_EQ(monitor.finish()->layer, 1u);
+}
+
 TEST(HeightMonitor, OtherProfilesEnterTheMapAlone) {
   HeightMonitor monitor = onePlate();
   scan(

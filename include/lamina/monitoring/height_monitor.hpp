@@ -56,12 +56,18 @@ class HeightMonitor {
   const HeightMap& deviation() const { return deviation_; }
   const Toolpath& toolpath() const { return toolpath_; }
 
+  /// Cells seen in the scan under way; 0 if there is none. A scan that sees no further ones has come to its
+  /// end.
+  std::size_t cellsInScan() const { return cells_in_scan_; }
+
   std::size_t profilesOfLayers() const { return profiles_of_layers_; }
   std::size_t otherProfiles() const { return other_profiles_; }
   std::size_t pointsOutside() const { return points_outside_; }
 
  private:
   void begin(std::size_t layer);
+  std::optional<LayerHeightReport> close();
+  void fuse(const std::vector<Point3>& points);
 
   Toolpath toolpath_;
   Eigen::Isometry3d bed_from_part_;
@@ -71,6 +77,7 @@ class HeightMonitor {
   HeightMap deviation_;
   std::size_t layers_expected_ = 0;  ///< added to the expected surface
   std::optional<std::size_t> scanned_;
+  std::size_t cells_in_scan_ = 0;
   std::size_t profiles_of_layers_ = 0;
   std::size_t other_profiles_ = 0;
   std::size_t points_outside_ = 0;

@@ -25,6 +25,9 @@ class LayerClock {
   /// them, scans nothing. A layer whose scan height the nozzle has left is done with.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
+  /// Takes the layer being scanned, if one is, to be done with, though the nozzle may still be at its height.
+  void finish();
+
  private:
   struct Mark {
     double height_mm;

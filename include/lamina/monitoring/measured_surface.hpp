@@ -24,7 +24,8 @@ class MeasuredSurface {
   /// Ends the pass and begins the next.
   void beginPass() { ++pass_; }
 
-  enum class Fused { Inside, Outside };
+  /// Whether a point was the first of its cell in this pass, a further one, or beyond the grid.
+  enum class Fused { First, Further, Outside };
 
   /// @param point [mm, bed frame]; one that is beyond the grid or not finite changes nothing and is Outside
   Fused insert(const Point3& point) {
@@ -33,8 +34,7 @@ class MeasuredSurface {
     Cell& cell = cells_[index];
     if (cell.pass != pass_) cell = {0.0, pass_, 0};
     cell.sum += point.z();
-    ++cell.points;
-    return Fused::Inside;
+    return ++cell.points == 1 ? Fused::First : Fused::Further;
   }
 
   /// Height of a cell [mm]; unknown if it was never seen.

@@ -38,13 +38,22 @@ std::optional<LayerHeightReport> HeightMonitor::insert(const std::vector<Point3>
   const auto layer = nozzle_height ? clock_.observe(*nozzle_height) : std::nullopt;
   std::optional<LayerHeightReport> report;
   if (layer != scanned_) {
-    report = finish();
+    report = close();
     if (layer) begin(*layer);
   }
   ++(layer ? profiles_of_layers_ : other_profiles_);
-  for (const Point3& point : points)
-    if (measured_.insert(point) == MeasuredSurface::Fused::Outside) ++points_outside_;
+  fuse(points);
   return report;
+}
+
+void HeightMonitor::fuse(const std::vector<Point3>& points) {
+  std::size_t first = 0;
+  for (const Point3& point : points) {
+    const MeasuredSurface::Fused fused = measured_.insert(point);
+    first += fused == MeasuredSurface::Fused::First ? 1 : 0;
+    points_outside_ += fused == MeasuredSurface::Fused::Outside ? 1 : 0;
+  }
+  if (scanned_) cells_in_scan_ += first;
 }
 
 void HeightMonitor::begin(std::size_t layer) {
@@ -54,6 +63,11 @@ void HeightMonitor::begin(std::size_t layer) {
 }
 
 std::optional<LayerHeightReport> HeightMonitor::finish() {
+  clock_.finish();
+  return close();
+}
+
+std::optional<LayerHeightReport> HeightMonitor::close() {
   if (!scanned_) return std::nullopt;
   LayerHeightReport report;
   report.layer = *scanned_;
@@ -62,6 +76,7 @@ std::optional<LayerHeightReport> HeightMonitor::finish() {
   report.statistics = comparison.statistics;
   deviation_ = std::move(comparison.deviation);
   scanned_.reset();
+  cells_in_scan_ = 0;
   measured_.beginPass();
   return report;
 }

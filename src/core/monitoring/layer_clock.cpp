@@ -32,11 +32,16 @@ LayerClock::LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fr
 
 std::optional<std::size_t> LayerClock::observe(double nozzle_height_mm) {
   notePrinting(nozzle_height_mm);
-  auto layer = layerAt(scans_, nozzle_height_mm);
-  if (layer && !isDue(*layer)) layer.reset();
-  if (scanned_ && layer != scanned_) first_open_ = std::max(first_open_, *scanned_ + 1);
-  scanned_ = layer;
+  const auto layer = layerAt(scans_, nozzle_height_mm);
+  if (layer == scanned_) return scanned_;
+  finish();
+  if (layer && isDue(*layer)) scanned_ = layer;
   return scanned_;
+}
+
+void LayerClock::finish() {
+  if (scanned_) first_open_ = std::max(first_open_, *scanned_ + 1);
+  scanned_.reset();
 }
 
 void LayerClock::notePrinting(double nozzle_height_mm) {

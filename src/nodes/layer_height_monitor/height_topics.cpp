@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_topics.hpp"
+
+#include "conversions.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "point_cloud.hpp"
+
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+#include <octomap/OcTree.h>
+#include <octomap_msgs/conversions.h>
+
+#include "lamina/monitoring/octree_export.hpp"
+#endif
+
+namespace lamina {
+namespace {
+
+template <class Message>
+void publishOnBed(const ros::Publisher& publisher, Message message) {
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kBedFrame;
+  publisher.publish(message);
+}
+
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+ros::Publisher advertiseOctomap(ros::NodeHandle& node) {
+  return node.advertise<octomap_msgs::Octomap>(names::kHeightOctomap, 1, true);
+}
+
+void publishOctomap(const ros::Publisher& publisher, const HeightMap& heights) {
+  octomap_msgs::Octomap message;
+  if (octomap_msgs::binaryMapToMsg(*octreeOf(heights, kMetresPerMillimetre), message))
+    publishOnBed(publisher, message);
+}
+#else
+ros::Publisher advertiseOctomap(ros::NodeHandle&) { return {}; }
+void publishOctomap(const ros::Publisher&, const HeightMap&) {}
+#endif
+
+}  // namespace
+
+HeightTopics::HeightTopics(ros::NodeHandle node)
+    : layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, 1000, true)),
+      height_map_(node.advertise<sensor_msgs::PointCloud2>(names::kHeightMap, 1, true)),
+      deviation_(node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true)),
+      octomap_(advertiseOctomap(node)) {}
+
+void HeightTopics::publish(const LayerHeightReport& report, const std::string& toolpath_id) {
+  lamina_msgs::LayerHeight message;
+  message.toolpath_id = toolpath_id;
+  message.layer = static_cast<std::uint32_t>(report.layer);
+  message.expected_height = toMetres(report.expected_height_mm);
+  message.mean_error = toMetres(report.statistics.mean_mm);
+  message.rms_error = toMetres(report.statistics.rms_mm);
+  message.worst_error = toMetres(report.statistics.worst_mm);
+  message.coverage = report.statistics.coverage;
+  message.cells = static_cast<std::uint32_t>(report.statistics.cells);
+  publishOnBed(layer_height_, message);
+}
+
+void HeightTopics::publishMaps(const HeightMonitor& monitor) {
+  const bool wants_octomap = octomap_ && octomap_.getNumSubscribers() > 0;
+  if (height_map_.getNumSubscribers() > 0 || wants_octomap) {
+    const HeightMap heights = monitor.measured().heights();
+    publishOnBed(height_map_, toCloudMessage(heights, monitor.deviation()));
+    if (wants_octomap) publishOctomap(octomap_, heights);
+  }
+  if (deviation_.getNumSubscribers() > 0) publishOnBed(deviation_, toImageMessage(monitor.deviation()));
+}
+
+}  // namespace lamina

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "height_topics.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/base/settings.hpp"
+#include "lamina/monitoring/height_monitor.hpp"
+#include "messages.hpp"
+#include "profile_intake.hpp"
+
+namespace lamina {
+
+struct LayerHeightMonitorSettings {
+  MonitorSettings monitor;
+  std::string output_folder;  ///< empty: nothing is saved
+  double quiet_s = 2.0;  ///< a scan that shows nothing new of its layer for that long is over, in real time
+  double map_period_s = 1.0;  ///< between publications of the maps, in real time
+  int queue = 20000;          ///< clouds
+};
+
+void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings);
+
+/// Compares what profiles show with what the toolpath should have given.
+///
+/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one starts new maps), tf
+/// Publishes   layer_height, height_map, height_deviation (see HeightTopics), /diagnostics
+/// Services    save_height_map (std_srvs/Trigger)
+/// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
+class LayerHeightMonitor {
+ public:
+  LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMonitorSettings& settings);
+  /// Saves what was measured.
+  ~LayerHeightMonitor();
+
+ private:
+  void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
+  void onProfile(const PlacedProfile& profile);
+  void onTimer();
+  bool onSave(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  void report(const LayerHeightReport& layer);
+  bool isScanOver(double now);
+  void save();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  LayerHeightMonitorSettings settings_;
+  SteadyClock clock_;
+  HeightTopics topics_;
+  std::unique_ptr<HeightMonitor> monitor_;  ///< empty before the first toolpath
+  std::string toolpath_id_;
+  std::string toolpath_fault_;  ///< why the last toolpath could not be used
+  std::vector<LayerHeightReport> layers_;
+  std::uint64_t profiles_without_toolpath_ = 0;
+  std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
+  double last_news_s_ = 0.0;
+  double last_maps_s_ = 0.0;
+  bool maps_changed_ = false;
+  bool is_saved_ = true;
+  ProfileIntake intake_;
+  diagnostic_updater::Updater diagnostics_;
+  ros::Subscriber toolpath_;
+  ros::ServiceServer save_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace lamina

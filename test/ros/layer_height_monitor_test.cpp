@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <filesystem>
+#include <map>
+
+#include "plate_scan.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kFirstOffset = 0.031;    // mm by which the first plate is too high
+constexpr double kSecondOffset = -0.017;  // mm
+const char* const kFolder = "/tmp/lamina_rostest_layer_height_monitor";
+
+/// Publishes two scans around some bad clouds, once for all tests, and gathers what the node answers.
+class LayerHeightMonitorNode : public ::testing::Test {
+ protected:
+  struct Publishers {
+    ros::Publisher toolpath, profile, transforms, fixed_transforms;
+  };
+
+  static void SetUpTestSuite() {
+    std::filesystem::remove_all(kFolder);
+    node_ = new ros::NodeHandle;
+    listen();
+    const Publishers to = {node_->advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true),
+                           node_->advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000),
+                           node_->advertise<tf2_msgs::TFMessage>("/tf", 1000),
+                           node_->advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)};
+    for (const auto& publisher : {to.toolpath, to.profile, to.transforms})
+      await([&] { return publisher.getNumSubscribers() > 0; });
+    to.toolpath.publish(test::twoPlates());
+    ros::Duration(0.5).sleep();
+    sendAll(to);
+    await([] { return layers_.size() == 2 && !image_.data.empty() && cloud_.width > 0; });
+    await([] { return counted("clouds malformed") == "1" && counted("clouds waiting") == "1"; });
+  }
+
+  static void listen() {
+    static std::vector<ros::Subscriber> subscribers;
+    const boost::function<void(const lamina_msgs::LayerHeightConstPtr&)> onLayer = [](const auto& layer) {
+      layers_.push_back(*layer);
+    };
+    const boost::function<void(const sensor_msgs::ImageConstPtr&)> onImage = [](const auto& image) {
+      image_ = *image;
+    };
+    const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> onCloud = [](const auto& cloud) {
+      cloud_ = *cloud;
+    };
+    const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> onDiagnostics =
+        [](const auto& array) {
+          for (const auto& status : array->status)
+            for (const auto& value : status.values) diagnostics_[value.key] = value.value;
+        };
+    subscribers = {node_->subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 10, onLayer),
+                   node_->subscribe<sensor_msgs::Image>(names::kHeightDeviation, 1, onImage),
+                   node_->subscribe<sensor_msgs::PointCloud2>(names::kHeightMap, 1, onCloud),
+                   node_->subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10, onDiagnostics)};
+  }
+
+  static void sendAll(const Publishers& to) {
+    tf2_msgs::TFMessage fixed;
+    fixed.transforms = {
+        test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, ros::Time::now())};
+    to.fixed_transforms.publish(fixed);
+    test::PlateScan scan;
+    scan.start = ros::Time::now();
+    scan.surface = [](const Point2&) { return 0.2 + kFirstOffset; };
+    send(to, scan);
+    sendBadClouds(to.profile, scan.start);
+    scan.start += ros::Duration(1.0);
+    scan.nozzle_height_mm = 1.5;
+    scan.surface = [](const Point2& at) { return at.x() < 10 ? NAN : 0.4 + kSecondOffset; };
+    send(to, scan);
+  }
+
+  static void send(const Publishers& to, const test::PlateScan& scan) {
+    const test::ScanMessages messages = test::scanMessages(scan);
+    for (const auto& cloud : messages.clouds) to.profile.publish(cloud);
+    tf2_msgs::TFMessage moving;
+    moving.transforms = messages.transforms;
+    to.transforms.publish(moving);
+    ros::Duration(0.5).sleep();
+  }
+
+  static void sendBadClouds(const ros::Publisher& profile, const ros::Time& stamp) {
+    sensor_msgs::PointCloud2 cloud = toCloudMessage({Point3(1, 2, 3)});
+    cloud.header.stamp = stamp;
+    profile.publish(cloud);  // without a frame
+    cloud.header.frame_id = "nowhere";
+    profile.publish(cloud);
+    cloud.header.frame_id = names::kSensorFrame;
+    cloud.fields.pop_back();
+    profile.publish(cloud);  // without z
+  }
+
+  template <class Condition>
+  static void await(const Condition& condition) {
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
+    while (!condition() && ros::WallTime::now() < end) {
+      ros::spinOnce();
+      ros::WallDuration(0.02).sleep();
+    }
+  }
+
+  static std::string counted(const std::string& key) { return diagnostics_[key]; }
+
+  static ros::NodeHandle* node_;
+  static std::vector<lamina_msgs::LayerHeight> layers_;
+  static sensor_msgs::Image image_;
+  static sensor_msgs::PointCloud2 cloud_;
+  static std::map<std::string, std::string> diagnostics_;
+};
+
+ros::NodeHandle* LayerHeightMonitorNode::node_ = nullptr;
+std::vector<lamina_msgs::LayerHeight> LayerHeightMonitorNode::layers_;
+sensor_msgs::Image LayerHeightMonitorNode::image_;
+sensor_msgs::PointCloud2 LayerHeightMonitorNode::cloud_;
+std::map<std::string, std::string> LayerHeightMonitorNode::diagnostics_;
+
+TEST_F(LayerHeightMonitorNode, ReportsTheKnownOffsetOfEachLayer) {
+  ASSERT_EQ(layers_.size(), 2u);
+  EXPECT_EQ(layers_[0].layer, 0u);
+  EXPECT_EQ(layers_[1].layer, 1u);
+  EXPECT_EQ(layers_[0].toolpath_id, test::twoPlates().id);
+  // Single precision of metres at a distance of 60 mm.
+  EXPECT_NEAR(toMillimetres(layers_[0].expected_height), 0.2, 1e-9);
+  EXPECT_NEAR(toMillimetres(layers_[0].mean_error), kFirstOffset, 1e-5);
+  EXPECT_NEAR(toMillimetres(layers_[0].worst_error), kFirstOffset, 1e-4);
+  EXPECT_DOUBLE_EQ(layers_[0].coverage, 1.0);
+  EXPECT_NEAR(toMillimetres(layers_[1].mean_error), kSecondOffset, 1e-5);
+}
+
+TEST_F(LayerHeightMonitorNode, AnUnseenQuarterLowersTheCoverage) {
+  ASSERT_EQ(layers_.size(), 2u);
+  EXPECT_NEAR(layers_[1].coverage, 0.75, 0.01);
+}
+
+TEST_F(LayerHeightMonitorNode, CountsBadCloudsAndLivesOn) {
+  EXPECT_EQ(counted("clouds without frame"), "1");
+  EXPECT_EQ(counted("clouds malformed"), "1");
+  EXPECT_EQ(counted("clouds waiting"), "1");  // for a frame nobody knows
+  EXPECT_EQ(counted("clouds lost on the way"), "0");
+  EXPECT_EQ(counted("clouds without transform"), "0");
+  EXPECT_GT(std::stoul(counted("points not finite")), 1000u);
+}
+
+TEST_F(LayerHeightMonitorNode, PublishesTheMaps) {
+  EXPECT_EQ(cloud_.header.frame_id, names::kBedFrame);
+  EXPECT_EQ(cloud_.fields.back().name, "deviation");
+  EXPECT_GT(cloud_.width, 15000u);
+  EXPECT_EQ(image_.encoding, "32FC1");
+  EXPECT_EQ(image_.width, 256u);  // 19.6 mm between the outermost centre lines and 3 mm on either side
+}
+
+TEST_F(LayerHeightMonitorNode, SavesItsFilesOnRequest) {
+  std_srvs::Trigger request;
+  ASSERT_TRUE(ros::service::call(names::kSaveHeightMap, request));
+  EXPECT_TRUE(request.response.success) << request.response.message;
+  for (const char* name : {"height_map.png", "deviation.png", "height_map.bt", "layer_heights.csv"})
+    EXPECT_TRUE(std::filesystem::exists(std::string(kFolder) + "/" + name)) << name;
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "layer_height_monitor_test");
+  return RUN_ALL_TESTS();
+}
