@@ -78,7 +78,7 @@ TEST(ExpectedSurface, StandsWhereThePartStandsOnTheBed) {
 }
 
 TEST(CellsNearSegment, AreThoseWhoseCentresAreWithinReach) {
-  rc::check("for any segment, also beyond the grid", [](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("for any segment, also beyond the grid", [](std::uint64_t seed) {
     Random random(seed);
     const HeightGrid grid = heightGrid({Point2(-3, 2), Point2(17, 12)}, 0.5);
     const Point2 start(random.uniform(-10, 25), random.uniform(-5, 20));
@@ -95,7 +95,7 @@ TEST(CellsNearSegment, AreThoseWhoseCentresAreWithinReach) {
       const double distance = (from - at * along).norm();
       RC_ASSERT(std::abs(distance - reach) < 1e-9 || (distance < reach) == (near.count(cell) == 1));
     }
-  });
+  }));
 }
 
 }  // namespace

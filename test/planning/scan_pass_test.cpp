@@ -123,7 +123,7 @@ bool isSeen(const ToolpathLayer& layer, const ScanSensor& sensor, const Point2& 
 }
 
 TEST(ScanPass, TheLinePassesOverTheWholeBox) {
-  rc::check("for any box, sensor and swath", [](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("for any box, sensor and swath", [](std::uint64_t seed) {
     Random random(seed);
     const Point2 low(random.uniform(-50, 50), random.uniform(-50, 50));
     const Point2 high = low + Point2(random.uniform(0.1, 120), random.uniform(0.1, 120));
@@ -135,7 +135,7 @@ TEST(ScanPass, TheLinePassesOverTheWholeBox) {
       RC_ASSERT(isSeen(scanned.layers[0], sensor, point));
       RC_ASSERT(isSeen(scanned.layers[1], sensor, point));
     }
-  });
+  }));
 }
 
 }  // namespace

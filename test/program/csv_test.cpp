@@ -85,7 +85,7 @@ TEST(Csv, WritesOneRowForEachMotionTarget) {
 }
 
 TEST(Csv, ReadsBackWhatWasWritten) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = randomToolpath(seed);
     const Toolpath back = readCsv(written(toolpath), "");
     RC_ASSERT(back.layers.size() == toolpath.layers.size());
@@ -94,7 +94,7 @@ TEST(Csv, ReadsBackWhatWasWritten) {
       const auto& b = back.layers[l].paths;
       RC_ASSERT(std::equal(a.begin(), a.end(), b.begin(), b.end(), areSame));
     }
-  });
+  }));
 }
 
 TEST(Csv, ReadsHeightAndThicknessOfALayer) {

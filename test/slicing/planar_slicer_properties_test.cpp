@@ -51,36 +51,36 @@ bool areSame(const std::vector<Section>& a, const std::vector<Section>& b) {
 }
 
 TEST(PlanarSlicerProperties, AClosedMeshGivesClosedContoursOnly) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     for (const Section& section : slice(randomStar(seed), middles(randomStar(seed), 37))) {
       RC_ASSERT(section.open_contours.empty());
       RC_ASSERT(!section.contours.empty());
       RC_ASSERT(signedArea(section.contours) > 0.0);
     }
-  });
+  }));
 }
 
 TEST(PlanarSlicerProperties, PlanesThroughVerticesGiveClosedContoursOnly) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Mesh mesh = randomStar(seed);
     std::vector<double> heights;
     for (const Point3& vertex : mesh.vertices) heights.push_back(vertex.z());
     std::sort(heights.begin(), heights.end());
     for (const Section& section : slice(mesh, heights)) RC_ASSERT(section.open_contours.empty());
-  });
+  }));
 }
 
 TEST(PlanarSlicerProperties, TheSumOfAreasConvergesToTheVolume) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Mesh mesh = randomStar(seed);
     // The midpoint rule on an area that is piecewise quadratic in z: the error falls with the square of the
     // layer height.
     RC_ASSERT(std::abs(slicedVolume(mesh, 4000) / volume(mesh) - 1.0) < 1e-4);
-  });
+  }));
 }
 
 TEST(PlanarSlicerProperties, WindingTellsMaterialFromHoles) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Mesh cavity = randomStar(seed);
     for (Point3& vertex : cavity.vertices) vertex *= 0.25;
     const Mesh hollow = test::joined(randomStar(seed), test::turnedInsideOut(cavity));
@@ -89,7 +89,7 @@ TEST(PlanarSlicerProperties, WindingTellsMaterialFromHoles) {
       const bool is_of_cavity = contour.front().norm() < 4.0;
       RC_ASSERT((signedArea(contour) < 0.0) == is_of_cavity);
     }
-  });
+  }));
 }
 
 TEST(PlanarSlicerProperties, ThreadsChangeNothing) {
@@ -103,7 +103,7 @@ TEST(PlanarSlicerProperties, ThreadsChangeNothing) {
 }
 
 TEST(PlanarSlicerProperties, RenumberingVerticesChangesNothing) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Mesh mesh = randomStar(seed);
     std::vector<std::uint32_t> order(mesh.vertices.size());
     std::iota(order.begin(), order.end(), 0U);
@@ -113,11 +113,11 @@ TEST(PlanarSlicerProperties, RenumberingVerticesChangesNothing) {
     for (std::size_t v = 0; v < order.size(); ++v) renumbered.vertices[order[v]] = mesh.vertices[v];
     for (Triangle& t : renumbered.triangles) t = {order[t[0]], order[t[1]], order[t[2]]};
     RC_ASSERT(areSame(slice(mesh, middles(mesh, 25)), slice(renumbered, middles(mesh, 25))));
-  });
+  }));
 }
 
 TEST(PlanarSlicerProperties, MovingTheMeshMovesTheContours) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Mesh mesh = randomStar(seed);
     // Coordinates on a grid of 2^-20 mm, so that adding a whole number rounds nothing.
     Mesh here = mesh;
@@ -130,7 +130,7 @@ TEST(PlanarSlicerProperties, MovingTheMeshMovesTheContours) {
       RC_ASSERT(a[i].contours.size() == b[i].contours.size());
       RC_ASSERT(std::abs(signedArea(a[i].contours) - signedArea(b[i].contours)) < 1e-9);
     }
-  });
+  }));
 }
 
 }  // namespace

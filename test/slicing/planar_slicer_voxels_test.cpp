@@ -81,11 +81,12 @@ std::vector<Section> slice(const Mesh& mesh, const std::vector<double>& heights)
 }
 
 TEST(PlanarSlicerVoxels, EveryHalfEdgeHasAnOpposite) {
-  rc::check([](std::uint64_t seed) { RC_ASSERT(!pairHalfEdges(Cubes(seed).surface()).has_border); });
+  EXPECT_TRUE(
+      rc::check([](std::uint64_t seed) { RC_ASSERT(!pairHalfEdges(Cubes(seed).surface()).has_border); }));
 }
 
 TEST(PlanarSlicerVoxels, AreasCountTheCubes) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Cubes cubes(seed);
     // Through the middles of the cubes, and through their faces, where what lies above counts.
     const auto sections = slice(cubes.surface(), {-0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0});
@@ -94,11 +95,11 @@ TEST(PlanarSlicerVoxels, AreasCountTheCubes) {
       RC_ASSERT(sections[i].open_contours.empty());
       RC_ASSERT(std::abs(signedArea(sections[i].contours) - cubes.countInLayer(layer)) < 1e-12);
     }
-  });
+  }));
 }
 
 TEST(PlanarSlicerVoxels, ContoursTouchWithoutCrossing) {
-  rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Cubes cubes(seed);
     const Section section = slice(cubes.surface(), {1.5}).front();
     for (const Polygon& contour : section.contours) {
@@ -112,7 +113,7 @@ TEST(PlanarSlicerVoxels, ContoursTouchWithoutCrossing) {
         RC_ASSERT(in.x() * out.y() - in.y() * out.x() > 0.0);
       }
     }
-  });
+  }));
 }
 
 }  // namespace
