@@ -28,6 +28,13 @@ TEST(Travel, BeyondTheThresholdGoesUpOverAndDownRetracted) {
   EXPECT_TRUE(travel->process.is_retracted);
 }
 
+TEST(Travel, OverInfillIsStraightAtAnyLength) {
+  const auto travel = makeTravel({0, 0, 1}, {50, 0, 1}, settings(), TravelOver::Infill);
+  ASSERT_TRUE(travel);
+  EXPECT_EQ(travel->points.size(), 2U);
+  EXPECT_FALSE(travel->process.is_retracted);
+}
+
 TEST(Travel, WithoutHopIsStraightThoughRetracted) {
   TravelSettings flat = settings();
   flat.hop_mm = 0.0;

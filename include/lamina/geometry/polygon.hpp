@@ -40,6 +40,9 @@ double length(const Polyline& line);
 
 Box2 boundingBox(const std::vector<Polygon>& polygons);
 
+/// Whether the point lies inside the outline by the even-odd rule; points on it may go either way.
+bool encloses(const Polygon& outline, const Point2& point);
+
 /// Whether the point lies in material by the even-odd rule; points on an outline may go either way.
 bool contains(const std::vector<Polygon>& polygons, const Point2& point);
 

@@ -19,17 +19,9 @@ struct Outline {
   double area;
 };
 
-bool encloses(const Outline& outline, const Point2& point) {
-  if ((point - outline.box.low).minCoeff() < 0.0 || (outline.box.high - point).minCoeff() < 0.0) return false;
-  bool is_inside = false;
-  const Polygon& points = *outline.points;
-  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
-    const Point2& a = points[j];
-    const Point2& b = points[i];
-    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y())) is_inside = !is_inside;
-  }
-  return is_inside;
+bool isInside(const Outline& outline, const Point2& point) {
+  return (point - outline.box.low).minCoeff() >= 0.0 && (outline.box.high - point).minCoeff() >= 0.0 &&
+         encloses(*outline.points, point);
 }
 
 /// What lies round an outline: how often it is wound round, and the smallest that does.
@@ -41,7 +33,7 @@ struct Surroundings {
 Surroundings surroundingsOf(std::size_t of, const std::vector<Outline>& all) {
   Surroundings result;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i == of || !encloses(all[i], all[of].points->front())) continue;
+    if (i == of || !isInside(all[i], all[of].points->front())) continue;
     result.winding += all[i].area > 0.0 ? 1 : -1;
     if (result.parent == kNone || std::abs(all[i].area) < std::abs(all[result.parent].area))
       result.parent = i;

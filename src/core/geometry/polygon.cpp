@@ -50,11 +50,16 @@ Box2 boundingBox(const std::vector<Polygon>& polygons) {
   return box;
 }
 
+bool encloses(const Polygon& outline, const Point2& point) {
+  bool is_inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
+    if (crossesRayFrom(point, outline[j], outline[i])) is_inside = !is_inside;
+  return is_inside;
+}
+
 bool contains(const std::vector<Polygon>& polygons, const Point2& point) {
   bool is_inside = false;
-  for (const Polygon& polygon : polygons)
-    for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
-      if (crossesRayFrom(point, polygon[j], polygon[i])) is_inside = !is_inside;
+  for (const Polygon& polygon : polygons) is_inside = is_inside != encloses(polygon, point);
   return is_inside;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/inside.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
 #include "planning/ordering.hpp"
@@ -96,28 +97,29 @@ class LayerPlanner {
     for (const OrderedRun& next : orderRuns(ends, nozzle_)) {
       FillPath& fill = fills[next.run];
       if (next.is_reversed) std::reverse(fill.points.begin(), fill.points.end());
-      addRun(fill.points, PathRole::Infill, fill.is_closed);
+      const bool is_inside = staysInside(area, nozzle_, fill.points.front());
+      addRun(fill, PathRole::Infill, is_inside ? TravelOver::Infill : TravelOver::Anything);
     }
   }
 
-  void addLoop(const Polygon& loop, PathRole role) { addRun(loop, role, true); }
+  void addLoop(Polygon loop, PathRole role) { addRun({std::move(loop), true}, role, TravelOver::Anything); }
 
-  void addRun(const std::vector<Point2>& points, PathRole role, bool is_closed) {
+  void addRun(const FillPath& run, PathRole role, TravelOver over) {
     Path path;
     path.role = role;
-    path.is_closed = is_closed;
-    path.points.reserve(points.size());
-    for (const Point2& point : points) path.points.emplace_back(point.x(), point.y(), top_);
+    path.is_closed = run.is_closed;
+    path.points.reserve(run.points.size());
+    for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), top_);
     path.bead = Bead{settings_.bead.width_mm, result_.height_mm};
     const double feed = feedOf(role, settings_.feed);
     path.feed_mm_s = index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed;
-    if (!result_.paths.empty()) addTravelTo(path.firstPoint());
+    if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
   }
 
-  void addTravelTo(const Point3& point) {
-    std::optional<Path> travel = makeTravel(result_.paths.back().lastPoint(), point, settings_.travel);
+  void addTravelTo(const Point3& point, TravelOver over) {
+    std::optional<Path> travel = makeTravel(result_.paths.back().lastPoint(), point, settings_.travel, over);
     if (travel) result_.paths.push_back(std::move(*travel));
   }
 

@@ -9,9 +9,17 @@
 
 namespace lamina {
 
-/// The motion without deposition from one point to another, none if they are the same. In the plane up to the
-/// threshold it is straight. Farther, it is retracted and goes up by the hop, over, and down. To another
-/// height it first goes to the greater of both, plus the hop if it is retracted.
-std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings);
+/// What lies under a travel.
+enum class TravelOver {
+  Anything,
+  Infill,  ///< nothing but the inside of the part, where threads do not show
+};
+
+/// The motion without deposition from one point to another, none if they are the same. In the plane it is
+/// straight up to the threshold, and at any length over infill. Otherwise it is retracted and goes up by the
+/// hop, over, and down. To another height it first goes to the greater of both, plus the hop if it is
+/// retracted.
+std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings,
+                               TravelOver over = TravelOver::Anything);
 
 }  // namespace lamina
