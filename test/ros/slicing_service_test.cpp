@@ -133,6 +133,10 @@ TEST_F(SlicingService, RefusesALayerHeightOfZero) {
                 "slicing.layer_height_mm is '0'");
 }
 
+TEST_F(SlicingService, RefusesAPartLargerThanTheMachine) {
+  expectRefused(call("box", {setting("input.scale", "100")}, precious()), Status::UNREACHABLE, "mm");
+}
+
 TEST_F(SlicingService, RefusesAnOutputItCannotWrite) {
   EXPECT_EQ(call("box", {}, "/nowhere/box.gcode").status.code, Status::FILE_ERROR + 0);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing_service.hpp"
 
-#include "conversions.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "ros_progress.hpp"
@@ -71,18 +70,19 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   describe(schema, job.settings);
   for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
   SlicedPart sliced = runSliceJob(job, progress);
+  MachineToolpath placed;
+  placed.id = toolpathId(sliced.toolpath);
+  placed.machine = job.settings.machine.name;
+  placed.bed_from_part = sliced.bed_from_part;
+  placed.toolpath = std::move(sliced.toolpath);
+  publish(placed);
   Answer answer;
-  answer.toolpath_id = toolpathId(sliced.toolpath);
+  answer.toolpath_id = placed.id;
   answer.summary = toMessage(sliced.summary);
-  publish(std::move(sliced), answer.toolpath_id);
   return answer;
 }
 
-void SlicingService::publish(SlicedPart sliced, const std::string& id) {
-  MachineToolpath placed;
-  placed.id = id;
-  placed.bed_from_part = sliced.bed_from_part;
-  placed.toolpath = std::move(sliced.toolpath);
+void SlicingService::publish(const MachineToolpath& placed) {
   lamina_msgs::Toolpath message = toMessage(placed);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kPartFrame;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "conversions.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "messages.hpp"
 
@@ -45,7 +46,7 @@ class SlicingService {
   void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
   Answer answer(const Request& request, Progress& progress);
   Answer slice(const Request& request, Progress& progress);
-  void publish(SlicedPart sliced, const std::string& id);
+  void publish(const MachineToolpath& placed);
 
   JobSettings settings_;
   std::mutex job_;
