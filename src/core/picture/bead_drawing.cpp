@@ -11,7 +11,7 @@ namespace {
 constexpr double kAzimuth = -32.0 * M_PI / 180.0;
 constexpr double kElevation = 30.0 * M_PI / 180.0;
 constexpr double kDarkest = 0.58;
-constexpr int kShades = 24;
+constexpr int kShades = 100;
 constexpr double kLeastStep = 0.6;  // px: finer detail cannot be seen
 
 /// Gathers the points of strokes that share colour and width.
@@ -67,6 +67,8 @@ double Projection::light(const Point3& direction) const {
 }
 
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
+  // Of a wall its side is seen, of a fill its top, which is lit the same in every direction.
+  const bool shows_side = path.role == PathRole::OuterWall || path.role == PathRole::InnerWall;
   StrokePen pen(canvas);
   Point3 start = path.firstPoint();
   Point2 from = canvas.toPixels(projection(start));
@@ -75,7 +77,8 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
     const Point2 to = canvas.toPixels(projection(path.points[end]));
     if ((to - from).norm() < kLeastStep && m + 1 < path.motionCount()) continue;
     const double width_px = std::max(1.2, projection.seenHeight(path.bead.at(end)) * canvas.pixelsPerMm());
-    pen.draw(from, to, {shaded(colour, projection.light(path.points[end] - start)), width_px});
+    const double light = shows_side ? projection.light(path.points[end] - start) : 0.9;
+    pen.draw(from, to, {shaded(colour, light), width_px});
     start = path.points[end];
     from = to;
   }

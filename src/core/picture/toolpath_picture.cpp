@@ -18,6 +18,7 @@ constexpr double kMargin = 40.0;        // px
 constexpr double kTitleHeight = 84.0;   // px
 constexpr double kFooterHeight = 72.0;  // px
 constexpr double kBarWidth = 130.0;     // px, of the colour bar with its values
+constexpr double kStripeHeight = 2.5;   // px
 constexpr Colour kGrid{0.86, 0.87, 0.89};
 constexpr Colour kTravel{0.35, 0.38, 0.45, 0.75};
 constexpr Colour kStart{0.10, 0.10, 0.12};
@@ -59,27 +60,39 @@ Box2 drawingArea(const ToolpathPictureSettings& settings) {
   return area;
 }
 
+double gridSpacing(const Box3& box) { return box.size().maxCoeff() > 300.0 ? 50.0 : 10.0; }
+
+/// The box's base, out to the next lines of the grid.
+Box2 gridBox(const Box3& box) {
+  const double spacing = gridSpacing(box);
+  return {(box.low.head<2>() / spacing).array().floor() * spacing,
+          (box.high.head<2>() / spacing).array().ceil() * spacing};
+}
+
 /// Lines on the bed at multiples of the spacing, round the part.
 void drawGrid(Canvas& canvas, const Projection& projection, const Box3& box) {
-  const double spacing = box.size().maxCoeff() > 300.0 ? 50.0 : 10.0;
-  const Point2 low = (box.low.head<2>() / spacing).array().floor() * spacing;
-  const Point2 high = (box.high.head<2>() / spacing).array().ceil() * spacing;
+  const double spacing = gridSpacing(box);
+  const Box2 grid = gridBox(box);
   const auto draw = [&](double x0, double y0, double x1, double y1) {
     canvas.line({projection({x0, y0, box.low.z()}), projection({x1, y1, box.low.z()})}, {kGrid, 1.0});
   };
-  for (double x = low.x(); x < high.x() + 0.5 * spacing; x += spacing) draw(x, low.y(), x, high.y());
-  for (double y = low.y(); y < high.y() + 0.5 * spacing; y += spacing) draw(low.x(), y, high.x(), y);
+  for (double x = grid.low.x(); x < grid.high.x() + 0.5 * spacing; x += spacing)
+    draw(x, grid.low.y(), x, grid.high.y());
+  for (double y = grid.low.y(); y < grid.high.y() + 0.5 * spacing; y += spacing)
+    draw(grid.low.x(), y, grid.high.x(), y);
 }
 
 /// What the part and the grid beneath it cover in the picture's plane.
-Box2 seenBox(const Projection& projection, const Box3& box) {
-  const double spacing = box.size().maxCoeff() > 300.0 ? 50.0 : 10.0;
-  const Point2 low = (box.low.head<2>() / spacing).array().floor() * spacing;
-  const Point2 high = (box.high.head<2>() / spacing).array().ceil() * spacing;
+Box2 seenBox(const Projection& projection, const Toolpath& toolpath, const Box3& box) {
+  const Box2 grid = gridBox(box);
   Box2 seen;
-  for (int corner = 0; corner < 8; ++corner)
-    seen.include(projection({(corner & 1) != 0 ? high.x() : low.x(), (corner & 2) != 0 ? high.y() : low.y(),
-                             (corner & 4) != 0 ? box.high.z() : box.low.z()}));
+  for (int corner = 0; corner < 4; ++corner)
+    seen.include(projection({(corner & 1) != 0 ? grid.high.x() : grid.low.x(),
+                             (corner & 2) != 0 ? grid.high.y() : grid.low.y(), box.low.z()}));
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel)
+        for (const Point3& point : path.points) seen.include(projection(point));
   return seen;
 }
 
@@ -117,6 +130,18 @@ Box3 requireDeposition(const Toolpath& toolpath) {
   return box;
 }
 
+/// Without skirt and bead width.
+Point3 partSize(const Toolpath& toolpath, const Box3& box) {
+  Box3 part;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel && path.role != PathRole::Skirt)
+        for (const Point3& point : path.points) part.include(point);
+  Point3 size = part.size();
+  size.z() = box.size().z();
+  return size;
+}
+
 std::string titleOf(const Toolpath& toolpath) {
   return toolpath.part_name.empty() ? "part" : toolpath.part_name;
 }
@@ -147,16 +172,17 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   box.low.z() -= toolpath.layers.front().height_mm;
   const Projection projection(settings.view);
   Canvas canvas(settings.width_px, settings.height_px);
-  canvas.show(seenBox(projection, box), drawingArea(settings));
+  canvas.show(seenBox(projection, toolpath, box), drawingArea(settings));
   drawGrid(canvas, projection, box);
   drawLayers(canvas, projection, toolpath, box, settings.colour);
 
   const ToolpathTotals sums = totals(toolpath);
+  const Point3 size = partSize(toolpath, box);
   drawTitle(
       canvas, titleOf(toolpath),
       formatted("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
-                sums.layers, box.size().x(), box.size().y(), box.size().z(), sums.deposition_mm / 1e3,
-                sums.deposited_mm3 / 1e3, sums.travel_mm / 1e3));
+                sums.layers, size.x(), size.y(), size.z(), sums.deposition_mm / 1e3, sums.deposited_mm3 / 1e3,
+                sums.travel_mm / 1e3));
   drawKey(canvas, toolpath, box, settings);
   canvas.writePng(png_path);
 }

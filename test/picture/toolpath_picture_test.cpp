@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/picture/toolpath_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "support/png_image.hpp"
+#include "support/random_toolpath.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+bool isNear(const Colour& a, const Colour& b) {
+  constexpr double kTolerance = 0.03;
+  return std::abs(a.red - b.red) < kTolerance && std::abs(a.green - b.green) < kTolerance &&
+         std::abs(a.blue - b.blue) < kTolerance;
+}
+
+/// A bead 2 mm wide from (-10, 0) to (10, 0), and a travel.
+Toolpath broadLine() {
+  Path travel;
+  travel.role = PathRole::Travel;
+  travel.points = {{-10, 10, 1}, {-10, 0, 1}};
+  travel.feed_mm_s = 100.0;
+  Path line;
+  line.role = PathRole::Infill;
+  line.points = {{-10, 0, 1}, {10, 0, 1}};
+  line.bead = Bead{2.0, 1.0};
+  line.feed_mm_s = 10.0;
+  Toolpath toolpath;
+  toolpath.part_name = "line";
+  toolpath.layers.push_back({1.0, 1.0, {travel, line}});
+  return toolpath;
+}
+
+TEST(ToolpathPicture, DrawsALayerAtTrueWidth) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("layer.png");
+  ToolpathPictureSettings settings;
+  drawToolpathLayer(broadLine(), 0, settings, file);
+  const test::PngImage image(file);
+  ASSERT_EQ(image.width(), settings.width_px);
+  ASSERT_EQ(image.height(), settings.height_px);
+  // 22 mm (the line and 1 mm on each side) over the width without margins of 40 px.
+  const double pixels_per_mm = (settings.width_px - 80) / 22.0;
+  int coloured = 0;
+  for (int row = 84; row < settings.height_px - 72; ++row)
+    if (!isNear(image.at(settings.width_px / 2, row), {1.0, 1.0, 1.0})) ++coloured;
+  EXPECT_NEAR(coloured, 2.0 * pixels_per_mm, 3.0);
+}
+
+TEST(ToolpathPicture, DrawsThePartInTheColoursOfItsRoles) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("part.png");
+  ToolpathPictureSettings settings;
+  settings.view = PictureView::Top;
+  drawToolpath(broadLine(), settings, file);
+  const test::PngImage image(file);
+  const Colour middle = image.at(settings.width_px / 2, (84 + settings.height_px - 72) / 2);
+  EXPECT_TRUE(isNear(middle, shaded(roleColour(PathRole::Infill), 0.9 * 0.94)))
+      << middle.red << " " << middle.green << " " << middle.blue;
+}
+
+TEST(ToolpathPicture, DrawsAnyToolpath) {
+  const test::ScratchFolder folder;
+  ToolpathPictureSettings settings;
+  settings.colour = PictureColour::Height;
+  settings.width_px = 300;
+  settings.height_px = 300;
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    EXPECT_NO_THROW(drawToolpath(test::randomToolpath(seed), settings, folder.file("random.png")));
+}
+
+TEST(ToolpathPicture, RefusesWhatCannotBeDrawn) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("none.png");
+  EXPECT_THROW(drawToolpath(Toolpath{}, {}, file), InvalidInput);
+  EXPECT_THROW(drawToolpathLayer(broadLine(), 1, {}, file), InvalidInput);
+  ToolpathPictureSettings tiny;
+  tiny.width_px = 3;
+  EXPECT_THROW(drawToolpath(broadLine(), tiny, file), InvalidInput);
+  EXPECT_THROW(drawToolpath(broadLine(), {}, "/nonexistent/picture.png"), FileError);
+}
+
+}  // namespace
+}  // namespace lamina
