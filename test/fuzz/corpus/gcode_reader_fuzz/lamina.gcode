@@ -1,0 +1,18 @@
+G28
+G21
+G90
+M83
+G92 E0
+;LAYER:0
+;Z:0.2
+;HEIGHT:0.2
+G0 X5 Y0 Z0.2 F9000
+;TYPE:outer_wall
+G1 X15 E0.29691 F1800
+G1 E-0.8 F2100
+G0 X5 Y0
+G1 E0.8
+;TYPE:infill
+G1 Y9 E1
+; end of the part
+M84
