@@ -99,13 +99,15 @@ Box2 seenBox(const Projection& projection, const Toolpath& toolpath, const Box3&
 void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                 PictureColour colouring) {
   const double height = std::max(1e-9, box.size().z());
+  double stripe = 1.0;  // every other layer a little darker where layers are large enough to be told apart
   for (const ToolpathLayer& layer : toolpath.layers) {
+    stripe = stripe == 1.0 && layer.height_mm * canvas.pixelsPerMm() > kStripeHeight ? 0.94 : 1.0;
     const Colour of_height = colourAt(ColourMap::Sequential, (layer.z_mm - box.low.z()) / height);
-    for (const PathRole role : kDrawingOrder)
+    for (const PathRole role : kDrawingOrder) {
+      const Colour colour = shaded(colouring == PictureColour::Role ? roleColour(role) : of_height, stripe);
       for (const Path& path : layer.paths)
-        if (path.role == role)
-          drawBeads(canvas, projection, path,
-                    colouring == PictureColour::Role ? roleColour(role) : of_height);
+        if (path.role == role) drawBeads(canvas, projection, path, colour);
+    }
   }
 }
 
