@@ -6,19 +6,19 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
-                "diameter of the filament");
-  schema.number("program.flow", settings.flow, {0.0, 10.0, true}, "factor on all extrusion");
+                "Diameter of the filament.");
+  schema.number("program.flow", settings.flow, {0.0, 10.0, true}, "Factor on all extrusion.");
   schema.number("program.nozzle_temperature_c", settings.nozzle_temperature_c, {0.0, 500.0},
-                "nozzle temperature while printing; 0 leaves the heater alone");
+                "Nozzle temperature while printing; 0 leaves the heater alone.");
   schema.number("program.bed_temperature_c", settings.bed_temperature_c, {0.0, 200.0},
-                "bed temperature while printing; 0 leaves the heater alone");
+                "Bed temperature while printing; 0 leaves the heater alone.");
   schema.number("program.retraction_length_mm", settings.retraction_length_mm, {0.0, 50.0},
-                "filament pulled back on retracted paths");
+                "Filament pulled back on retracted paths.");
   schema.number("program.retraction_feed_mm_s", settings.retraction_feed_mm_s, {0.0, 500.0, true},
-                "speed of the filament while it is pulled back and pushed forth");
+                "Speed of the filament while it is pulled back and pushed forth.");
   schema.text("program.start_code", settings.start_code,
-              "G-code before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced");
-  schema.text("program.end_code", settings.end_code, "G-code after the last motion");
+              "G-code before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.");
+  schema.text("program.end_code", settings.end_code, "G-code after the last motion.");
 }
 
 }  // namespace lamina
