@@ -61,18 +61,18 @@ std::string settingsToYaml(const SettingsSchema& schema) {
   std::string yaml;
   std::string current;
   for (const Setting& setting : schema.settings()) {
-    if (group(setting.key) != current) {
-      current = group(setting.key);
-      yaml += current + ":\n";
-    }
+    const bool is_grouped = setting.key.find('.') != std::string::npos;
+    if (is_grouped && group(setting.key) != current) yaml += group(setting.key) + ":\n";
+    current = is_grouped ? group(setting.key) : "";
+    const std::string indent = is_grouped ? "  " : "";
     YAML::Emitter value;
     const bool is_text = setting.type == "text";
     if (is_text) value << YAML::DoubleQuoted;
     value << setting.get();
     const std::string range =
         setting.bounds.empty() ? (is_text ? "" : " (" + setting.type + ")") : " " + setting.bounds;
-    yaml += "  # " + setting.meaning + range + "\n";
-    yaml += "  " + setting.key.substr(current.size() + 1) + ": " + value.c_str() + "\n";
+    yaml += indent + "# " + setting.meaning + range + "\n";
+    yaml += indent + setting.key.substr(is_grouped ? current.size() + 1 : 0) + ": " + value.c_str() + "\n";
   }
   return yaml;
 }
