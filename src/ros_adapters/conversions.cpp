@@ -155,6 +155,15 @@ lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   return message;
 }
 
+sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm) {
+  sensor_msgs::JointState state;
+  for (int i = 0; i < 3; ++i) {
+    state.name.push_back(machine.axes[static_cast<std::size_t>(i)].name);
+    state.position.push_back(toMetres(values_mm[i]));
+  }
+  return state;
+}
+
 lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   lamina_msgs::Toolpath message;
   message.id = placed.id;

@@ -5,11 +5,13 @@
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Quaternion.h>
+#include <sensor_msgs/JointState.h>
 
 #include <Eigen/Geometry>
 #include <string>
 
 #include "lamina/job/slice_summary.hpp"
+#include "lamina/kinematics/machine.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "messages.hpp"
 
@@ -42,6 +44,9 @@ Bead fromMessage(const lamina_msgs::Bead& bead);
 
 /// Times other than the estimated and the whole one, and the memory, stay behind.
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary);
+
+/// Axis positions as a message [m], without stamp.
+sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm);
 
 /// A toolpath with its identity, and with where on which machine it is to be run: what travels as one
 /// message.

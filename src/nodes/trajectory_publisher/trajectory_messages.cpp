@@ -8,15 +8,6 @@
 
 namespace lamina {
 
-sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm) {
-  sensor_msgs::JointState state;
-  for (int i = 0; i < 3; ++i) {
-    state.name.push_back(machine.axes[static_cast<std::size_t>(i)].name);
-    state.position.push_back(toMetres(values_mm[i]));
-  }
-  return state;
-}
-
 nav_msgs::Path nozzlePath(const Toolpath& toolpath, double spacing_mm) {
   nav_msgs::Path message;
   message.header.frame_id = names::kPartFrame;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <nav_msgs/Path.h>
-#include <sensor_msgs/JointState.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include "conversions.hpp"
@@ -11,9 +10,6 @@
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
-
-/// Axis positions as a message [m], without stamp.
-sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm);
 
 /// The waypoints in the part frame, in order, without those nearer than `spacing_mm` to the one before; first
 /// and last of each layer always. Header without stamp.
