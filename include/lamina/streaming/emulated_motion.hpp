@@ -31,6 +31,8 @@ struct ExecutedMotion {
 
   /// The nozzle at a machine time, which is clamped to the motion [mm, bed].
   Point3 positionAt(double time_s) const;
+  /// When the nozzle has gone `part` of the way from start to end, 0 to 1 (machine time).
+  double timeAt(double part) const;
 };
 
 /// The motion side of an emulated machine: a queue of blocks with look-ahead over all of it, run in machine

@@ -39,6 +39,10 @@ struct MarlinPosition {
   double y = 0.0;
   double z = 0.0;
   double e = 0.0;
+
+  friend bool operator!=(const MarlinPosition& a, const MarlinPosition& b) {
+    return a.x != b.x || a.y != b.y || a.z != b.z || a.e != b.e;
+  }
 };
 
 /// One line the firmware sent.

@@ -39,6 +39,7 @@ class EmulatedMachine::Impl {
     if (!ports.pty_link.empty()) link_ = std::make_unique<SymbolicLink>(ports.pty_link);
     plugPty();
     if (ports.tcp_port) listen(*ports.tcp_port);
+    firmware_.elapse(clock_.now());  // machine time starts here
     thread_ = std::thread([this] {
       const auto keep_running = boost::asio::make_work_guard(context_);
       context_.run();

@@ -22,6 +22,27 @@ Point3 ExecutedMotion::positionAt(double time_s) const {
   return start + part * (end - start);
 }
 
+double ExecutedMotion::timeAt(double part) const {
+  const double gone = std::clamp(part, 0.0, 1.0) * profile.distanceAt(end_s - start_s);
+  const double a = profile.acceleration_mm_s2;
+  const double ramp_up_s = (profile.cruise_mm_s - profile.entry_mm_s) / a;
+  const double ramp_up = 0.5 * (profile.entry_mm_s + profile.cruise_mm_s) * ramp_up_s;
+  const double ramp_down =
+      0.5 * (profile.cruise_mm_s + profile.exit_mm_s) * (profile.cruise_mm_s - profile.exit_mm_s) / a;
+  const double cruise = profile.length_mm - ramp_up - ramp_down;
+  double passed = 0.0;
+  if (gone < ramp_up) {
+    passed = (std::sqrt(profile.entry_mm_s * profile.entry_mm_s + 2.0 * a * gone) - profile.entry_mm_s) / a;
+  } else if (gone < ramp_up + cruise) {
+    passed = ramp_up_s + (gone - ramp_up) / profile.cruise_mm_s;
+  } else {
+    const double left = std::max(profile.length_mm - gone, 0.0);
+    passed = profile.duration_s -
+             (std::sqrt(profile.exit_mm_s * profile.exit_mm_s + 2.0 * a * left) - profile.exit_mm_s) / a;
+  }
+  return std::clamp(start_s + passed, start_s, end_s);
+}
+
 EmulatedMotion::EmulatedMotion(const MotionLimits& limits, std::size_t capacity, Observer observer)
     : limits_(limits), capacity_(std::max<std::size_t>(capacity, 1)), observer_(std::move(observer)) {}
 
