@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "emulated_machine_node.hpp"
+
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "conversions.hpp"
+#include "names.hpp"
+#include "point_cloud.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber in accelerated time
+constexpr double kMarginMm = 10.0;
+
+HeightMap bareBed(const Machine& machine, double cell_mm) {
+  const Box3 reach = workspace(machine);
+  const Point2 margin = Point2::Constant(kMarginMm);
+  const Box2 area{reach.low.head<2>() - margin, reach.high.head<2>() + margin};
+  return HeightMap(heightGrid(area, cell_mm), 0.0);
+}
+
+}  // namespace
+
+EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings)
+    : settings_(settings),
+      machine_(machineByName(settings.machine_name)),
+      position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kBurst, true)),
+      profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
+      deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
+      deposit_(bareBed(machine_, settings.deposit_cell_mm)),
+      sensor_(settings.sensor),
+      start_(ros::Time::now()) {
+  EmulatedObserver observer;
+  observer.motion = [this](const ExecutedMotion& motion) { motions_.push(motion); };
+  emulator_ = std::make_unique<EmulatedMachine>(settings_.emulator, faultsOf(settings_), portsOf(settings_),
+                                                observer);
+  ROS_INFO("machine %s at %s, %g times as fast as real", machine_.name.c_str(), emulator_->pty().c_str(),
+           settings_.emulator.speed_up);
+  if (emulator_->tcpPort() != 0) ROS_INFO("machine at tcp:127.0.0.1:%d", emulator_->tcpPort());
+  publishPosition({0.0, Point3::Zero()});
+  worker_ = std::thread([this] { run(); });
+}
+
+EmulatedMachineNode::~EmulatedMachineNode() {
+  motions_.close();
+  emulator_.reset();
+  worker_.join();
+}
+
+void EmulatedMachineNode::run() {
+  const auto period = std::chrono::milliseconds(static_cast<int>(1e3 * settings_.deposited_period_s) + 1);
+  auto publish_at = std::chrono::steady_clock::now() + period;
+  while (!motions_.isClosed()) {
+    if (const auto motion = motions_.pop(period)) execute(*motion);
+    if (!has_news_ || std::chrono::steady_clock::now() < publish_at) continue;
+    publishDeposited();
+    publish_at = std::chrono::steady_clock::now() + period;
+  }
+}
+
+void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
+  // After a rest the nozzle sets out later than it arrived.
+  if (motion.start_s > last_end_s_) publishPosition({motion.start_s, motion.start});
+  last_end_s_ = motion.end_s;
+  const double area = 0.25 * M_PI * settings_.filament_diameter_mm * settings_.filament_diameter_mm;
+  const double volume = std::max(motion.filament_mm, 0.0) * area;
+  const bool moves = (motion.end - motion.start).norm() > 0.0;
+  const bool deposits = moves && volume > 0.0;
+  const auto samples = samplesOf(motion, settings_.position_spacing_mm);
+  Point3 from = motion.start;
+  for (const MotionSample& sample : samples) {
+    // Piece by piece, so that the sensor never sees what is still to come.
+    if (deposits) lay(from, sample.position, volume / static_cast<double>(samples.size()));
+    from = sample.position;
+    publishPosition(sample);
+    if (moves && (!deposits || settings_.profile_while_depositing)) publishProfile(sample);
+  }
+}
+
+void EmulatedMachineNode::lay(const Point3& from, const Point3& to, double volume_mm3) {
+  deposit_.lay({from, to, volume_mm3});
+  has_news_ = true;
+}
+
+ros::Time EmulatedMachineNode::stampOf(double machine_s) const {
+  const double speed_up = settings_.emulator.speed_up > 0.0 ? settings_.emulator.speed_up : 1.0;
+  return start_ + ros::Duration(machine_s / speed_up);
+}
+
+void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
+  sensor_msgs::JointState message = jointState(machine_, axisValues(machine_, sample.position));
+  message.header.stamp = last_stamp_ = stampOf(sample.time_s);
+  position_.publish(message);
+}
+
+void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
+  if (profile_.getNumSubscribers() == 0) return;
+  const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
+  const auto points = sensor_.measure(deposit_.surface(), bed_from_nozzle * machine_.nozzle_from_sensor);
+  if (points.empty()) return;
+  sensor_msgs::PointCloud2 message = toCloudMessage(points);
+  message.header.stamp = stampOf(sample.time_s);
+  message.header.frame_id = names::kSensorFrame;
+  profile_.publish(message);
+}
+
+void EmulatedMachineNode::publishDeposited() {
+  if (deposited_.getNumSubscribers() == 0) return;
+  has_news_ = false;
+  const HeightMap& surface = deposit_.surface();
+  std::vector<Point3> points;
+  for (std::size_t cell = 0; cell < surface.grid().cellCount(); ++cell) {
+    if (!(surface.at(cell) > 0.0)) continue;
+    const Point2 centre = surface.grid().centre(cell);
+    points.emplace_back(centre.x(), centre.y(), surface.at(cell));
+  }
+  sensor_msgs::PointCloud2 message = toCloudMessage(points);
+  message.header.stamp = last_stamp_;
+  message.header.frame_id = names::kBedFrame;
+  deposited_.publish(message);
+}
+
+}  // namespace lamina

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <thread>
+
+#include "lamina/deposition/bead_deposit.hpp"
+#include "lamina/kinematics/machine.hpp"
+#include "lamina/monitoring/profile_sensor.hpp"
+#include "lamina/streaming/emulated_machine.hpp"
+#include "machine_settings.hpp"
+#include "motion_queue.hpp"
+#include "motion_samples.hpp"
+
+namespace lamina {
+
+/// A machine with Marlin firmware that is not there: reached at a pseudo-terminal and a TCP port, it runs
+/// what it is sent, keeps what it deposits, and looks at it with a profile sensor.
+///
+/// Publishes   machine_position (sensor_msgs/JointState, latched): the axes every `position_spacing_mm` and
+/// at every
+///             corner; profile (sensor_msgs/PointCloud2, frame sensor): what the sensor sees, each with the
+///             stamp of a machine_position; deposited (sensor_msgs/PointCloud2, frame bed, latched): the
+///             surface of the material
+///
+/// Stamps are exact: the time the node started plus machine time divided by the speed-up, whenever they are
+/// published.
+class EmulatedMachineNode {
+ public:
+  /// @throws DeviceError, FileError as `EmulatedMachine`
+  /// @throws InvalidConfig if the machine is unknown
+  EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings);
+  ~EmulatedMachineNode();
+
+ private:
+  void run();
+  void execute(const ExecutedMotion& motion);
+  void lay(const Point3& from, const Point3& to, double volume_mm3);
+  void publishPosition(const MotionSample& sample);
+  void publishProfile(const MotionSample& sample);
+  void publishDeposited();
+  ros::Time stampOf(double machine_s) const;
+
+  EmulatedMachineSettings settings_;
+  Machine machine_;
+  ros::Publisher position_;
+  ros::Publisher profile_;
+  ros::Publisher deposited_;
+  BeadDeposit deposit_;
+  ProfileSensor sensor_;
+  MotionQueue motions_;
+  double last_end_s_ = -1.0;  ///< machine time of the last position
+  ros::Time last_stamp_;
+  bool has_news_ = false;  ///< material that was not published
+  ros::Time start_;
+  std::unique_ptr<EmulatedMachine> emulator_;
+  std::thread worker_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "machine_settings.hpp"
+
+#include <sstream>
+
+#include "lamina/kinematics/machine.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
+  schema.text("pty", settings.pty, "Stable path to make as a link to the pseudo-terminal; empty for none.");
+  schema.integer("tcp_port", settings.tcp_port, {-1, 65535},
+                 "TCP port on the loopback interface; 0 for any free one, -1 for none.");
+  schema.text("faults", settings.faults, "Faults: kind=rate or kind=line,line, separated by spaces.");
+  schema.choice("machine.name", settings.machine_name, machineNames(), "Machine that is emulated.");
+  schema.number("filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
+                "Diameter of the filament.");
+  schema.number("position_spacing_mm", settings.position_spacing_mm, {0.0, 1000.0, true},
+                "Distance between positions (and profiles) along a motion; its end is always one.");
+  schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
+                "Cell of the map of deposited material.");
+  schema.number("deposit.period_s", settings.deposited_period_s, {0.0, 3600.0, true},
+                "Time between publications of the deposited material.");
+  schema.flag("profile_while_depositing", settings.profile_while_depositing,
+              "Whether the sensor also measures during motions that deposit.");
+  describe(schema, settings.emulator);
+  describe(schema, settings.sensor);
+}
+
+std::vector<Fault> faultsOf(const EmulatedMachineSettings& settings) {
+  std::vector<Fault> faults;
+  std::istringstream words(settings.faults);
+  for (std::string word; words >> word;) faults.push_back(faultFromText(word));
+  return faults;
+}
+
+EmulatedPorts portsOf(const EmulatedMachineSettings& settings) {
+  EmulatedPorts ports;
+  ports.pty_link = settings.pty;
+  if (settings.tcp_port >= 0) ports.tcp_port = static_cast<std::uint16_t>(settings.tcp_port);
+  return ports;
+}
+
+}  // namespace lamina

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/monitoring/profile_sensor.hpp"
+#include "lamina/streaming/emulated_machine.hpp"
+
+namespace lamina {
+
+struct EmulatedMachineSettings {
+  std::string pty = "/tmp/lamina_machine";  ///< link to the pseudo-terminal
+  int tcp_port = -1;                        ///< on the loopback interface; 0 for any free one, -1 for none
+  std::string faults;                       ///< "kind=rate kind=line,line", as in `lamina emulate --fault`
+  std::string machine_name = "cartesian_gantry";
+  double filament_diameter_mm = 1.75;
+  double position_spacing_mm = 1.0;       ///< of the positions published along a motion
+  double deposit_cell_mm = 0.2;           ///< of the map of deposited material
+  double deposited_period_s = 0.5;        ///< between publications of the deposited material
+  bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit
+  EmulatedSettings emulator;
+  ProfileSensorSettings sensor;
+};
+
+/// Adds the keys pty, tcp_port, faults, machine.name, filament_diameter_mm, position_spacing_mm, deposit.*,
+/// profile_while_depositing, emulator.*, motion.* and sensor.*.
+void describe(SettingsSchema& schema, EmulatedMachineSettings& settings);
+
+/// @throws InvalidConfig if a fault is none
+std::vector<Fault> faultsOf(const EmulatedMachineSettings& settings);
+EmulatedPorts portsOf(const EmulatedMachineSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gcode_streamer.hpp"
+
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+
+#include "conversions.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/program/gcode_writer.hpp"
+#include "names.hpp"
+#include "status.hpp"
+#include "stream_messages.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kFeedbackPeriod = 0.1;  // s
+
+}  // namespace
+
+GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings)
+    : settings_(settings),
+      machine_(machineByName(settings.machine_name)),
+      state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
+      pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),
+      resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
+      abort_(node.advertiseService(names::kAbort, &GcodeStreamer::onAbort, this)),
+      action_(
+          node, names::kStreamProgram,
+          [this](const lamina_msgs::StreamProgramGoalConstPtr& goal) { onGoal(goal); }, false) {
+  if (settings_.stream.position_interval_s > 0) {
+    position_ = node.advertise<sensor_msgs::JointState>(names::kMachinePosition, 100);
+  }
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
+      [this](const auto& toolpath) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        toolpath_ = toolpath;
+      };
+  toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  updater_.setHardwareID(settings_.port.name);
+  updater_.add("stream", this, &GcodeStreamer::diagnose);
+  const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
+    updater_.update();
+  };
+  diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
+  publishState(status_);
+  action_.start();
+}
+
+// --- jobs
+// ------------------------------------------------------------------------------------------------------------
+
+void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
+  const SteadyClock clock;
+  const double start_s = clock.now();
+  StreamStatus status;
+  try {
+    status = stream(*goal);
+  } catch (...) {
+    // Nothing was sent: the program was refused or the port could not be opened.
+    status.failure = currentFailure();
+    status.state = PackmlState::Aborted;
+    publishState(status);
+  }
+  finish(status, clock.now() - start_s);
+}
+
+StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
+  }
+  const StreamableProgram program = programFor(goal);
+  const auto session = std::make_shared<StreamSession>(
+      program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); });
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    session_ = session;
+  }
+  ROS_INFO("streaming %s, %lu lines, to %s", program.name().c_str(),
+           static_cast<unsigned long>(program.lines()), settings_.port.name.c_str());
+  while (!session->waitFor(kFeedbackPeriod)) {
+    const StreamStatus status = session->status();
+    action_.publishFeedback(toFeedback(status));
+    publishState(status);
+    if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
+    if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  session_.reset();
+  return session->status();
+}
+
+StreamableProgram GcodeStreamer::programFor(const lamina_msgs::StreamProgramGoal& goal) const {
+  if (goal.program.empty()) return programFromToolpath(goal.toolpath_id);
+  return StreamableProgram::fromFile(goal.program, settings_.stream.max_line_bytes);
+}
+
+StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) const {
+  if (id.empty()) throw InvalidInput("neither program nor toolpath_id is given; expected one of them");
+  lamina_msgs::ToolpathConstPtr message;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    message = toolpath_;
+  }
+  if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");
+  if (message->id != id) {
+    throw InvalidInput("toolpath " + id + " is asked for; the one published last is " + message->id);
+  }
+  const MachineToolpath placed = fromMessage(*message);
+  std::string text;
+  writeGcode(placed.toolpath, placed.bed_from_part, settings_.program,
+             [&](std::string_view piece) { text += piece; });
+  return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream.max_line_bytes);
+}
+
+void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
+  const lamina_msgs::StreamProgramResult result = toResult(status, duration_s);
+  if (status.failure.code == ErrorCode::Ok) {
+    ROS_INFO("streamed %lu lines in %.1f s, %lu resends",
+             static_cast<unsigned long>(status.lines_acknowledged), duration_s,
+             static_cast<unsigned long>(status.resends));
+    action_.setSucceeded(result);
+    return;
+  }
+  ROS_ERROR("not streamed: %s: %s", toString(status.failure.code), status.failure.message.c_str());
+  if (action_.isPreemptRequested()) {
+    action_.setPreempted(result, status.failure.message);
+  } else {
+    action_.setAborted(result, status.failure.message);
+  }
+}
+
+// --- services
+// --------------------------------------------------------------------------------------------------------
+
+std::shared_ptr<StreamSession> GcodeStreamer::session() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return session_;
+}
+
+bool GcodeStreamer::onPause(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  const PackmlState state = job ? job->status().state : PackmlState::Idle;
+  response.success = state == PackmlState::Execute;
+  response.message = response.success
+                         ? "holding after the lines under way"
+                         : std::string("state is ") + toString(state) + "; only Execute can be paused";
+  if (response.success) job->pause();
+  return true;
+}
+
+bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  const PackmlState state = job ? job->status().state : PackmlState::Idle;
+  response.success = state == PackmlState::Holding || state == PackmlState::Held;
+  response.message = response.success
+                         ? "going on"
+                         : std::string("state is ") + toString(state) + "; only Held can be resumed";
+  if (response.success) job->resume();
+  return true;
+}
+
+bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  response.success = job != nullptr;
+  response.message = job ? "stopping the machine" : "no job is under way";
+  if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
+  return true;
+}
+
+// --- what is told
+// ----------------------------------------------------------------------------------------------------
+
+void GcodeStreamer::onStatus(const StreamStatus& status) {
+  bool has_changed = false;
+  bool has_moved = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    has_changed = status.state != status_.state;
+    has_moved = status.position && (!status_.position || *status.position != *status_.position);
+    status_ = status;
+  }
+  if (has_changed) publishState(status);
+  if (position_ && has_moved) publishPosition(*status.position);
+}
+
+void GcodeStreamer::publishState(const StreamStatus& status) {
+  std::string job;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_ = status;
+    job = job_;
+  }
+  lamina_msgs::MachineState message = toMachineState(status, job);
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kBedFrame;
+  state_.publish(message);
+}
+
+void GcodeStreamer::publishPosition(const MarlinPosition& position) {
+  sensor_msgs::JointState message =
+      jointState(machine_, axisValues(machine_, Point3(position.x, position.y, position.z)));
+  message.header.stamp = ros::Time::now();
+  position_.publish(message);
+}
+
+void GcodeStreamer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  fillDiagnostics(status_, diagnostics);
+}
+
+}  // namespace lamina

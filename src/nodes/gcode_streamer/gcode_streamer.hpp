@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "lamina/kinematics/machine.hpp"
+#include "lamina/streaming/stream_session.hpp"
+#include "messages.hpp"
+#include "streamer_settings.hpp"
+
+namespace lamina {
+
+/// Streams programs to a machine on request.
+///
+/// Actions     stream_program (lamina/StreamProgram): a G-code file, or the latched toolpath; cancel is a
+/// safe stop Services    pause, resume, abort (std_srvs/Trigger): of the job under way Subscribes  toolpath
+/// (lamina/Toolpath, latched) Publishes   machine_state (lamina/MachineState, latched; 10 Hz during a job),
+/// diagnostics; machine_position
+///             (sensor_msgs/JointState) if stream.position_interval_s asks the firmware for positions
+///
+/// One job at a time: a new goal aborts the one under way. SIGINT and SIGTERM stop the machine safely first.
+class GcodeStreamer {
+ public:
+  GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings);
+
+ private:
+  using Trigger = std_srvs::Trigger;
+
+  void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
+  StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
+  StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
+  StreamableProgram programFromToolpath(const std::string& id) const;
+  void finish(const StreamStatus& status, double duration_s);
+
+  bool onPause(Trigger::Request& request, Trigger::Response& response);
+  bool onResume(Trigger::Request& request, Trigger::Response& response);
+  bool onAbort(Trigger::Request& request, Trigger::Response& response);
+  /// The job under way; null if there is none.
+  std::shared_ptr<StreamSession> session() const;
+
+  void onStatus(const StreamStatus& status);
+  void publishState(const StreamStatus& status);
+  void publishPosition(const MarlinPosition& position);
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+  GcodeStreamerSettings settings_;
+  Machine machine_;
+  ros::Publisher state_;
+  ros::Publisher position_;
+  ros::Subscriber toolpath_subscriber_;
+  ros::ServiceServer pause_;
+  ros::ServiceServer resume_;
+  ros::ServiceServer abort_;
+  diagnostic_updater::Updater updater_;
+  ros::Timer diagnostics_timer_;
+
+  mutable std::mutex mutex_;  ///< of everything below
+  std::shared_ptr<StreamSession> session_;
+  lamina_msgs::ToolpathConstPtr toolpath_;
+  StreamStatus status_;
+  std::string job_;
+
+  // Last, so that its thread ends before what it uses.
+  actionlib::SimpleActionServer<lamina_msgs::StreamProgramAction> action_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "gcode_streamer.hpp"
+#include "parameters.hpp"
+#include "shutdown.hpp"
+
+int main(int argc, char** argv) {
+  return lamina::runNode(argc, argv, "gcode_streamer", [] {
+    lamina::GcodeStreamerSettings settings;
+    lamina::SettingsSchema schema;
+    describe(schema, settings);
+    lamina::applyParameters(schema, ros::NodeHandle("~"));
+    validate(settings.stream);
+    ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
+    const lamina::GcodeStreamer streamer(ros::NodeHandle(), settings);
+    ros::spin();
+  });
+}

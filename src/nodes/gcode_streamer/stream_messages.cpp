@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stream_messages.hpp"
+
+#include "conversions.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+std::uint32_t count(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+
+}  // namespace
+
+lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::string& job) {
+  lamina_msgs::MachineState message;
+  message.state = static_cast<std::uint8_t>(status.state);
+  message.state_name = toString(status.state);
+  message.job = job;
+  message.lines_total = count(status.lines_total);
+  message.lines_sent = count(status.lines_sent);
+  message.lines_acknowledged = count(status.lines_acknowledged);
+  message.resends = count(status.resends);
+  message.layer = status.layer;
+  if (status.position) {
+    message.position = toMessage(Point3(status.position->x, status.position->y, status.position->z));
+  }
+  if (status.temperatures) {
+    message.nozzle_temperature = status.temperatures->nozzle_c;
+    message.bed_temperature = status.temperatures->bed_c.value_or(0.0);
+  }
+  message.status = toMessage(status.failure);
+  return message;
+}
+
+lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status) {
+  lamina_msgs::StreamProgramFeedback feedback;
+  feedback.state = toString(status.state);
+  feedback.lines_total = count(status.lines_total);
+  feedback.lines_acknowledged = count(status.lines_acknowledged);
+  feedback.layer = status.layer;
+  if (status.lines_total > 0) {
+    feedback.fraction =
+        static_cast<float>(status.lines_acknowledged) / static_cast<float>(status.lines_total);
+  }
+  return feedback;
+}
+
+lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double duration_s) {
+  lamina_msgs::StreamProgramResult result;
+  result.status = toMessage(status.failure);
+  result.lines_acknowledged = count(status.lines_acknowledged);
+  result.resends = count(status.resends);
+  result.duration = duration_s;
+  return result;
+}
+
+void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (status.failure.code == ErrorCode::Cancelled || status.failure.code == ErrorCode::Ok) {
+    const bool is_troubled = status.resends > 0 || !status.message.empty();
+    diagnostics.summary(is_troubled ? DiagnosticStatus::WARN : DiagnosticStatus::OK, toString(status.state));
+  } else {
+    diagnostics.summary(DiagnosticStatus::ERROR, status.failure.message);
+  }
+  diagnostics.add("state", toString(status.state));
+  diagnostics.add("lines acknowledged", status.lines_acknowledged);
+  diagnostics.add("lines in all", status.lines_total);
+  diagnostics.add("resends", status.resends);
+  diagnostics.add("probes", status.probes);
+  diagnostics.add("last message", status.message);
+  if (!status.temperatures) return;
+  diagnostics.add("nozzle [degC]", status.temperatures->nozzle_c);
+  diagnostics.add("nozzle target [degC]", status.temperatures->nozzle_target_c);
+  if (status.temperatures->bed_c) diagnostics.add("bed [degC]", *status.temperatures->bed_c);
+  if (status.temperatures->bed_target_c) {
+    diagnostics.add("bed target [degC]", *status.temperatures->bed_target_c);
+  }
+}
+
+}  // namespace lamina

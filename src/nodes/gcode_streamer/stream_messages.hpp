@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <string>
+
+#include "lamina/streaming/streamer.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// @param job  file or toolpath being streamed; empty if none
+/// @return the message without stamp
+lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::string& job);
+
+lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status);
+
+lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double duration_s);
+
+/// OK, or a warning if lines had to be sent again or the firmware complained, or an error if the job failed.
+void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+}  // namespace lamina

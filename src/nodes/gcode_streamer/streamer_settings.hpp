@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/streaming/stream_session.hpp"
+
+namespace lamina {
+
+struct GcodeStreamerSettings {
+  MachinePort port{"/dev/ttyUSB0", 115200};
+  std::string machine_name = "cartesian_gantry";
+  StreamSettings stream;
+  ProgramSettings program;
+};
+
+/// Adds the keys port, baud, machine.name, stream.* and program.*.
+void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
+
+}  // namespace lamina
