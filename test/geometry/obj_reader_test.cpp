@@ -47,6 +47,11 @@ TEST(ObjReader, WeldsRepeatedAndDropsUnusedVertices) {
   EXPECT_EQ(mesh.vertices.size(), 3u);
 }
 
+TEST(ObjReader, IsNotMistakenForAnStlByItsComments) {
+  EXPECT_EQ(readMeshFromBytes("# solid: facet and vertex\n" + kVertices + "f 1 2 5\n", "a").triangles.size(),
+            1u);
+}
+
 TEST(ObjReader, NamesTheLineOfABrokenFace) {
   EXPECT_EQ(messageOf(kVertices + "f 1 2 x\n"),
             "part.obj:6: a face names no vertex by 'x'; there are 5 so far");

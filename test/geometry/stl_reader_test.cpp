@@ -106,6 +106,10 @@ TEST(StlReader, NamesTheLineOfAnAsciiError) {
             "part.stl:5: 'nan' where a finite number is expected");
 }
 
+TEST(StlReader, RefusesAnAsciiSolidWithoutFacets) {
+  EXPECT_EQ(messageOf("solid nothing\nendsolid nothing\n"), "part.stl: no triangles");
+}
+
 TEST(StlReader, RefusesAsciiWithoutItsEnd) {
   EXPECT_NE(messageOf("solid\n" + asciiFacet("0 0 0", "0 1 0", "1 0 0")).find("truncated"),
             std::string::npos);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <vector>
 
 #include "lamina/base/error.hpp"
@@ -77,11 +76,22 @@ class AsciiStlReader {
   bool has_end_ = false;
 };
 
-bool containsIgnoringCase(std::string_view text, std::string_view lower_case) {
-  const auto equal = [](char a, char b) {
-    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
-  };
-  return std::search(text.begin(), text.end(), lower_case.begin(), lower_case.end(), equal) != text.end();
+/// The place of the text at or after `start`, or the end.
+std::size_t findIgnoringCase(std::string_view text, std::string_view lower_case, std::size_t start) {
+  for (std::size_t i = start; i + lower_case.size() <= text.size(); ++i)
+    if (equalsIgnoringCase(text.substr(i, lower_case.size()), lower_case)) return i;
+  return text.size();
+}
+
+/// Whether somewhere the words "facet normal" stand, however far apart.
+bool hasFacet(std::string_view text, const std::string& name) {
+  constexpr std::string_view kFacet = "facet";
+  for (std::size_t i = findIgnoringCase(text, kFacet, 0); i < text.size();
+       i = findIgnoringCase(text, kFacet, i + 1)) {
+    TextCursor after(text.substr(i + kFacet.size()), name);
+    if (equalsIgnoringCase(after.word(), "normal")) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -89,8 +99,12 @@ bool containsIgnoringCase(std::string_view text, std::string_view lower_case) {
 bool isAsciiStl(std::string_view bytes) {
   constexpr std::size_t kSample = 4096;
   const std::string_view sample = bytes.substr(0, kSample);
-  return sample.find('\0') == sample.npos && containsIgnoringCase(sample, "facet") &&
-         containsIgnoringCase(sample, "vertex");
+  if (sample.find('\0') != sample.npos) return false;
+  const std::string name;
+  if (hasFacet(sample, name)) return true;
+  // A solid without facets is an STL too, if an empty one.
+  return equalsIgnoringCase(TextCursor(sample, name).word(), "solid") &&
+         findIgnoringCase(sample, "endsolid", 0) < sample.size();
 }
 
 Mesh readAsciiStl(std::string_view bytes, const std::string& name) {

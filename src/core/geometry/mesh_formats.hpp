@@ -14,7 +14,7 @@ namespace lamina {
 
 /// Whether the length of the bytes is exactly what the triangle count of a binary STL asks for.
 bool isExactBinaryStl(std::string_view bytes);
-/// Whether the bytes are text that speaks of facets and vertices.
+/// Whether the bytes are text with facets, or a solid that ends without any.
 bool isAsciiStl(std::string_view bytes);
 bool isPly(std::string_view bytes);
 /// Whether the bytes are a ZIP archive, as every 3MF file is.

@@ -39,8 +39,8 @@ Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
   if (isPly(bytes)) return readPly(bytes, name);
   if (isExactBinaryStl(bytes)) return readBinaryStl(bytes, name);
   if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
-  if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
   if (isObj(bytes)) return readObj(bytes, name);
+  if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
   throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY nor 3MF");
 }
 
