@@ -137,5 +137,13 @@ TEST(Machine, DescriptionIsTheFileOfItsName) {
     EXPECT_EQ(machineByName(name).urdf, readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/" + name + ".urdf"));
 }
 
+TEST(Machine, TheSensorOfBothGantriesLooks25MillimetresBesideTheNozzle) {
+  for (const char* name : {"cartesian_gantry", "gantry_45"}) {
+    const Point2 offset = sensorOffset(machineByName(name));
+    EXPECT_NEAR(offset.x(), 25.0, 1e-6) << name;
+    EXPECT_NEAR(offset.y(), 0.0, 1e-6) << name;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

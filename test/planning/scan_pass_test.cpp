@@ -14,6 +14,8 @@
 namespace lamina {
 namespace {
 
+const Point2 kOffset(25.0, 0.0);
+
 Path bead(const Point3& start, const Point3& end) {
   Path path;
   path.role = PathRole::Infill;
@@ -55,11 +57,11 @@ ScanSettings every(int layers) {
 
 TEST(ScanPass, ZeroScansNothing) {
   const Toolpath toolpath = diagonals(3, {0, 0}, {10, 10});
-  EXPECT_EQ(toolpathId(withScanPasses(toolpath, every(0), {})), toolpathId(toolpath));
+  EXPECT_EQ(toolpathId(withScanPasses(toolpath, every(0), kOffset)), toolpathId(toolpath));
 }
 
 TEST(ScanPass, FollowsEachNthLayerAndTheLast) {
-  const Toolpath scanned = withScanPasses(diagonals(8, {0, 0}, {10, 10}), every(3), {});
+  const Toolpath scanned = withScanPasses(diagonals(8, {0, 0}, {10, 10}), every(3), kOffset);
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(isScanned(scanned.layers[i], 1.0), i == 2 || i == 5 || i == 7) << "layer " << i;
   EXPECT_NO_THROW(validate(scanned));
@@ -67,7 +69,7 @@ TEST(ScanPass, FollowsEachNthLayerAndTheLast) {
 
 TEST(ScanPass, IsRetractedAndDepositsNothing) {
   const Toolpath plain = diagonals(2, {0, 0}, {10, 10});
-  const Toolpath scanned = withScanPasses(plain, every(1), {});
+  const Toolpath scanned = withScanPasses(plain, every(1), kOffset);
   EXPECT_DOUBLE_EQ(totals(scanned).deposited_mm3, totals(plain).deposited_mm3);
   const Path& scan = scanned.layers[0].paths.back();
   EXPECT_TRUE(scan.process.is_retracted);
@@ -82,19 +84,21 @@ TEST(ScanPass, JoinsALayerThatStartsWithoutATravel) {
   second.z_mm = 0.4;
   second.paths = {bead({10, 10, 0.2}, {0, 0, 0.4})};
   toolpath.layers.push_back(second);
-  EXPECT_NO_THROW(validate(withScanPasses(toolpath, every(1), {})));
+  EXPECT_NO_THROW(validate(withScanPasses(toolpath, every(1), kOffset)));
 }
 
 TEST(ScanPass, EmptyLayersAreSkipped) {
   Toolpath toolpath = diagonals(3, {0, 0}, {10, 10});
   toolpath.layers[2].paths.clear();
-  const Toolpath scanned = withScanPasses(toolpath, every(3), {});
+  const Toolpath scanned = withScanPasses(toolpath, every(3), kOffset);
   EXPECT_TRUE(isScanned(scanned.layers[1], 1.0));
   EXPECT_TRUE(scanned.layers[2].paths.empty());
 }
 
 TEST(ScanPass, RefusesASensorWithoutALine) {
-  EXPECT_THROW(withScanPasses(diagonals(1, {0, 0}, {1, 1}), every(1), {Point2::Zero(), 0.0}), InvalidConfig);
+  ScanSettings without_line = every(1);
+  without_line.swath_mm = 0.0;
+  EXPECT_THROW(withScanPasses(diagonals(1, {0, 0}, {1, 1}), without_line, kOffset), InvalidConfig);
 }
 
 TEST(ScanPass, FliesHalfALayerOffAllPrintingHeights) {
@@ -106,8 +110,13 @@ TEST(ScanPass, FliesHalfALayerOffAllPrintingHeights) {
   EXPECT_NEAR(scanHeight(layer, 1.11), 4.3, 1e-12);
 }
 
+struct Sensor {
+  Point2 offset_mm;
+  double swath_mm;
+};
+
 /// Whether the sensor's line passes over the point during the layer's scan.
-bool isSeen(const ToolpathLayer& layer, const ScanSensor& sensor, const Point2& point) {
+bool isSeen(const ToolpathLayer& layer, const Sensor& sensor, const Point2& point) {
   const Path& scan = layer.paths.back();
   const double z = scanHeight(layer, 1.0);
   for (std::size_t i = 1; i < scan.points.size(); ++i) {
@@ -127,8 +136,10 @@ TEST(ScanPass, TheLinePassesOverTheWholeBox) {
     Random random(seed);
     const Point2 low(random.uniform(-50, 50), random.uniform(-50, 50));
     const Point2 high = low + Point2(random.uniform(0.1, 120), random.uniform(0.1, 120));
-    const ScanSensor sensor{{random.uniform(-60, 60), random.uniform(-60, 60)}, random.uniform(2, 80)};
-    const Toolpath scanned = withScanPasses(diagonals(2, low, high), every(1), sensor);
+    const Sensor sensor{{random.uniform(-60, 60), random.uniform(-60, 60)}, random.uniform(2, 80)};
+    ScanSettings settings = every(1);
+    settings.swath_mm = sensor.swath_mm;
+    const Toolpath scanned = withScanPasses(diagonals(2, low, high), settings, sensor.offset_mm);
     validate(scanned);
     for (int i = 0; i < 20; ++i) {
       const Point2 point(random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()));

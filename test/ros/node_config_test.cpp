@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/trajectory_publisher/trajectory_settings.hpp"
 
 namespace {
@@ -38,6 +39,13 @@ TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("trajectory_publisher", schema);
+}
+
+TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {
+  lamina::LayerHeightMonitorSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("layer_height_monitor", schema);
 }
 
 }  // namespace

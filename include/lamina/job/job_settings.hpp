@@ -38,7 +38,6 @@ struct JobSettings {
   SlicingSettings slicing;
   PlanSettings planning;
   ScanSettings scan;
-  ScanSensor sensor;
   MotionLimits motion;
   ProgramSettings program;
 };

@@ -63,6 +63,11 @@ AxisValues axisValues(const Machine& machine, const Point3& position);
 ///   would leave its limits (gives axis, value and limit)
 AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle);
 
+/// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
+/// bed].
+/// @throws InvalidConfig if the sensor does not look down
+Point2 sensorOffset(const Machine& machine);
+
 /// Checks every waypoint.
 /// @throws Unreachable as `axisValuesWithin`, naming layer, path and waypoint of the first that is out of
 /// reach

@@ -12,28 +12,23 @@ struct ScanSettings {
   int every_layers = 0;       ///< scan each n-th layer, and always the last; 0 scans none
   double clearance_mm = 1.0;  ///< of the nozzle above the layer just finished, at least (see `scanHeight`)
   double feed_mm_s = 100.0;
+  double swath_mm = 28.0;  ///< length of the sensor's line on the layer
   double margin_mm = 1.0;  ///< scanned beyond the layer's deposition on each side
 };
 
 /// Adds the keys scan.*.
 void describe(SettingsSchema& schema, ScanSettings& settings);
 
-/// A profile sensor that travels with the nozzle, its line of light along x of the part.
-struct ScanSensor {
-  Point2 offset_mm{25.0, 0.0};  ///< of the line's middle from the nozzle, in the part's x and y
-  double swath_mm = 28.0;       ///< length of the line on the layer
-};
-
-/// Adds the keys scan.sensor_x_mm, scan.sensor_y_mm and scan.swath_mm.
-void describe(SettingsSchema& schema, ScanSensor& sensor);
-
 /// The toolpath with a retracted travel at the end of every n-th layer, and of the last one that deposits,
 /// that carries the sensor's line over the whole box of what the layer deposits (the skirt left out): back
 /// and forth along y, in as many swaths side by side as it takes. The travel lifts the nozzle straight up,
 /// keeps `scanHeight` and comes down on the start of the next layer, whose first travel it replaces.
 ///
-/// @param toolpath  planar layers; satisfies `validate`, and so does the result
+/// The sensor travels with the nozzle, its line of light along x of the part.
+///
+/// @param toolpath       planar layers; satisfies `validate`, and so does the result
+/// @param sensor_offset  of the line's middle from the nozzle, in the part's x and y [mm]
 /// @throws InvalidConfig if the swath is not longer than 0
-Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const ScanSensor& sensor);
+Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);
 
 }  // namespace lamina

@@ -28,7 +28,6 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
   describe(schema, settings.scan);
-  describe(schema, settings.sensor);
   describe(schema, settings.motion);
   describe(schema, settings.program);
 }

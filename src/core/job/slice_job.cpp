@@ -119,7 +119,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.toolpath =
       planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
   layers = {};
-  sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, job.settings.sensor);
+  sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   sliced.summary.plan_s = laps.lap();

@@ -98,6 +98,14 @@ Eigen::Isometry3d bedFromNozzle(const Machine& machine, const AxisValues& values
   return Eigen::Translation3d(directions(machine) * values) * machine.bed_from_nozzle_at_zero;
 }
 
+Point2 sensorOffset(const Machine& machine) {
+  const Eigen::Matrix3d bed_from_nozzle = machine.bed_from_nozzle_at_zero.linear();
+  const Point3 position = bed_from_nozzle * machine.nozzle_from_sensor.translation();
+  const Point3 view = bed_from_nozzle * machine.nozzle_from_sensor.linear().col(2);
+  if (!(view.z() < 0.0)) throw InvalidConfig("sensor of machine " + machine.name + " does not look down");
+  return (position - view * (position.z() / view.z())).head<2>();
+}
+
 AxisValues axisValues(const Machine& machine, const Point3& position) {
   return directions(machine).inverse() * (position - machine.bed_from_nozzle_at_zero.translation());
 }

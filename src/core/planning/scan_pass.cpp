@@ -50,7 +50,7 @@ std::vector<Point2> swathEnds(const Box2& box, double swath_mm) {
   return ends;
 }
 
-Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const ScanSensor& sensor) {
+Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const Point2& sensor_offset) {
   Box2 box = boxToScan(layer);
   const Point2 margin(settings.margin_mm, settings.margin_mm);
   box = {box.low - margin, box.high + margin};
@@ -59,10 +59,12 @@ Path scanOf(const ToolpathLayer& layer, const ScanSettings& settings, const Scan
   scan.role = PathRole::Travel;
   scan.process.is_retracted = true;
   scan.feed_mm_s = settings.feed_mm_s;
-  const Point3 start = layer.paths.back().lastPoint();
+  const Path& before = layer.paths.back();
+  scan.orientation = before.orientation.at(before.is_closed ? 0 : before.points.size() - 1);
+  const Point3 start = before.lastPoint();
   scan.points = {start, {start.x(), start.y(), z}};
-  for (const Point2& line : swathEnds(box, sensor.swath_mm)) {
-    const Point2 nozzle = line - sensor.offset_mm;
+  for (const Point2& line : swathEnds(box, settings.swath_mm)) {
+    const Point2 nozzle = line - sensor_offset;
     scan.points.emplace_back(nozzle.x(), nozzle.y(), z);
   }
   return scan;
@@ -79,10 +81,10 @@ void joinNext(Path& scan, ToolpathLayer& next) {
 
 }  // namespace
 
-Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const ScanSensor& sensor) {
+Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset) {
   if (settings.every_layers == 0) return toolpath;
-  if (!(sensor.swath_mm > 0.0 && std::isfinite(sensor.swath_mm)))
-    throw InvalidConfig("length of the sensor's line is " + std::to_string(sensor.swath_mm) +
+  if (!(settings.swath_mm > 0.0 && std::isfinite(settings.swath_mm)))
+    throw InvalidConfig("length of the sensor's line is " + std::to_string(settings.swath_mm) +
                         " mm; must be positive");
   auto& layers = toolpath.layers;
   std::size_t end = layers.size();
@@ -90,7 +92,7 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const S
   for (std::size_t i = 0; i < end; ++i) {
     const bool is_due = (i + 1) % static_cast<std::size_t>(settings.every_layers) == 0 || i + 1 == end;
     if (!is_due || !deposits(layers[i])) continue;
-    Path scan = scanOf(layers[i], settings, sensor);
+    Path scan = scanOf(layers[i], settings, sensor_offset);
     const auto next = std::find_if(layers.begin() + static_cast<std::ptrdiff_t>(i) + 1, layers.end(),
                                    [](const ToolpathLayer& layer) { return !layer.paths.empty(); });
     if (next != layers.end()) joinNext(scan, *next);
@@ -99,22 +101,14 @@ Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const S
   return toolpath;
 }
 
-void describe(SettingsSchema& schema, ScanSensor& sensor) {
-  const Bounds offset{-1000.0, 1000.0};
-  schema.number("scan.sensor_x_mm", sensor.offset_mm.x(), offset,
-                "Offset of the sensor's line from the nozzle.");
-  schema.number("scan.sensor_y_mm", sensor.offset_mm.y(), offset,
-                "Offset of the sensor's line from the nozzle.");
-  schema.number("scan.swath_mm", sensor.swath_mm, {0.0, 1000.0, true},
-                "Length of the sensor's line on the layer.");
-}
-
 void describe(SettingsSchema& schema, ScanSettings& settings) {
   schema.integer("scan.every_layers", settings.every_layers, {0, 1000000},
                  "A scan with the profile sensor follows each n-th layer and the last; 0 scans none.");
   schema.number("scan.clearance_mm", settings.clearance_mm, {0.0, 100.0, true},
                 "The nozzle flies at least that far above the layer just finished.");
   schema.number("scan.feed_mm_s", settings.feed_mm_s, {0.0, 1000.0, true}, "Speed of the scan.");
+  schema.number("scan.swath_mm", settings.swath_mm, {0.0, 1000.0, true},
+                "Length of the sensor's line on the layer.");
   schema.number("scan.margin_mm", settings.margin_mm, {0.0, 100.0}, "Scanned beyond the layer on each side.");
 }
 

@@ -12,22 +12,12 @@
 
 #include "height_topics.hpp"
 #include "lamina/base/clock.hpp"
-#include "lamina/base/settings.hpp"
 #include "lamina/monitoring/height_monitor.hpp"
 #include "messages.hpp"
+#include "monitor_settings.hpp"
 #include "profile_intake.hpp"
 
 namespace lamina {
-
-struct LayerHeightMonitorSettings {
-  MonitorSettings monitor;
-  std::string output_folder;  ///< empty: nothing is saved
-  double quiet_s = 2.0;  ///< a scan that shows nothing new of its layer for that long is over, in real time
-  double map_period_s = 1.0;  ///< between publications of the maps, in real time
-  int queue = 20000;          ///< clouds
-};
-
-void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings);
 
 /// Compares what profiles show with what the toolpath should have given.
 ///
