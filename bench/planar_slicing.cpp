@@ -5,6 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/slicing/planar_slicer.hpp"
@@ -49,27 +53,61 @@ std::vector<double> planes(std::size_t count) {
   return heights;
 }
 
-void run(benchmark::State& state, std::size_t triangles, std::size_t layers, benchmark::IterationCount n) {
+void run(benchmark::State& state, std::size_t triangles, std::size_t layers) {
   const ThreadLimit one_thread(1);
   const Mesh mesh = bumpySphere(triangles);
   const std::vector<double> heights = planes(layers);
   NoProgress progress;
   for (auto _ : state) benchmark::DoNotOptimize(sliceMesh(mesh, heights, progress));
-  state.SetComplexityN(n);
+  state.SetComplexityN(state.range(0));
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
 }
 
-void overTriangles(benchmark::State& state) {
-  run(state, static_cast<std::size_t>(state.range(0)), 400, state.range(0));
-}
+void overTriangles(benchmark::State& state) { run(state, static_cast<std::size_t>(state.range(0)), 400); }
+void overLayers(benchmark::State& state) { run(state, 100000, static_cast<std::size_t>(state.range(0))); }
 
-void overLayers(benchmark::State& state) {
-  run(state, 100000, static_cast<std::size_t>(state.range(0)), state.range(0));
-}
+BENCHMARK(overTriangles)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(overLayers)->Arg(400)->Arg(4000)->Arg(40000)->Unit(benchmark::kMillisecond);
 
-BENCHMARK(overTriangles)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Complexity();
-BENCHMARK(overLayers)->Arg(400)->Arg(4000)->Arg(40000)->Unit(benchmark::kMillisecond)->Complexity();
+/// The usual table, followed by the exponent b of time = a N^b for each family of runs, fitted by least
+/// squares.
+class ExponentReporter final : public benchmark::ConsoleReporter {
+ public:
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& one : runs)
+      points_[one.run_name.function_name].emplace_back(std::log(static_cast<double>(one.complexity_n)),
+                                                       std::log(one.GetAdjustedCPUTime()));
+  }
+
+  void Finalize() override {
+    for (const auto& [name, points] : points_)
+      GetOutputStream() << name << ": time grows with the power " << slope(points) << '\n';
+  }
+
+ private:
+  using Points = std::vector<std::pair<double, double>>;
+
+  static double slope(const Points& points) {
+    double x_sum = 0.0, y_sum = 0.0, xx_sum = 0.0, xy_sum = 0.0;
+    for (const auto& [x, y] : points) {
+      x_sum += x;
+      y_sum += y;
+      xx_sum += x * x;
+      xy_sum += x * y;
+    }
+    const auto count = static_cast<double>(points.size());
+    return (count * xy_sum - x_sum * y_sum) / (count * xx_sum - x_sum * x_sum);
+  }
+
+  std::map<std::string, Points> points_;
+};
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  ExponentReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return 0;
+}
