@@ -117,6 +117,15 @@ TEST(ToolpathFromGcode, ReadsTheCommentsOfSlic3r) {
   EXPECT_EQ(toolpath.layers[0].paths.back().role, PathRole::InnerWall);
 }
 
+TEST(ToolpathFromGcode, JoinsLayersAcrossWhatIsLeftOut) {
+  const Toolpath toolpath = toolpathFromGcode(
+      "M83\n;LAYER:0\nG1 X9 E1\n; end of the part\nG1 Y50\n;LAYER:1\nG1 X1 E1\nG28\nG1 X7 E1\n",
+      ProgramSettings{}, "gap");
+  EXPECT_NO_THROW(validate(toolpath));
+  ASSERT_EQ(toolpath.layers.size(), 2U);
+  EXPECT_EQ(toolpath.layers[1].paths[0].role, PathRole::Travel);
+}
+
 TEST(ToolpathFromGcode, RefusesAProgramWithoutMotion) {
   EXPECT_THROW(toolpathFromGcode("M104 S200\n", ProgramSettings{}, "heat"), InvalidProgram);
   EXPECT_THROW(toolpathFromGcodeFile("/nonexistent/part.gcode", ProgramSettings{}), FileError);

@@ -24,7 +24,6 @@ class PathBuilder {
   /// Bead height the comments told, if they did.
   std::optional<double> height() const { return height_mm_; }
   double lastZ() const { return points_.back().z(); }
-  const Point3& lastPoint() const { return points_.back(); }
 
   /// @param layer_height_mm  bead height where no comment told another
   /// @param volume_per_filament  [mm³/mm]

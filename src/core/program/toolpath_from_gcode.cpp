@@ -36,6 +36,7 @@ class ToolpathBuilder::State {
       runs_.back().add(motion);
     else
       begin(motion);
+    reached_ = motion.end;
     is_interrupted_ = false;
   }
 
@@ -47,13 +48,13 @@ class ToolpathBuilder::State {
 
  private:
   void begin(const GcodeMotion& motion) {
-    // Homing moves the nozzle without a motion of its own.
-    if (!runs_.empty() && runs_.back().lastPoint() != motion.start) {
-      GcodeMotion homing = motion;
-      homing.start = runs_.back().lastPoint();
-      homing.end = motion.start;
-      homing.extrusion_mm = 0.0;
-      runs_.emplace_back(homing, is_retracted_);
+    // Homing, and what is left out between the part's layers, move the nozzle without a motion of their own.
+    if (reached_ && *reached_ != motion.start) {
+      GcodeMotion unseen = motion;
+      unseen.start = *reached_;
+      unseen.end = motion.start;
+      unseen.extrusion_mm = 0.0;
+      runs_.emplace_back(unseen, is_retracted_);
     }
     runs_.emplace_back(motion, is_retracted_);
   }
@@ -62,7 +63,7 @@ class ToolpathBuilder::State {
     if (has_comments_)
       closeLayer(runs_.size());
     else
-      toolpath_.layers.clear(), runs_.clear();
+      toolpath_.layers.clear(), runs_.clear(), reached_.reset();
     has_comments_ = true;
     layer_ = layer;
   }
@@ -95,6 +96,7 @@ class ToolpathBuilder::State {
   double volume_per_filament_;
   std::optional<int> layer_;
   bool has_comments_ = false;
+  std::optional<Point3> reached_;  ///< by the motions that are kept
   bool is_retracted_ = false;
   bool is_interrupted_ = false;      ///< by a motion of the filament alone
   double fallback_height_mm_ = 0.2;  ///< of a layer no higher than the one before it
