@@ -18,7 +18,7 @@ class AsciiStlReader {
 
   Mesh read() {
     while (!cursor_.isAtEnd()) readItem();
-    mesh_.vertices = welder_.takeVertices();
+    mesh_.vertices = welder_.vertices();
     if (!has_end_ && pairHalfEdges(mesh_).has_border)
       cursor_.refuse("truncated: the text ends without 'endsolid' and leaves holes");
     return std::move(mesh_);

@@ -30,7 +30,7 @@ Mesh weld(const IndexedFaces& faces, const std::string& name) {
       added[i] = welded[position];
     }
   }
-  mesh.vertices = welder.takeVertices();
+  mesh.vertices = welder.vertices();
   return mesh;
 }
 

@@ -54,7 +54,7 @@ Mesh weldRecords(const char* records, std::size_t count) {
     for (std::size_t i = 0; i < 3 * size; ++i)
       mesh.triangles[first + i / 3][i % 3] = welder.add(keys[i], hashes[i]);
   }
-  mesh.vertices = welder.takeVertices();
+  mesh.vertices = welder.vertices();
   return mesh;
 }
 

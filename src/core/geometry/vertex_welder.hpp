@@ -14,7 +14,7 @@
 namespace lamina {
 
 /// Gives exactly equal coordinates the same index (-0 equals +0), in order of first appearance. Open
-/// addressing with the coordinates inside the slots: one cache line a look-up.
+/// addressing over indices: the slots stay small, and the coordinates of neighbours lie side by side.
 template <class Scalar>
 class VertexWelder {
  public:
@@ -24,7 +24,7 @@ class VertexWelder {
     std::size_t capacity = 16;
     while (capacity < 2 * expected_vertices) capacity *= 2;
     resize(capacity);
-    vertices_.reserve(expected_vertices);
+    keys_.reserve(expected_vertices);
   }
 
   static Coordinates withoutNegativeZero(const Coordinates& c) {
@@ -45,12 +45,12 @@ class VertexWelder {
   /// The index of the coordinates, whose negative zeros are gone and whose hash is known.
   std::uint32_t add(const Coordinates& coordinates, std::uint64_t hash) {
     std::size_t i = hash & mask_;
-    for (; slots_[i].index != kFree; i = (i + 1) & mask_)
-      if (std::memcmp(&slots_[i].coordinates, &coordinates, sizeof coordinates) == 0) return slots_[i].index;
-    const auto index = static_cast<std::uint32_t>(vertices_.size());
-    slots_[i] = {coordinates, index};
-    vertices_.emplace_back(coordinates[0], coordinates[1], coordinates[2]);
-    if (2 * vertices_.size() > slots_.size()) grow();
+    for (; slots_[i] != kFree; i = (i + 1) & mask_)
+      if (std::memcmp(&keys_[slots_[i]], &coordinates, sizeof coordinates) == 0) return slots_[i];
+    const auto index = static_cast<std::uint32_t>(keys_.size());
+    slots_[i] = index;
+    keys_.push_back(coordinates);
+    if (2 * keys_.size() > slots_.size()) grow();
     return index;
   }
 
@@ -59,37 +59,35 @@ class VertexWelder {
     return add(key, hash(key));
   }
 
-  std::vector<Point3> takeVertices() { return std::move(vertices_); }
+  std::vector<Point3> vertices() const {
+    std::vector<Point3> points;
+    points.reserve(keys_.size());
+    for (const Coordinates& c : keys_) points.emplace_back(c[0], c[1], c[2]);
+    return points;
+  }
 
  private:
   using Bits = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
   static constexpr std::uint32_t kFree = 0xFFFFFFFF;
-  struct Slot {
-    Coordinates coordinates{};
-    std::uint32_t index = kFree;
-  };
 
   void resize(std::size_t capacity) {
-    slots_.assign(capacity, Slot{});
+    slots_.assign(capacity, kFree);
     mask_ = capacity - 1;
   }
 
   void grow() {
-    if (vertices_.size() >= kFree / 2)
-      throw InvalidMesh("more than 2147483647 vertices; fewer are supported");
-    const std::vector<Slot> old = std::move(slots_);
-    resize(2 * old.size());
-    for (const Slot& slot : old) {
-      if (slot.index == kFree) continue;
-      std::size_t i = hash(slot.coordinates) & mask_;
-      while (slots_[i].index != kFree) i = (i + 1) & mask_;
-      slots_[i] = slot;
+    if (keys_.size() >= kFree / 2) throw InvalidMesh("more than 2147483647 vertices; fewer are supported");
+    resize(2 * slots_.size());
+    for (std::uint32_t index = 0; index < keys_.size(); ++index) {
+      std::size_t i = hash(keys_[index]) & mask_;
+      while (slots_[i] != kFree) i = (i + 1) & mask_;
+      slots_[i] = index;
     }
   }
 
-  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> slots_;
   std::size_t mask_ = 0;
-  std::vector<Point3> vertices_;
+  std::vector<Coordinates> keys_;
 };
 
 }  // namespace lamina
