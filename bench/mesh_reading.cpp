@@ -44,7 +44,11 @@ void checkSoundMesh(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
-BENCHMARK(readStl)->RangeMultiplier(4)->Range(16384, 1048576)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);
+BENCHMARK(readStl)
+    ->RangeMultiplier(4)
+    ->Range(16384, 1048576)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
 BENCHMARK(checkSoundMesh)
     ->RangeMultiplier(4)
     ->Range(16384, 1048576)

@@ -83,7 +83,8 @@ TEST(Colour, MapsEndAndMiddle) {
   EXPECT_GT(colourAt(ColourMap::Diverging, 1.0).red, 0.5);
   EXPECT_NEAR(colourAt(ColourMap::Diverging, 0.5).red, colourAt(ColourMap::Diverging, 0.5).blue, 1e-12);
   EXPECT_EQ(colourAt(ColourMap::Sequential, -5.0).red, colourAt(ColourMap::Sequential, 0.0).red);
-  EXPECT_EQ(colourAt(ColourMap::Sequential, std::nan("")).red, colourAt(ColourMap::Diverging, std::nan("")).red);
+  EXPECT_EQ(colourAt(ColourMap::Sequential, std::nan("")).red,
+            colourAt(ColourMap::Diverging, std::nan("")).red);
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ namespace lamina::test {
 class PngImage {
  public:
   explicit PngImage(const std::string& path) : surface_(cairo_image_surface_create_from_png(path.c_str())) {
-    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no picture: " + path);
+    if (cairo_surface_status(surface_) != CAIRO_STATUS_SUCCESS)
+      throw std::runtime_error("no picture: " + path);
   }
   ~PngImage() { cairo_surface_destroy(surface_); }
   PngImage(const PngImage&) = delete;
