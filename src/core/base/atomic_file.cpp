@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/base/atomic_file.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 
 namespace lamina {
 namespace {
@@ -48,32 +47,6 @@ void AtomicFile::commit() {
   fail("write", path_, error_number);
 }
 
-std::string readFile(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail("read", path, errno);
-  struct stat status {};
-  if (::fstat(descriptor, &status) != 0 || S_ISDIR(status.st_mode)) {
-    ::close(descriptor);
-    fail("read", path, EISDIR);
-  }
-  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
-  std::size_t length = 0;
-  constexpr std::size_t kChunk = 1 << 16;
-  for (;;) {
-    if (length == bytes.size()) bytes.resize(bytes.size() + kChunk);
-    const ssize_t got = ::read(descriptor, bytes.data() + length, bytes.size() - length);
-    if (got == 0) break;
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) {
-      const int error_number = errno;
-      ::close(descriptor);
-      fail("read", path, error_number);
-    }
-    length += static_cast<std::size_t>(got);
-  }
-  ::close(descriptor);
-  bytes.resize(length);
-  return bytes;
-}
+std::string readFile(const std::string& path) { return InputFile(path).readRest(); }
 
 }  // namespace lamina

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/mesh_reader.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
 #include "mesh_formats.hpp"
 
 namespace lamina {
@@ -37,16 +37,23 @@ std::string lowerSuffix(const std::string& name) {
 Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
   if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY or 3MF)");
   if (isPly(bytes)) return readPly(bytes, name);
-  if (isExactBinaryStl(bytes)) return readBinaryStl(bytes, name);
+  if (isExactBinaryStl(bytes, bytes.size())) return readBinaryStl(bytes, name);
   if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
   if (isObj(bytes)) return readObj(bytes, name);
   if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
   throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY nor 3MF");
 }
 
-void convertToMillimetres(Mesh& mesh, double factor, const std::string& name) {
+double factorOf(const MeshUnits& units) {
+  if (!(units.scale > 0.0) || !std::isfinite(units.scale))
+    throw InvalidConfig("scale is " + std::to_string(units.scale) + "; must be positive and finite");
+  return units.scale * millimetresPer(units.unit);
+}
+
+Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
   // Beyond this, areas and volumes lose their meaning long before they overflow.
   constexpr double kFarthest = 1e9;
+  if (mesh.triangles.empty()) throw InvalidMesh(name + ": no triangles");
   for (Point3& vertex : mesh.vertices) {
     vertex *= factor;
     const double farthest = vertex.cwiseAbs().maxCoeff();
@@ -54,6 +61,7 @@ void convertToMillimetres(Mesh& mesh, double factor, const std::string& name) {
       throw InvalidMesh(name + ": a vertex lies at " + std::to_string(farthest) +
                         " mm; must be within 1e9 mm");
   }
+  return mesh;
 }
 
 }  // namespace
@@ -67,17 +75,17 @@ const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
 }
 
 Mesh readMesh(const std::string& path, const MeshUnits& units) {
-  return readMeshFromBytes(readFile(path), path, units);
+  InputFile file(path);
+  std::array<char, kBinaryStlStart> buffer;
+  const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
+  if (isPly(start) || !isExactBinaryStl(start, file.size()))
+    return readMeshFromBytes(file.readRest(start), path, units);
+  return inMillimetres(readExactBinaryStl(file, start, path), factorOf(units), path);
 }
 
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {
-  if (!(units.scale > 0.0) || !std::isfinite(units.scale))
-    throw InvalidConfig("scale is " + std::to_string(units.scale) + "; must be positive and finite");
-  const bool states_unit = isThreemf(bytes);
-  Mesh mesh = states_unit ? readThreemf(bytes, name) : readInFileUnits(bytes, name);
-  if (mesh.triangles.empty()) throw InvalidMesh(name + ": no triangles");
-  convertToMillimetres(mesh, units.scale * (states_unit ? 1.0 : millimetresPer(units.unit)), name);
-  return mesh;
+  if (!isThreemf(bytes)) return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
+  return inMillimetres(readThreemf(bytes, name), factorOf({LengthUnit::Millimetre, units.scale}), name);
 }
 
 }  // namespace lamina

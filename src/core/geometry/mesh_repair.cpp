@@ -69,35 +69,42 @@ void compact(Mesh& mesh) {
     for (std::uint32_t& v : t) v = moved[v];
 }
 
+/// The mesh on its way through the steps, with its topology.
 class Repair {
  public:
-  explicit Repair(Mesh mesh) : mesh_(std::move(mesh)) {}
-
-  void apply(RepairStep step) {
-    mesh_ = std::move(step.mesh);
-    changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
+  explicit Repair(Mesh mesh) {
+    RepairStep clean = dropDegenerateTriangles(std::move(mesh));
+    mesh_ = std::move(clean.mesh);
+    changes_ = std::move(clean.changes);
+    topology_ = pairHalfEdges(mesh_);
   }
 
   void rebuild(double tolerance) {
-    apply(dropRepeatedTriangles(std::move(mesh_)));
+    apply(dropRepeatedTriangles(std::move(mesh_), topology_));
     apply(dropBackOfDoubledSurface(std::move(mesh_)));
-    apply(stitchBorders(std::move(mesh_), tolerance));
-    apply(splitAtBorderVertices(std::move(mesh_), tolerance));
+    apply(stitchBorders(std::move(mesh_), topology_, tolerance));
+    apply(splitAtBorderVertices(std::move(mesh_), topology_, tolerance));
     apply(dropDegenerateTriangles(std::move(mesh_)));
-    apply(dropRepeatedTriangles(std::move(mesh_)));
-    apply(orientConsistently(std::move(mesh_)));
-    apply(fillHoles(std::move(mesh_)));
-    apply(turnOutwards(std::move(mesh_)));
+    apply(dropRepeatedTriangles(std::move(mesh_), topology_));
+    apply(orientConsistently(std::move(mesh_), topology_));
+    apply(fillHoles(std::move(mesh_), topology_));
+    apply(turnOutwards(std::move(mesh_), topology_));
     compact(mesh_);
   }
 
-  RepairResult result(MeshTopology topology) {
-    return {std::move(mesh_), std::move(topology), std::move(changes_)};
-  }
-  Mesh& mesh() { return mesh_; }
+  std::optional<Defect> defect() const { return findDefect(mesh_, topology_); }
+  const Mesh& mesh() const { return mesh_; }
+  RepairResult result() && { return {std::move(mesh_), std::move(topology_), std::move(changes_)}; }
 
  private:
+  void apply(RepairStep step) {
+    mesh_ = std::move(step.mesh);
+    if (!step.changes.empty()) topology_ = pairHalfEdges(mesh_);
+    changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
+  }
+
   Mesh mesh_;
+  MeshTopology topology_;
   std::vector<RepairChange> changes_;
 };
 
@@ -109,14 +116,11 @@ std::string toText(const RepairChange& change) {
 
 RepairResult repairMesh(Mesh mesh, const RepairSettings& settings) {
   Repair repair(std::move(mesh));
-  repair.apply(dropDegenerateTriangles(std::move(repair.mesh())));
-  MeshTopology topology = pairHalfEdges(repair.mesh());
-  if (!findDefect(repair.mesh(), topology)) return repair.result(std::move(topology));
+  if (!repair.defect()) return std::move(repair).result();
   repair.rebuild(std::min(settings.stitch_tolerance_mm, 1e-4 * boundingBox(repair.mesh()).size().norm()));
-  topology = pairHalfEdges(repair.mesh());
-  if (const auto defect = findDefect(repair.mesh(), topology))
+  if (const auto defect = repair.defect())
     throw InvalidMesh("the mesh cannot be repaired: " + defect->what + " at " + toText(defect->where));
-  return repair.result(std::move(topology));
+  return std::move(repair).result();
 }
 
 void requireSound(const Mesh& mesh) {

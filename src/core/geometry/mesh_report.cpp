@@ -103,7 +103,7 @@ MeshReport reportMesh(const Mesh& mesh, Progress& progress) {
   report.degenerate_triangles = mesh.triangles.size() - clean.mesh.triangles.size();
   report.flat_triangles = countFlat(clean.mesh);
   // Neighbours that disagree hang together all the same, and have no border between them.
-  const RepairStep oriented = orientConsistently(clean.mesh);
+  const RepairStep oriented = orientConsistently(clean.mesh, pairHalfEdges(clean.mesh));
   const MeshTopology topology = pairHalfEdges(oriented.mesh);
   report.border_loops = findBorderLoops(topology).size();
   const MeshBodies bodies = findBodies(oriented.mesh, topology);

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_topology.hpp"
@@ -14,12 +15,11 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kHeader = 80;
-constexpr std::size_t kStart = 84;
+constexpr std::size_t kStart = kBinaryStlStart;
 constexpr std::size_t kRecord = 50;
 constexpr std::size_t kNormal = 12;
 
 using Welder = VertexWelder<float>;
-using Corners = std::array<Welder::Coordinates, 3>;
 
 std::uint32_t statedCount(std::string_view bytes) {
   std::uint32_t count = 0;
@@ -27,53 +27,55 @@ std::uint32_t statedCount(std::string_view bytes) {
   return count;
 }
 
-Corners cornersOf(const char* record) {
-  Corners corners;
-  std::memcpy(corners.data(), record + kNormal, sizeof corners);
-  return corners;
-}
+/// Welds records as they come, in blocks, so that the memory of a block's hash slots is on its way before it
+/// is asked for.
+class RecordWelder {
+ public:
+  explicit RecordWelder(std::size_t expected) : welder_(expected / 2 + 4) {
+    mesh_.triangles.reserve(expected);
+  }
 
-/// Whole triangles in blocks, so that the memory of a block's hash slots is on its way before it is asked
-/// for.
-Mesh weldRecords(const char* records, std::size_t count) {
-  constexpr std::size_t kBlock = 16;
-  Mesh mesh;
-  mesh.triangles.resize(count);
-  Welder welder(count / 2 + 4);
-  std::array<Welder::Coordinates, 3 * kBlock> keys;
-  std::array<std::uint64_t, 3 * kBlock> hashes;
-  for (std::size_t first = 0; first < count; first += kBlock) {
-    const std::size_t size = std::min(kBlock, count - first);
-    for (std::size_t i = 0; i < 3 * size; ++i) {
-      std::memcpy(&keys[i], records + (first + i / 3) * kRecord + kNormal + (i % 3) * sizeof keys[i],
-                  sizeof keys[i]);
+  void add(const char* records, std::size_t count) {
+    for (std::size_t first = 0; first < count; first += kBlock)
+      addBlock(records + first * kRecord, std::min(kBlock, count - first));
+  }
+
+  /// @throws InvalidMesh if a coordinate is not finite
+  Mesh mesh(const std::string& name) && {
+    mesh_.vertices = welder_.vertices();
+    for (const Point3& vertex : mesh_.vertices)
+      if (!vertex.allFinite()) refuseNonFinite(name);
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 16;
+
+  void addBlock(const char* records, std::size_t count) {
+    std::array<Welder::Coordinates, 3 * kBlock> keys;
+    std::array<std::uint64_t, 3 * kBlock> hashes;
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+      std::memcpy(&keys[i], records + i / 3 * kRecord + kNormal + i % 3 * sizeof keys[i], sizeof keys[i]);
       keys[i] = Welder::withoutNegativeZero(keys[i]);
       hashes[i] = Welder::hash(keys[i]);
-      welder.prefetch(hashes[i]);
+      welder_.prefetch(hashes[i]);
     }
-    for (std::size_t i = 0; i < 3 * size; ++i)
-      mesh.triangles[first + i / 3][i % 3] = welder.add(keys[i], hashes[i]);
+    for (std::size_t i = 0; i < 3 * count; i += 3)
+      mesh_.triangles.push_back({welder_.add(keys[i], hashes[i]), welder_.add(keys[i + 1], hashes[i + 1]),
+                                 welder_.add(keys[i + 2], hashes[i + 2])});
   }
-  mesh.vertices = welder.vertices();
-  return mesh;
-}
 
-void refuseNonFinite(std::string_view bytes, std::size_t count, const std::string& name) {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t offset = kStart + i * kRecord;
-    for (const auto& corner : cornersOf(bytes.data() + offset))
-      for (const float value : corner)
-        if (!std::isfinite(value))
-          throw InvalidMesh(name + ": triangle " + std::to_string(i) + " at byte " + std::to_string(offset) +
-                            " has the coordinate " + std::to_string(value) + "; must be finite");
+  [[noreturn]] void refuseNonFinite(const std::string& name) const {
+    std::size_t t = 0;
+    const auto is_finite = [&](std::uint32_t v) { return mesh_.vertices[v].allFinite(); };
+    while (std::all_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), is_finite)) ++t;
+    throw InvalidMesh(name + ": triangle " + std::to_string(t) + " at byte " +
+                      std::to_string(kStart + t * kRecord) + " has a coordinate that is not finite");
   }
-}
 
-bool isFinite(const Mesh& mesh) {
-  for (const Point3& vertex : mesh.vertices)
-    if (!vertex.allFinite()) return false;
-  return true;
-}
+  Welder welder_;
+  Mesh mesh_;
+};
 
 /// The number of triangles to read: as stated, or as many as there are if the file holds more whole ones.
 std::size_t countToRead(std::string_view bytes, const std::string& name) {
@@ -92,8 +94,22 @@ std::size_t countToRead(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-bool isExactBinaryStl(std::string_view bytes) {
-  return bytes.size() >= kStart && bytes.size() == kStart + kRecord * statedCount(bytes);
+bool isExactBinaryStl(std::string_view start, std::size_t size) {
+  return start.size() >= kStart && size == kStart + kRecord * statedCount(start);
+}
+
+Mesh readExactBinaryStl(InputFile& file, std::string_view start, const std::string& name) {
+  constexpr std::size_t kRecords = 4096;
+  const std::size_t count = statedCount(start);
+  RecordWelder welder(count);
+  std::vector<char> buffer(kRecord * kRecords);
+  for (std::size_t first = 0; first < count; first += kRecords) {
+    const std::size_t wanted = std::min(kRecords, count - first);
+    if (file.read(buffer.data(), wanted * kRecord) != wanted * kRecord)
+      throw InvalidMesh(name + ": truncated while it was read");
+    welder.add(buffer.data(), wanted);
+  }
+  return std::move(welder).mesh(name);
 }
 
 Mesh readBinaryStl(std::string_view bytes, const std::string& name) {
@@ -101,8 +117,9 @@ Mesh readBinaryStl(std::string_view bytes, const std::string& name) {
     throw InvalidMesh(name + ": truncated: " + std::to_string(bytes.size()) +
                       " bytes; the header of a binary STL has 84");
   const std::size_t count = countToRead(bytes, name);
-  Mesh mesh = weldRecords(bytes.data() + kStart, count);
-  if (!isFinite(mesh)) refuseNonFinite(bytes, count, name);
+  RecordWelder welder(count);
+  welder.add(bytes.data() + kStart, count);
+  Mesh mesh = std::move(welder).mesh(name);
   if (statedCount(bytes) > count && (count == 0 || pairHalfEdges(mesh).has_border))
     throw InvalidMesh(name + ": truncated at byte " + std::to_string(bytes.size()) + ": " +
                       std::to_string(count) + " triangles, which leave holes; the header states " +

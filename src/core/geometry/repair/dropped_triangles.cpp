@@ -95,9 +95,9 @@ RepairStep dropDegenerateTriangles(Mesh mesh) {
   return drop(std::move(mesh), std::move(degenerate), "degenerate triangles dropped");
 }
 
-RepairStep dropRepeatedTriangles(Mesh mesh) {
+RepairStep dropRepeatedTriangles(Mesh mesh, const MeshTopology& topology) {
   std::vector<std::uint32_t> repeated =
-      findRepeated(mesh, trianglesBetweenBorders(mesh, pairHalfEdges(mesh)), fromSmallestCorner);
+      findRepeated(mesh, trianglesBetweenBorders(mesh, topology), fromSmallestCorner);
   return drop(std::move(mesh), std::move(repeated), "repeated triangles dropped");
 }
 

@@ -59,11 +59,11 @@ Point3 middleOfCorners(const Mesh& mesh, const Hole& hole) {
 
 }  // namespace
 
-RepairStep fillHoles(Mesh mesh) {
+RepairStep fillHoles(Mesh mesh, const MeshTopology& topology) {
   // So many are told one by one; a mesh full of cracks would fill pages.
   constexpr std::size_t kMostTold = 20;
   std::vector<RepairChange> changes;
-  for (const auto& loop : findBorderLoops(pairHalfEdges(mesh))) {
+  for (const auto& loop : findBorderLoops(topology)) {
     for (const auto& simple : simpleLoops(mesh, loop)) {
       const Hole hole = holeOf(mesh, simple);
       const std::vector<Triangle> filling = triangulate(hole, mesh.vertices);

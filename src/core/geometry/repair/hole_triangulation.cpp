@@ -30,8 +30,13 @@ constexpr Cost kWorst = {std::numeric_limits<double>::infinity(), std::numeric_l
 class LeastFolds {
  public:
   LeastFolds(const Hole& hole, const std::vector<Point3>& vertices)
-      : hole_(hole), count_(hole.corners.size()), best_(count_ * count_), split_(count_ * count_, 0) {
+      : hole_(hole),
+        count_(hole.corners.size()),
+        best_(count_ * count_),
+        split_(count_ * count_, 0),
+        normals_(count_ * count_) {
     for (const std::uint32_t corner : hole.corners) points_.push_back(vertices[corner]);
+    for (std::size_t i = 0; i + 1 < count_; ++i) normals_[i * count_ + i + 1] = hole.normals[i];
   }
 
   std::vector<Triangle> triangles() {
@@ -47,12 +52,6 @@ class LeastFolds {
     return (points_[k] - points_[i]).cross(points_[j] - points_[i]);
   }
 
-  /// The normal across the line from i to j, i < j: of the triangle chosen there, or of the mesh.
-  Point3 normalAcross(std::size_t i, std::size_t j) const {
-    if (j == i + 1) return hole_.normals[i];
-    return crossOf(i, split_[i * count_ + j], j).normalized();
-  }
-
   static double foldBetween(const Point3& a, const Point3& b) { return 1.0 - a.dot(b); }
 
   Cost costOf(std::size_t i, std::size_t k, std::size_t j) const {
@@ -61,8 +60,8 @@ class LeastFolds {
     const Cost& left = best_[i * count_ + k];
     const Cost& right = best_[k * count_ + j];
     double fold = std::max(left.fold, right.fold);
-    fold = std::max(fold, foldBetween(normal, normalAcross(i, k)));
-    fold = std::max(fold, foldBetween(normal, normalAcross(k, j)));
+    fold = std::max(fold, foldBetween(normal, normals_[i * count_ + k]));
+    fold = std::max(fold, foldBetween(normal, normals_[k * count_ + j]));
     if (i == 0 && j + 1 == count_) fold = std::max(fold, foldBetween(normal, hole_.normals[j]));
     return {fold, left.area + right.area + 0.5 * cross.norm()};
   }
@@ -76,6 +75,7 @@ class LeastFolds {
       best = cost;
       split_[i * count_ + j] = k;
     }
+    normals_[i * count_ + j] = crossOf(i, split_[i * count_ + j], j).normalized();
   }
 
   void collect(std::size_t i, std::size_t j, std::vector<Triangle>& triangles) const {
@@ -91,12 +91,13 @@ class LeastFolds {
   std::vector<Point3> points_;
   std::vector<Cost> best_;
   std::vector<std::size_t> split_;
+  std::vector<Point3> normals_;  // across the line from i to j: of the triangle chosen there, or of the mesh
 };
 
 }  // namespace
 
 std::vector<Triangle> triangulate(const Hole& hole, const std::vector<Point3>& vertices) {
-  // Beyond this the cubic time would be felt (about 50 ms).
+  // Beyond this the cubic time would be felt (some 10 ms).
   constexpr std::size_t kMostCorners = 120;
   if (hole.corners.size() > kMostCorners) return clipEars(hole.corners, vertices);
   return LeastFolds(hole, vertices).triangles();

@@ -41,10 +41,8 @@ std::vector<HalfEdge> findContrary(const Mesh& mesh, const MeshTopology& topolog
 
 class Orienter {
  public:
-  explicit Orienter(const Mesh& mesh)
-      : topology_(pairHalfEdges(mesh)),
-        contrary_(findContrary(mesh, topology_)),
-        turns_(mesh.triangles.size()) {}
+  Orienter(const Mesh& mesh, const MeshTopology& topology)
+      : topology_(topology), contrary_(findContrary(mesh, topology_)), turns_(mesh.triangles.size()) {}
 
   /// The triangles to turn: of each connected patch the fewer.
   std::vector<std::uint32_t> findTurned() {
@@ -83,7 +81,7 @@ class Orienter {
     patch_.push_back(triangleOf(half_edge));
   }
 
-  MeshTopology topology_;
+  const MeshTopology& topology_;
   std::vector<HalfEdge> contrary_;
   std::vector<Turn> turns_;
   std::vector<std::uint32_t> patch_;
@@ -129,8 +127,8 @@ void dropSheets(RepairStep& step, MeshBodies& bodies) {
 
 }  // namespace
 
-RepairStep orientConsistently(Mesh mesh) {
-  const std::vector<std::uint32_t> turned = Orienter(mesh).findTurned();
+RepairStep orientConsistently(Mesh mesh, const MeshTopology& topology) {
+  const std::vector<std::uint32_t> turned = Orienter(mesh, topology).findTurned();
   if (turned.empty()) return {std::move(mesh), {}};
   const RepairChange change = {"triangles turned to agree with their neighbours", turned.size(),
                                middleOf(mesh, mesh.triangles[turned.front()])};
@@ -138,9 +136,9 @@ RepairStep orientConsistently(Mesh mesh) {
   return {std::move(mesh), {change}};
 }
 
-RepairStep turnOutwards(Mesh mesh) {
+RepairStep turnOutwards(Mesh mesh, const MeshTopology& topology) {
   RepairStep step = {std::move(mesh), {}};
-  MeshBodies bodies = findBodies(step.mesh, pairHalfEdges(step.mesh));
+  MeshBodies bodies = findBodies(step.mesh, topology);
   dropSheets(step, bodies);
   double total = 0.0;
   for (const double body_volume : bodies.volumes) total += body_volume;

@@ -27,8 +27,8 @@ std::vector<HalfEdge> borderOf(const MeshTopology& topology) {
   return border;
 }
 
-std::vector<Junction> findJunctions(const Mesh& mesh, double tolerance) {
-  const std::vector<HalfEdge> border = borderOf(pairHalfEdges(mesh));
+std::vector<Junction> findJunctions(const Mesh& mesh, const MeshTopology& topology, double tolerance) {
+  const std::vector<HalfEdge> border = borderOf(topology);
   std::vector<Box3> boxes;
   for (const HalfEdge h : border) {
     Box3& box = boxes.emplace_back();
@@ -80,11 +80,12 @@ std::size_t splitOneEdgeEach(Mesh& mesh, const std::vector<Junction>& junctions)
 
 }  // namespace
 
-RepairStep splitAtBorderVertices(Mesh mesh, double tolerance) {
+RepairStep splitAtBorderVertices(Mesh mesh, const MeshTopology& topology, double tolerance) {
   constexpr int kMostRounds = 8;
   RepairChange change = {"border edges split at vertices on them", 0, {}};
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::vector<Junction> junctions = findJunctions(mesh, tolerance);
+    const std::vector<Junction> junctions = round == 0 ? findJunctions(mesh, topology, tolerance)
+                                                       : findJunctions(mesh, pairHalfEdges(mesh), tolerance);
     if (junctions.empty()) break;
     if (change.count == 0) change.where = mesh.vertices[junctions.front().vertex];
     change.count += splitOneEdgeEach(mesh, junctions);

@@ -77,8 +77,8 @@ class NearVertices {
 
 }  // namespace
 
-RepairStep stitchBorders(Mesh mesh, double tolerance) {
-  const std::vector<std::uint32_t> border = borderVertices(mesh, pairHalfEdges(mesh));
+RepairStep stitchBorders(Mesh mesh, const MeshTopology& topology, double tolerance) {
+  const std::vector<std::uint32_t> border = borderVertices(mesh, topology);
   std::vector<std::uint32_t> representatives(mesh.vertices.size());
   std::iota(representatives.begin(), representatives.end(), 0U);
   const NearVertices near(mesh, border, tolerance);
