@@ -18,13 +18,14 @@ struct DepositedMotion {
 /// Lays executed motions into a height map, one after the other: a simple model, for seeing what a machine
 /// did, not for predicting pores.
 ///
-/// A bead is a stadium in cross-section: the nozzle's plane is its ceiling, the ground its floor, its edges
-/// are half discs, and it is as wide as its volume asks for, so that over flat ground the map gains exactly
-/// what was extruded. Where neighbours already fill the room, the bead becomes wider instead of higher. Too
-/// little material for a stadium gives a disc lying on the ground, lower than the nozzle. A bead bridges gaps
-/// of the layer beneath up to `kBridgedSpan`; the map holds one height per cell, so it shows no void there
-/// and gains more than was extruded. Sagging, ooze and the pressure in the nozzle are not modelled. Edges are
-/// blurred by one cell.
+/// A bead is a stadium in cross-section: the nozzle's plane is its ceiling, the highest ground under its
+/// centre line its floor, its edges are half discs, and it is as wide as its volume asks for, so that over
+/// flat ground the map gains exactly what was extruded. Where neighbours already fill the room, the bead
+/// becomes wider instead of higher. Too little material for a stadium gives a disc lying on the ground, lower
+/// than the nozzle. What lies deeper than the floor stays open: valleys between the beads of the layer
+/// beneath become pores, and gaps are bridged up to `kBridgedSpan`. The map holds one height per cell, so it
+/// does not show these voids and gains their volume too. Sagging, ooze and the pressure in the nozzle are not
+/// modelled. Edges are blurred by one cell.
 ///
 /// Motions may be as short as they like; the cost is proportional to the cells the bead covers.
 class BeadDeposit {
@@ -49,23 +50,24 @@ class BeadDeposit {
     std::size_t index = HeightGrid::kNoCell;  ///< kNoCell beyond the map
     double distance = 0.0;                    ///< from the centre line [mm]
     double ceiling = 0.0;                     ///< nozzle plane here [mm]
-    double floor = 0.0;  ///< underside of the bead here [mm]: the ground, or the span of a bridge
+    double underside = 0.0;                   ///< of the bead here [mm]
+    double floor = 0.0;                       ///< what lies here already, at least the underside [mm]
   };
 
   void layPiece(const DepositedMotion& piece);
-  double thicknessOf(const DepositedMotion& piece, double disc_diameter);
+  double gapUnder(const DepositedMotion& piece, double disc_diameter);
   double gapToSupport(const std::vector<Cell>& line, double ceiling) const;
   std::vector<Cell> cellsAround(const DepositedMotion& piece, double reach) const;
-  double room(double width, double thickness) const;
-  double widthFor(double volume, double widest, double thickness) const;
-  void fill(double width, double thickness);
+  double room(double width, double height) const;
+  double widthFor(double volume, double widest, double height) const;
+  void fill(double width, double height);
 
   HeightMap surface_;
-  std::vector<float> laid_at_;    ///< nozzle height at which each cell was last laid [mm]
-  std::vector<Cell> cells_;       ///< around the piece being laid
-  double layer_z_ = 0.0;          ///< nozzle height of the last piece [mm]
-  double layer_thickness_ = 0.0;  ///< of the last supported bead at that height; 0 before the first
-  double unsupported_mm_ = 0.0;   ///< length of the bead since it left its support
+  std::vector<float> laid_at_;  ///< nozzle height at which each cell was last laid [mm]
+  std::vector<Cell> cells_;     ///< around the piece being laid
+  double layer_z_ = 0.0;        ///< nozzle height of the last piece [mm]
+  double layer_gap_ = 0.0;  ///< from there down to the ground of the last supported bead; 0 before the first
+  double unsupported_mm_ = 0.0;  ///< length of the bead since it left its support
   double excess_mm3_ = 0.0;
 };
 

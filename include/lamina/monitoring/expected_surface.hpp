@@ -27,7 +27,7 @@ class ExpectedSurface {
 
   /// Cells of the latest layer, the skirt left out, that should be level with the nozzle: their centres lie
   /// on the flat top of a bead, no farther from its centre line than half of width less height, where its
-  /// rounded edges begin (for beads higher than wide: half a cell). In no particular order, each once.
+  /// rounded edges begin, but half a cell at least. In no particular order, each once.
   const std::vector<std::size_t>& topCells() const { return top_cells_; }
 
  private:

@@ -57,31 +57,32 @@ void BeadDeposit::lay(const DepositedMotion& motion) {
 
 void BeadDeposit::layPiece(const DepositedMotion& piece) {
   const double area = crossSectionOf(piece);
-  const double thickness = thicknessOf(piece, discDiameter(area));
   const double cell = surface_.grid().cell_mm;
-  const double widest = std::min(kWidestBead, 3.0 * widthOnFlatGround(area, thickness) + cell);
+  const double gap = gapUnder(piece, discDiameter(area));
+  const double height = std::min(gap, discDiameter(area));
+  const double widest = std::min(kWidestBead, 3.0 * widthOnFlatGround(area, gap) + cell);
   cells_ = cellsAround(piece, 0.5 * widest + cell);
+  // What lies deeper stays open, as a pore: a map of heights that filled it would sink from layer to layer.
   for (Cell& at : cells_) {
-    const double underside = at.ceiling - thickness;
-    const bool is_bridged = at.floor < underside - 0.5 * thickness;
-    if (is_bridged || at.index == HeightGrid::kNoCell) at.floor = underside;
+    at.underside = at.ceiling - gap;
+    at.floor = at.index == HeightGrid::kNoCell ? at.underside : std::max(at.floor, at.underside);
   }
-  const double most = room(widest, thickness);
+  const double most = room(widest, height);
   excess_mm3_ += std::max(0.0, piece.volume_mm3 - most);
-  fill(most > piece.volume_mm3 ? widthFor(piece.volume_mm3, widest, thickness) : widest, thickness);
+  fill(most > piece.volume_mm3 ? widthFor(piece.volume_mm3, widest, height) : widest, height);
 }
 
-double BeadDeposit::thicknessOf(const DepositedMotion& piece, double disc_diameter) {
+double BeadDeposit::gapUnder(const DepositedMotion& piece, double disc_diameter) {
   const double z = std::max(piece.start.z(), piece.end.z());
   const double length = (piece.end - piece.start).norm();
-  if (std::abs(z - layer_z_) > std::max(kSameHeight, 0.5 * layer_thickness_)) layer_thickness_ = 0.0;
+  if (std::abs(z - layer_z_) > std::max(kSameHeight, 0.5 * layer_gap_)) layer_gap_ = 0.0;
   layer_z_ = z;
   const double gap =
       gapToSupport(cellsAround(piece, std::max(surface_.grid().cell_mm, 0.25 * disc_diameter)), z);
-  const bool is_supported = gap > 0.0 && !(layer_thickness_ > 0.0 && gap > 1.5 * layer_thickness_);
+  const bool is_supported = gap > 0.0 && !(layer_gap_ > 0.0 && gap > 1.5 * layer_gap_);
   unsupported_mm_ = is_supported ? 0.0 : unsupported_mm_ + length;
-  if (is_supported) return layer_thickness_ = gap;
-  if (layer_thickness_ > 0.0 && (gap <= 0.0 || unsupported_mm_ < kBridgedSpan)) return layer_thickness_;
+  if (is_supported) return layer_gap_ = gap;
+  if (layer_gap_ > 0.0 && (gap <= 0.0 || unsupported_mm_ < kBridgedSpan)) return layer_gap_;
   return gap > 0.0 ? gap : disc_diameter;
 }
 
@@ -121,17 +122,17 @@ std::vector<BeadDeposit::Cell> BeadDeposit::cellsAround(const DepositedMotion& p
   return cells;
 }
 
-double BeadDeposit::room(double width, double thickness) const {
+double BeadDeposit::room(double width, double height) const {
   const double cell = surface_.grid().cell_mm;
-  const BeadSection section{width, thickness, cell};
+  const BeadSection section{width, height, cell};
   double sum = 0.0;
   for (const Cell& at : cells_)
-    sum += std::max(0.0, at.ceiling - thickness + topAbove(section, at.distance) - at.floor);
+    sum += std::max(0.0, at.underside + topAbove(section, at.distance) - at.floor);
   return sum * cell * cell;
 }
 
-double BeadDeposit::widthFor(double volume, double widest, double thickness) const {
-  const auto missing = [&](double width) { return room(width, thickness) - volume; };
+double BeadDeposit::widthFor(double volume, double widest, double height) const {
+  const auto missing = [&](double width) { return room(width, height) - volume; };
   const double at_none = missing(0.0);
   if (at_none >= 0.0) return 0.0;
   std::uintmax_t steps = 60;
@@ -140,12 +141,12 @@ double BeadDeposit::widthFor(double volume, double widest, double thickness) con
   return 0.5 * (bracket.first + bracket.second);
 }
 
-void BeadDeposit::fill(double width, double thickness) {
-  const BeadSection section{width, thickness, surface_.grid().cell_mm};
+void BeadDeposit::fill(double width, double height) {
+  const BeadSection section{width, height, surface_.grid().cell_mm};
   for (const Cell& at : cells_) {
     if (at.index == HeightGrid::kNoCell) continue;
     const double above = topAbove(section, at.distance);
-    const double top = at.ceiling - thickness + above;
+    const double top = at.underside + above;
     if (above <= 0.0 || top <= at.floor) continue;
     surface_.set(at.index, top);
     laid_at_[at.index] = static_cast<float>(at.ceiling);

@@ -9,11 +9,15 @@ namespace lamina {
 
 double topAbove(const BeadSection& section, double distance) {
   const double half = 0.5 * section.width_mm;
-  const double radius = 0.5 * std::min(section.width_mm, section.thickness_mm);
-  const double from_flat = distance - (half - radius);
-  if (from_flat <= 0.0) return 2.0 * radius;
-  if (from_flat <= radius) return radius + std::sqrt(radius * radius - from_flat * from_flat);
-  return std::max(0.0, radius * (1.0 - (distance - half) / section.edge_mm));
+  const double flat = std::min(half, std::max(half - 0.5 * section.height_mm, 0.5 * section.cell_mm));
+  const double rounding = half - flat;
+  const double middle = 0.5 * section.height_mm;
+  if (distance > half) return std::max(0.0, middle * (1.0 - (distance - half) / section.cell_mm));
+  // A bead narrower than a cell is lower, so that one of no width has no top.
+  const double crown = middle * std::min(1.0, section.width_mm / section.cell_mm);
+  if (distance <= flat) return middle + crown;
+  const double along = (distance - flat) / rounding;
+  return middle + crown * std::sqrt(1.0 - along * along);
 }
 
 double discDiameter(double area) { return 2.0 * std::sqrt(area / M_PI); }

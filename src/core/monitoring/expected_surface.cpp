@@ -27,8 +27,7 @@ void ExpectedSurface::addLayer(const ToolpathLayer& layer) {
 
 void ExpectedSurface::addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role) {
   const HeightGrid& grid = heights_.grid();
-  const double flat =
-      bead.width_mm > bead.height_mm ? 0.5 * (bead.width_mm - bead.height_mm) : 0.5 * grid.cell_mm;
+  const double flat = std::max(0.5 * (bead.width_mm - bead.height_mm), 0.5 * grid.cell_mm);
   const double reach = std::max(flat, 0.5 * bead.width_mm);
   forCellsNearSegment(grid, start.head<2>(), end.head<2>(), reach,
                       [&](std::size_t cell, double distance, double along) {
