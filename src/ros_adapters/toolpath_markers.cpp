@@ -5,6 +5,7 @@
 #include <array>
 
 #include "conversions.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
 
 namespace lamina {
 namespace {
@@ -15,23 +16,15 @@ using visualization_msgs::MarkerArray;
 constexpr std::size_t kRoles = 6;
 constexpr std::size_t kPointsPerMarker = 40000;
 constexpr double kTravelWidth = 0.1;  // mm: a hair beside any bead
+constexpr float kTravelOpacity = 0.15F;
 
 std_msgs::ColorRGBA colour(PathRole role) {
-  struct Rgba {
-    float r, g, b, a;
-  };
-  static constexpr std::array<Rgba, kRoles> kColours = {{{0.55F, 0.55F, 0.60F, 1.0F},
-                                                         {0.95F, 0.45F, 0.10F, 1.0F},
-                                                         {0.98F, 0.75F, 0.25F, 1.0F},
-                                                         {0.20F, 0.55F, 0.85F, 1.0F},
-                                                         {0.75F, 0.25F, 0.70F, 1.0F},
-                                                         {0.40F, 0.85F, 0.55F, 0.15F}}};
-  const Rgba& rgba = kColours[static_cast<std::size_t>(role)];
+  const Colour drawn = roleColour(role);
   std_msgs::ColorRGBA message;
-  message.r = rgba.r;
-  message.g = rgba.g;
-  message.b = rgba.b;
-  message.a = rgba.a;
+  message.r = static_cast<float>(drawn.red);
+  message.g = static_cast<float>(drawn.green);
+  message.b = static_cast<float>(drawn.blue);
+  message.a = role == PathRole::Travel ? kTravelOpacity : static_cast<float>(drawn.alpha);
   return message;
 }
 

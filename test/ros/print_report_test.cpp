@@ -26,12 +26,6 @@ TEST(HeightError, WeighsEachLayerByTheCellsSeen) {
 
 TEST(HeightError, OfNoLayerIsZero) { EXPECT_EQ(lamina::heightError({}).mean_mm, 0.0); }
 
-TEST(LayerHeightsCsv, HasARowALayerInMillimetres) {
-  EXPECT_EQ(lamina::layerHeightsCsv({layer(7, 1e-5, -2e-5, 12)}),
-            "layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells\n"
-            "7,2.4,0.01,0,-0.02,0.5,12\n");
-}
-
 TEST(SummaryText, TellsLayersLinesResendsAndHeightError) {
   lamina::PrintReport report;
   report.part = "blade";

@@ -10,6 +10,7 @@
 #include "conversions.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
 #include "names.hpp"
 #include "status.hpp"
 
@@ -126,7 +127,7 @@ void PrintPart::saveHeightMap() {
 }
 
 void PrintPart::saveFiles(const PrintReport& report) {
-  writeFile(outputFile("layer_heights.csv"), layerHeightsCsv(report.layers));
+  drawToolpath(fromMessage(*toolpath_).toolpath, {}, outputFile("toolpath.png"));
   writeFile(outputFile("summary"), summaryText(report));
 }
 

@@ -19,7 +19,7 @@ namespace lamina {
 /// What to print and where its files go.
 struct PrintPartSettings {
   std::string part = "blade";            ///< a mesh file, or the name of a parametric part
-  std::string output_folder = "output";  ///< part.gcode, toolpath.png, layer_heights.csv and summary
+  std::string output_folder = "output";  ///< for part.gcode, toolpath.png and summary
   double patience_s = 30.0;              ///< how long another node may stay silent
 };
 

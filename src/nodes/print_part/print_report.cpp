@@ -77,15 +77,4 @@ std::string summaryText(const PrintReport& report) {
   return lines.text();
 }
 
-std::string layerHeightsCsv(const std::vector<lamina_msgs::LayerHeight>& layers) {
-  std::ostringstream csv;
-  csv << "layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells\n"
-      << std::setprecision(9);
-  for (const auto& layer : layers)
-    csv << layer.layer << ',' << toMillimetres(layer.expected_height) << ','
-        << toMillimetres(layer.mean_error) << ',' << toMillimetres(layer.rms_error) << ','
-        << toMillimetres(layer.worst_error) << ',' << layer.coverage << ',' << layer.cells << '\n';
-  return csv.str();
-}
-
 }  // namespace lamina

@@ -32,7 +32,4 @@ HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers);
 /// The report as a person reads it: layers, lengths, lines, resends, height errors, times.
 std::string summaryText(const PrintReport& report);
 
-/// One row a layer: layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells.
-std::string layerHeightsCsv(const std::vector<lamina_msgs::LayerHeight>& layers);
-
 }  // namespace lamina
