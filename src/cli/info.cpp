@@ -16,7 +16,8 @@ namespace {
 
 struct InfoArguments {
   std::string path;
-  MeshUnits units;
+  std::string unit = "mm";
+  double scale = 1.0;
 };
 
 struct MeshInfo {
@@ -24,8 +25,22 @@ struct MeshInfo {
   std::vector<std::string> repairs;  ///< what slicing would change, or why it would refuse
 };
 
+std::vector<std::string> unitNames() {
+  std::vector<std::string> names;
+  for (const auto& unit : lengthUnits()) names.push_back(unit.first);
+  return names;
+}
+
+MeshUnits unitsFrom(const InfoArguments& arguments) {
+  MeshUnits units;
+  for (const auto& [name, unit] : lengthUnits())
+    if (name == arguments.unit) units.unit = unit;
+  units.scale = arguments.scale;
+  return units;
+}
+
 MeshInfo inspect(const InfoArguments& arguments) {
-  Mesh mesh = readMesh(arguments.path, arguments.units);
+  Mesh mesh = readMesh(arguments.path, unitsFrom(arguments));
   TerminalProgress progress;
   MeshInfo info = {reportMesh(mesh, progress), {}};
   try {
@@ -95,10 +110,9 @@ void addInfo(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("info", "Report on a mesh: size, volume, defects");
   const auto arguments = std::make_shared<InfoArguments>();
   subcommand->add_option("mesh", arguments->path, "Mesh file (STL, OBJ, PLY, 3MF)")->required();
-  subcommand->add_option("--unit", arguments->units.unit, "Unit of the file's numbers (3MF states its own)")
-      ->transform(CLI::Transformer(lengthUnits()))
-      ->type_name("mm|cm|m|inch");
-  subcommand->add_option("--scale", arguments->units.scale, "Factor on all lengths");
+  subcommand->add_option("--unit", arguments->unit, "Unit of the file's numbers (3MF states its own)")
+      ->check(CLI::IsMember(unitNames()));
+  subcommand->add_option("--scale", arguments->scale, "Factor on all lengths");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] {

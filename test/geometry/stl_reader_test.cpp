@@ -75,6 +75,11 @@ TEST(StlReader, RefusesAFileCutBetweenTwoTriangles) {
   EXPECT_NE(messageOf(binaryStl(corners, 4)).find("truncated at byte 234"), std::string::npos);
 }
 
+TEST(StlReader, RefusesAHugeCountBeforeATriangleWithoutCorners) {
+  EXPECT_NE(messageOf(binaryStl({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0xFFFFFFFFu)).find("truncated"),
+            std::string::npos);
+}
+
 TEST(StlReader, RefusesEveryShorterPieceOfABinaryFile) {
   const std::string whole = binaryStl(tetrahedron(), 4);
   for (std::size_t length = 0; length < whole.size(); ++length)

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_topology.hpp"
 #include "mesh_formats.hpp"
 #include "text_cursor.hpp"
 #include "vertex_welder.hpp"
@@ -19,7 +18,7 @@ class AsciiStlReader {
   Mesh read() {
     while (!cursor_.isAtEnd()) readItem();
     mesh_.vertices = welder_.vertices();
-    if (!has_end_ && pairHalfEdges(mesh_).has_border)
+    if (!has_end_ && !isClosedSurface(mesh_))
       cursor_.refuse("truncated: the text ends without 'endsolid' and leaves holes");
     return std::move(mesh_);
   }

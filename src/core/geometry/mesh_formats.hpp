@@ -13,6 +13,9 @@ namespace lamina {
 // One reader a format: bytes in, welded triangles in the file's own unit out. `name` is for error messages.
 // All throw InvalidMesh.
 
+/// Whether the triangles have no border and enclose something: then none is missing, whatever a header says.
+bool isClosedSurface(const Mesh& mesh);
+
 /// What a binary STL has before its triangles [bytes].
 constexpr std::size_t kBinaryStlStart = 84;
 /// Whether a file that starts with these bytes has exactly the size that the triangle count of a binary STL

@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
+#include "lamina/geometry/mesh_topology.hpp"
 #include "mesh_formats.hpp"
 
 namespace lamina {
@@ -73,6 +74,8 @@ const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
                                                                          {"inch", LengthUnit::Inch}};
   return kUnits;
 }
+
+bool isClosedSurface(const Mesh& mesh) { return !pairHalfEdges(mesh).has_border && volume(mesh) != 0.0; }
 
 Mesh readMesh(const std::string& path, const MeshUnits& units) {
   InputFile file(path);

@@ -13,39 +13,36 @@
 namespace lamina {
 namespace {
 
-struct Defect {
-  std::string what;
-  Point3 where;
-};
-
 std::string toText(const Point3& point) {
   char text[96];
   std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm", point.x(), point.y(), point.z());
   return text;
 }
 
-std::optional<Defect> findBorder(const Mesh& mesh, const MeshTopology& topology) {
+std::string at(const std::string& what, const Point3& where) { return what + " at " + toText(where); }
+
+std::optional<std::string> findBorder(const Mesh& mesh, const MeshTopology& topology) {
   if (!topology.has_border) return std::nullopt;
   for (HalfEdge h = 0; h < topology.opposite.size(); ++h) {
     const std::uint32_t from = originOf(mesh, h);
     const std::uint32_t to = originOf(mesh, nextInTriangle(h));
     if (topology.opposite[h] != kNoHalfEdge || from == to) continue;
-    return Defect{"not closed: nothing fits the triangle's edge",
-                  0.5 * (mesh.vertices[from] + mesh.vertices[to])};
+    return at("not closed: nothing fits the triangle's edge",
+              0.5 * (mesh.vertices[from] + mesh.vertices[to]));
   }
   return std::nullopt;
 }
 
-std::optional<Defect> findBody(const Mesh& mesh, const MeshBodies& bodies, const std::vector<bool>& is_wanted,
-                               const char* what) {
+std::optional<std::string> findBody(const Mesh& mesh, const MeshBodies& bodies,
+                                    const std::vector<bool>& is_wanted, const char* what) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (is_wanted[bodies.body_of[t]]) return Defect{what, middleOf(mesh, mesh.triangles[t])};
+    if (is_wanted[bodies.body_of[t]]) return at(what, middleOf(mesh, mesh.triangles[t]));
   return std::nullopt;
 }
 
-/// The first defect of a mesh without degenerate triangles.
-std::optional<Defect> findDefect(const Mesh& mesh, const MeshTopology& topology) {
-  if (mesh.triangles.empty()) return Defect{"no triangles", Point3::Zero()};
+/// The first defect of a mesh without degenerate triangles, and where it is.
+std::optional<std::string> findDefect(const Mesh& mesh, const MeshTopology& topology) {
+  if (mesh.triangles.empty()) return "no triangles";
   if (auto border = findBorder(mesh, topology)) return border;
   const MeshBodies bodies = findBodies(mesh, topology);
   if (auto sheet = findBody(mesh, bodies, findSheets(mesh, bodies), "a body without volume")) return sheet;
@@ -92,7 +89,7 @@ class Repair {
     compact(mesh_);
   }
 
-  std::optional<Defect> defect() const { return findDefect(mesh_, topology_); }
+  std::optional<std::string> defect() const { return findDefect(mesh_, topology_); }
   const Mesh& mesh() const { return mesh_; }
   RepairResult result() && { return {std::move(mesh_), std::move(topology_), std::move(changes_)}; }
 
@@ -118,8 +115,7 @@ RepairResult repairMesh(Mesh mesh, const RepairSettings& settings) {
   Repair repair(std::move(mesh));
   if (!repair.defect()) return std::move(repair).result();
   repair.rebuild(std::min(settings.stitch_tolerance_mm, 1e-4 * boundingBox(repair.mesh()).size().norm()));
-  if (const auto defect = repair.defect())
-    throw InvalidMesh("the mesh cannot be repaired: " + defect->what + " at " + toText(defect->where));
+  if (const auto defect = repair.defect()) throw InvalidMesh("the mesh cannot be repaired: " + *defect);
   return std::move(repair).result();
 }
 
@@ -129,7 +125,7 @@ void requireSound(const Mesh& mesh) {
     throw InvalidMesh("the mesh is not sound: a degenerate triangle at " +
                       toText(degenerate.changes[0].where));
   if (const auto defect = findDefect(mesh, pairHalfEdges(mesh)))
-    throw InvalidMesh("the mesh is not sound: " + defect->what + " at " + toText(defect->where));
+    throw InvalidMesh("the mesh is not sound: " + *defect);
 }
 
 }  // namespace lamina

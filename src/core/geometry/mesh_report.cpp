@@ -43,7 +43,9 @@ void forEachEdge(const Mesh& mesh, Visit visit) {
 }
 
 void countEdges(MeshReport& report, const Mesh& mesh) {
+  bool has_edges = false;
   forEachEdge(mesh, [&](const EdgeUse& use) {
+    has_edges = true;
     const std::size_t faces = use.forwards + use.backwards;
     if (faces > 2) ++report.nonmanifold_edges;
     if (faces % 2 != 0) {
@@ -52,7 +54,7 @@ void countEdges(MeshReport& report, const Mesh& mesh) {
       ++report.inconsistent_edges;
     }
   });
-  report.is_closed = report.border_edges + report.inconsistent_edges == 0 && !mesh.triangles.empty();
+  report.is_closed = report.border_edges + report.inconsistent_edges == 0 && has_edges;
 }
 
 std::size_t countFlat(const Mesh& mesh) {

@@ -145,9 +145,10 @@ class PlyReader {
   void readList(const PlyProperty& property) {
     list_.clear();
     const double length = numbers_.next(property.length_type);
-    if (!(length >= 0.0) || length != std::floor(length))
+    if (!(length >= 0.0) || length > kLongestList || length != std::floor(length))
       numbers_.refuse("a list of negative or broken length");
-    for (double i = 0.0; i < length; ++i) list_.push_back(numbers_.next(property.type));
+    for (auto left = static_cast<std::uint64_t>(length); left > 0; --left)
+      list_.push_back(numbers_.next(property.type));
   }
 
   void addFace() {
@@ -161,6 +162,8 @@ class PlyReader {
       numbers_.refuse("a face with " + std::to_string(polygon_.size()) + " corners; at least 3 expected");
     addFan(faces_, polygon_);
   }
+
+  static constexpr double kLongestList = 4294967295.0;
 
   Numbers numbers_;
   const PlyHeader& header_;

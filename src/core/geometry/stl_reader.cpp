@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_topology.hpp"
 #include "mesh_formats.hpp"
 #include "vertex_welder.hpp"
 
@@ -114,13 +113,13 @@ Mesh readExactBinaryStl(InputFile& file, std::string_view start, const std::stri
 
 Mesh readBinaryStl(std::string_view bytes, const std::string& name) {
   if (bytes.size() < kStart)
-    throw InvalidMesh(name + ": truncated: " + std::to_string(bytes.size()) +
+    throw InvalidMesh(name + ": truncated or no STL: " + std::to_string(bytes.size()) +
                       " bytes; the header of a binary STL has 84");
   const std::size_t count = countToRead(bytes, name);
   RecordWelder welder(count);
   welder.add(bytes.data() + kStart, count);
   Mesh mesh = std::move(welder).mesh(name);
-  if (statedCount(bytes) > count && (count == 0 || pairHalfEdges(mesh).has_border))
+  if (statedCount(bytes) > count && !isClosedSurface(mesh))
     throw InvalidMesh(name + ": truncated at byte " + std::to_string(bytes.size()) + ": " +
                       std::to_string(count) + " triangles, which leave holes; the header states " +
                       std::to_string(statedCount(bytes)));
