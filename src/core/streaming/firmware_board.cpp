@@ -222,11 +222,11 @@ void EmulatedFirmware::Board::advanceTo(double clock_s) {
 }
 
 void EmulatedFirmware::Board::report() {
-  if (temperature_interval_s_ > 0.0 && clock_s_ >= next_temperature_s_) {
+  if (temperature_interval_s_ > 0.0 && clock_s_ + kTimeRounding >= next_temperature_s_) {
     next_temperature_s_ = clock_s_ + temperature_interval_s_;
     replies_.say(" " + heaters_.report() + "\n");
   }
-  if (position_interval_s_ > 0.0 && clock_s_ >= next_position_s_) {
+  if (position_interval_s_ > 0.0 && clock_s_ + kTimeRounding >= next_position_s_) {
     next_position_s_ = clock_s_ + position_interval_s_;
     sayPosition(position());
   }

@@ -38,7 +38,7 @@ class Streamer::Machine {
     Reporting,  ///< the ok to each of reports_
     Feeding,    ///< answers to the lines under way
     Probing,    ///< which line the firmware has
-    Draining,   ///< the end of all motions
+    Draining,   ///< the end of all motions, or of all heating
   };
 
   void enter(PackmlState state);
@@ -61,6 +61,8 @@ class Streamer::Machine {
   void probe(double now);
   void onProbeAnswer(std::uint64_t wanted, double now);
   void onAllTaken(double now);
+  void askForRest();
+  bool isSafe(const MarlinTemperatures& temperatures) const;
   bool goTo(std::uint64_t line, double now);
   void retry(double now);
   void timeOut(double now);

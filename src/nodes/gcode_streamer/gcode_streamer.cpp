@@ -48,9 +48,6 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
   action_.start();
 }
 
-// --- jobs
-// ------------------------------------------------------------------------------------------------------------
-
 void GcodeStreamer::onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal) {
   const SteadyClock clock;
   const double start_s = clock.now();
@@ -132,9 +129,6 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
   }
 }
 
-// --- services
-// --------------------------------------------------------------------------------------------------------
-
 std::shared_ptr<StreamSession> GcodeStreamer::session() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return session_;
@@ -169,9 +163,6 @@ bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
   if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
   return true;
 }
-
-// --- what is told
-// ----------------------------------------------------------------------------------------------------
 
 void GcodeStreamer::onStatus(const StreamStatus& status) {
   bool has_changed = false;
