@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
+
 #include "simulated_link.hpp"
 
 namespace lamina {
@@ -53,6 +55,75 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, StreamerUnderFault,
                                          FaultKind::CorruptedLine, FaultKind::SpuriousResend,
                                          FaultKind::Silence),
                          [](const auto& tested) { return std::string(toString(tested.param)); });
+
+/// Any mix of the faults that a job must survive, each up to 3 %.
+rc::Gen<std::vector<Fault>> anyFaults() {
+  const auto rate = rc::gen::map(rc::gen::inRange(0, 31), [](int per_mille) { return per_mille / 1000.0; });
+  return rc::gen::map(rc::gen::container<std::vector<double>>(6, rate), [](const std::vector<double>& rates) {
+    constexpr std::array<FaultKind, 6> kKinds = {FaultKind::LostOk,         FaultKind::DelayedOk,
+                                                 FaultKind::LostLine,       FaultKind::CorruptedLine,
+                                                 FaultKind::SpuriousResend, FaultKind::Silence};
+    std::vector<Fault> faults;
+    for (std::size_t i = 0; i < kKinds.size(); ++i) faults.push_back({kKinds[i], rates[i], {}});
+    return faults;
+  });
+}
+
+RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderUnderAnyFaults, ()) {
+  const auto spiral = program(test::spiralProgram(*rc::gen::inRange(5, 400)));
+  EmulatedSettings machine;
+  machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  machine.command_queue = *rc::gen::inRange(1, 9);
+  StreamSettings settings;
+  settings.window_lines = *rc::gen::inRange(1, 9);
+  settings.window_bytes = *rc::gen::inRange(96, 256);
+  SimulatedLink link(spiral, settings, machine, *anyFaults(), *rc::gen::inRange<std::uint64_t>(1, 1000000));
+  link.run();
+  RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
+  RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+}
+
+RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
+  const auto spiral = program(test::spiralProgram(300));
+  EmulatedSettings machine;
+  machine.speed_up = 50.0;
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  SimulatedLink link(spiral, {}, machine, *anyFaults());
+  link.start();
+  for (const int pause : *rc::gen::container<std::vector<int>>(5, rc::gen::inRange(1, 400))) {
+    for (int i = 0; i < pause && !isFinal(link.streamer.status().state); ++i) link.step();
+    link.streamer.pause(link.now);
+    link.runUntil(link.now + 100.0);
+    const auto held = link.numberedCommands().size();
+    link.runUntil(link.now + 100.0);
+    RC_ASSERT(isFinal(link.streamer.status().state) || link.numberedCommands().size() == held ||
+              link.streamer.status().state != PackmlState::Held);
+    link.streamer.resume(link.now);
+    link.collect();
+  }
+  link.runUntil(1e6);
+  RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
+  RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+}
+
+RC_GTEST_PROP(StreamerProperty, EveryAbortLeavesTheMachineCold, ()) {
+  const auto hot = program("M104 S200\nM140 S60\n" + test::spiralProgram(200));
+  EmulatedSettings machine;
+  machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  SimulatedLink link(hot, {}, machine, *anyFaults());
+  link.start();
+  const int steps = *rc::gen::inRange(1, 2000);
+  for (int i = 0; i < steps && !isFinal(link.streamer.status().state); ++i) link.step();
+  link.streamer.abort({ErrorCode::Cancelled, "enough"}, link.now);
+  link.collect();
+  link.runUntil(link.now + 100.0);
+  RC_ASSERT(isFinal(link.streamer.status().state));
+  if (link.streamer.status().state == PackmlState::Complete) return;
+  const bool is_confirmed = link.streamer.status().failure.message == "enough";
+  RC_ASSERT(!is_confirmed || (link.firmware.nozzleTarget() == 0.0 && link.firmware.bedTarget() == 0.0));
+}
 
 }  // namespace
 }  // namespace lamina
