@@ -7,6 +7,8 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "nodes/emulated_machine/machine_settings.hpp"
+#include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/trajectory_publisher/trajectory_settings.hpp"
 
@@ -25,6 +27,20 @@ void expectDefaults(const std::string& node, const lamina::SettingsSchema& schem
   for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path))
     shipped[setting.key] = setting.text;
   EXPECT_EQ(shipped, valuesOf(schema));
+}
+
+TEST(NodeConfig, OfEmulatedMachineIsCompleteAndHasTheDefaults) {
+  lamina::EmulatedMachineSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("emulated_machine", schema);
+}
+
+TEST(NodeConfig, OfGcodeStreamerIsCompleteAndHasTheDefaults) {
+  lamina::GcodeStreamerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("gcode_streamer", schema);
 }
 
 TEST(NodeConfig, OfSlicingServiceIsCompleteAndHasTheDefaults) {

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs the node gcode_streamer against emulated machines.
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <signal.h>
+#include <std_srvs/Trigger.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+
+#include "conversions.hpp"
+#include "lamina/streaming/emulated_machine.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using lamina_msgs::MachineState;
+using lamina_msgs::Status;
+using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
+using GoalState = actionlib::SimpleClientGoalState;
+
+constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
+constexpr char kPort[] = "/tmp/lamina_gcode_streamer_test";
+
+/// An emulated machine at the node's port, and what it has run of programs.
+class TestMachine {
+ public:
+  explicit TestMachine(double speed_up, const std::vector<std::string>& faults = {},
+                       const std::string& port = kPort) {
+    lamina::EmulatedSettings settings;
+    settings.speed_up = speed_up;
+    settings.fault_delay_s = 0.05;
+    settings.fault_silence_s = 0.2;
+    settings.nozzle_heating_c_s = 1000.0;
+    std::vector<lamina::Fault> parsed;
+    for (const std::string& fault : faults) parsed.push_back(lamina::faultFromText(fault));
+    lamina::EmulatedObserver observer;
+    observer.line = [this](const lamina::ExecutedLine& line) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (line.number && line.command.compare(0, 4, "M110") != 0) commands_.push_back(line.command);
+    };
+    machine_ = std::make_unique<lamina::EmulatedMachine>(settings, parsed, lamina::EmulatedPorts{port, {}},
+                                                         observer);
+  }
+  std::vector<std::string> commands() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return commands_;
+  }
+  const lamina::EmulatedMachine& operator*() const { return *machine_; }
+  const lamina::EmulatedMachine* operator->() const { return machine_.get(); }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> commands_;
+  std::unique_ptr<lamina::EmulatedMachine> machine_;
+};
+
+std::vector<std::string> zigzag(int lines) {
+  std::vector<std::string> commands = {"G90", "M82", "M104 S200", "G1 F3000"};
+  for (int i = 0; i < lines; ++i) {
+    commands.push_back("G1 X" + std::to_string(10 + i % 50) + " Y" + std::to_string(i % 20) + " E" +
+                       std::to_string(0.01 * i));
+  }
+  return commands;
+}
+
+bool waitUntil(const std::function<bool()>& is_true) {
+  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!is_true() && ros::WallTime::now() < give_up) {
+    ros::spinOnce();
+    ros::WallDuration(0.01).sleep();
+  }
+  return is_true();
+}
+
+class GcodeStreamer : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("lamina_gcode_streamer_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+    ASSERT_TRUE(client_.waitForServer(ros::Duration(kPatience)));
+    subscriber_ =
+        node_.subscribe<MachineState>(lamina::names::kMachineState, 1000, [this](const auto& message) {
+          state_ = message;
+          if (states_.empty() || states_.back() != message->state_name)
+            states_.push_back(message->state_name);
+        });
+  }
+  void TearDown() override {
+    client_.cancelAllGoals();
+    fs::remove_all(folder_);
+  }
+
+  std::string write(const std::vector<std::string>& commands) {
+    std::ofstream file(folder_ / "program.gcode");
+    for (const std::string& command : commands) file << command << " ; comment\n";
+    return folder_ / "program.gcode";
+  }
+  void start(const std::string& program, const std::string& toolpath_id = "") {
+    lamina_msgs::StreamProgramGoal goal;
+    goal.program = program;
+    goal.toolpath_id = toolpath_id;
+    client_.sendGoal(goal);
+  }
+  lamina_msgs::StreamProgramResult result() {
+    EXPECT_TRUE(waitUntil([&] { return client_.getState().isDone(); }));
+    const auto given = client_.getResult();
+    return given ? *given : lamina_msgs::StreamProgramResult();
+  }
+  std_srvs::Trigger::Response call(const std::string& service) {
+    std_srvs::Trigger trigger;
+    EXPECT_TRUE(ros::service::call(service, trigger)) << "the node does not answer";
+    return trigger.response;
+  }
+  bool waitForState(std::uint8_t state) {
+    return waitUntil([&] { return state_ && state_->state == state; });
+  }
+
+  ros::NodeHandle node_;
+  Client client_{lamina::names::kStreamProgram, true};
+  ros::Subscriber subscriber_;
+  MachineState::ConstPtr state_;
+  std::vector<std::string> states_;
+  fs::path folder_;
+};
+
+TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
+  const TestMachine machine(0.0, {"lost_ok=0.004", "corrupted_line=0.01", "lost_line=0.002",
+                                  "spurious_resend=0.004", "delayed_ok=0.002", "silence=0.001"});
+  const auto program = zigzag(2000);
+  start(write(program));
+  const auto given = result();
+  EXPECT_EQ(client_.getState(), GoalState::SUCCEEDED) << given.status.message;
+  EXPECT_EQ(given.status.code, Status::OK);
+  EXPECT_EQ(given.lines_acknowledged, program.size());
+  EXPECT_GT(given.resends, 0U);
+  EXPECT_EQ(machine.commands(), program);
+  ASSERT_TRUE(waitForState(MachineState::COMPLETE));
+  EXPECT_EQ(state_->lines_total, program.size());
+  EXPECT_NE(std::find(states_.begin(), states_.end(), "Execute"), states_.end());
+}
+
+TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
+  const TestMachine machine(5.0);
+  const auto program = zigzag(300);
+  start(write(program));
+  ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  EXPECT_TRUE(call(lamina::names::kPause).success);
+  ASSERT_TRUE(waitForState(MachineState::HELD));
+  const auto held_at = machine.commands().size();
+  EXPECT_FALSE(call(lamina::names::kPause).success);
+  ros::WallDuration(0.3).sleep();
+  EXPECT_EQ(machine.commands().size(), held_at);
+  EXPECT_LT(held_at, program.size());
+  EXPECT_TRUE(call(lamina::names::kResume).success);
+  EXPECT_EQ(result().status.code, Status::OK);
+  EXPECT_EQ(machine.commands(), program);
+}
+
+TEST_F(GcodeStreamer, StopsSafelyOnAbort) {
+  const TestMachine machine(2.0);
+  start(write(zigzag(300)));
+  ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  EXPECT_GT(machine->nozzleTarget(), 0.0);
+  EXPECT_TRUE(call(lamina::names::kAbort).success);
+  const auto given = result();
+  EXPECT_EQ(client_.getState(), GoalState::ABORTED);
+  EXPECT_EQ(given.status.code, Status::CANCELLED);
+  EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+  EXPECT_TRUE(waitUntil([&] { return machine->isIdle(); }));
+  EXPECT_LT(machine.commands().size(), 200U);
+  EXPECT_FALSE(call(lamina::names::kAbort).success);
+}
+
+TEST_F(GcodeStreamer, StopsSafelyWhenTheGoalIsCancelled) {
+  const TestMachine machine(2.0);
+  start(write(zigzag(300)));
+  ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  client_.cancelGoal();
+  const auto given = result();
+  EXPECT_EQ(client_.getState(), GoalState::PREEMPTED);
+  EXPECT_EQ(given.status.code, Status::CANCELLED);
+  EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+}
+
+TEST_F(GcodeStreamer, TellsThatNoMachineIsThereAndLivesOn) {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    start(write(zigzag(10)));
+    const auto given = result();
+    EXPECT_EQ(client_.getState(), GoalState::ABORTED);
+    EXPECT_EQ(given.status.code, Status::DISCONNECTED);
+    EXPECT_NE(given.status.message.find(kPort), std::string::npos) << given.status.message;
+  }
+}
+
+TEST_F(GcodeStreamer, TellsWhereTheLinkWasLost) {
+  const TestMachine machine(0.0, {"disconnect=50"});
+  start(write(zigzag(100)));
+  const auto given = result();
+  EXPECT_EQ(given.status.code, Status::DISCONNECTED);
+  EXPECT_GE(given.lines_acknowledged, 40U);
+  EXPECT_LT(given.lines_acknowledged, 50U);
+}
+
+TEST_F(GcodeStreamer, RefusesBadProgramsBeforeTheFirstLine) {
+  const TestMachine machine(0.0);
+  start("/nowhere/at/all.gcode");
+  EXPECT_EQ(result().status.code, Status::FILE_ERROR);
+  start(write({"G28", "G1 X1*33"}));
+  EXPECT_EQ(result().status.code, Status::INVALID_PROGRAM);
+  start("", "0123456789abcdef");
+  EXPECT_EQ(result().status.code, Status::INVALID_INPUT);
+  start("", "");
+  EXPECT_EQ(result().status.code, Status::INVALID_INPUT);
+  EXPECT_EQ(machine->counts().lines_run, 0U);
+}
+
+TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
+  const TestMachine machine(0.0);
+  lamina::Path path;
+  path.points = {{10, 10, 0.2}, {60, 10, 0.2}, {60, 40, 0.2}};
+  path.bead = lamina::Bead{0.4, 0.2};
+  path.feed_mm_s = 30.0;
+  lamina::MachineToolpath placed;
+  placed.toolpath.part_name = "corner";
+  placed.toolpath.layers.push_back({0.2, 0.2, {path}});
+  placed.id = "corner";
+  placed.bed_from_part.translation() = lamina::Point3(5, 6, 0);
+  auto publisher = node_.advertise<lamina_msgs::Toolpath>(lamina::names::kToolpath, 1, true);
+  publisher.publish(toMessage(placed));
+  ASSERT_TRUE(waitUntil([&] { return publisher.getNumSubscribers() > 0; }));
+  lamina_msgs::StreamProgramResult given;
+  ASSERT_TRUE(waitUntil([&] {  // the node may not have received the toolpath yet
+    start("", "corner");
+    given = result();
+    return given.status.code != Status::INVALID_INPUT;
+  }));
+  EXPECT_EQ(given.status.code, Status::OK) << given.status.message;
+  EXPECT_NEAR(machine->position().x(), 65.0, 1e-6);
+  EXPECT_NEAR(machine->position().y(), 46.0, 1e-6);
+}
+
+TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
+  const std::string port = std::string(kPort) + "_sigterm";
+  const TestMachine machine(2.0, {}, port);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(LAMINA_NODE, LAMINA_NODE, "__ns:=/terminated", ("_port:=" + port).c_str(),
+            static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  Client client("/terminated/stream_program", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = write(zigzag(300));
+  client.sendGoal(goal);
+  EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
+  EXPECT_GT(machine->nozzleTarget(), 0.0);
+  ::kill(child, SIGTERM);
+  int status = -1;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "gcode_streamer_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
