@@ -17,7 +17,7 @@ constexpr double kTurn = 0.02;        // s between looks at what is due
 
 ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receiver receiver)
     : buffer_(ros::Duration(kRemembered)),
-      listener_(buffer_),
+      transforms_(buffer_, node),
       filter_(buffer_, names::kBedFrame, static_cast<std::uint32_t>(queue), node),
       receiver_(std::move(receiver)) {
   filter_.registerCallback([this](const sensor_msgs::PointCloud2ConstPtr& cloud) { onReady(cloud); });

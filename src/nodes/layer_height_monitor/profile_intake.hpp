@@ -6,7 +6,6 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/message_filter.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <cstdint>
 #include <functional>
@@ -18,6 +17,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/geometry/vector.hpp"
 #include "stamp_order.hpp"
+#include "transform_intake.hpp"
 
 namespace lamina {
 
@@ -64,7 +64,7 @@ class ProfileIntake {
   void place(const sensor_msgs::PointCloud2& cloud);
 
   tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  TransformIntake transforms_;
   tf2_ros::MessageFilter<sensor_msgs::PointCloud2> filter_;
   Receiver receiver_;
   SteadyClock clock_;

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+namespace lamina {
+
+/// Feeds a buffer from tf while it lives, on a thread of its own. tf2_ros::TransformListener does the same,
+/// but its queue of 100 messages loses transforms where a machine in accelerated time reports thousands a
+/// second; a pose interpolated over the gap is wrong by the width of a corner.
+class TransformIntake {
+ public:
+  /// @param buffer  must outlive this
+  TransformIntake(tf2::BufferCore& buffer, ros::NodeHandle node);
+
+ private:
+  using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;
+
+  ros::Subscriber subscribe(const std::string& topic, bool is_static);
+  void store(const Event& event, bool is_static);
+
+  tf2::BufferCore& buffer_;
+  ros::NodeHandle node_;
+  ros::CallbackQueue queue_;
+  ros::Subscriber moving_;
+  ros::Subscriber static_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace lamina
