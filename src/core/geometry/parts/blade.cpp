@@ -23,16 +23,16 @@ double halfThickness(double x) {
 /// From the trailing edge over the upper side to the leading edge and back below: counter-clockwise.
 Polygon aerofoil(const Blade& shape) {
   const int half = shape.points / 2;
-  const auto pointAt = [&](int i, double side) {
+  const auto point_at = [&](int i, double side) {
     // Closer points towards the leading edge, where the curvature is.
     const double x = 0.5 * (1.0 + std::cos(M_PI * i / half));
     const double middle = shape.camber_mm * 4.0 * x * (1.0 - x);
     return Point2((x - 0.5) * shape.chord_mm, middle + side * 0.5 * shape.thickness_mm * halfThickness(x));
   };
   Polygon outline;
-  for (int i = 0; i < half; ++i) outline.push_back(pointAt(i, 1.0));
+  for (int i = 0; i < half; ++i) outline.push_back(point_at(i, 1.0));
   outline.emplace_back(-0.5 * shape.chord_mm, 0.0);
-  for (int i = half - 1; i >= 0; --i) outline.push_back(pointAt(i, -1.0));
+  for (int i = half - 1; i >= 0; --i) outline.push_back(point_at(i, -1.0));
   return outline;
 }
 

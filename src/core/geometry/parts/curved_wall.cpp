@@ -21,15 +21,15 @@ Mesh build(const CurvedWall& shape) {
     throw InvalidConfig("thickness_mm is " + std::to_string(shape.thickness_mm) +
                         "; must be less than twice radius_mm, " + std::to_string(2.0 * shape.radius_mm));
   const double start = -0.5 * shape.angle_deg * M_PI / 180.0;
-  const auto pointAt = [&](double radius, int i) {
+  const auto point_at = [&](double radius, int i) {
     const double angle = start * (1.0 - 2.0 * i / shape.segments);
     return Point2(radius * std::cos(angle) - shape.radius_mm, radius * std::sin(angle));
   };
   Polygon outline;
   for (int i = 0; i <= shape.segments; ++i)
-    outline.push_back(pointAt(shape.radius_mm + 0.5 * shape.thickness_mm, i));
+    outline.push_back(point_at(shape.radius_mm + 0.5 * shape.thickness_mm, i));
   for (int i = shape.segments; i >= 0; --i)
-    outline.push_back(pointAt(shape.radius_mm - 0.5 * shape.thickness_mm, i));
+    outline.push_back(point_at(shape.radius_mm - 0.5 * shape.thickness_mm, i));
   return prism(outline, shape.height_mm);
 }
 

@@ -50,6 +50,7 @@ template <class Normalise>
 std::vector<std::uint32_t> findRepeated(const Mesh& mesh, const std::vector<std::uint32_t>& triangles,
                                         Normalise normalise) {
   std::vector<Numbered> sorted;
+  sorted.reserve(triangles.size());
   for (const std::uint32_t t : triangles) sorted.push_back({normalise(mesh.triangles[t]), t});
   std::sort(sorted.begin(), sorted.end(), [](const Numbered& a, const Numbered& b) {
     return a.corners != b.corners ? a.corners < b.corners : a.triangle < b.triangle;

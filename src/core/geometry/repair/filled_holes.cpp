@@ -14,6 +14,7 @@ namespace {
 /// back between two vertices needs no filling and is left out.
 std::vector<std::vector<HalfEdge>> simpleLoops(const Mesh& mesh, const std::vector<HalfEdge>& loop) {
   std::vector<std::uint32_t> origins;
+  origins.reserve(loop.size());
   for (const HalfEdge h : loop) origins.push_back(originOf(mesh, h));
   std::vector<std::uint32_t> sorted = origins;
   std::sort(sorted.begin(), sorted.end());
@@ -22,18 +23,18 @@ std::vector<std::vector<HalfEdge>> simpleLoops(const Mesh& mesh, const std::vect
   std::vector<std::size_t> place(sorted.size(), kAbsent);  // on the path, per vertex
   std::vector<std::vector<HalfEdge>> loops;
   std::vector<HalfEdge> path;
-  const auto placeOf = [&](std::uint32_t v) -> std::size_t& {
+  const auto place_of = [&](std::uint32_t v) -> std::size_t& {
     return place[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) -
                                           sorted.begin())];
   };
   for (std::size_t i = 0; i < loop.size(); ++i) {
-    placeOf(origins[i]) = path.size();
+    place_of(origins[i]) = path.size();
     path.push_back(loop[i]);
-    const std::size_t start = placeOf(origins[(i + 1) % loop.size()]);
+    const std::size_t start = place_of(origins[(i + 1) % loop.size()]);
     if (start == kAbsent) continue;
     if (path.size() - start > 2)
       loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(start), path.end());
-    for (std::size_t k = start; k < path.size(); ++k) placeOf(originOf(mesh, path[k])) = kAbsent;
+    for (std::size_t k = start; k < path.size(); ++k) place_of(originOf(mesh, path[k])) = kAbsent;
     path.resize(start);
   }
   return loops;
