@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_intake.hpp"
 
+#include <tf2/exceptions.h>
+
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
@@ -13,16 +15,27 @@ namespace {
 constexpr double kRemembered = 30.0;  // s of transforms
 constexpr double kTurn = 0.02;        // s between looks at what is due
 
+enum class Readiness { Ready, NotYet, Never };
+
+/// Whether tf knows where the cloud was taken, or may still learn it.
+Readiness readiness(const tf2::BufferCore& buffer, const sensor_msgs::PointCloud2& cloud) {
+  const std::string& frame = cloud.header.frame_id;
+  if (buffer.canTransform(names::kBedFrame, frame, cloud.header.stamp)) return Readiness::Ready;
+  try {
+    const ros::Time latest = buffer.lookupTransform(names::kBedFrame, frame, ros::Time(0)).header.stamp;
+    return latest < cloud.header.stamp ? Readiness::NotYet : Readiness::Never;
+  } catch (const tf2::TransformException&) {
+    return Readiness::NotYet;
+  }
+}
+
 }  // namespace
 
 ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receiver receiver)
     : buffer_(ros::Duration(kRemembered)),
       transforms_(buffer_, node),
-      filter_(buffer_, names::kBedFrame, static_cast<std::uint32_t>(queue), node),
+      queue_(static_cast<std::size_t>(queue)),
       receiver_(std::move(receiver)) {
-  filter_.registerCallback([this](const sensor_msgs::PointCloud2ConstPtr& cloud) { onReady(cloud); });
-  filter_.registerFailureCallback([this](const sensor_msgs::PointCloud2ConstPtr&,
-                                         tf2_ros::FilterFailureReason reason) { onFailure(reason); });
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
   const boost::function<void(const CloudEvent&)> onMessage = [this](const CloudEvent& event) {
     onCloud(event);
@@ -44,7 +57,7 @@ void ProfileIntake::onCloud(const CloudEvent& event) {
   if (event.getMessage()->header.frame_id.empty())
     ++counts_.without_frame;
   else
-    filter_.add(event);
+    wait(event.getMessage());
 }
 
 void ProfileIntake::countLost(const CloudEvent& event) {
@@ -54,14 +67,27 @@ void ProfileIntake::countLost(const CloudEvent& event) {
   last->second = sequence;
 }
 
-void ProfileIntake::onReady(const sensor_msgs::PointCloud2ConstPtr& cloud) {
-  order_.add(cloud, clock_.now());
+void ProfileIntake::wait(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  auto& clouds = waiting_[cloud->header.frame_id];
+  clouds.insert({cloud->header.stamp, cloud});
+  if (clouds.size() <= queue_) return;
+  clouds.erase(clouds.begin());
+  ++counts_.untransformable;
 }
 
-void ProfileIntake::onFailure(tf2_ros::FilterFailureReason) { ++counts_.untransformable; }
-
 void ProfileIntake::passDue() {
-  for (const auto& cloud : order_.due(clock_.now())) place(*cloud);
+  for (auto& [frame, clouds] : waiting_) {
+    while (!clouds.empty()) {
+      const auto cloud = clouds.begin()->second;
+      const Readiness ready = readiness(buffer_, *cloud);
+      if (ready == Readiness::NotYet) break;
+      clouds.erase(clouds.begin());
+      if (ready == Readiness::Ready)
+        place(*cloud);
+      else
+        ++counts_.untransformable;
+    }
+  }
 }
 
 void ProfileIntake::place(const sensor_msgs::PointCloud2& cloud) {

@@ -4,8 +4,7 @@
 
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/message_filter.h>
+#include <tf2/buffer_core.h>
 
 #include <cstdint>
 #include <functional>
@@ -14,9 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/clock.hpp"
 #include "lamina/geometry/vector.hpp"
-#include "stamp_order.hpp"
 #include "transform_intake.hpp"
 
 namespace lamina {
@@ -41,8 +38,9 @@ struct IntakeCounts {
   std::string last_fault;     ///< what was wrong with the last malformed one
 };
 
-/// Receives profiles and places each on the bed by tf at its own stamp. Profiles come out in the order of
-/// their stamps.
+/// Receives profiles and places each on the bed by tf at its own stamp. The profiles of a frame come out in
+/// the order of their stamps. (tf2_ros::MessageFilter is no choice: with thousands of clouds waiting it
+/// crashes in BufferCore::testTransformableRequests, and it releases clouds in any order.)
 class ProfileIntake {
  public:
   using Receiver = std::function<void(const PlacedProfile&)>;
@@ -57,20 +55,17 @@ class ProfileIntake {
   using CloudEvent = ros::MessageEvent<sensor_msgs::PointCloud2 const>;
 
   void onCloud(const CloudEvent& event);
-  void onReady(const sensor_msgs::PointCloud2ConstPtr& cloud);
-  void onFailure(tf2_ros::FilterFailureReason reason);
   void countLost(const CloudEvent& event);
+  void wait(const sensor_msgs::PointCloud2ConstPtr& cloud);
   void passDue();
   void place(const sensor_msgs::PointCloud2& cloud);
 
-  tf2_ros::Buffer buffer_;
+  tf2::BufferCore buffer_;
   TransformIntake transforms_;
-  tf2_ros::MessageFilter<sensor_msgs::PointCloud2> filter_;
+  std::size_t queue_;
   Receiver receiver_;
-  SteadyClock clock_;
-  StampOrder order_;
+  std::map<std::string, std::multimap<ros::Time, sensor_msgs::PointCloud2ConstPtr>> waiting_;  ///< by frame
   IntakeCounts counts_;
-  std::uint64_t ready_ = 0;
   std::map<std::string, std::uint32_t> last_sequence_;  ///< by publisher
   ros::WallTimer timer_;
   ros::Subscriber subscriber_;
