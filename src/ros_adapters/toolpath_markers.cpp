@@ -15,7 +15,8 @@ using visualization_msgs::MarkerArray;
 
 constexpr std::size_t kRoles = 6;
 constexpr std::size_t kPointsPerMarker = 40000;
-constexpr double kTravelWidth = 0.1;  // mm: a hair beside any bead
+constexpr double kTravelWidth = 0.05;  // mm: a hair beside any bead
+constexpr double kLineShare = 0.25;    // of the bead: what is deposited and measured shows between the lines
 constexpr float kTravelOpacity = 0.15F;
 
 std_msgs::ColorRGBA colour(PathRole role) {
@@ -42,7 +43,7 @@ class MarkerChunks {
   void add(const Path& path) {
     Marker& marker = open_[static_cast<std::size_t>(path.role)];
     const bool is_travel = path.role == PathRole::Travel;
-    marker.scale.x = toMetres(is_travel ? kTravelWidth : path.bead.at(0).width_mm);
+    marker.scale.x = toMetres(is_travel ? kTravelWidth : kLineShare * path.bead.at(0).width_mm);
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       marker.points.push_back(toMessage(path.points[m]));
       marker.points.push_back(toMessage(path.points[path.motionEnd(m)]));

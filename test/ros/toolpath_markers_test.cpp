@@ -52,11 +52,11 @@ TEST(ToolpathMarkers, HoldEverySegmentOnceInTheNamespaceOfItsRole) {
   EXPECT_EQ(points.size(), 2U);
 }
 
-TEST(ToolpathMarkers, AreAsWideAsTheBead) {
+TEST(ToolpathMarkers, AreAQuarterAsWideAsTheBead) {
   const auto markers = lamina::toolpathMarkers(triangles(1), "part").markers;
   for (const Marker& marker : markers)
     if (marker.ns == "outer_wall") {
-      EXPECT_DOUBLE_EQ(marker.scale.x, 0.0004);
+      EXPECT_DOUBLE_EQ(marker.scale.x, 0.0001);
       EXPECT_FLOAT_EQ(marker.color.a, 1.0F);
     }
 }
