@@ -68,11 +68,11 @@ Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
 }  // namespace
 
 const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
-  static const std::vector<std::pair<std::string, LengthUnit>> kUnits = {{"mm", LengthUnit::Millimetre},
-                                                                         {"cm", LengthUnit::Centimetre},
-                                                                         {"m", LengthUnit::Metre},
-                                                                         {"inch", LengthUnit::Inch}};
-  return kUnits;
+  static const std::vector<std::pair<std::string, LengthUnit>> units = {{"mm", LengthUnit::Millimetre},
+                                                                        {"cm", LengthUnit::Centimetre},
+                                                                        {"m", LengthUnit::Metre},
+                                                                        {"inch", LengthUnit::Inch}};
+  return units;
 }
 
 bool isClosedSurface(const Mesh& mesh) { return !pairHalfEdges(mesh).has_border && volume(mesh) != 0.0; }

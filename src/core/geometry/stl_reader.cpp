@@ -51,11 +51,12 @@ class RecordWelder {
   static constexpr std::size_t kBlock = 16;
 
   void addBlock(const char* records, std::size_t count) {
-    std::array<Welder::Coordinates, 3 * kBlock> keys;
+    std::array<Welder::Key, 3 * kBlock> keys;
     std::array<std::uint64_t, 3 * kBlock> hashes;
     for (std::size_t i = 0; i < 3 * count; ++i) {
-      std::memcpy(&keys[i], records + i / 3 * kRecord + kNormal + i % 3 * sizeof keys[i], sizeof keys[i]);
-      keys[i] = Welder::withoutNegativeZero(keys[i]);
+      Welder::Coordinates corner;
+      std::memcpy(corner.data(), records + i / 3 * kRecord + kNormal + i % 3 * sizeof corner, sizeof corner);
+      keys[i] = Welder::keyOf(corner);
       hashes[i] = Welder::hash(keys[i]);
       welder_.prefetch(hashes[i]);
     }

@@ -19,6 +19,9 @@ template <class Scalar>
 class VertexWelder {
  public:
   using Coordinates = std::array<Scalar, 3>;
+  using Bits = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
+  /// Coordinates by their bits, without negative zeros: equal if and only if they are welded.
+  using Key = std::array<Bits, 3>;
 
   explicit VertexWelder(std::size_t expected_vertices) {
     std::size_t capacity = 16;
@@ -27,47 +30,51 @@ class VertexWelder {
     keys_.reserve(expected_vertices);
   }
 
-  static Coordinates withoutNegativeZero(const Coordinates& c) {
-    return {c[0] + Scalar(0), c[1] + Scalar(0), c[2] + Scalar(0)};
+  static Key keyOf(const Coordinates& c) {
+    const Coordinates positive = {c[0] + Scalar(0), c[1] + Scalar(0), c[2] + Scalar(0)};
+    Key key;
+    std::memcpy(key.data(), positive.data(), sizeof key);
+    return key;
   }
 
-  static std::uint64_t hash(const Coordinates& coordinates) {
-    std::array<Bits, 3> bits;
-    std::memcpy(bits.data(), coordinates.data(), sizeof bits);
-    std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15ULL;
-    h = (h ^ (h >> 29) ^ bits[1]) * 0xBF58476D1CE4E5B9ULL;
-    h = (h ^ (h >> 32) ^ bits[2]) * 0x94D049BB133111EBULL;
+  static std::uint64_t hash(const Key& key) {
+    std::uint64_t h = key[0] * 0x9E3779B97F4A7C15ULL;
+    h = (h ^ (h >> 29) ^ key[1]) * 0xBF58476D1CE4E5B9ULL;
+    h = (h ^ (h >> 32) ^ key[2]) * 0x94D049BB133111EBULL;
     return h ^ (h >> 31);
   }
 
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_]); }
 
-  /// The index of the coordinates, whose negative zeros are gone and whose hash is known.
-  std::uint32_t add(const Coordinates& coordinates, std::uint64_t hash) {
+  /// The index of the coordinates whose key and hash these are.
+  std::uint32_t add(const Key& key, std::uint64_t hash) {
     std::size_t i = hash & mask_;
     for (; slots_[i] != kFree; i = (i + 1) & mask_)
-      if (std::memcmp(&keys_[slots_[i]], &coordinates, sizeof coordinates) == 0) return slots_[i];
+      if (keys_[slots_[i]] == key) return slots_[i];
     const auto index = static_cast<std::uint32_t>(keys_.size());
     slots_[i] = index;
-    keys_.push_back(coordinates);
+    keys_.push_back(key);
     if (2 * keys_.size() > slots_.size()) grow();
     return index;
   }
 
   std::uint32_t add(const Coordinates& coordinates) {
-    const Coordinates key = withoutNegativeZero(coordinates);
+    const Key key = keyOf(coordinates);
     return add(key, hash(key));
   }
 
   std::vector<Point3> vertices() const {
     std::vector<Point3> points;
     points.reserve(keys_.size());
-    for (const Coordinates& c : keys_) points.emplace_back(c[0], c[1], c[2]);
+    for (const Key& key : keys_) {
+      Coordinates c;
+      std::memcpy(c.data(), key.data(), sizeof c);
+      points.emplace_back(c[0], c[1], c[2]);
+    }
     return points;
   }
 
  private:
-  using Bits = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
   static constexpr std::uint32_t kFree = 0xFFFFFFFF;
 
   void resize(std::size_t capacity) {
@@ -87,7 +94,7 @@ class VertexWelder {
 
   std::vector<std::uint32_t> slots_;
   std::size_t mask_ = 0;
-  std::vector<Coordinates> keys_;
+  std::vector<Key> keys_;
 };
 
 }  // namespace lamina
