@@ -20,8 +20,11 @@ constexpr char kPort[] = "/tmp/lamina_emulated_machine_test";
 constexpr double kSpeedUp = 10.0;
 
 template <class Message>
-boost::function<void(const boost::shared_ptr<const Message>&)> into(
-    std::vector<boost::shared_ptr<const Message>>& all) {
+using Messages = std::vector<boost::shared_ptr<const Message>>;
+
+/// A callback that keeps every message.
+template <class Message>
+boost::function<void(const boost::shared_ptr<const Message>&)> into(Messages<Message>& all) {
   return [&all](const boost::shared_ptr<const Message>& message) { all.push_back(message); };
 }
 
