@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints a small part through all nodes and compares what was executed and measured with what was planned.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <roscpp/GetLoggers.h>
+#include <sensor_msgs/JointState.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "conversions.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/parts.hpp"
+#include "lamina/program/gcode_reader.hpp"
+#include "names.hpp"
+#include "nodes/print_part/print_part.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using lamina::Point3;
+
+constexpr char kFolder[] = "/tmp/lamina_end_to_end";
+constexpr std::size_t kLayers = 5;            // of 0.3 mm, as in config/demo.yaml
+constexpr double kMeanErrorBound = 0.05;      // mm, over all layers: a sixth of a layer
+constexpr double kLayerMeanErrorBound = 0.1;  // mm
+constexpr double kSamePosition = 1e-6;        // mm: the program's third decimal goes through metres and back
+
+/// Positions the machine reported, in their order [mm].
+class PositionRecord {
+ public:
+  explicit PositionRecord(ros::NodeHandle node) {
+    const boost::function<void(const sensor_msgs::JointStateConstPtr&)> onPosition =
+        [this](const auto& state) {
+          EXPECT_EQ(state->position.size(), 3U);
+          positions_.emplace_back(lamina::toMillimetres(state->position.at(0)),
+                                  lamina::toMillimetres(state->position.at(1)),
+                                  lamina::toMillimetres(state->position.at(2)));
+        };
+    subscriber_ =
+        node.subscribe<sensor_msgs::JointState>(lamina::names::kMachinePosition, 1000000, onPosition);
+  }
+  const std::vector<Point3>& positions() const { return positions_; }
+
+ private:
+  std::vector<Point3> positions_;
+  ros::Subscriber subscriber_;
+};
+
+std::string writtenBox() {
+  const std::string path = std::string(kFolder) + "/box.stl";
+  lamina::writeStl(path, lamina::makePart("box", {{"x_mm", "12"}, {"y_mm", "12"}, {"z_mm", "1.5"}}));
+  return path;
+}
+
+/// Ends of all motions of the program [mm].
+std::vector<Point3> motionEnds(const std::string& program) {
+  std::vector<Point3> ends;
+  lamina::GcodeHandlers handlers;
+  handlers.motion = [&](const lamina::GcodeMotion& motion) {
+    if ((motion.end - motion.start).norm() > 0.0) ends.push_back(motion.end);
+  };
+  lamina::readGcodeFile(program, {}, handlers);
+  return ends;
+}
+
+std::size_t commandLines(const std::string& program) {
+  std::ifstream file(program);
+  std::size_t commands = 0;
+  for (std::string line; std::getline(file, line);) commands += !line.empty() && line[0] != ';';
+  return commands;
+}
+
+/// The first of `expected` that `actual` does not hold in this order; their number if it holds all.
+std::size_t firstMissing(const std::vector<Point3>& expected, const std::vector<Point3>& actual) {
+  std::size_t found = 0;
+  for (const Point3& position : actual)
+    if (found < expected.size() && (position - expected[found]).norm() < kSamePosition) ++found;
+  return found;
+}
+
+bool isAlive(const std::string& name) {
+  roscpp::GetLoggers service;
+  return ros::service::call("/" + name + "/get_loggers", service);
+}
+
+lamina::PrintReport print(ros::NodeHandle node) {
+  lamina::PrintPartSettings settings;
+  settings.part = writtenBox();
+  settings.output_folder = kFolder;
+  return lamina::PrintPart(node, settings).run();
+}
+
+TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
+  fs::create_directories(kFolder);
+  ros::NodeHandle node;
+  const PositionRecord record(node);
+  const lamina::PrintReport report = print(node);
+  const std::string program = std::string(kFolder) + "/part.gcode";
+
+  EXPECT_EQ(report.slicing.layers, kLayers);
+  EXPECT_EQ(report.streaming.lines_acknowledged, commandLines(program));
+  const std::vector<Point3> planned = motionEnds(program);
+  EXPECT_GT(planned.size(), 10 * kLayers);
+  EXPECT_EQ(firstMissing(planned, record.positions()), planned.size()) << "a motion was not executed";
+
+  ASSERT_EQ(report.layers.size(), kLayers);
+  for (const auto& layer : report.layers) {
+    EXPECT_EQ(layer.toolpath_id, report.toolpath_id);
+    EXPECT_NEAR(lamina::toMillimetres(layer.mean_error), 0.0, kLayerMeanErrorBound)
+        << "layer " << layer.layer;
+  }
+  EXPECT_NEAR(lamina::heightError(report.layers).mean_mm, 0.0, kMeanErrorBound);
+  for (const char* file : {"toolpath.png", "height_map.png", "deviation.png", "layer_heights.csv", "summary"})
+    EXPECT_GT(fs::file_size(fs::path(kFolder) / file), 100U) << file;
+  for (const char* name : {"slicing_service", "trajectory_publisher", "gcode_streamer", "emulated_machine",
+                           "layer_height_monitor"})
+    EXPECT_TRUE(isAlive(name)) << name;
+  fs::remove_all(kFolder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "end_to_end_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
