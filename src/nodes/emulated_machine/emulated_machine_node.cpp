@@ -72,14 +72,17 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
   const double volume = std::max(motion.filament_mm, 0.0) * area;
   const bool moves = (motion.end - motion.start).norm() > 0.0;
   const bool deposits = moves && volume > 0.0;
-  const auto samples = samplesOf(motion, settings_.position_spacing_mm);
+  const bool measures =
+      moves && (!deposits || settings_.profile_while_depositing) && profile_.getNumSubscribers() > 0;
+  const auto samples =
+      samplesOf(motion, measures ? settings_.profile_spacing_mm : settings_.position_spacing_mm);
   Point3 from = motion.start;
   for (const MotionSample& sample : samples) {
     // Piece by piece, so that the sensor never sees what is still to come.
     if (deposits) lay(from, sample.position, volume / static_cast<double>(samples.size()));
     from = sample.position;
     publishPosition(sample);
-    if (moves && (!deposits || settings_.profile_while_depositing)) publishProfile(sample);
+    if (measures) publishProfile(sample);
   }
 }
 
@@ -100,7 +103,6 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
 }
 
 void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
-  if (profile_.getNumSubscribers() == 0) return;
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
   const auto points = sensor_.measure(deposit_.surface(), bed_from_nozzle * machine_.nozzle_from_sensor);
   if (points.empty()) return;

@@ -17,7 +17,9 @@ void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
   schema.number("filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
                 "Diameter of the filament.");
   schema.number("position_spacing_mm", settings.position_spacing_mm, {0.0, 1000.0, true},
-                "Distance between positions (and profiles) along a motion; its end is always one.");
+                "Distance between positions along a motion; its end is always one.");
+  schema.number("profile_spacing_mm", settings.profile_spacing_mm, {0.0, 1000.0, true},
+                "Distance between profiles, and positions, along a motion that is measured.");
   schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
                 "Cell of the map of deposited material.");
   schema.number("deposit.period_s", settings.deposited_period_s, {0.0, 3600.0, true},

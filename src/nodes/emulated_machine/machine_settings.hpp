@@ -18,15 +18,16 @@ struct EmulatedMachineSettings {
   std::string machine_name = "cartesian_gantry";
   double filament_diameter_mm = 1.75;
   double position_spacing_mm = 1.0;       ///< of the positions published along a motion
-  double deposit_cell_mm = 0.2;           ///< of the map of deposited material
+  double profile_spacing_mm = 0.2;        ///< of profiles, and of the positions they are taken at
+  double deposit_cell_mm = 0.1;           ///< of the map of deposited material
   double deposited_period_s = 0.5;        ///< between publications of the deposited material
   bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit
   EmulatedSettings emulator;
   ProfileSensorSettings sensor;
 };
 
-/// Adds the keys pty, tcp_port, faults, machine.name, filament_diameter_mm, position_spacing_mm, deposit.*,
-/// profile_while_depositing, emulator.*, motion.* and sensor.*.
+/// Adds the keys pty, tcp_port, faults, machine.name, filament_diameter_mm, position_spacing_mm,
+/// profile_spacing_mm, deposit.*, profile_while_depositing, emulator.*, motion.* and sensor.*.
 void describe(SettingsSchema& schema, EmulatedMachineSettings& settings);
 
 /// @throws InvalidConfig if a fault is none
