@@ -41,6 +41,8 @@ class BeadDeposit {
   void lay(const DepositedMotion& motion);
 
   const HeightMap& surface() const { return surface_; }
+  /// Largest height of the surface [mm].
+  double highest() const { return highest_; }
 
   /// Material that found no room under the nozzle within three times the bead's width [mm³].
   double excessVolume() const { return excess_mm3_; }
@@ -63,6 +65,7 @@ class BeadDeposit {
   void fill(double width, double height);
 
   HeightMap surface_;
+  double highest_;
   std::vector<float> laid_at_;  ///< nozzle height at which each cell was last laid [mm]
   std::vector<Cell> cells_;     ///< around the piece being laid
   double layer_z_ = 0.0;        ///< nozzle height of the last piece [mm]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <vector>
 
 #include "lamina/base/random.hpp"
@@ -33,7 +34,10 @@ class ProfileSensor {
 
   /// What the sensor sees: where each ray first meets the surface [mm, sensor frame], in the order of the
   /// fan. Rays that meet nothing known within the range give no point. The columns of the map cast shadows.
-  std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor);
+  ///
+  /// @param highest  height above which the surface has nothing [mm]: spares the search there
+  std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
+                              double highest = std::numeric_limits<double>::infinity());
 
  private:
   ProfileSensorSettings settings_;

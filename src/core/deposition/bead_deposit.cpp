@@ -40,6 +40,7 @@ void checkMotion(const DepositedMotion& motion) {
 
 BeadDeposit::BeadDeposit(HeightMap ground)
     : surface_(std::move(ground)),
+      highest_(heightRange(surface_).high),
       laid_at_(surface_.grid().cellCount(), -std::numeric_limits<float>::infinity()) {}
 
 void BeadDeposit::lay(const DepositedMotion& motion) {
@@ -149,6 +150,7 @@ void BeadDeposit::fill(double width, double height) {
     const double top = at.underside + above;
     if (above <= 0.0 || top <= at.floor) continue;
     surface_.set(at.index, top);
+    highest_ = std::max(highest_, top);
     laid_at_[at.index] = static_cast<float>(at.ceiling);
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/monitoring/profile_sensor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -17,23 +18,49 @@ struct Ray {
   Point3 far;
 };
 
-/// Where the ray meets the columns of the map, as a fraction of its length.
-std::optional<double> firstHit(const HeightMap& surface, const Ray& ray) {
+/// Part of the ray, as a fraction of its length, that lies above all of the surface.
+double clearPart(const Ray& ray, double highest) {
+  const double fall = ray.near.z() - ray.far.z();
+  return fall > 0.0 ? std::clamp((ray.near.z() - highest) / fall, 0.0, 1.0) : 0.0;
+}
+
+/// Where a ray crosses from column to column of a grid along one axis, as fractions of its length.
+struct Crossings {
+  Crossings(double start, double along, double from)
+      : step(along < 0.0 ? -1 : 1), index(static_cast<int>(std::floor(start + from * along))) {
+    if (along == 0.0) return;
+    each = std::abs(1.0 / along);
+    next = (index + (step > 0 ? 1 : 0) - start) / along;
+  }
+  void cross() {
+    index += step;
+    next += each;
+  }
+
+  int step;
+  int index;
+  double each = std::numeric_limits<double>::infinity();
+  double next = std::numeric_limits<double>::infinity();
+};
+
+/// Where the ray meets the columns of the map, as a fraction of its length, from a fraction on. A column
+/// higher than the ray's entry is met at its side.
+std::optional<double> firstHit(const HeightMap& surface, const Ray& ray, double from) {
+  const HeightGrid& grid = surface.grid();
   const Point3 along = ray.far - ray.near;
-  const double horizontal = along.head<2>().norm();
-  const int steps = 1 + static_cast<int>(std::ceil(2.0 * horizontal / surface.grid().cell_mm));
-  double before = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const double after = (i + 1.0) / steps;
-    const Point3 middle = ray.near + 0.5 * (before + after) * along;
-    const double height = surface.nearest(middle.head<2>());
-    const double low = ray.near.z() + after * along.z();
-    if (low <= height) {
-      const double fraction = along.z() < 0.0 ? (height - ray.near.z()) / along.z() : before;
-      // A column higher than the ray's entry is met at its side.
-      return std::max(fraction, before);
+  const Point2 start = (ray.near.head<2>() - grid.origin) / grid.cell_mm;
+  Crossings x(start.x(), along.x() / grid.cell_mm, from);
+  Crossings y(start.y(), along.y() / grid.cell_mm, from);
+  double entry = from;
+  while (entry < 1.0) {
+    const double exit = std::min({x.next, y.next, 1.0});
+    if (grid.contains(x.index, y.index)) {
+      const double height = surface.at(grid.cell(x.index, y.index));
+      if (ray.near.z() + entry * along.z() <= height) return entry;
+      if (ray.near.z() + exit * along.z() <= height) return (height - ray.near.z()) / along.z();
     }
-    before = after;
+    entry = exit;
+    (x.next < y.next ? x : y).cross();
   }
   return std::nullopt;
 }
@@ -48,8 +75,8 @@ ProfileSensor::ProfileSensor(const ProfileSensorSettings& settings)
                         std::to_string(2.0 * settings.stand_off_mm));
 }
 
-std::vector<Point3> ProfileSensor::measure(const HeightMap& surface,
-                                           const Eigen::Isometry3d& bed_from_sensor) {
+std::vector<Point3> ProfileSensor::measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
+                                           double highest) {
   std::vector<Point3> points;
   points.reserve(static_cast<std::size_t>(settings_.points));
   const double nearest = settings_.stand_off_mm - 0.5 * settings_.range_mm;
@@ -57,8 +84,8 @@ std::vector<Point3> ProfileSensor::measure(const HeightMap& surface,
   for (int i = 0; i < settings_.points; ++i) {
     const double across = settings_.points == 1 ? 0.0 : double(i) / (settings_.points - 1) - 0.5;
     const Point3 per_mm(across * settings_.width_mm / settings_.stand_off_mm, 0.0, 1.0);
-    const auto hit = firstHit(
-        surface, {bed_from_sensor * Point3(nearest * per_mm), bed_from_sensor * Point3(farthest * per_mm)});
+    const Ray ray{bed_from_sensor * Point3(nearest * per_mm), bed_from_sensor * Point3(farthest * per_mm)};
+    const auto hit = firstHit(surface, ray, clearPart(ray, highest));
     const double noise = settings_.noise_mm > 0.0 ? random_.normal(0.0, settings_.noise_mm) : 0.0;
     if (!hit) continue;
     const double depth = nearest + *hit * (farthest - nearest);

@@ -104,7 +104,8 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
 
 void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
-  const auto points = sensor_.measure(deposit_.surface(), bed_from_nozzle * machine_.nozzle_from_sensor);
+  const auto points =
+      sensor_.measure(deposit_.surface(), bed_from_nozzle * machine_.nozzle_from_sensor, deposit_.highest());
   if (points.empty()) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
   message.header.stamp = stampOf(sample.time_s);
