@@ -9,15 +9,14 @@ namespace lamina {
 
 double topAbove(const BeadSection& section, double distance) {
   const double half = 0.5 * section.width_mm;
-  const double flat = std::min(half, std::max(half - 0.5 * section.height_mm, 0.5 * section.cell_mm));
+  const double flat = std::max(half - 0.5 * section.height_mm, 0.5 * std::min(half, section.cell_mm));
   const double rounding = half - flat;
-  const double middle = 0.5 * section.height_mm;
+  // A bead narrower than a cell is lower, so that one of no width is none.
+  const double middle = 0.5 * section.height_mm * std::min(1.0, section.width_mm / section.cell_mm);
   if (distance > half) return std::max(0.0, middle * (1.0 - (distance - half) / section.cell_mm));
-  // A bead narrower than a cell is lower, so that one of no width has no top.
-  const double crown = middle * std::min(1.0, section.width_mm / section.cell_mm);
-  if (distance <= flat) return middle + crown;
+  if (distance <= flat) return 2.0 * middle;
   const double along = (distance - flat) / rounding;
-  return middle + crown * std::sqrt(1.0 - along * along);
+  return middle * (1.0 + std::sqrt(1.0 - along * along));
 }
 
 double discDiameter(double area) { return 2.0 * std::sqrt(area / M_PI); }
