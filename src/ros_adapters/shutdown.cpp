@@ -6,14 +6,29 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-// roscpp handles SIGINT alone; on SIGTERM a node would die with its port open and its file half written.
-void requestShutdown(int) { ros::requestShutdown(); }
+const ros::WallDuration kSignalPeriod(0.02);
+
+// A signal handler can reach nothing but a variable of this kind.
+volatile std::sig_atomic_t was_told_to_stop = 0;
+
+void stop(int) { was_told_to_stop = 1; }
+
+// roscpp's own handler shuts down from its polling thread, which then logs through loggers that are gone; and
+// it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM too.
+ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
+  return node.createWallTimer(kSignalPeriod, [](const ros::WallTimerEvent&) {
+    if (was_told_to_stop != 0) ros::shutdown();
+  });
+}
 
 void logFailure(const Failure& failure) {
   if (ros::ok())
@@ -24,19 +39,22 @@ void logFailure(const Failure& failure) {
 
 }  // namespace
 
-int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body) {
+void runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body) {
   int exit_code = 0;
   try {
-    ros::init(argc, argv, name);
-    std::signal(SIGTERM, requestShutdown);
-    const ros::NodeHandle keeps_ros_started;
+    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    const ros::NodeHandle node;
+    const ros::WallTimer timer = shutdownOnSignal(node);
     body();
   } catch (...) {
     logFailure(currentFailure());
     exit_code = 1;
   }
   ros::shutdown();
-  return exit_code;
+  // Threads of roscpp may still log for a moment: static objects such as the loggers must outlive them.
+  // Everything of the node's own is destroyed by now.
+  std::fflush(nullptr);
+  std::quick_exit(exit_code);
 }
 
 }  // namespace lamina

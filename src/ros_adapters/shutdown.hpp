@@ -11,7 +11,7 @@ namespace lamina {
 /// SIGTERM request a shutdown, so that destructors run; `body` returns once `ros::ok()` is false, as
 /// ros::spin() does.
 ///
-/// @return the exit code: 0, or 1 if `body` threw; then the message was logged
-int runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body);
+/// Does not return: the process ends with exit code 0, or 1 if `body` threw; then the message was logged.
+[[noreturn]] void runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body);
 
 }  // namespace lamina

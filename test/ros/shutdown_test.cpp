@@ -19,7 +19,7 @@ int exitCodeOfNode(const std::string& name, const std::function<void()>& body) {
   if (child == 0) {
     char program[] = "shutdown_test";
     char* arguments[] = {program, nullptr};
-    ::_exit(lamina::runNode(1, arguments, name, body));
+    lamina::runNode(1, arguments, name, body);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
