@@ -12,11 +12,12 @@
 #include "lamina/streaming/stream_session.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
+#include "ros_home.hpp"
 
 namespace {
 
 constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
-constexpr char kPort[] = "/tmp/lamina_emulated_machine_test";
+const std::string kPort = lamina::test::inRosHome("emulated_machine_test");
 constexpr double kSpeedUp = 10.0;
 
 template <class Message>

@@ -15,13 +15,14 @@
 #include "lamina/program/gcode_reader.hpp"
 #include "names.hpp"
 #include "nodes/print_part/print_part.hpp"
+#include "ros_home.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using lamina::Point3;
 
-constexpr char kFolder[] = "/tmp/lamina_end_to_end";
+const std::string kFolder = lamina::test::inRosHome("end_to_end");
 constexpr std::size_t kLayers = 5;            // of 0.3 mm, as in config/demo.yaml
 constexpr double kMeanErrorBound = 0.05;      // mm, over all layers: a sixth of a layer
 constexpr double kLayerMeanErrorBound = 0.1;  // mm
@@ -49,7 +50,7 @@ class PositionRecord {
 };
 
 std::string writtenBox() {
-  const std::string path = std::string(kFolder) + "/box.stl";
+  const std::string path = kFolder + "/box.stl";
   lamina::writeStl(path, lamina::makePart("box", {{"x_mm", "12"}, {"y_mm", "12"}, {"z_mm", "1.5"}}));
   return path;
 }
@@ -97,7 +98,7 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   ros::NodeHandle node;
   const PositionRecord record(node);
   const lamina::PrintReport report = print(node);
-  const std::string program = std::string(kFolder) + "/part.gcode";
+  const std::string program = kFolder + "/part.gcode";
 
   EXPECT_EQ(report.slicing.layers, kLayers);
   EXPECT_EQ(report.streaming.lines_acknowledged, commandLines(program));

@@ -18,6 +18,7 @@
 #include "lamina/streaming/emulated_machine.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "ros_home.hpp"
 
 namespace {
 
@@ -28,7 +29,7 @@ using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
 using GoalState = actionlib::SimpleClientGoalState;
 
 constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
-constexpr char kPort[] = "/tmp/lamina_gcode_streamer_test";
+const std::string kPort = lamina::test::inRosHome("gcode_streamer_test");
 
 /// An emulated machine at the node's port, and what it has run of programs.
 class TestMachine {
@@ -249,7 +250,7 @@ TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
 }
 
 TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
-  const std::string port = std::string(kPort) + "_sigterm";
+  const std::string port = kPort + "_sigterm";
   const TestMachine machine(2.0, {}, port);
   const pid_t child = ::fork();
   if (child == 0) {

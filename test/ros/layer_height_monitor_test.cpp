@@ -11,13 +11,14 @@
 #include <map>
 
 #include "plate_scan.hpp"
+#include "ros_home.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kFirstOffset = 0.031;    // mm by which the first plate is too high
 constexpr double kSecondOffset = -0.017;  // mm
-const char* const kFolder = "/tmp/lamina_rostest_layer_height_monitor";
+const std::string kFolder = lamina::test::inRosHome("layer_height_monitor_test");
 
 /// Publishes two scans around some bad clouds, once for all tests, and gathers what the node answers.
 class LayerHeightMonitorNode : public ::testing::Test {
@@ -165,7 +166,7 @@ TEST_F(LayerHeightMonitorNode, SavesItsFilesOnRequest) {
   ASSERT_TRUE(ros::service::call(names::kSaveHeightMap, request));
   EXPECT_TRUE(request.response.success) << request.response.message;
   for (const char* name : {"height_map.png", "deviation.png", "height_map.bt", "layer_heights.csv"})
-    EXPECT_TRUE(std::filesystem::exists(std::string(kFolder) + "/" + name)) << name;
+    EXPECT_TRUE(std::filesystem::exists(kFolder + "/" + name)) << name;
 }
 
 }  // namespace
