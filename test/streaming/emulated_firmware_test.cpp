@@ -47,6 +47,14 @@ TEST_F(EmulatedFirmwareTest, AnswersAPlainTerminal) {
   EXPECT_EQ(ask("\n"), "");
 }
 
+TEST_F(EmulatedFirmwareTest, IgnoresAFeedFactorThatWouldStopItForEver) {
+  makeFirmware(1.0);
+  EXPECT_EQ(ask("M220 S0\n"), "echo:Ignored: \"M220 S0\"; expected S above 0 percent\nok\n");
+  ask("G1 X10 F600\n");
+  wait(10.0);
+  ASSERT_EQ(motions_.size(), 1U);
+}
+
 TEST_F(EmulatedFirmwareTest, AsksForLinesThatAreMissingOrBroken) {
   makeFirmware(1.0);
   EXPECT_EQ(ask("N0 M110 N0*125\n"), "ok\n");

@@ -61,7 +61,7 @@ TEST(MarlinProtocol, ReadsTemperatures) {
   ASSERT_TRUE(answer.temperatures);
   EXPECT_EQ(answer.kind, ReplyKind::Ok);
   EXPECT_DOUBLE_EQ(answer.temperatures->nozzle_c, 201.2);
-  EXPECT_DOUBLE_EQ(answer.temperatures->nozzle_target_c, 210.0);
+  EXPECT_DOUBLE_EQ(answer.temperatures->nozzle_target_c.value(), 210.0);
   EXPECT_DOUBLE_EQ(answer.temperatures->bed_c.value(), 59.9);
   EXPECT_DOUBLE_EQ(answer.temperatures->bed_target_c.value(), 60.0);
   const MarlinReply waiting = parseReply(" T:50.0 E:0 W:?");

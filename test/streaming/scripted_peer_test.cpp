@@ -134,7 +134,7 @@ TEST_F(ScriptedPeer, StopsSafelyWhenTheMachineFallsSilent) {
   for (double now = 1.0; now < 60.5; now += 0.5) streamer.elapse(now);
   EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::TimedOut);
-  EXPECT_NE(streamer.takeOutput().find("M108\nM410\n"), std::string::npos);
+  EXPECT_NE(streamer.takeOutput().find("M108\nM410\nM104 S0\nM140 S0\n"), std::string::npos);
   for (double now = 60.5; now < 71.0; now += 0.5) streamer.elapse(now);
   EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
   EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop"), std::string::npos);
@@ -145,7 +145,8 @@ TEST_F(ScriptedPeer, TurnsHeatersOffInLinesTheMachineConfirms) {
   begin(streamer);
   streamer.takeOutput();
   streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
-  EXPECT_EQ(streamer.takeOutput(), "M108\nM410\n" + frameLine(1005, "M110 N1005") + frameLine(1007, "M105"));
+  EXPECT_EQ(streamer.takeOutput(),
+            "M108\nM410\nM104 S0\nM140 S0\n" + frameLine(1005, "M110 N1005") + frameLine(1007, "M105"));
   streamer.receive("ok\nok\nok\nok\nok\nok\nok\nResend: 1006\nok\n", 1.1);
   EXPECT_EQ(streamer.takeOutput(),
             frameLine(1006, "M410") + frameLine(1007, "M104 S0") + frameLine(1008, "M140 S0"));
@@ -239,14 +240,62 @@ TEST_F(ScriptedPeer, AbortsWhenALineIsRefusedForEver) {
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
 }
 
-TEST_F(ScriptedPeer, EndsAtOnceWhenTheLinkIsLost) {
+TEST_F(ScriptedPeer, SaysThatTheMachineWasNotStoppedWhenTheLinkStaysLost) {
   Streamer streamer(program_, settings());
   begin(streamer);
   streamer.receive("ok\n", 0.5);
   streamer.disconnect("lost the link", 1.0);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  EXPECT_DOUBLE_EQ(streamer.nextDeadline(), 11.0);
+  streamer.elapse(11.0);
   EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::Disconnected);
+  EXPECT_EQ(streamer.status().failure.message,
+            "lost the link; line 1 of 10 was the last acknowledged; the link did not come back, so that the "
+            "machine was not told to stop: look after it");
+}
+
+TEST_F(ScriptedPeer, StopsTheMachineOnceTheLinkIsBack) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok\n", 0.5);
+  streamer.disconnect("lost the link", 1.0);
+  EXPECT_TRUE(streamer.isOffline());
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.reconnect(9.0);
+  EXPECT_FALSE(streamer.isOffline());
+  EXPECT_EQ(streamer.takeOutput().find("M108\nM410\nM104 S0\nM140 S0\n"), 0U);
+  streamer.receive("Resend: 1007\nok\nok\nok\nok\n", 9.1);
+  streamer.receive("Resend: 1010\nok\n", 9.2);
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0\n", 9.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
   EXPECT_EQ(streamer.status().failure.message, "lost the link; line 1 of 10 was the last acknowledged");
+}
+
+TEST_F(ScriptedPeer, WaitsForAMachineThatIsBusyWhenItIsToStop) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  for (double now = 2.0; now < 100.0; now += 2.0) {
+    streamer.elapse(now);
+    streamer.receive("echo:busy: processing\n", now);
+  }
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  for (double now = 100.0; now < 111.0; now += 2.0) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+}
+
+TEST_F(ScriptedPeer, DoesNotTakeAnUnknownTargetForAColdHeater) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  streamer.receive("Resend: 1006\nok\nok\nok\nok\n", 1.1);
+  streamer.receive("Resend: 1009\nok\n", 1.2);
+  streamer.receive("ok T:200.0 B:60.0\n", 1.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  streamer.receive("ok T:200.0 B:60.0 /0\n", 1.4);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
 }
 
 TEST_F(ScriptedPeer, HoldsAfterTheLinesUnderWay) {
@@ -276,6 +325,7 @@ TEST_F(ScriptedPeer, PassesThroughLegalStatesOnly) {
   streamer.resume(0.5);
   streamer.abort({ErrorCode::Cancelled, "enough"}, 0.6);
   streamer.disconnect("lost the link", 0.7);
+  streamer.elapse(100.0);
   PackmlState before = PackmlState::Idle;
   for (const PackmlState state : streamer.takeStateChanges()) {
     EXPECT_TRUE(isLegalTransition(before, state)) << toString(before) << " to " << toString(state);

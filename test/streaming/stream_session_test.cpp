@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
@@ -192,13 +193,40 @@ TEST(StreamSession, BreaksHeatingOnAnAbort) {
 TEST(StreamSession, TellsWhereTheLinkWasLost) {
   const RecordedMachine machine(0.0, {{FaultKind::Disconnect, 0.0, {100}}});
   const std::string port = machine->pty();
-  const StreamSession session(spiral(200), impatient(), {port, 115200}, {});
+  StreamSettings settings = impatient();
+  settings.safe_stop_timeout_s = 0.3;
+  const StreamSession session(spiral(200), settings, {port, 115200}, {});
   const StreamStatus status = finished(session);
   EXPECT_EQ(status.failure.code, ErrorCode::Disconnected);
   EXPECT_EQ(status.failure.message.compare(0, port.size(), port), 0) << status.failure.message;
   EXPECT_GE(status.lines_acknowledged, 90U);
   EXPECT_LT(status.lines_acknowledged, 100U);
   EXPECT_THROW(throwIfFailed(status), Disconnected);
+}
+
+TEST(StreamSession, TurnsHeatersOffOnceTheLinkIsBack) {
+  const RecordedMachine machine(0.0, {{FaultKind::Disconnect, 0.0, {100}}});
+  const auto program =
+      StreamableProgram::fromText("hot", "M104 S200\nM140 S60\n" + test::spiralProgram(200), 96);
+  const StreamSession session(program, impatient(), {linkPath(), 115200}, {});
+  const StreamStatus status = finished(session);
+  EXPECT_EQ(status.failure.code, ErrorCode::Disconnected);
+  EXPECT_EQ(status.failure.message.find("look after it"), std::string::npos) << status.failure.message;
+  EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+}
+
+TEST(StreamSession, RefusesToGoOnWithAProgramThatWasChanged) {
+  const std::string path = linkPath() + ".gcode";
+  std::ofstream(path) << test::spiralProgram(4000);
+  const RecordedMachine machine(0.0);
+  StreamSession session(StreamableProgram::fromFile(path, 96), impatient(), {machine->pty(), 115200}, {});
+  ASSERT_TRUE(waitUntil([&] { return session.status().lines_acknowledged > 50; }));
+  std::ofstream(path) << "G1 X1\n";
+  const StreamStatus status = finished(session);
+  EXPECT_EQ(status.failure.code, ErrorCode::InvalidProgram);
+  EXPECT_NE(status.failure.message.find("of 4000"), std::string::npos) << status.failure.message;
+  EXPECT_THROW(throwIfFailed(status), InvalidProgram);
+  std::remove(path.c_str());
 }
 
 TEST(StreamSession, StreamsAgainOnceTheLinkIsBack) {

@@ -107,11 +107,28 @@ RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
   RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
 }
 
+TEST(Streamer, TurnsHeatersOffThoughTheMachineHearsNothingWhileItHeats) {
+  EmulatedSettings deaf;
+  deaf.emergency_parser = false;
+  SimulatedLink link(program("M109 S200\nG1 X1\n"), {}, deaf, {});
+  link.start();
+  while (link.firmware.nozzleTarget() == 0.0) link.step();
+  link.runUntil(link.now + 1.0);
+  link.streamer.abort({ErrorCode::Cancelled, "enough"}, link.now);
+  link.collect();
+  link.runUntil(link.now + 100.0);
+  EXPECT_EQ(link.streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(link.streamer.status().failure.message, "enough");
+  EXPECT_GT(link.now, 30.0) << "the machine heats to 200 degC at 5 degC/s before it hears anything";
+  EXPECT_DOUBLE_EQ(link.firmware.nozzleTarget(), 0.0);
+}
+
 RC_GTEST_PROP(StreamerProperty, EveryAbortLeavesTheMachineCold, ()) {
   const auto hot = program("M104 S200\nM140 S60\n" + test::spiralProgram(200));
   EmulatedSettings machine;
   machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
   machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  machine.emergency_parser = *rc::gen::arbitrary<bool>();
   SimulatedLink link(hot, {}, machine, *anyFaults());
   link.start();
   const int steps = *rc::gen::inRange(1, 2000);

@@ -14,6 +14,7 @@ struct EmulatedSettings {
   int command_queue = 4;         ///< lines taken and not yet run
   int rx_buffer_bytes = 128;     ///< what comes while it is full is lost; 0 for no limit
   int max_line_bytes = 96;       ///< what a longer line has more is cut off
+  bool emergency_parser = true;  ///< M108, M112 and M410 are heard at once, however full the queues are
   double busy_interval_s = 2.0;  ///< wall time between two busy messages
   double ambient_c = 25.0;
   double nozzle_heating_c_s = 5.0;

@@ -52,13 +52,27 @@ class StreamableProgram {
   std::uint64_t lines() const { return lines_; }
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
+  /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.
+  bool hasChanged() const;
 
  private:
+  /// What tells one state of a file from another.
+  struct FileState {
+    std::uint64_t inode = 0;
+    std::int64_t bytes = 0;
+    std::int64_t modified_ns = 0;
+    bool operator==(const FileState& other) const {
+      return inode == other.inode && bytes == other.bytes && modified_ns == other.modified_ns;
+    }
+  };
+
   StreamableProgram() = default;
+  static std::optional<FileState> stateOf(const std::string& path);
   void check(int max_line_bytes);
 
   std::string name_;
   std::string path_;  ///< empty if the text is held
+  std::optional<FileState> checked_;
   std::shared_ptr<const std::string> text_;
   std::uint64_t lines_ = 0;
 };

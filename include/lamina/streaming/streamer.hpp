@@ -54,8 +54,13 @@ class Streamer {
   void receive(std::string_view bytes, double now);
   /// Time went by; to be called at `nextDeadline` at the latest.
   void elapse(double now);
-  /// The link is gone: nothing more can be sent.
+  /// The link is gone: the job is Aborting, and over unless the link comes back for the safe stop before
+  /// `stream.safe_stop_timeout_s` are over.
   void disconnect(const std::string& why, double now);
+  /// The link is back: what the machine still has to be told is sent. Without effect unless offline.
+  void reconnect(double now);
+  /// Whether the safe stop waits for the link.
+  bool isOffline() const;
 
   /// @return false if the job is not in Execute
   bool pause(double now);

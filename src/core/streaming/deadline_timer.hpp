@@ -33,7 +33,10 @@ class DeadlineTimer {
       went_off_();
     });
   }
-  void cancel() { timer_.cancel(); }
+  void cancel() {
+    timer_.cancel();
+    set_for_ = std::numeric_limits<double>::infinity();
+  }
 
  private:
   const Clock& clock_;

@@ -15,6 +15,8 @@ void describe(SettingsSchema& schema, EmulatedSettings& settings) {
                  "Receive buffer; what comes while it is full is lost; 0 for no limit.");
   schema.integer("emulator.max_line_bytes", settings.max_line_bytes, {32, 4096},
                  "Longest line; what it has more is cut off.");
+  schema.flag("emulator.emergency_parser", settings.emergency_parser,
+              "Whether M108, M112 and M410 are heard at once, however full the queues are.");
   schema.number("emulator.busy_interval_s", settings.busy_interval_s, {0.0, 3600.0, true},
                 "Wall time between two busy messages.");
   schema.number("emulator.ambient_c", settings.ambient_c, {-50.0, 100.0, false}, "Temperature of the room.");

@@ -55,6 +55,7 @@ void EmulatedFirmware::Board::receive(std::string_view bytes, double wall_s) {
 
 /// Real boards look for these in every byte received, however full their queues are.
 void EmulatedFirmware::Board::listenForEmergencies(std::string_view bytes) {
+  if (!settings_.emergency_parser) return;
   constexpr std::size_t kLongest = 16;
   for (const char byte : bytes) {
     if (byte != '\n') {

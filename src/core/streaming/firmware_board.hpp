@@ -55,6 +55,7 @@ class EmulatedFirmware::Board {
   void request(const GcodeMotion& motion);
   void runOther(std::string_view command);
   void runM(int code, std::string_view command);
+  void setFeedFactor(std::string_view command);
   void heat(EmulatedHeater& heater, std::string_view command);
   void home(std::string_view command);
   void setReport(double& interval_s, double& next_s, std::string_view command) const;

@@ -152,7 +152,8 @@ void EmulatedFirmware::Board::runM(int code, std::string_view command) {
     case 115:
       reply_ =
           "FIRMWARE_NAME:Marlin 2.1 (emulated by Lamina) PROTOCOL_VERSION:1.0 EXTRUDER_COUNT:1\n"
-          "Cap:AUTOREPORT_POS:1\nCap:AUTOREPORT_TEMP:1\nCap:EMERGENCY_PARSER:1\n";
+          "Cap:AUTOREPORT_POS:1\nCap:AUTOREPORT_TEMP:1\n";
+      reply_ += settings_.emergency_parser ? "Cap:EMERGENCY_PARSER:1\n" : "Cap:EMERGENCY_PARSER:0\n";
       break;
     case 154:
       setReport(position_interval_s_, next_position_s_, command);
@@ -161,7 +162,7 @@ void EmulatedFirmware::Board::runM(int code, std::string_view command) {
       setReport(temperature_interval_s_, next_temperature_s_, command);
       break;
     case 220:
-      feed_factor_ = wordValue(command, 'S').value_or(100.0 * feed_factor_) / 100.0;
+      setFeedFactor(command);
       break;
     case 221:
       flow_factor_ = wordValue(command, 'S').value_or(100.0 * flow_factor_) / 100.0;
@@ -171,6 +172,15 @@ void EmulatedFirmware::Board::runM(int code, std::string_view command) {
       break;
     default:
       if (!changesNothing(code)) replies_.say("echo:Unknown command: \"" + std::string(command) + "\"\n");
+  }
+}
+
+void EmulatedFirmware::Board::setFeedFactor(std::string_view command) {
+  const double percent = wordValue(command, 'S').value_or(100.0 * feed_factor_);
+  if (percent > 0.0) {
+    feed_factor_ = percent / 100.0;
+  } else {
+    replies_.say("echo:Ignored: \"" + std::string(command) + "\"; expected S above 0 percent\n");
   }
 }
 

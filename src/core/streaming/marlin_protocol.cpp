@@ -52,9 +52,10 @@ std::optional<double> numberAfter(std::string_view text, std::string_view label)
   return rest ? leadingNumber(*rest) : std::nullopt;
 }
 
-double targetAfter(std::string_view text) {
-  const std::size_t slash = text.find('/');
-  return slash == std::string_view::npos ? 0.0 : leadingNumber(text.substr(slash + 1)).value_or(0.0);
+/// The target of "actual /target", which ends before the next heater's colon.
+std::optional<double> targetAfter(std::string_view text) {
+  const std::size_t slash = text.substr(0, text.find(':')).find('/');
+  return slash == std::string_view::npos ? std::nullopt : leadingNumber(text.substr(slash + 1));
 }
 
 std::optional<MarlinTemperatures> temperatures(std::string_view text) {

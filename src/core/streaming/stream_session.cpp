@@ -17,6 +17,7 @@ namespace lamina {
 namespace {
 
 constexpr double kProgressInterval = 0.05;  // s
+constexpr std::chrono::milliseconds kReopenInterval{200};
 
 }  // namespace
 
@@ -28,19 +29,12 @@ class StreamSession::Impl {
         streamer_(program, settings),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
-    transport_->open({[this](std::string_view bytes) {
-                        streamer_.receive(bytes, clock_.now());
-                        flush();
-                      },
-                      [this](const std::string& why) {
-                        streamer_.disconnect("lost the link: " + why, clock_.now());
-                        flush();
-                      }});
+    transport_->open(events());
     boost::asio::post(context_, [this] {
       streamer_.start(clock_.now());
       flush();
     });
-    thread_ = std::thread([this] { context_.run(); });
+    thread_ = std::thread([this] { run(); });
   }
 
   ~Impl() {
@@ -74,6 +68,40 @@ class StreamSession::Impl {
   }
 
  private:
+  TransportEvents events() {
+    return {[this](std::string_view bytes) {
+              streamer_.receive(bytes, clock_.now());
+              flush();
+            },
+            [this](const std::string& why) {
+              streamer_.disconnect("lost the link: " + why, clock_.now());
+              flush();
+            }};
+  }
+
+  /// Until the job is over; a link that was lost is opened again for the safe stop.
+  void run() {
+    context_.run();
+    while (!is_closed_) {
+      std::this_thread::sleep_for(kReopenInterval);
+      onDeadline();
+      if (is_closed_ || !reopen()) continue;
+      streamer_.reconnect(clock_.now());
+      flush();
+      context_.restart();
+      context_.run();
+    }
+  }
+
+  bool reopen() {
+    try {
+      transport_->open(events());
+      return true;
+    } catch (const Error&) {
+      return false;  // tried again until the streamer gives up
+    }
+  }
+
   template <class Command>
   void command(Command command) {
     boost::asio::post(context_, [this, command] {
@@ -96,6 +124,9 @@ class StreamSession::Impl {
     tell();
     if (isFinal(streamer_.status().state)) {
       finish();
+    } else if (streamer_.isOffline()) {
+      timer_.cancel();
+      transport_->close();
     } else {
       timer_.set(streamer_.nextDeadline());
     }
@@ -168,6 +199,8 @@ void throwIfFailed(const StreamStatus& status) {
       throw Cancelled(failure.message);
     case ErrorCode::Disconnected:
       throw Disconnected(failure.message);
+    case ErrorCode::InvalidProgram:
+      throw InvalidProgram(failure.message);
     case ErrorCode::Rejected:
       throw Rejected(failure.message);
     case ErrorCode::TimedOut:

@@ -112,6 +112,7 @@ StreamableProgram StreamableProgram::fromFile(const std::string& path, int max_l
   StreamableProgram program;
   program.name_ = path;
   program.path_ = path;
+  program.checked_ = stateOf(path);
   program.check(max_line_bytes);
   return program;
 }
@@ -130,6 +131,15 @@ ProgramCursor StreamableProgram::open() const {
   if (!*file) throwUnreadable(path_, std::strerror(errno));
   return ProgramCursor(std::move(file));
 }
+
+std::optional<StreamableProgram::FileState> StreamableProgram::stateOf(const std::string& path) {
+  struct stat about {};
+  if (::stat(path.c_str(), &about) != 0) return std::nullopt;
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  return FileState{about.st_ino, about.st_size, about.st_mtim.tv_sec * kNanoseconds + about.st_mtim.tv_nsec};
+}
+
+bool StreamableProgram::hasChanged() const { return !text_ && !(stateOf(path_) == checked_); }
 
 void StreamableProgram::check(int max_line_bytes) {
   ProgramCursor cursor = open();

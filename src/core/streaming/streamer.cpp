@@ -13,7 +13,9 @@ Streamer::~Streamer() = default;
 void Streamer::start(double now) { machine_->start(now); }
 void Streamer::receive(std::string_view bytes, double now) { machine_->receive(bytes, now); }
 void Streamer::elapse(double now) { machine_->elapse(now); }
-void Streamer::disconnect(const std::string& why, double) { machine_->disconnect(why); }
+void Streamer::disconnect(const std::string& why, double now) { machine_->disconnect(why, now); }
+void Streamer::reconnect(double now) { machine_->reconnect(now); }
+bool Streamer::isOffline() const { return machine_->isOffline(); }
 bool Streamer::pause(double now) { return machine_->pause(now); }
 bool Streamer::resume(double now) { return machine_->resume(now); }
 void Streamer::abort(const Failure& why, double now) { machine_->abort(why, now); }

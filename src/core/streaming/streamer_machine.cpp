@@ -29,7 +29,11 @@ bool isBlocking(const std::string& command) {
 }
 
 LineFeed::Source sourceOf(const StreamableProgram& program) {
-  return [cursor = std::make_shared<ProgramCursor>(program.open())] { return cursor->next(); };
+  return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
+    // What stands in a file that was written to meanwhile was never checked.
+    if (program.hasChanged()) return std::nullopt;
+    return cursor->next();
+  };
 }
 
 LineFeed::Source sourceOf(std::vector<std::string> commands) {
@@ -92,6 +96,7 @@ double Streamer::Machine::silenceLimit() const {
 
 double Streamer::Machine::nextDeadline() const {
   if (!isWaiting()) return kNever;
+  if (phase_ == Phase::Offline) return safe_stop_by_;
   const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
   const double deadline = std::min(timer_.retryAt(), give_up);
   return isSettling() ? std::min(deadline, settle_until_) : deadline;
@@ -175,6 +180,14 @@ void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
 }
 
 void Streamer::Machine::onAllTaken(double now) {
+  const std::uint64_t lines_read = feed_.end() - 1;
+  if (!isStopping() && lines_read < status_.lines_total) {
+    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
+                                          std::to_string(lines_read) + " of " +
+                                          std::to_string(status_.lines_total)},
+          now);
+    return;
+  }
   if (!isStopping()) enter(PackmlState::Completing);
   beginPhase(Phase::Draining, now);
   askForRest();
@@ -183,7 +196,10 @@ void Streamer::Machine::onAllTaken(double now) {
 void Streamer::Machine::elapse(double now) {
   if (!isWaiting()) return;
   if (isStopping() && now >= safe_stop_by_) {
-    finishAborted("; the machine did not confirm the safe stop");
+    finishAborted(
+        phase_ == Phase::Offline
+            ? "; the link did not come back, so that the machine was not told to stop: look after it"
+            : "; the machine did not confirm the safe stop");
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
   } else if (now >= timer_.retryAt()) {
@@ -197,7 +213,7 @@ void Streamer::Machine::retry(double now) {
   timer_.asked(now);
   switch (phase_) {
     case Phase::Numbering:
-      if (isStopping()) output_ += "M108\nM410\n";
+      if (isStopping()) output_ += urgentStop();
       output_ += frameLine(base_, "M110 N" + std::to_string(base_));
       probe(now);
       break;
@@ -220,8 +236,15 @@ void Streamer::Machine::retry(double now) {
       askForRest();
       break;
     case Phase::Idle:
+    case Phase::Offline:
       break;
   }
+}
+
+/// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
+/// may not answer for minutes, but runs these as soon as it can.
+std::string Streamer::Machine::urgentStop() const {
+  return settings_.keep_heaters_on ? "M108\nM410\n" : "M108\nM410\nM104 S0\nM140 S0\n";
 }
 
 void Streamer::Machine::timeOut(double now) {
@@ -263,28 +286,47 @@ void Streamer::Machine::abort(const Failure& why, double now) {
     finishAborted("");
     return;
   }
+  prepareSafeStop(now);
+  beginNumbering(base_, now);
+}
+
+void Streamer::Machine::prepareSafeStop(double now) {
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
   std::vector<std::string> safe_stop = {"M410"};
   if (!settings_.keep_heaters_on) safe_stop.insert(safe_stop.end(), {"M104 S0", "M140 S0"});
-  const std::uint64_t base = feed_.end() + kSafeStopGap;
-  feed_ = LineFeed(sourceOf(std::move(safe_stop)), base + 1);
+  base_ = feed_.end() + kSafeStopGap;
+  feed_ = LineFeed(sourceOf(std::move(safe_stop)), base_ + 1);
   sent_.clear();
   settle_until_ = 0.0;
   must_send_one_ = false;
-  beginNumbering(base, now);
 }
 
-void Streamer::Machine::disconnect(const std::string& why) {
-  if (isFinal(status_.state)) return;
+/// A machine whose link is lost goes on heating: it is told to stop as soon as it can be reached again.
+void Streamer::Machine::disconnect(const std::string& why, double now) {
+  if (isFinal(status_.state) || phase_ == Phase::Offline) return;
   if (!isStopping()) {
     status_.failure = {ErrorCode::Disconnected, why + whereItStands()};
     enter(PackmlState::Aborting);
+    if (!has_answered_) {
+      finishAborted("");
+      return;
+    }
+    prepareSafeStop(now);
   }
-  finishAborted(", or the link was lost before the machine could confirm the safe stop");
+  received_.clear();
+  output_.clear();
+  phase_ = Phase::Offline;
+}
+
+void Streamer::Machine::reconnect(double now) {
+  if (phase_ != Phase::Offline) return;
+  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  beginNumbering(base_, now);
 }
 
 void Streamer::Machine::finishAborted(const std::string& remark) {
-  if (status_.failure.code != ErrorCode::Disconnected) status_.failure.message += remark;
+  status_.failure.message += remark;
   phase_ = Phase::Idle;
   sent_.clear();
   enter(PackmlState::Aborted);

@@ -20,7 +20,9 @@ class Streamer::Machine {
   void start(double now);
   void receive(std::string_view bytes, double now);
   void elapse(double now);
-  void disconnect(const std::string& why);
+  void disconnect(const std::string& why, double now);
+  void reconnect(double now);
+  bool isOffline() const { return phase_ == Phase::Offline; }
   bool pause(double now);
   bool resume(double now);
   void abort(const Failure& why, double now);
@@ -39,6 +41,7 @@ class Streamer::Machine {
     Feeding,    ///< answers to the lines under way
     Probing,    ///< which line the firmware has
     Draining,   ///< the end of all motions, or of all heating
+    Offline,    ///< the link to come back, for the safe stop
   };
 
   void enter(PackmlState state);
@@ -53,6 +56,7 @@ class Streamer::Machine {
   void onStart(double now);
   void onFatal(const MarlinReply& reply, double now);
 
+  void prepareSafeStop(double now);
   void beginNumbering(std::uint64_t base, double now);
   void nextReport(double now);
   void proceed(double now);
@@ -66,6 +70,7 @@ class Streamer::Machine {
   bool goTo(std::uint64_t line, double now);
   void retry(double now);
   void timeOut(double now);
+  std::string urgentStop() const;
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
@@ -91,6 +96,7 @@ class Streamer::Machine {
   int refusals_in_a_row_ = 0;
   int odd_requests_ = 0;
   double safe_stop_by_ = 0.0;
+  double safe_stop_latest_ = 0.0;  ///< however long the machine says that it is busy
   std::string received_;
   std::string output_;
   std::vector<PackmlState> entered_;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the streamer makes of the machine's replies.
+#include <algorithm>
 #include <utility>
 
 #include "streaming/streamer_machine.hpp"
@@ -64,8 +65,10 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
     case ReplyKind::Information:
       if (reply.text.find("Unknown command") != std::string::npos) status_.message = reply.text;
       break;
-    case ReplyKind::LineError:
     case ReplyKind::Busy:
+      safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
+      break;
+    case ReplyKind::LineError:
       break;
   }
 }
@@ -138,7 +141,8 @@ void Streamer::Machine::askForRest() { output_ += isStopping() ? "M105\n" : "M40
 
 bool Streamer::Machine::isSafe(const MarlinTemperatures& temperatures) const {
   if (settings_.keep_heaters_on) return true;
-  return temperatures.nozzle_target_c == 0.0 && temperatures.bed_target_c.value_or(0.0) == 0.0;
+  const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
+  return temperatures.nozzle_target_c == 0.0 && is_bed_off;
 }
 
 /// Goes on with `line`, which the firmware has asked for.

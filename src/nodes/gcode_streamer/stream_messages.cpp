@@ -71,7 +71,9 @@ void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticS
   diagnostics.add("last message", status.message);
   if (!status.temperatures) return;
   diagnostics.add("nozzle [degC]", status.temperatures->nozzle_c);
-  diagnostics.add("nozzle target [degC]", status.temperatures->nozzle_target_c);
+  if (status.temperatures->nozzle_target_c) {
+    diagnostics.add("nozzle target [degC]", *status.temperatures->nozzle_target_c);
+  }
   if (status.temperatures->bed_c) diagnostics.add("bed [degC]", *status.temperatures->bed_c);
   if (status.temperatures->bed_target_c) {
     diagnostics.add("bed target [degC]", *status.temperatures->bed_target_c);
