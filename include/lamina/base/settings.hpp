@@ -81,6 +81,7 @@ void SettingsSchema::choice(const std::string& key, Enum& field,
                             const std::vector<std::pair<std::string, Enum>>& choices,
                             const std::string& meaning) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const auto& choice : choices) names.push_back(choice.first);
   addChoice(
       key, names, meaning, [&field, choices](std::size_t i) { field = choices[i].second; },

@@ -14,7 +14,7 @@ bool crossesRayFrom(const Point2& point, const Point2& a, const Point2& b) {
 
 double signedArea(const Polygon& polygon) {
   if (polygon.size() < 3) return 0.0;
-  const Point2 origin = polygon.front();
+  const Point2& origin = polygon.front();
   double two_areas = 0.0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Point2 a = polygon[i] - origin;

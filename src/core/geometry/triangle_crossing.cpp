@@ -99,8 +99,7 @@ std::optional<Point3> findCrossing(const Mesh& mesh, const MeshTopology& topolog
       // Edges that start at a common corner touch there and nowhere else.
       if ((shared & (1U << i | 1U << j)) != 0) continue;
       const Crossing crossing(mesh, topology, face);
-      if (const auto point = crossing.find(mesh.vertices[corners[i]], mesh.vertices[corners[j]]))
-        return point;
+      if (auto point = crossing.find(mesh.vertices[corners[i]], mesh.vertices[corners[j]])) return point;
     }
   }
   return std::nullopt;

@@ -11,8 +11,8 @@ namespace lamina {
 namespace {
 
 const std::map<std::string, InfillStrategy>& strategies() {
-  static const std::map<std::string, InfillStrategy> kStrategies = {{"zigzag", zigzag}};
-  return kStrategies;
+  static const std::map<std::string, InfillStrategy> by_name = {{"zigzag", zigzag}};
+  return by_name;
 }
 
 }  // namespace

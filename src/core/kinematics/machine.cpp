@@ -113,7 +113,7 @@ AxisValues axisValues(const Machine& machine, const Point3& position) {
 AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle) {
   const std::string turned = jetFault(machine, bed_from_nozzle.linear().col(2));
   if (!turned.empty()) throw Unreachable(turned);
-  const AxisValues values = axisValues(machine, bed_from_nozzle.translation());
+  AxisValues values = axisValues(machine, bed_from_nozzle.translation());
   const std::string outside = limitFault(machine, values);
   if (!outside.empty()) throw Unreachable(outside);
   return values;

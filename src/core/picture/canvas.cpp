@@ -5,6 +5,7 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "lamina/base/atomic_file.hpp"
@@ -30,7 +31,7 @@ void setColour(cairo_t* context, const Colour& colour) {
 
 std::uint32_t packed(const Colour& colour) {
   const auto byte = [](double part) {
-    return static_cast<std::uint32_t>(std::clamp(part, 0.0, 1.0) * 255.0 + 0.5);
+    return static_cast<std::uint32_t>(std::lround(std::clamp(part, 0.0, 1.0) * 255.0));
   };
   return byte(colour.alpha) << 24 | byte(colour.red * colour.alpha) << 16 |
          byte(colour.green * colour.alpha) << 8 | byte(colour.blue * colour.alpha);
@@ -128,8 +129,8 @@ void Canvas::raster(const Box2& extent, const Raster& cells) {
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < cells.columns; ++column) {
       const std::uint32_t pixel = packed(cells.cells[static_cast<std::size_t>(row) * cells.columns + column]);
-      std::memcpy(bytes + static_cast<std::ptrdiff_t>(stride) * (cells.rows - 1 - row) + 4 * column, &pixel,
-                  4);
+      const auto offset = std::ptrdiff_t{stride} * (cells.rows - 1 - row) + std::ptrdiff_t{4} * column;
+      std::memcpy(bytes + offset, &pixel, sizeof pixel);
     }
   }
   cairo_surface_mark_dirty(image.get());

@@ -126,7 +126,7 @@ void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box,
 }
 
 Box3 requireDeposition(const Toolpath& toolpath) {
-  const Box3 box = depositionBox(toolpath);
+  Box3 box = depositionBox(toolpath);
   if (box.isEmpty())
     throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
   return box;

@@ -73,6 +73,7 @@ const char* toString(FaultKind kind) {
 const std::vector<FaultKind>& allFaultKinds() {
   static const std::vector<FaultKind> kAll = [] {
     std::vector<FaultKind> kinds;
+    kinds.reserve(std::size(kNames));
     for (const auto& name : kNames) kinds.push_back(name.first);
     return kinds;
   }();
