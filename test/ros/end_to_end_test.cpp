@@ -26,6 +26,7 @@ const std::string kFolder = lamina::test::inRosHome("end_to_end");
 constexpr std::size_t kLayers = 5;            // of 0.3 mm, as in config/demo.yaml
 constexpr double kMeanErrorBound = 0.05;      // mm, over all layers: a sixth of a layer
 constexpr double kLayerMeanErrorBound = 0.1;  // mm
+constexpr double kPatience = 20.0;            // s
 constexpr double kSamePosition = 1e-6;        // mm: the program's third decimal goes through metres and back
 
 /// Positions the machine reported, in their order [mm].
@@ -104,6 +105,12 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   EXPECT_EQ(report.streaming.lines_acknowledged, commandLines(program));
   const std::vector<Point3> planned = motionEnds(program);
   EXPECT_GT(planned.size(), 10 * kLayers);
+  // The report is there before the last lift has been told.
+  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (firstMissing(planned, record.positions()) < planned.size() && ros::WallTime::now() < give_up) {
+    ros::spinOnce();
+    ros::WallDuration(0.05).sleep();
+  }
   EXPECT_EQ(firstMissing(planned, record.positions()), planned.size()) << "a motion was not executed";
 
   ASSERT_EQ(report.layers.size(), kLayers);

@@ -18,10 +18,10 @@ struct ProgramSettings {
   double retraction_feed_mm_s = 35.0;
   /// Written before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.
   std::string start_code =
-      "G28\n"
+      "G28\nG0 Z5 F600\n"
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
-  std::string end_code = "M104 S0\nM140 S0\nM84";
+  std::string end_code = "G91\nG0 Z5 F600\nG90\nM104 S0\nM140 S0\nM84";
 };
 
 /// Adds the keys program.*.

@@ -124,15 +124,17 @@ std::string oneLine(std::string text) {
   return text;
 }
 
+/// Over the first waypoint at the height the start code ends at, then down: a nozzle that is low before it
+/// is there scrapes over clamps and purge lines.
 std::string approach(const Point3& first, double feed_mm_s) {
-  char line[128] = "G0 Z";
-  char* out = writeFixed<3>(line + 4, toUnits(first.z(), 1e3));
-  out = std::copy_n(" F", 2, out);
-  out = writeFixed<3>(out, toUnits(feed_mm_s, 60e3));
-  out = std::copy_n("\nG0 X", 5, out);
-  out = writeFixed<3>(out, toUnits(first.x(), 1e3));
+  char line[128] = "G0 X";
+  char* out = writeFixed<3>(line + 4, toUnits(first.x(), 1e3));
   out = std::copy_n(" Y", 2, out);
   out = writeFixed<3>(out, toUnits(first.y(), 1e3));
+  out = std::copy_n(" F", 2, out);
+  out = writeFixed<3>(out, toUnits(feed_mm_s, 60e3));
+  out = std::copy_n("\nG0 Z", 5, out);
+  out = writeFixed<3>(out, toUnits(first.z(), 1e3));
   *out++ = '\n';
   return {line, out};
 }
