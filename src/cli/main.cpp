@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -9,17 +10,33 @@
 namespace lamina::cli {
 namespace {
 
-void printFailure(const Failure& failure, OutputFormat format) {
+/// Arguments that cannot be read leave nothing but themselves to tell the format.
+OutputFormat formatAskedFor(const std::vector<std::string>& arguments) {
+  const bool wants_json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+  return wants_json ? OutputFormat::Json : OutputFormat::Text;
+}
+
+void printFailure(const Failure& failure, const Counts& counts, OutputFormat format) {
   std::fprintf(stderr, "lamina: %s: %s\n", toString(failure.code), failure.message.c_str());
   if (format == OutputFormat::Text) return;
-  const nlohmann::json error = {{"error", {{"code", toString(failure.code)}, {"message", failure.message}}}};
-  std::printf("%s\n", error.dump().c_str());
+  nlohmann::ordered_json json = {{"error", {{"code", toString(failure.code)}, {"message", failure.message}}}};
+  for (const auto& [what, count] : counts) json[what] = count;
+  std::printf("%s\n", json.dump().c_str());
+}
+
+/// Help that was asked for is a ParseError too.
+int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
+  const bool is_failure = error.get_exit_code() != 0;
+  if (!is_failure || format == OutputFormat::Text) return app.exit(error);
+  printFailure({ErrorCode::InvalidConfig, error.what()}, {}, format);
+  return error.get_exit_code();
 }
 
 int runCommandLine(int argc, char** argv) {
   CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
   app.require_subcommand(1);
   Chosen chosen;
+  chosen.format = formatAskedFor({argv + 1, argv + argc});
   addEmulate(app, chosen);
   addInfo(app, chosen);
   addPart(app, chosen);
@@ -31,9 +48,9 @@ int runCommandLine(int argc, char** argv) {
     chosen.run();
     return 0;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return refuse(app, error, chosen.format);
   } catch (...) {
-    printFailure(currentFailure(), chosen.format);
+    printFailure(currentFailure(), chosen.counts, chosen.format);
     return 1;
   }
 }
@@ -41,4 +58,11 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 }  // namespace lamina::cli
 
-int main(int argc, char** argv) { return lamina::cli::runCommandLine(argc, argv); }
+int main(int argc, char** argv) {
+  try {
+    return lamina::cli::runCommandLine(argc, argv);
+  } catch (...) {
+    std::fputs("lamina: cannot start; out of memory?\n", stderr);
+    return 1;
+  }
+}

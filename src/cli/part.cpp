@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
@@ -46,6 +47,8 @@ void listParts(OutputFormat format) {
 void makeAndWrite(const PartOptions& options, OutputFormat format) {
   if (options.name.empty()) throw InvalidConfig("no part named; 'lamina part --list' names them");
   if (options.output.empty()) throw InvalidConfig("no output named; expected -o FILE.stl");
+  if (std::filesystem::path(options.output).extension() != ".stl")
+    throw InvalidConfig("output is '" + options.output + "'; its suffix must be .stl");
   std::vector<SettingText> parameters;
   for (const std::string& assignment : options.assignments)
     parameters.push_back(settingFromAssignment(assignment));

@@ -86,7 +86,8 @@ void addPreview(CLI::App& app, Chosen& chosen) {
                    "Program (.gcode), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
-  subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0");
+  subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0")
+      ->check(CLI::NonNegativeNumber);
   subcommand->add_option("--view", arguments->view, "Where the part is seen from")
       ->check(CLI::IsMember({"oblique", "top"}))
       ->capture_default_str();

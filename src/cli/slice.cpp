@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/job/output_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
@@ -25,11 +26,23 @@ struct SliceArguments {
   bool prints_config = false;
 };
 
-void printConfig() {
+nlohmann::ordered_json valueOf(const Setting& setting) {
+  const bool is_plain = setting.type == "number" || setting.type == "integer" || setting.type == "flag";
+  if (is_plain) return nlohmann::ordered_json::parse(setting.get());
+  return setting.get();
+}
+
+void printConfig(OutputFormat format) {
   JobSettings settings;
   SettingsSchema schema;
   describe(schema, settings);
-  std::fputs(settingsToYaml(schema).c_str(), stdout);
+  if (format == OutputFormat::Text) {
+    std::fputs(settingsToYaml(schema).c_str(), stdout);
+    return;
+  }
+  nlohmann::ordered_json json;
+  for (const Setting& setting : schema.settings()) json[setting.key] = valueOf(setting);
+  std::printf("%s\n", json.dump(2).c_str());
 }
 
 SliceJob jobFrom(const SliceArguments& arguments) {
@@ -82,8 +95,9 @@ void printText(const SliceSummary& s, const std::string& output) {
 }
 
 void slice(const SliceArguments& arguments, OutputFormat format) {
-  if (arguments.prints_config) return printConfig();
+  if (arguments.prints_config) return printConfig(format);
   const SliceJob job = jobFrom(arguments);
+  requireOtherFile(job.output, arguments.config);
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
   SliceSummary summary;

@@ -64,14 +64,22 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
               static_cast<unsigned long long>(status.resends));
 }
 
-void runStream(const StreamArguments& arguments, OutputFormat format) {
+Counts countsOf(const StreamStatus& status) {
+  return {{"lines", status.lines_total},
+          {"acknowledged", status.lines_acknowledged},
+          {"resends", status.resends},
+          {"probes", status.probes}};
+}
+
+void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamSettings settings = settingsFrom(arguments);
   const auto program = StreamableProgram::fromFile(arguments.program, settings.max_line_bytes);
   const SteadyClock clock;
   const double start = clock.now();
   const StreamStatus status = streamWhole(program, settings, arguments.port);
+  chosen.counts = countsOf(status);
   throwIfFailed(status);
-  print(status, clock.now() - start, format);
+  print(status, clock.now() - start, chosen.format);
 }
 
 }  // namespace
@@ -87,7 +95,7 @@ void addStream(CLI::App& app, Chosen& chosen) {
   command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
   addJsonFlag(*command, chosen);
   command->callback(
-      [arguments, &chosen] { chosen.run = [arguments, &chosen] { runStream(*arguments, chosen.format); }; });
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { runStream(*arguments, chosen); }; });
 }
 
 }  // namespace lamina::cli

@@ -7,7 +7,7 @@ namespace lamina::cli {
 void addJsonFlag(CLI::App& subcommand, Chosen& chosen) {
   subcommand.add_flag_callback(
       "--json", [&chosen] { chosen.format = OutputFormat::Json; },
-      "Print one JSON object on standard output and nothing else there");
+      "Print one JSON object on standard output and nothing else there, also on failure");
 }
 
 }  // namespace lamina::cli

@@ -3,18 +3,26 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace lamina::cli {
 
 /// How a subcommand tells what it found.
 enum class OutputFormat { Text, Json };
 
+/// What was done so far, by names in JSON.
+using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
+
 /// The subcommand chosen on the command line: what it does once the arguments are read, and how it tells the
 /// result. `run` throws on failure; `main` prints the error and chooses the exit code.
 struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;
+  Counts counts;  ///< told beside the error if `run` fails
 };
 
 /// Adds the flag `--json` to a subcommand.

@@ -4,11 +4,15 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 
 namespace lamina::cli {
 namespace {
+
+// A terminal that is closed hangs up: a machine must not be left hot for that.
+constexpr std::array<int, 3> kStopSignals = {SIGINT, SIGTERM, SIGHUP};
 
 // A signal handler can reach nothing but a variable of this kind.
 volatile std::sig_atomic_t was_interrupted = 0;
@@ -19,13 +23,11 @@ void interrupt(int) { was_interrupted = 1; }
 
 TerminalProgress::TerminalProgress() : is_shown_(::isatty(STDERR_FILENO) != 0) {
   was_interrupted = 0;
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  for (const int signal : kStopSignals) std::signal(signal, interrupt);
 }
 
 TerminalProgress::~TerminalProgress() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int signal : kStopSignals) std::signal(signal, SIG_DFL);
   if (!drawn_.empty()) std::fputs("\r\x1b[K", stderr);
 }
 

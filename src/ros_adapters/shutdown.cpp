@@ -21,10 +21,11 @@ volatile std::sig_atomic_t was_told_to_stop = 0;
 void stop(int) { was_told_to_stop = 1; }
 
 // roscpp's own handler shuts down from its polling thread, which then logs through loggers that are gone; and
-// it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM too.
+// it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM and SIGHUP too.
 ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
+  std::signal(SIGHUP, stop);
   return node.createWallTimer(kSignalPeriod, [](const ros::WallTimerEvent&) {
     if (was_told_to_stop != 0) ros::shutdown();
   });

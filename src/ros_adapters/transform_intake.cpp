@@ -11,7 +11,7 @@ constexpr std::uint32_t kBurst = 20000;  // messages: what a machine in accelera
 
 }  // namespace
 
-TransformIntake::TransformIntake(tf2::BufferCore& buffer, ros::NodeHandle node)
+TransformIntake::TransformIntake(tf2::BufferCore& buffer, const ros::NodeHandle& node)
     : buffer_(buffer), node_(node), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   moving_ = subscribe("/tf", false);

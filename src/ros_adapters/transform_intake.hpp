@@ -15,7 +15,7 @@ namespace lamina {
 class TransformIntake {
  public:
   /// @param buffer  must outlive this
-  TransformIntake(tf2::BufferCore& buffer, ros::NodeHandle node);
+  TransformIntake(tf2::BufferCore& buffer, const ros::NodeHandle& node);
 
  private:
   using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;

@@ -25,7 +25,7 @@ class Transport {
   /// @throws Disconnected naming the port if nobody is there or it cannot be used
   virtual void open(TransportEvents events) = 0;
   /// Sends soon; from the thread that runs the io_context.
-  virtual void send(std::string bytes) = 0;
+  virtual void send(const std::string& bytes) = 0;
   /// True while bytes given to `send` have not left.
   virtual bool isSending() const = 0;
   virtual void close() = 0;

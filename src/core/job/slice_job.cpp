@@ -112,6 +112,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
+  requireOtherFile(job.output, job.part);
   const Machine machine = machineByName(job.settings.machine.name);
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);

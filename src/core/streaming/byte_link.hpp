@@ -25,7 +25,7 @@ class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
     read();
   }
 
-  void send(std::string bytes) {
+  void send(const std::string& bytes) {
     if (is_closed_ || bytes.empty()) return;
     waiting_ += bytes;
     if (writing_.empty()) write();

@@ -133,9 +133,11 @@ class EmulatedMachine::Impl {
     if (firmware_.takeDisconnect()) {
       cutLink();
     } else {
-      std::string said = firmware_.takeOutput();
-      if (speaker_ == Speaker::Pty && pty_->pending() < kMostUnread) pty_->send(std::move(said));
-      if (speaker_ == Speaker::Tcp && tcp_->pending() < kMostUnread) tcp_->send(std::move(said));
+      const std::string said = firmware_.takeOutput();
+      if (speaker_ == Speaker::Pty && pty_->pending() < kMostUnread)
+        pty_->send(said);
+      else if (speaker_ == Speaker::Tcp && tcp_->pending() < kMostUnread)
+        tcp_->send(said);
     }
     work_timer_.set(firmware_.nextDeadline());
   }

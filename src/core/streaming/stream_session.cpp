@@ -119,8 +119,8 @@ class StreamSession::Impl {
   /// Passes on what the streamer wants after each event.
   void flush() {
     if (is_closed_) return;
-    std::string output = streamer_.takeOutput();
-    if (!output.empty()) transport_->send(std::move(output));
+    const std::string output = streamer_.takeOutput();
+    if (!output.empty()) transport_->send(output);
     tell();
     if (isFinal(streamer_.status().state)) {
       finish();

@@ -16,7 +16,7 @@ class TcpTransport final : public Transport {
   ~TcpTransport() override { close(); }
 
   void open(TransportEvents events) override;
-  void send(std::string bytes) override { link_->send(std::move(bytes)); }
+  void send(const std::string& bytes) override { link_->send(bytes); }
   bool isSending() const override { return link_ && link_->pending() > 0; }
   void close() override;
 

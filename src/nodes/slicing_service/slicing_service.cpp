@@ -50,7 +50,7 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
     const std::unique_lock<std::mutex> lock(job_, std::try_to_lock);
     if (!lock) throw Rejected("another part is being sliced; wait for it or cancel it");
     ROS_INFO_STREAM("slicing '" << request.part << "'");
-    const Answer given = slice(request, progress);
+    Answer given = slice(request, progress);
     ROS_INFO_STREAM("sliced '" << request.part << "' into " << given.summary.layers << " layers, toolpath "
                                << given.toolpath_id);
     return given;

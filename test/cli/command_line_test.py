@@ -1,0 +1,123 @@
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the command `lamina` as a person or a cell controller does.
+
+    command_line_test.py LAMINA
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+
+
+def run(*arguments):
+    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, timeout=60)
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def make_part(self, name, *settings):
+        path = self.path(name + ".stl")
+        self.assertEqual(run("part", name, *settings, "-o", path).returncode, 0)
+        return path
+
+    def assert_fails_with(self, code, *arguments):
+        done = run(*arguments, "--json")
+        self.assertNotEqual(done.returncode, 0)
+        told = json.loads(done.stdout)
+        self.assertEqual(told["error"]["code"], code)
+        self.assertTrue(told["error"]["message"])
+        return told
+
+    def test_arguments_that_cannot_be_read_are_told_as_json(self):
+        for arguments in (["slice", "--bogus"], ["stream"], ["info"], ["slice", "box", "--threads", "0"],
+                          ["emulate", "--tcp", "99999999"], ["preview", "box", "--layer", "-1"]):
+            self.assert_fails_with("InvalidConfig", *arguments)
+
+    def test_help_is_no_failure(self):
+        for subcommand in ("part", "info", "slice", "preview", "emulate", "stream"):
+            done = run(subcommand, "--help")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("--json", done.stdout)
+
+    def test_configuration_is_printed_in_both_formats(self):
+        self.assertIn("layer_height_mm: 0.2", run("slice", "--print-config").stdout)
+        configuration = json.loads(run("slice", "--print-config", "--json").stdout)
+        self.assertEqual(configuration["slicing.layer_height_mm"], 0.2)
+        self.assertEqual(configuration["infill.strategy"], "zigzag")
+
+    def test_slicing_tells_one_object(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
+        told = json.loads(run("slice", box, "-o", self.path("box.gcode"), "--json").stdout)
+        self.assertEqual(told["layers"], 10)
+        self.assertEqual(told["open_contours"], 0)
+        self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
+        self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
+
+    def test_a_mesh_is_never_overwritten_by_its_program(self):
+        mesh = self.make_part("box")
+        trap = self.path("box.gcode")
+        os.rename(mesh, trap)
+        before = open(trap, "rb").read()
+        self.assert_fails_with("InvalidInput", "slice", trap, "-o", trap)
+        self.assertEqual(open(trap, "rb").read(), before)
+
+    def test_a_configuration_is_never_overwritten_by_a_program(self):
+        trap = self.path("config.gcode")
+        with open(trap, "w") as file:
+            file.write("walls: {count: 1}\n")
+        self.assert_fails_with("InvalidInput", "slice", "box", "--config", trap, "-o", trap)
+        self.assertEqual(open(trap).read(), "walls: {count: 1}\n")
+
+    def test_a_part_is_written_as_stl_only(self):
+        self.assert_fails_with("InvalidConfig", "part", "box", "-o", self.path("box.obj"))
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_bad_settings_write_nothing(self):
+        for setting in ("slicing.layer_height_mm=0", "walls.cuont=2", "infill.density=-1", "bead.width_mm=nan"):
+            self.assert_fails_with("InvalidConfig", "slice", "box", "--set", setting, "-o", self.path("b.gcode"))
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+    def test_a_closed_terminal_leaves_the_machine_cold(self):
+        program = self.path("hot.gcode")
+        with open(program, "w") as file:
+            file.write("M104 S200\nG1 F60\n" + "".join(f"G1 X{i % 50}\n" for i in range(2000)))
+        machine = self.path("machine")
+        emulator = subprocess.Popen([LAMINA, "emulate", "--pty", machine, "--record", self.path("run")],
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(emulator.wait)
+        self.addCleanup(emulator.kill)
+        self.wait_for(lambda: os.path.exists(machine))
+        stream = subprocess.Popen([LAMINA, "stream", program, "--port", machine, "--json"],
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        time.sleep(1.0)
+        stream.send_signal(signal.SIGHUP)
+        told = json.loads(stream.communicate(timeout=60)[0])
+        self.assertEqual(told["error"]["code"], "Cancelled")
+        self.assertEqual(told["lines"], 2002)
+        self.assertLess(told["acknowledged"], 2002)
+        emulator.send_signal(signal.SIGINT)
+        emulator.wait(timeout=60)
+        self.assertIn("M104 S0", open(self.path("run")).read())
+
+    def wait_for(self, is_true):
+        give_up = time.monotonic() + 20.0
+        while not is_true() and time.monotonic() < give_up:
+            time.sleep(0.02)
+        self.assertTrue(is_true())
+
+
+if __name__ == "__main__":
+    unittest.main()
