@@ -175,6 +175,13 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   return message;
 }
 
+void requireRunsOn(const MachineToolpath& placed, const Machine& machine) {
+  if (!placed.machine.empty() && placed.machine != machine.name)
+    throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node has '" + machine.name +
+                       "'");
+  requireReachable(placed.toolpath, placed.bed_from_part, machine);
+}
+
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message) {
   MachineToolpath placed;
   placed.id = message.id;

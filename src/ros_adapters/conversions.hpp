@@ -63,4 +63,8 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed);
 /// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message);
 
+/// @throws InvalidInput if the toolpath was planned for another machine (one without a name is for any)
+/// @throws Unreachable naming the first waypoint out of reach
+void requireRunsOn(const MachineToolpath& placed, const Machine& machine);
+
 }  // namespace lamina

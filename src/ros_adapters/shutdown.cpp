@@ -23,9 +23,6 @@ void stop(int) { was_told_to_stop = 1; }
 // roscpp's own handler shuts down from its polling thread, which then logs through loggers that are gone; and
 // it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM and SIGHUP too.
 ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
-  std::signal(SIGINT, stop);
-  std::signal(SIGTERM, stop);
-  std::signal(SIGHUP, stop);
   return node.createWallTimer(kSignalPeriod, [](const ros::WallTimerEvent&) {
     if (was_told_to_stop != 0) ros::shutdown();
   });
@@ -40,12 +37,16 @@ void logFailure(const Failure& failure) {
 
 }  // namespace
 
-void runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body) {
+bool isToldToStop() { return was_told_to_stop != 0; }
+
+void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body) {
   int exit_code = 0;
   try {
-    ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+    ros::init(argc, argv, run.name, ros::init_options::NoSigintHandler);
     const ros::NodeHandle node;
-    const ros::WallTimer timer = shutdownOnSignal(node);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
+    const ros::WallTimer timer =
+        run.on_signal == OnSignal::ShutDown ? shutdownOnSignal(node) : ros::WallTimer();
     body();
   } catch (...) {
     logFailure(currentFailure());

@@ -7,11 +7,25 @@
 
 namespace lamina {
 
-/// A node from start to end: joins ROS under `name` (remappable), runs `body`, and leaves ROS. SIGINT and
-/// SIGTERM request a shutdown, so that destructors run; `body` returns once `ros::ok()` is false, as
-/// ros::spin() does.
+/// What SIGINT, SIGTERM and SIGHUP do to a node.
+enum class OnSignal {
+  ShutDown,  ///< request a shutdown: `ros::ok()` becomes false, ros::spin() returns
+  Tell,      ///< nothing but `isToldToStop`: the node still has something to say to others before it goes
+};
+
+/// How a node runs.
+struct NodeRun {
+  std::string name;  ///< under which it joins ROS, remappable
+  OnSignal on_signal = OnSignal::ShutDown;
+};
+
+/// Whether one of the signals came.
+bool isToldToStop();
+
+/// A node from start to end: joins ROS, runs `body`, and leaves ROS. On a signal `body` returns or throws, so
+/// that destructors run.
 ///
 /// Does not return: the process ends with exit code 0, or 1 if `body` threw; then the message was logged.
-[[noreturn]] void runNode(int argc, char** argv, const std::string& name, const std::function<void()>& body);
+[[noreturn]] void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body);
 
 }  // namespace lamina

@@ -16,6 +16,11 @@ import unittest
 LAMINA = os.path.abspath(sys.argv.pop())
 
 
+def content(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
 def run(*arguments):
     return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, timeout=60)
 
@@ -70,16 +75,16 @@ class CommandLine(unittest.TestCase):
         mesh = self.make_part("box")
         trap = self.path("box.gcode")
         os.rename(mesh, trap)
-        before = open(trap, "rb").read()
+        before = content(trap)
         self.assert_fails_with("InvalidInput", "slice", trap, "-o", trap)
-        self.assertEqual(open(trap, "rb").read(), before)
+        self.assertEqual(content(trap), before)
 
     def test_a_configuration_is_never_overwritten_by_a_program(self):
         trap = self.path("config.gcode")
         with open(trap, "w") as file:
             file.write("walls: {count: 1}\n")
         self.assert_fails_with("InvalidInput", "slice", "box", "--config", trap, "-o", trap)
-        self.assertEqual(open(trap).read(), "walls: {count: 1}\n")
+        self.assertEqual(content(trap), b"walls: {count: 1}\n")
 
     def test_a_part_is_written_as_stl_only(self):
         self.assert_fails_with("InvalidConfig", "part", "box", "-o", self.path("box.obj"))
@@ -110,7 +115,7 @@ class CommandLine(unittest.TestCase):
         self.assertLess(told["acknowledged"], 2002)
         emulator.send_signal(signal.SIGINT)
         emulator.wait(timeout=60)
-        self.assertIn("M104 S0", open(self.path("run")).read())
+        self.assertIn(b"M104 S0", content(self.path("run")))
 
     def wait_for(self, is_true):
         give_up = time.monotonic() + 20.0

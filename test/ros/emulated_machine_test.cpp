@@ -13,10 +13,13 @@
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "ros_home.hpp"
+#include "wait_until.hpp"
 
 namespace {
 
-constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
+using lamina::test::kPatience;
+using lamina::test::waitUntil;
+
 const std::string kPort = lamina::test::inRosHome("emulated_machine_test");
 constexpr double kSpeedUp = 10.0;
 
@@ -27,15 +30,6 @@ using Messages = std::vector<boost::shared_ptr<const Message>>;
 template <class Message>
 boost::function<void(const boost::shared_ptr<const Message>&)> into(Messages<Message>& all) {
   return [&all](const boost::shared_ptr<const Message>& message) { all.push_back(message); };
-}
-
-bool waitUntil(const std::function<bool()>& is_true) {
-  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!is_true() && ros::WallTime::now() < give_up) {
-    ros::spinOnce();
-    ros::WallDuration(0.01).sleep();
-  }
-  return is_true();
 }
 
 class EmulatedMachineNode : public testing::Test {

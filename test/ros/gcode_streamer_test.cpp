@@ -19,16 +19,18 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros_home.hpp"
+#include "wait_until.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using lamina::test::kPatience;
+using lamina::test::waitUntil;
 using lamina_msgs::MachineState;
 using lamina_msgs::Status;
 using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
 using GoalState = actionlib::SimpleClientGoalState;
 
-constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
 const std::string kPort = lamina::test::inRosHome("gcode_streamer_test");
 
 /// An emulated machine at the node's port, and what it has run of programs.
@@ -73,15 +75,6 @@ std::vector<std::string> zigzag(int lines) {
   return commands;
 }
 
-bool waitUntil(const std::function<bool()>& is_true) {
-  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (!is_true() && ros::WallTime::now() < give_up) {
-    ros::spinOnce();
-    ros::WallDuration(0.01).sleep();
-  }
-  return is_true();
-}
-
 class GcodeStreamer : public testing::Test {
  protected:
   void SetUp() override {
@@ -105,6 +98,17 @@ class GcodeStreamer : public testing::Test {
     for (const std::string& command : commands) file << command << " ; comment\n";
     return folder_ / "program.gcode";
   }
+  /// Asks for a toolpath as soon as the node has received it.
+  lamina_msgs::StreamProgramResult streamPublished(const lamina::MachineToolpath& placed) {
+    publisher_.publish(toMessage(placed));
+    lamina_msgs::StreamProgramResult given;
+    EXPECT_TRUE(waitUntil([&] {
+      start("", placed.id);
+      given = result();
+      return given.status.message.find("is asked for") == std::string::npos;
+    }));
+    return given;
+  }
   void start(const std::string& program, const std::string& toolpath_id = "") {
     lamina_msgs::StreamProgramGoal goal;
     goal.program = program;
@@ -127,6 +131,7 @@ class GcodeStreamer : public testing::Test {
 
   ros::NodeHandle node_;
   Client client_{lamina::names::kStreamProgram, true};
+  ros::Publisher publisher_ = node_.advertise<lamina_msgs::Toolpath>(lamina::names::kToolpath, 1, true);
   ros::Subscriber subscriber_;
   MachineState::ConstPtr state_;
   std::vector<std::string> states_;
@@ -224,8 +229,8 @@ TEST_F(GcodeStreamer, RefusesBadProgramsBeforeTheFirstLine) {
   EXPECT_EQ(machine->counts().lines_run, 0U);
 }
 
-TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
-  const TestMachine machine(0.0);
+/// Two lines from a corner, for a part at (5, 6) mm on the bed.
+lamina::MachineToolpath corner() {
   lamina::Path path;
   path.points = {{10, 10, 0.2}, {60, 10, 0.2}, {60, 40, 0.2}};
   path.bead = lamina::Bead{0.4, 0.2};
@@ -235,18 +240,28 @@ TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
   placed.toolpath.layers.push_back({0.2, 0.2, {path}});
   placed.id = "corner";
   placed.bed_from_part.translation() = lamina::Point3(5, 6, 0);
-  auto publisher = node_.advertise<lamina_msgs::Toolpath>(lamina::names::kToolpath, 1, true);
-  publisher.publish(toMessage(placed));
-  ASSERT_TRUE(waitUntil([&] { return publisher.getNumSubscribers() > 0; }));
-  lamina_msgs::StreamProgramResult given;
-  ASSERT_TRUE(waitUntil([&] {  // the node may not have received the toolpath yet
-    start("", "corner");
-    given = result();
-    return given.status.code != Status::INVALID_INPUT;
-  }));
+  return placed;
+}
+
+TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
+  const TestMachine machine(0.0);
+  const lamina_msgs::StreamProgramResult given = streamPublished(corner());
   EXPECT_EQ(given.status.code, Status::OK) << given.status.message;
   EXPECT_NEAR(machine->position().x(), 65.0, 1e-6);
   EXPECT_NEAR(machine->position().y(), 46.0, 1e-6);
+}
+
+TEST_F(GcodeStreamer, RefusesAToolpathThatItsMachineCannotRun) {
+  const TestMachine machine(0.0);
+  lamina::MachineToolpath foreign = corner();
+  foreign.id = "foreign";
+  foreign.machine = "gantry_45";
+  EXPECT_EQ(streamPublished(foreign).status.code, Status::INVALID_INPUT);
+  lamina::MachineToolpath far = corner();
+  far.id = "far";
+  far.bed_from_part.translation() = lamina::Point3(5000, 6, 0);
+  EXPECT_EQ(streamPublished(far).status.code, Status::UNREACHABLE);
+  EXPECT_NEAR(machine->position().norm(), 0.0, 1e-9);
 }
 
 TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {

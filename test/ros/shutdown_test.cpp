@@ -14,20 +14,31 @@
 namespace {
 
 /// Exit code of a node with this body in a process of its own; -1 if it died of a signal.
-int exitCodeOfNode(const std::string& name, const std::function<void()>& body) {
+int exitCodeOfNode(const lamina::NodeRun& run, const std::function<void()>& body) {
   const pid_t child = ::fork();
   if (child == 0) {
     char program[] = "shutdown_test";
     char* arguments[] = {program, nullptr};
-    lamina::runNode(1, arguments, name, body);
+    lamina::runNode(1, arguments, run, body);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(RunNode, OnlyTellsOfASignalIfAskedTo) {
+  const int exit_code = exitCodeOfNode({"told", lamina::OnSignal::Tell}, [] {
+    std::raise(SIGHUP);
+    ros::WallDuration(0.1).sleep();
+    ros::spinOnce();
+    if (!lamina::isToldToStop() || !ros::ok())
+      throw lamina::DeviceError("told, and still there, was expected");
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
 TEST(RunNode, LeavesItsBodyOnSigterm) {
-  const int exit_code = exitCodeOfNode("terminated", [] {
+  const int exit_code = exitCodeOfNode({"terminated"}, [] {
     std::raise(SIGTERM);
     ros::spin();
   });
@@ -35,7 +46,7 @@ TEST(RunNode, LeavesItsBodyOnSigterm) {
 }
 
 TEST(RunNode, LeavesItsBodyOnSigint) {
-  const int exit_code = exitCodeOfNode("interrupted", [] {
+  const int exit_code = exitCodeOfNode({"interrupted"}, [] {
     std::raise(SIGINT);
     ros::spin();
   });
@@ -43,8 +54,8 @@ TEST(RunNode, LeavesItsBodyOnSigint) {
 }
 
 TEST(RunNode, GivesOneIfItsBodyThrows) {
-  EXPECT_EQ(exitCodeOfNode("refused", [] { throw lamina::InvalidConfig("walls.count is -1"); }), 1);
-  EXPECT_EQ(exitCodeOfNode("broken", [] { throw 42; }), 1);
+  EXPECT_EQ(exitCodeOfNode({"refused"}, [] { throw lamina::InvalidConfig("walls.count is -1"); }), 1);
+  EXPECT_EQ(exitCodeOfNode({"broken"}, [] { throw 42; }), 1);
 }
 
 }  // namespace

@@ -57,10 +57,20 @@ void EmulatedMachineNode::run() {
   const auto period = std::chrono::milliseconds(static_cast<int>(1e3 * settings_.deposited_period_s) + 1);
   auto publish_at = std::chrono::steady_clock::now() + period;
   while (!motions_.isClosed()) {
-    if (const auto motion = motions_.pop(period)) execute(*motion);
+    if (const auto motion = motions_.pop(period)) tryExecute(*motion);
     if (!has_news_ || std::chrono::steady_clock::now() < publish_at) continue;
     publishDeposited();
     publish_at = std::chrono::steady_clock::now() + period;
+  }
+}
+
+/// A motion that leads out of what can be shown must not end the machine.
+void EmulatedMachineNode::tryExecute(const ExecutedMotion& motion) {
+  constexpr double kQuiet = 5.0;  // s
+  try {
+    execute(motion);
+  } catch (const std::exception& error) {
+    ROS_ERROR_THROTTLE(kQuiet, "a motion is neither shown nor deposited: %s", error.what());
   }
 }
 

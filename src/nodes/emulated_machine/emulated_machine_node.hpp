@@ -37,6 +37,7 @@ class EmulatedMachineNode {
 
  private:
   void run();
+  void tryExecute(const ExecutedMotion& motion);
   void execute(const ExecutedMotion& motion);
   void lay(const Point3& from, const Point3& to, double volume_mm3);
   void publishPosition(const MotionSample& sample);

@@ -7,7 +7,7 @@
 #include "shutdown.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, "emulated_machine", [] {
+  lamina::runNode(argc, argv, {"emulated_machine"}, [] {
     lamina::EmulatedMachineSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

@@ -106,6 +106,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
     throw InvalidInput("toolpath " + id + " is asked for; the one published last is " + message->id);
   }
   const MachineToolpath placed = fromMessage(*message);
+  requireRunsOn(placed, machine_);
   std::string text;
   writeGcode(placed.toolpath, placed.bed_from_part, settings_.program,
              [&](std::string_view piece) { text += piece; });

@@ -18,15 +18,11 @@
 
 namespace lamina {
 
-/// Streams programs to a machine on request.
+/// Streams programs to a machine on request: a G-code file, or the toolpath published last. Its action,
+/// services and topics: docs/nodes/gcode_streamer.md.
 ///
-/// Actions     stream_program (lamina/StreamProgram): a G-code file, or the latched toolpath; cancel is a
-/// safe stop Services    pause, resume, abort (std_srvs/Trigger): of the job under way Subscribes  toolpath
-/// (lamina/Toolpath, latched) Publishes   machine_state (lamina/MachineState, latched; 10 Hz during a job),
-/// diagnostics; machine_position
-///             (sensor_msgs/JointState) if stream.position_interval_s asks the firmware for positions
-///
-/// One job at a time: a new goal aborts the one under way. SIGINT and SIGTERM stop the machine safely first.
+/// One job at a time: a new goal aborts the one under way. SIGINT, SIGTERM and SIGHUP stop the machine safely
+/// first.
 class GcodeStreamer {
  public:
   GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings);

@@ -7,7 +7,7 @@
 #include "shutdown.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, "gcode_streamer", [] {
+  lamina::runNode(argc, argv, {"gcode_streamer"}, [] {
     lamina::GcodeStreamerSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

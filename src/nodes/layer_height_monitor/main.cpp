@@ -7,7 +7,7 @@
 #include "shutdown.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, "layer_height_monitor", [] {
+  lamina::runNode(argc, argv, {"layer_height_monitor"}, [] {
     lamina::LayerHeightMonitorSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

@@ -12,11 +12,13 @@
 #include "lamina/base/error.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "names.hpp"
+#include "shutdown.hpp"
 #include "status.hpp"
 
 namespace lamina {
 namespace {
 
+constexpr std::chrono::seconds kSafeStopPatience{20};
 constexpr double kSettlingTime = 3.0;  // s without a further height once streaming is over
 
 void writeFile(const std::string& path, const std::string& text) {
@@ -106,9 +108,23 @@ lamina_msgs::StreamProgramResult PrintPart::stream() {
                       " layers measured");
     noteAdvance();
   });
-  await("gcode_streamer", [this] { return stream_.getState().isDone(); });
+  try {
+    await("gcode_streamer", [this] { return stream_.getState().isDone(); });
+  } catch (...) {
+    stopStreaming();
+    throw;
+  }
   console_.finish();
   return resultOf(stream_, names::kStreamProgram);
+}
+
+/// Nobody looks after a machine whose print was given up.
+void PrintPart::stopStreaming() {
+  if (!ros::ok()) return;  // then gcode_streamer is told by ROS as well
+  stream_.cancelGoal();
+  const auto give_up = Clock::now() + kSafeStopPatience;
+  while (ros::ok() && !stream_.getState().isDone() && Clock::now() < give_up)
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 
 void PrintPart::awaitHeights() {
@@ -139,7 +155,7 @@ void PrintPart::await(const std::string& what, const std::function<bool()>& isDo
   noteAdvance();
   while (!isDone()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-    if (!ros::ok()) throw Cancelled("printing was interrupted while waiting for " + what);
+    if (isToldToStop() || !ros::ok()) throw Cancelled("printing was interrupted while waiting for " + what);
     if (silence() > settings_.patience_s)
       throw TimedOut("nothing from " + what + " for " +
                      std::to_string(static_cast<int>(settings_.patience_s)) + " s");

@@ -36,9 +36,10 @@ class PrintPart {
   /// @throws TimedOut if one of them is not there
   PrintPart(ros::NodeHandle node, PrintPartSettings settings);
 
-  /// @throws Error with the code and message of the node that failed; TimedOut if one falls silent; Cancelled
-  /// when
-  ///         ROS shuts down
+  /// A program under way is stopped safely before this throws.
+  /// @throws Error with the code and message of the node that failed
+  /// @throws TimedOut if one falls silent
+  /// @throws Cancelled when the process is told to stop, or ROS shuts down
   PrintReport run();
 
  private:
@@ -46,6 +47,7 @@ class PrintPart {
 
   lamina_msgs::SliceResult slice();
   lamina_msgs::StreamProgramResult stream();
+  void stopStreaming();
   void awaitHeights();
   void saveHeightMap();
   void saveFiles(const PrintReport& report);

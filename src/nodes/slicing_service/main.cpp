@@ -7,7 +7,7 @@
 #include "slicing_service.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, "slicing_service", [] {
+  lamina::runNode(argc, argv, {"slicing_service"}, [] {
     lamina::JobSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

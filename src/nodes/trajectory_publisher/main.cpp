@@ -7,7 +7,7 @@
 #include "trajectory_publisher.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, "trajectory_publisher", [] {
+  lamina::runNode(argc, argv, {"trajectory_publisher"}, [] {
     lamina::TrajectorySettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

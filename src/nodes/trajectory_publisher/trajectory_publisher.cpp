@@ -99,10 +99,7 @@ void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& messag
 }
 
 void TrajectoryPublisher::accept(MachineToolpath placed) {
-  if (!placed.machine.empty() && placed.machine != machine_.name)
-    throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node shows '" + machine_.name +
-                       "'");
-  requireReachable(placed.toolpath, placed.bed_from_part, machine_);
+  requireRunsOn(placed, machine_);
   nav_msgs::Path path = nozzlePath(placed.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
   static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(placed.bed_from_part)));

@@ -18,17 +18,8 @@
 
 namespace lamina {
 
-/// Shows where the machine is: the toolpath played in time, or what the machine itself reports.
-///
-/// Subscribes   toolpath (lamina/Toolpath, latched); in mode follow machine_position (sensor_msgs/JointState)
-/// Publishes    joint_states (sensor_msgs/JointState), nozzle_path (nav_msgs/Path, latched); in mode
-/// visualise
-///              joint_trajectory (trajectory_msgs/JointTrajectory, latched) of the layer being played
-/// Provides tf  world -> base_link and the machine's fixed links, bed -> part (static); its moving links, at
-/// the stamps
-///              of the positions
-/// Services     in mode visualise ~play, ~pause, ~rewind (std_srvs/Trigger)
-/// Parameter    sets robot_description to the machine's URDF if it is absent
+/// Shows where the machine is: the toolpath played in time, or what the machine itself reports. Its topics,
+/// transforms, services and parameters: docs/nodes/trajectory_publisher.md.
 class TrajectoryPublisher {
  public:
   /// @throws InvalidConfig if the machine is unknown

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <functional>
+
+namespace lamina::test {
+
+constexpr double kPatience = 60.0;  // s: far above what anything takes, for loaded machines
+
+/// Lets callbacks run until something is true.
+/// @return false if it is not within `kPatience`
+inline bool waitUntil(const std::function<bool()>& is_true) {
+  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
+  while (!is_true() && ros::WallTime::now() < give_up) {
+    ros::spinOnce();
+    ros::WallDuration(0.01).sleep();
+  }
+  return is_true();
+}
+
+}  // namespace lamina::test
