@@ -152,6 +152,14 @@ TEST_F(SliceJobTest, RefusesAPartBesideTheBed) {
   EXPECT_FALSE(hasOutput());
 }
 
+TEST_F(SliceJobTest, RefusesAPartThatIsNarrowerThanABead) {
+  // A fin of 0.3 mm for a bead of 0.4 mm, with a skirt that would be all that is printed.
+  writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 20.3, 6}));
+  job_.settings.planning.skirt.count = 1;
+  EXPECT_THROW(run(), InvalidInput);
+  EXPECT_FALSE(hasOutput());
+}
+
 TEST_F(SliceJobTest, RefusesAMachineThatIsNotThere) {
   job_.settings.machine.name = "warp_drive";
   EXPECT_THROW(run(), InvalidConfig);

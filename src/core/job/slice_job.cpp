@@ -4,6 +4,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -73,6 +74,18 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
 
+bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
+
+/// A part that is thinner than a bead everywhere would leave nothing but its skirt.
+void requireDeposition(const Toolpath& toolpath, double bead_width_mm) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    if (std::any_of(layer.paths.begin(), layer.paths.end(), buildsPart)) return;
+  throw InvalidInput("no bead of part '" + toolpath.part_name + "' is laid in any of " +
+                     std::to_string(toolpath.layers.size()) + " layers: it is narrower than bead.width_mm, " +
+                     std::to_string(bead_width_mm) +
+                     " mm, everywhere, or walls.count and infill.density are both 0");
+}
+
 std::string sizeText(const Point3& size) {
   char text[96];
   std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g mm", size.x(), size.y(), size.z());
@@ -120,6 +133,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.toolpath =
       planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
   layers = {};
+  requireDeposition(sliced.toolpath, job.settings.planning.bead.width_mm);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
