@@ -107,7 +107,7 @@ class CommandLine(unittest.TestCase):
         self.wait_for(lambda: os.path.exists(machine))
         stream = subprocess.Popen([LAMINA, "stream", program, "--port", machine, "--json"],
                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        time.sleep(1.0)
+        time.sleep(3.0)  # until it is under way, also on a loaded machine
         stream.send_signal(signal.SIGHUP)
         told = json.loads(stream.communicate(timeout=60)[0])
         self.assertEqual(told["error"]["code"], "Cancelled")
