@@ -82,8 +82,10 @@ BENCHMARK(ShrinkByClipping)->RangeMultiplier(8)->Range(64, 4096)->Complexity();
 void Zigzag(benchmark::State& state) {
   const Regions regions = unite(section(512));
   const InfillStrategy fill = infillStrategy("zigzag");
-  const InfillRequest request{60.0 / static_cast<double>(state.range(0)), 0.4, 0.7};
-  for (auto _ : state) benchmark::DoNotOptimize(fill(regions, request));
+  InfillRequest request;
+  request.spacing_mm = 60.0 / static_cast<double>(state.range(0));
+  request.angle_rad = 0.7;
+  for (auto _ : state) benchmark::DoNotOptimize(fill.fill(regions, request));
   state.SetComplexityN(state.range(0));
 }
 BENCHMARK(Zigzag)->RangeMultiplier(4)->Range(8, 2048)->Complexity();

@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
+#include "support/fill_requests.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
@@ -14,6 +15,7 @@ namespace {
 
 using test::circle;
 using test::rectangle;
+using test::requestOf;
 using test::reversed;
 
 /// Centre lines may leave the region by this much: the grid of outlines, and rounding [mm].
@@ -50,14 +52,14 @@ Regions randomRegions(Random& random) {
 
 InfillRequest randomRequest(Random& random) {
   const double spacing = random.uniform(0.3, 3.0);
-  return {spacing, 0.4, random.uniform(-7.0, 7.0)};
+  return requestOf(spacing, random.uniform(-7.0, 7.0));
 }
 
 /// What every strategy promises.
 class EveryStrategy : public testing::TestWithParam<std::string> {
  protected:
   std::vector<FillPath> fill(const Regions& regions, const InfillRequest& request) const {
-    return infillStrategy(GetParam())(regions, request);
+    return infillStrategy(GetParam()).fill(regions, request);
   }
 };
 
@@ -90,7 +92,7 @@ TEST_P(EveryStrategy, GivesNoPathWithoutARegion) {
 
 TEST_P(EveryStrategy, CoversARingWithinItsSpacing) {
   const Regions ring = {{circle({2, 3}, 12, 90), {reversed(circle({2, 3}, 5, 60))}}};
-  const InfillRequest request{1.5, 0.4, 0.3};
+  const InfillRequest request = requestOf(1.5, 0.3);
   const std::vector<FillPath> paths = fill(ring, request);
   const std::vector<Polygon> borders = outlines(ring);
   Random random(11);
@@ -103,8 +105,8 @@ TEST_P(EveryStrategy, CoversARingWithinItsSpacing) {
 }
 
 TEST_P(EveryStrategy, RefusesASpacingOfNothing) {
-  EXPECT_THROW(fill({{rectangle(0, 0, 10, 10), {}}}, {0.0, 0.4, 0.0}), InvalidInput);
-  EXPECT_THROW(fill({{rectangle(0, 0, 10, 10), {}}}, {1e-300, 0.4, 0.0}), InvalidInput);
+  EXPECT_THROW(fill({{rectangle(0, 0, 10, 10), {}}}, requestOf(0.0, 0.0)), InvalidInput);
+  EXPECT_THROW(fill({{rectangle(0, 0, 10, 10), {}}}, requestOf(1e-300, 0.0)), InvalidInput);
 }
 
 INSTANTIATE_TEST_SUITE_P(Infill, EveryStrategy, testing::ValuesIn(infillStrategyNames()),

@@ -36,7 +36,7 @@ TEST_F(PlanSettingsSchema, TakesNoWallsAndAnyDensityFromNoneToSolid) {
 
 TEST_F(PlanSettingsSchema, RefusesWhatCannotBePrinted) {
   for (const char* assignment :
-       {"bead.width_mm=0", "bead.width_mm=nan", "bead.overlap=1", "walls.count=-1", "walls.count=1.5",
+       {"bead.width_mm=0", "bead.width_mm=nan", "bead.pitch_mm=-1", "walls.count=-1", "walls.count=1.5",
         "infill.density=1.01", "infill.strategy=spaghetti", "walls.order=sideways", "seam.placement=front",
         "travel.feed_mm_s=0", "travel.hop_mm=-0.1", "feed.infill_mm_s=0", "planning.simplification_mm=-1"}) {
     const SettingText setting = settingFromAssignment(assignment);

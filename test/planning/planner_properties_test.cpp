@@ -34,7 +34,7 @@ PlanSettings randomSettings(Random& random) {
   settings.infill.density = random.below(4) == 0 ? 0.0 : random.uniform(0.05, 1.0);
   settings.infill.angle_deg = random.uniform(-180.0, 180.0);
   settings.infill.wall_overlap = random.uniform(0.0, 0.5);
-  settings.bead.overlap = random.uniform(0.0, 0.3);
+  settings.bead.pitch_mm = random.uniform(0.28, 0.4);
   settings.skirt.count = static_cast<int>(random.below(3));
   settings.seam.placement = static_cast<SeamPlacement>(random.below(4));
   settings.travel.hop_mm = random.uniform(0.0, 1.0);

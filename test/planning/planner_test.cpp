@@ -43,10 +43,11 @@ double lengthOf(const Toolpath& toolpath, PathRole role) {
   return sum;
 }
 
-TEST(Planner, LaysTheWallsOfASquareHalfABeadAndThenABeadApart) {
+TEST(Planner, LaysTheWallsOfASquareHalfABeadAndThenAPitchInside) {
   const Toolpath toolpath = plan(prism({rectangle(0, 0, 20, 20)}, 1), plainSettings());
   EXPECT_NEAR(lengthOf(toolpath, PathRole::OuterWall), 4 * 19.6, 1e-3);
-  EXPECT_NEAR(lengthOf(toolpath, PathRole::InnerWall), 4 * 18.8, 1e-3);
+  // A bead of 0.4 x 0.2 mm fills (0.2 * 0.2 + pi * 0.01) / 0.2 mm.
+  EXPECT_NEAR(lengthOf(toolpath, PathRole::InnerWall), 4 * (19.6 - 2 * (0.2 + 0.05 * M_PI)), 1e-3);
 }
 
 TEST(Planner, WithoutWallsAndInfillGivesEmptyLayers) {

@@ -14,6 +14,12 @@ namespace {
 using test::rectangle;
 using test::reversed;
 
+constexpr double kPitch = 0.4;
+
+Walls wallsIn(const Regions& material, const PlanSettings& settings, double pitch = kPitch) {
+  return makeWalls(material, settings, pitch, WallContact::Overlapping);
+}
+
 PlanSettings wallsOf(int count) {
   PlanSettings settings;
   settings.walls.count = count;
@@ -23,40 +29,45 @@ PlanSettings wallsOf(int count) {
 Regions square(double side) { return {{rectangle(0, 0, side, side), {}}}; }
 
 TEST(Walls, OfASquareAreSquaresABeadApart) {
-  const Walls walls = makeWalls(square(20), wallsOf(3));
+  const Walls walls = wallsIn(square(20), wallsOf(3));
   ASSERT_EQ(walls.centre_lines.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(perimeter(walls.centre_lines[k][0].outer), 4 * (20 - 0.8 * (static_cast<double>(k) + 0.5)),
                 1e-3);
 }
 
-TEST(Walls, ComeCloserByTheOverlapOfTheBeads) {
-  PlanSettings settings = wallsOf(2);
-  settings.bead.overlap = 0.25;
-  const Walls walls = makeWalls(square(20), settings);
+TEST(Walls, LieAPitchApart) {
+  const Walls walls = wallsIn(square(20), wallsOf(2), 0.3);
   EXPECT_NEAR(perimeter(walls.centre_lines[0][0].outer), 4 * 19.6, 1e-3);
   EXPECT_NEAR(perimeter(walls.centre_lines[1][0].outer), 4 * (19.6 - 2 * 0.3), 1e-3);
 }
 
-TEST(Walls, LeaveTheInfillWhereItsBeadsRunIntoThemByTheWallOverlap) {
-  PlanSettings settings = wallsOf(2);
-  settings.infill.wall_overlap = 0.25;
-  EXPECT_NEAR(area(makeWalls(square(20), settings).infill), std::pow(20 - 2 * (0.6 + 0.3), 2), 1e-2);
+TEST(Walls, LeaveWhatTheyDoNotFillToTheInfill) {
+  const Walls walls = makeWalls(square(20), wallsOf(2), kPitch, WallContact::Beside);
+  EXPECT_NEAR(area(walls.infill), std::pow(20 - 2 * 0.8, 2), 1e-2);
 }
 
-TEST(Walls, WhereThereAreNoneTheInfillStaysHalfABeadInside) {
-  EXPECT_NEAR(area(makeWalls(square(20), wallsOf(0)).infill), 19.6 * 19.6, 1e-2);
+TEST(Walls, AreRunIntoByInfillThatOverlapsThem) {
+  PlanSettings settings = wallsOf(2);
+  settings.infill.wall_overlap = 0.25;
+  EXPECT_NEAR(area(wallsIn(square(20), settings).infill), std::pow(20 - 2 * (0.8 - 0.1), 2), 1e-2);
+}
+
+TEST(Walls, WhereThereAreNoneTheBeadsOfTheInfillReachTheOutline) {
+  EXPECT_NEAR(area(wallsIn(square(20), wallsOf(0)).infill), 20 * 20, 1e-2);
+  // Beads 0.4 wide at a pitch of 0.3 reach 0.05 beyond what they fill.
+  EXPECT_NEAR(area(wallsIn(square(20), wallsOf(0), 0.3).infill), 19.9 * 19.9, 1e-2);
 }
 
 TEST(Walls, EndWhereTheyDoNotFit) {
-  const Walls walls = makeWalls(square(1.0), wallsOf(5));
+  const Walls walls = wallsIn(square(1.0), wallsOf(5));
   EXPECT_EQ(walls.centre_lines.size(), 1U);
   EXPECT_TRUE(walls.infill.empty());
-  EXPECT_TRUE(makeWalls(square(0.3), wallsOf(5)).centre_lines.empty());
+  EXPECT_TRUE(wallsIn(square(0.3), wallsOf(5)).centre_lines.empty());
 }
 
 TEST(Walls, RunAroundHolesToo) {
-  const Walls walls = makeWalls({{rectangle(0, 0, 20, 20), {reversed(rectangle(5, 5, 15, 15))}}}, wallsOf(1));
+  const Walls walls = wallsIn({{rectangle(0, 0, 20, 20), {reversed(rectangle(5, 5, 15, 15))}}}, wallsOf(1));
   ASSERT_EQ(walls.centre_lines[0].size(), 1U);
   EXPECT_NEAR(perimeter(walls.centre_lines[0][0].holes[0]), 4 * 10.4, 1e-3);
 }
@@ -67,7 +78,7 @@ TEST(Walls, LieAsFarInsideTheOutlineAsTheirNumberSays) {
     const Regions material = unite(
         {test::star(random, {0, 0}, 6.0, 12.0, 30), reversed(test::star(random, {0, 0}, 1.0, 3.0, 10))});
     const std::vector<Polygon> borders = outlines(material);
-    const Walls walls = makeWalls(material, wallsOf(3));
+    const Walls walls = wallsIn(material, wallsOf(3));
     for (std::size_t k = 0; k < walls.centre_lines.size(); ++k)
       for (const Polygon& loop : outlines(walls.centre_lines[k]))
         for (const Point2& point : loop) {

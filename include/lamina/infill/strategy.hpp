@@ -2,32 +2,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "lamina/geometry/polygon.hpp"
+#include "lamina/infill/fill_path.hpp"
+#include "lamina/infill/fill_settings.hpp"
 
 namespace lamina {
 
 /// What a fill strategy is asked for.
 struct InfillRequest {
-  double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre
-  double bead_width_mm = 0.4;
-  double angle_rad = 0.0;  ///< of the raster, from x counter-clockwise
+  double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre; the pitch if the fill is solid
+  double pitch_mm = 0.4;    ///< plan width that a bead of nominal cross-section fills
+  double angle_rad = 0.0;   ///< of the raster, from x counter-clockwise
+  std::size_t layer = 0;    ///< index, from 0: for seeds and for what changes from layer to layer
+  FillSettings settings;    ///< what single strategies ask for besides
 };
 
-/// One run of a fill in the plane of the layer [mm].
-struct FillPath {
-  Polyline points;
-  bool is_closed = false;
-};
-
-/// Fills regions with paths whose centre lines lie inside them. The regions are where centre lines may run:
-/// whoever calls has already taken off half a bead. No region gives no path. The same regions give the same
+/// Covers regions with beads, or drops: the centre lines of beads of the nominal width keep half a pitch from
+/// the border, those of others half their width. No region gives no path. The same regions give the same
 /// paths.
-using InfillStrategy =
+using FillFunction =
     std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
+
+/// Who decides in which order the runs of a fill are laid.
+enum class RunOrder {
+  Shortest,  ///< the planner, for short travels
+  AsGiven,   ///< the strategy
+};
+
+/// How the fills of one layer and the next hang together.
+enum class LayerLink {
+  Travel,
+  Chained,  ///< the cycle of a layer is opened where that of the layer beneath ended, and joined to it
+  Rising,   ///< the loops of all layers become one that rises all the time
+};
+
+/// Whether the ends of a fill run into the walls around it.
+enum class WallContact {
+  Overlapping,  ///< by `infill.wall_overlap`
+  Beside,
+};
+
+/// A way to fill, and what the planner has to know about it.
+struct InfillStrategy {
+  FillFunction fill;
+  RunOrder order = RunOrder::Shortest;
+  LayerLink link = LayerLink::Travel;
+  WallContact contact = WallContact::Beside;
+};
 
 /// The strategy of that name.
 /// @throws InvalidConfig if there is none, naming those there are

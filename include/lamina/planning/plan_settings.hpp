@@ -5,15 +5,16 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/infill/fill_settings.hpp"
 
 namespace lamina {
 
 /// Cross-section of the beads.
 struct BeadSettings {
   double width_mm = 0.4;
-  /// Part of the width by which neighbouring beads of a full fill run into each other (0 sets them side by
-  /// side).
-  double overlap = 0.0;
+  /// Between neighbouring beads of a solid fill, centre to centre; 0 takes that at which they fill the layer
+  /// exactly.
+  double pitch_mm = 0.0;
 };
 
 enum class WallOrder { OutsideIn, InsideOut };
@@ -62,6 +63,7 @@ struct PlanSettings {
   BeadSettings bead;
   WallSettings walls;
   InfillSettings infill;
+  FillSettings fill;
   SkirtSettings skirt;
   SeamSettings seam;
   TravelSettings travel;
@@ -69,7 +71,7 @@ struct PlanSettings {
   double simplification_mm = 0.01;  ///< how far a planned outline may leave the sliced one
 };
 
-/// Adds the keys bead.*, walls.*, infill.*, skirt.*, seam.*, travel.*, feed.* and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, skirt.*, seam.*, travel.*, feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -36,6 +36,12 @@ struct Bead {
   }
 };
 
+/// How a path deposits.
+enum class Deposit : std::uint8_t {
+  Bead = 0,   ///< a bead from waypoint to waypoint
+  Drops = 1,  ///< a drop at each waypoint, a disc as wide and high as its `Bead`; nothing on the way
+};
+
 /// A quantity along a path: one value for all waypoints, or one per waypoint where it varies.
 template <class Value>
 class AlongPath {
@@ -68,8 +74,9 @@ struct ProcessFlags {
 struct Path {
   PathRole role = PathRole::Infill;
   bool is_closed = false;
+  Deposit deposit = Deposit::Bead;
   ProcessFlags process;
-  std::vector<Point3> points;  ///< nozzle tip [mm, part frame]; at least two
+  std::vector<Point3> points;  ///< nozzle tip [mm, part frame]; at least two, or one drop
   AlongPath<Eigen::Quaterniond> orientation{Eigen::Quaterniond(0, 1, 0, 0)};  ///< part_from_nozzle
   AlongPath<Bead> bead;                                                       ///< width 0 on travel
   AlongPath<double> feed_mm_s{0.0};  ///< speed of the nozzle tip [mm/s]
@@ -107,6 +114,12 @@ double length(const Path& path);
 /// Area [mm²] of the stadium a bead fills: a rectangle between two half discs of the smaller side's diameter,
 /// (w - h) h + pi h² / 4 for w >= h; a bead higher than wide is the same stadium upright.
 double crossSection(const Bead& bead);
+
+/// Plan width [mm] that a bead fills: its area over its height. Beads of that pitch fill a layer exactly.
+double planWidth(const Bead& bead);
+
+/// The bead of that area [mm²] and height. An area of 0 gives a width of 0.
+Bead beadOfArea(double area_mm2, double height_mm);
 
 /// Material laid along the path [mm³].
 double depositedVolume(const Path& path);

@@ -11,7 +11,9 @@ namespace lamina {
 namespace {
 
 const std::map<std::string, InfillStrategy>& strategies() {
-  static const std::map<std::string, InfillStrategy> by_name = {{"zigzag", zigzag}};
+  static const std::map<std::string, InfillStrategy> by_name = {
+      {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
+  };
   return by_name;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "infill/raster.hpp"
+#include "lamina/geometry/offset.hpp"
 
 namespace lamina {
 namespace {
@@ -32,7 +33,8 @@ class RunBuilder {
       if (is_done_[line]) continue;
       const std::uint32_t left = raster_.sorted[2 * line];
       const std::uint32_t right = raster_.sorted[2 * line + 1];
-      FillPath run{trace(countLines(right) > countLines(left) ? right : left, frame), false};
+      FillPath run;
+      run.points = trace(countLines(right) > countLines(left) ? right : left, frame);
       if (length(run.points) > kShortest) runs.push_back(std::move(run));
     }
     return runs;
@@ -144,6 +146,10 @@ class RunBuilder {
 }  // namespace
 
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
+  return rasterRuns(offset(regions, -0.5 * request.pitch_mm), request);
+}
+
+std::vector<FillPath> rasterRuns(const Regions& regions, const InfillRequest& request) {
   const RasterFrame frame(request.angle_rad);
   const Raster raster = rasterise(regions, request.spacing_mm, frame);
   return RunBuilder(raster, request.spacing_mm).build(frame);

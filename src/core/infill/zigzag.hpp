@@ -10,6 +10,9 @@ namespace lamina {
 /// One line passes through the origin, so that the lines of two layers with the same angle lie above each
 /// other. Neighbouring lines are joined where the outline leads from one to the other within three spacings.
 /// Parts of a region that lie between two lines get none.
+std::vector<FillPath> rasterRuns(const Regions& centre_lines, const InfillRequest& request);
+
+/// `rasterRuns` where centre lines may run.
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

@@ -42,6 +42,8 @@ class LayerPlanner {
         top_(layer.slab.top_mm) {
     result_.z_mm = layer.slab.top_mm;
     result_.height_mm = layer.slab.height();
+    bead_ = {settings_.bead.width_mm, result_.height_mm};
+    pitch_ = settings_.bead.pitch_mm > 0.0 ? settings_.bead.pitch_mm : planWidth(bead_);
   }
 
   ToolpathLayer plan(const std::vector<Polygon>& contours) && {
@@ -59,7 +61,7 @@ class LayerPlanner {
 
  private:
   void addIsland(const Region& island) {
-    Walls walls = makeWalls({island}, settings_);
+    Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
     const std::size_t count = walls.centre_lines.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
@@ -82,40 +84,63 @@ class LayerPlanner {
 
   void addInfill(const Regions& area) {
     if (area.empty()) return;
+    std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
+    if (context_.strategy.order == RunOrder::AsGiven) {
+      for (const FillPath& fill : fills) addFill(fill, area);
+      return;
+    }
+    std::vector<RunEnds> ends;
+    ends.reserve(fills.size());
+    for (const FillPath& fill : fills) ends.push_back({fill.points.front(), lastPoint(fill)});
+    for (const OrderedRun& next : orderRuns(ends, nozzle_))
+      addFill(next.is_reversed ? reversed(std::move(fills[next.run])) : fills[next.run], area);
+  }
+
+  InfillRequest infillRequest() const {
     const InfillSettings& infill = settings_.infill;
     InfillRequest request;
-    request.bead_width_mm = settings_.bead.width_mm;
-    request.spacing_mm = settings_.bead.width_mm * (1.0 - settings_.bead.overlap) / infill.density;
+    request.pitch_mm = pitch_;
+    request.spacing_mm = pitch_ / infill.density;
     request.angle_rad =
         std::fmod(infill.angle_deg + infill.alternation_deg * static_cast<double>(index_), 360.0) * M_PI /
         180.0;
-    std::vector<FillPath> fills = context_.fill(area, request);
-    std::vector<RunEnds> ends;
-    ends.reserve(fills.size());
-    for (const FillPath& fill : fills)
-      ends.push_back({fill.points.front(), fill.is_closed ? fill.points.front() : fill.points.back()});
-    for (const OrderedRun& next : orderRuns(ends, nozzle_)) {
-      FillPath& fill = fills[next.run];
-      if (next.is_reversed) std::reverse(fill.points.begin(), fill.points.end());
-      const bool is_inside = staysInside(area, nozzle_, fill.points.front());
-      addRun(fill, PathRole::Infill, is_inside ? TravelOver::Infill : TravelOver::Anything);
-    }
+    request.layer = index_;
+    request.settings = settings_.fill;
+    return request;
   }
 
-  void addLoop(Polygon loop, PathRole role) { addRun({std::move(loop), true}, role, TravelOver::Anything); }
+  void addFill(const FillPath& fill, const Regions& area) {
+    const bool is_inside = staysInside(area, nozzle_, fill.points.front());
+    addRun(fill, is_inside ? TravelOver::Infill : TravelOver::Anything);
+  }
 
-  void addRun(const FillPath& run, PathRole role, TravelOver over) {
+  void addLoop(Polygon loop, PathRole role) {
+    addRun({std::move(loop), true, role, Deposit::Bead, {}}, TravelOver::Anything);
+  }
+
+  void addRun(const FillPath& run, TravelOver over) {
     Path path;
-    path.role = role;
+    path.role = run.role;
     path.is_closed = run.is_closed;
+    path.deposit = run.deposit;
     path.points.reserve(run.points.size());
     for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), top_);
-    path.bead = Bead{settings_.bead.width_mm, result_.height_mm};
-    const double feed = feedOf(role, settings_.feed);
+    path.bead = beadsOf(run);
+    const double feed = feedOf(run.role, settings_.feed);
     path.feed_mm_s = index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed;
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
+  }
+
+  AlongPath<Bead> beadsOf(const FillPath& run) const {
+    if (run.width_mm.empty()) return bead_;
+    const double area_per_width = crossSection(bead_) / pitch_;
+    std::vector<Bead> beads;
+    beads.reserve(run.width_mm.size());
+    for (const double width : run.width_mm)
+      beads.push_back(beadOfArea(width * area_per_width, result_.height_mm));
+    return AlongPath<Bead>(std::move(beads));
   }
 
   void addTravelTo(const Point3& point, TravelOver over) {
@@ -129,6 +154,8 @@ class LayerPlanner {
   Seam seam_;
   Point2 nozzle_;
   double top_;
+  Bead bead_;           ///< nominal
+  double pitch_ = 0.0;  ///< between neighbouring beads [mm]
   ToolpathLayer result_;
 };
 

@@ -14,7 +14,7 @@ namespace lamina {
 /// What all layers of a plan share.
 struct PlanContext {
   PlanSettings settings;
-  InfillStrategy fill;
+  InfillStrategy strategy;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
 };
 

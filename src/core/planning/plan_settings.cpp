@@ -12,8 +12,9 @@ constexpr Bounds kAngle{-360.0, 360.0, false};
 
 void describe(SettingsSchema& schema, BeadSettings& bead) {
   schema.number("bead.width_mm", bead.width_mm, {0.01, 100.0, false}, "Width of a bead.");
-  schema.number("bead.overlap", bead.overlap, {0.0, 0.9, false},
-                "Part of the width by which neighbouring beads run into each other.");
+  schema.number(
+      "bead.pitch_mm", bead.pitch_mm, {0.0, 100.0, false},
+      "Distance of neighbouring beads in a solid fill; 0 takes that at which they fill it exactly.");
 }
 
 void describe(SettingsSchema& schema, WallSettings& walls) {
@@ -73,6 +74,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.bead);
   describe(schema, settings.walls);
   describe(schema, settings.infill);
+  describe(schema, settings.fill);
   describe(schema, settings.skirt);
   describe(schema, settings.seam);
   describe(schema, settings.travel);

@@ -14,7 +14,7 @@ namespace {
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
   PlanContext context;
   context.settings = settings;
-  context.fill = infillStrategy(settings.infill.strategy);
+  context.strategy = infillStrategy(settings.infill.strategy);
   SettingsSchema schema;
   describe(schema, context.settings);
   schema.validate();

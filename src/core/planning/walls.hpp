@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lamina/geometry/polygon.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/planning/plan_settings.hpp"
 
 namespace lamina {
@@ -12,13 +13,14 @@ namespace lamina {
 /// The walls of an area and what they leave for the infill.
 struct Walls {
   /// Centre lines of wall 0 (outermost), 1, ...: the outlines of the area shrunk by half a bead, and for each
-  /// further wall by a bead less the overlap. Fewer than asked for where the area is too narrow.
+  /// further wall by a pitch. Fewer than asked for where the area is too narrow.
   std::vector<Regions> centre_lines;
-  /// Where centre lines of infill may run.
+  /// What the infill has to cover.
   Regions infill;
 };
 
 /// @param material  what is to be filled [mm]
-Walls makeWalls(const Regions& material, const PlanSettings& settings);
+/// @param pitch_mm  between neighbouring beads
+Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact);
 
 }  // namespace lamina

@@ -14,6 +14,15 @@ namespace {
 constexpr std::array<const char*, 6> kRoleNames = {"skirt",  "outer_wall", "inner_wall",
                                                    "infill", "gap_fill",   "travel"};
 
+double discVolume(const Bead& drop) { return 0.25 * M_PI * drop.width_mm * drop.width_mm * drop.height_mm; }
+
+double dropVolume(const Path& path) {
+  if (path.bead.isCommon()) return static_cast<double>(path.points.size()) * discVolume(path.bead.at(0));
+  double sum = 0.0;
+  for (const Bead& drop : path.bead.values()) sum += discVolume(drop);
+  return sum;
+}
+
 }  // namespace
 
 const char* toString(PathRole role) { return kRoleNames.at(static_cast<std::size_t>(role)); }
@@ -45,8 +54,21 @@ double crossSection(const Bead& bead) {
   return (high - low) * low + 0.25 * M_PI * low * low;
 }
 
+double planWidth(const Bead& bead) {
+  return bead.height_mm > 0.0 ? crossSection(bead) / bead.height_mm : bead.width_mm;
+}
+
+Bead beadOfArea(double area_mm2, double height_mm) {
+  constexpr double kCorners = 1.0 - 0.25 * M_PI;
+  const double h = height_mm;
+  if (area_mm2 >= 0.25 * M_PI * h * h) return {area_mm2 / h + kCorners * h, h};
+  // Higher than wide: h w - (1 - pi/4) w² = area.
+  return {2.0 * area_mm2 / (h + std::sqrt(std::max(0.0, h * h - 4.0 * kCorners * area_mm2))), h};
+}
+
 double depositedVolume(const Path& path) {
   if (path.role == PathRole::Travel) return 0.0;
+  if (path.deposit == Deposit::Drops) return dropVolume(path);
   if (path.bead.isCommon()) return length(path) * crossSection(path.bead.at(0));
   double sum = 0.0;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {

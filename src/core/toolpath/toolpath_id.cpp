@@ -32,8 +32,9 @@ class Fingerprint {
   }
   void add(const Path& path) {
     add(static_cast<std::uint64_t>(path.role));
-    add(static_cast<std::uint64_t>(path.is_closed) | static_cast<std::uint64_t>(path.process.is_retracted)
-                                                         << 1);
+    add(static_cast<std::uint64_t>(path.is_closed) |
+        static_cast<std::uint64_t>(path.process.is_retracted) << 1 |
+        static_cast<std::uint64_t>(path.deposit) << 2);
     add(static_cast<std::uint64_t>(path.points.size()));
     for (const Point3& point : path.points)
       for (int i = 0; i < 3; ++i) add(point[i]);

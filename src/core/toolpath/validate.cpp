@@ -22,7 +22,9 @@ bool fits(const AlongPath<Value>& along, std::size_t waypoints) {
 
 std::string firstFault(const Path& path) {
   const std::size_t count = path.points.size();
-  if (count < 2) return std::to_string(count) + " waypoints; at least 2 are needed";
+  const std::size_t least = path.deposit == Deposit::Drops ? 1 : 2;
+  if (count < least)
+    return std::to_string(count) + " waypoints; at least " + std::to_string(least) + " are needed";
   if (!fits(path.orientation, count) || !fits(path.bead, count) || !fits(path.feed_mm_s, count))
     return "orientation, bead and feed need one value or " + std::to_string(count) + ", one per waypoint";
   for (std::size_t i = 0; i < count; ++i)

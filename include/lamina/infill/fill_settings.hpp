@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/infill/contour_settings.hpp"
+#include "lamina/infill/drop_settings.hpp"
+#include "lamina/infill/hilbert_settings.hpp"
+#include "lamina/infill/raster_settings.hpp"
+
+namespace lamina {
+
+/// What each family of fill strategies asks for besides spacing and angle.
+struct FillSettings {
+  RasterSettings raster;
+  ContourSettings contour;
+  HilbertSettings hilbert;
+  DropSettings drops;
+};
+
+/// Adds the keys of all families.
+void describe(SettingsSchema& schema, FillSettings& settings);
+
+}  // namespace lamina

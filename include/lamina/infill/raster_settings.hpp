@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// In which order sections of a raster are laid.
+enum class SectionOrder {
+  Midpoints,  ///< greedy, by the midpoints of first and last lines, as documented for metal deposition
+  Ends,       ///< greedy, by the end points of first and last lines
+  Optimised,  ///< improved from there
+};
+
+/// What the strategies of parallel lines ask for.
+struct RasterSettings {
+  SectionOrder order = SectionOrder::Optimised;
+};
+
+/// Adds the keys raster.*.
+void describe(SettingsSchema& schema, RasterSettings& settings);
+
+}  // namespace lamina

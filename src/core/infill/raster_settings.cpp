@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/infill/raster_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, RasterSettings& settings) {
+  schema.choice("raster.order", settings.order,
+                {{"midpoints", SectionOrder::Midpoints},
+                 {"ends", SectionOrder::Ends},
+                 {"optimised", SectionOrder::Optimised}},
+                "Order of the sections of a raster: greedy by midpoints or ends, or improved from there.");
+}
+
+}  // namespace lamina

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina::test {
+
+/// A request for lines `spacing_mm` apart of beads that fill 0.4 mm.
+inline InfillRequest requestOf(double spacing_mm, double angle_rad) {
+  InfillRequest request;
+  request.spacing_mm = spacing_mm;
+  request.pitch_mm = 0.4;
+  request.angle_rad = angle_rad;
+  return request;
+}
+
+}  // namespace lamina::test
