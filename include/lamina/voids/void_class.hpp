@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace lamina {
+
+/// Where in a layer a void lies, by the limits of the fill that left it (droplet-infill.md section 2).
+enum class VoidClass : std::uint8_t {
+  RasterBorder = 0,  ///< R1: between the lines of a raster and the contour or wall around them
+  DenseBorder = 1,   ///< D1: between a dense packing and the contour or wall around it
+  Core = 2,          ///< C1: within the innermost contour
+  Meeting = 3,       ///< C2: where contours that follow the outline meet those that follow a hole
+  ShapeChange = 4,   ///< C3: between a contour and the next
+  Corner = 5,        ///< C4: in a corner of less than 60 degrees
+  Between = 6,       ///< between the lines of a fill, away from its border
+};
+
+/// As written in files: "R1", "D1", "C1" to "C4", "between".
+const char* toString(VoidClass kind);
+
+}  // namespace lamina
