@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "infill/hilbert.hpp"
+#include "infill/hilbert_quadtree.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/base/error.hpp"
 
@@ -12,6 +14,8 @@ namespace {
 
 const std::map<std::string, InfillStrategy>& strategies() {
   static const std::map<std::string, InfillStrategy> by_name = {
+      {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
+      {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
   };
   return by_name;

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/hilbert_quadtree.hpp"
+
+#include <utility>
+
+#include "infill/angle_search.hpp"
+#include "infill/lattice.hpp"
+#include "infill/lattice_tours.hpp"
+#include "infill/lattice_walk.hpp"
+#include "lamina/geometry/offset.hpp"
+
+namespace lamina {
+namespace {
+
+FillPath pathOf(const LatticeWalk& walk, const Lattice& lattice, double width_mm) {
+  const auto stride = static_cast<std::uint32_t>(lattice.frame.columns());
+  FillPath path;
+  path.is_closed = walk.is_closed;
+  path.points.reserve(walk.cells.size());
+  path.width_mm.reserve(walk.cells.size());
+  for (std::size_t i = 0; i < walk.cells.size(); ++i) {
+    const std::uint32_t cell = walk.cells[i];
+    path.points.push_back(
+        lattice.frame.centre({static_cast<int>(cell % stride), static_cast<int>(cell / stride)}));
+    path.width_mm.push_back(walk.is_doubled[i] ? 0.5 * width_mm : width_mm);
+  }
+  return path;
+}
+
+FillAtAngle fillAt(const Region& centre_lines, const InfillRequest& request, double angle_rad) {
+  const Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
+  // A cell's bead is as much wider as the cell is larger than one of the requested spacing.
+  const double width = request.pitch_mm * lattice.frame.step().prod() / std::pow(request.spacing_mm, 2);
+  FillAtAngle fill;
+  for (const LatticeWalk& walk : walkLattice(lattice, makeTours(lattice))) {
+    fill.covered += static_cast<double>(walk.cells.size());
+    fill.paths.push_back(pathOf(walk, lattice, width));
+  }
+  return fill;
+}
+
+}  // namespace
+
+std::vector<FillPath> hilbertQuadtree(const Regions& regions, const InfillRequest& request) {
+  return fillAtBestAngle(offset(regions, -0.5 * request.pitch_mm), request, fillAt);
+}
+
+}  // namespace lamina

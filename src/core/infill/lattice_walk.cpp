@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/lattice_walk.hpp"
+
+#include <utility>
+
+namespace lamina {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index kNone = LatticeTours::kNone;
+
+/// A cell in its place of a walk.
+struct Visit {
+  Index cell = 0;
+  Index next = 0;  ///< visit
+  bool is_doubled = false;
+};
+
+class WalkBuilder {
+ public:
+  WalkBuilder(const Lattice& lattice, const LatticeTours& tours)
+      : lattice_(lattice),
+        tours_(tours),
+        stride_(static_cast<Index>(lattice.frame.columns())),
+        visit_of_(lattice.size(), kNone) {}
+
+  std::vector<LatticeWalk> build() {
+    std::vector<LatticeWalk> walks;
+    for (Index cell = 0; cell < lattice_.size(); ++cell)
+      if (tours_.visits(cell) && visit_of_[cell] == kNone) add(walkFrom(cell), walks);
+    for (Index cell = 0; cell < lattice_.size(); ++cell)
+      if (lattice_.isInside(cell) && visit_of_[cell] == kNone) add(walkFromEndNear(cell), walks);
+    return walks;
+  }
+
+ private:
+  static void add(LatticeWalk walk, std::vector<LatticeWalk>& walks) {
+    if (walk.cells.size() > 1) walks.push_back(std::move(walk));
+  }
+
+  /// Walks the part of the lattice around `root`, breadth first; each tour and cell met hangs on the cell
+  /// from which it was met.
+  LatticeWalk walkFrom(Index root) {
+    visits_.clear();
+    queue_.clear();
+    has_branch_ = false;
+    enter(root);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Index cell = queue_[i];
+      int children = 0;
+      forNeighbours(cell, [&](Index neighbour) {
+        if (visit_of_[neighbour] != kNone) return;
+        hang(neighbour, cell);
+        ++children;
+      });
+      has_branch_ = has_branch_ || tours_.visits(cell) || children > 1;
+    }
+    return has_branch_ ? closedWalk() : straightWalk();
+  }
+
+  /// A row of single cells is walked from one of its ends, which the cell reached last is.
+  LatticeWalk walkFromEndNear(Index cell) {
+    walkFrom(cell);
+    const Index end = queue_.back();
+    for (const Index visited : queue_) visit_of_[visited] = kNone;
+    return walkFrom(end);
+  }
+
+  template <class Use>
+  void forNeighbours(Index cell, Use use) const {
+    if (lattice_.leadsRight(cell)) use(cell + 1);
+    if (lattice_.leadsUp(cell)) use(cell + stride_);
+    if (cell % stride_ > 0 && lattice_.leadsRight(cell - 1)) use(cell - 1);
+    if (cell >= stride_ && lattice_.leadsUp(cell - stride_)) use(cell - stride_);
+  }
+
+  Index newVisit(Index cell, Index next, bool is_doubled) {
+    visits_.push_back({cell, next, is_doubled});
+    return static_cast<Index>(visits_.size() - 1);
+  }
+
+  /// Visits the cell, and its whole tour if it has one.
+  /// @return the first and the last visit, not yet joined
+  std::pair<Index, Index> enter(Index cell) {
+    const Index first = newVisit(cell, 0, false);
+    visit_of_[cell] = first;
+    queue_.push_back(cell);
+    Index last = first;
+    if (!tours_.visits(cell)) return {first, last};
+    Index previous = cell;
+    for (Index at = tours_.neighbours[cell][0]; at != cell;) {
+      const Index visit = newVisit(at, 0, false);
+      visits_[last].next = visit;
+      last = visit;
+      visit_of_[at] = visit;
+      queue_.push_back(at);
+      const auto& neighbours = tours_.neighbours[at];
+      previous = std::exchange(at, neighbours[0] == previous ? neighbours[1] : neighbours[0]);
+    }
+    return {first, last};
+  }
+
+  /// Inserts a detour from `cell` to `neighbour`, round its tour, and back.
+  void hang(Index neighbour, Index cell) {
+    const Index visit = visit_of_[cell];
+    const Index next = visits_[visit].next;
+    const auto [first, last] = enter(neighbour);
+    visits_[visit].next = first;
+    visits_[first].is_doubled = true;
+    const Index back = newVisit(cell, next, true);
+    if (tours_.visits(neighbour)) {
+      visits_[last].next = newVisit(neighbour, back, false);
+    } else {
+      visits_[last].next = back;
+    }
+  }
+
+  /// The visit 0 is the root's; what was met follows it and comes back to it.
+  LatticeWalk closedWalk() const {
+    LatticeWalk walk;
+    walk.is_closed = true;
+    for (Index visit = 0; walk.cells.empty() || visit != 0; visit = visits_[visit].next) {
+      walk.cells.push_back(visits_[visit].cell);
+      walk.is_doubled.push_back(visits_[visit].is_doubled);
+    }
+    if (walk.cells.size() > 1 && walk.cells.back() == walk.cells.front()) {
+      walk.is_doubled.front() = walk.is_doubled.back();
+      walk.cells.pop_back();
+      walk.is_doubled.pop_back();
+    }
+    return walk;
+  }
+
+  LatticeWalk straightWalk() const {
+    LatticeWalk walk;
+    walk.cells = queue_;
+    walk.is_doubled.assign(queue_.size(), false);
+    return walk;
+  }
+
+  const Lattice& lattice_;
+  const LatticeTours& tours_;
+  Index stride_;
+  std::vector<Index> visit_of_;  ///< of each cell the first one, kNone before it
+  std::vector<Visit> visits_;
+  std::vector<Index> queue_;  ///< cells of this part, in the order met
+  bool has_branch_ = false;
+};
+
+}  // namespace
+
+std::vector<LatticeWalk> walkLattice(const Lattice& lattice, const LatticeTours& tours) {
+  return WalkBuilder(lattice, tours).build();
+}
+
+}  // namespace lamina
