@@ -66,6 +66,9 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"deposition_mm", s.deposition_mm},
       {"travel_mm", s.travel_mm},
       {"deposition_runs", s.deposition_runs},
+      {"repositions_a", s.repositions.to_fill},
+      {"repositions_b", s.repositions.in_layer},
+      {"repositions_c", s.repositions.to_layer},
       {"deposited_mm3", s.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
       {"repairs", s.repairs},
@@ -87,6 +90,8 @@ void printText(const SliceSummary& s, const std::string& output) {
   if (s.open_contours > 0) std::printf(", and %zu open", s.open_contours);
   std::printf("\ndeposition  %.2f m in %zu runs, %.2f cm3\n", s.deposition_mm / 1e3, s.deposition_runs,
               s.deposited_mm3 / 1e3);
+  std::printf("repositions %zu to fills, %zu within layers, %zu between layers\n", s.repositions.to_fill,
+              s.repositions.in_layer, s.repositions.to_layer);
   std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,

@@ -5,6 +5,7 @@
 #include "lamina/infill/contour_settings.hpp"
 #include "lamina/infill/drop_settings.hpp"
 #include "lamina/infill/hilbert_settings.hpp"
+#include "lamina/infill/hybrid_settings.hpp"
 #include "lamina/infill/raster_settings.hpp"
 
 namespace lamina {
@@ -12,6 +13,7 @@ namespace lamina {
 /// What each family of fill strategies asks for besides spacing and angle.
 struct FillSettings {
   RasterSettings raster;
+  HybridSettings hybrid;
   ContourSettings contour;
   HilbertSettings hilbert;
   DropSettings drops;

@@ -18,8 +18,10 @@ struct InfillRequest {
   double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre; the pitch if the fill is solid
   double pitch_mm = 0.4;    ///< plan width that a bead of nominal cross-section fills
   double angle_rad = 0.0;   ///< of the raster, from x counter-clockwise
-  std::size_t layer = 0;    ///< index, from 0: for seeds and for what changes from layer to layer
-  FillSettings settings;    ///< what single strategies ask for besides
+  double turn_rad = 0.0;    ///< part of that angle by which this layer is turned against the first one
+  Point2 start = Point2::Zero();  ///< where the nozzle comes from
+  std::size_t layer = 0;          ///< index, from 0: for seeds and for what changes from layer to layer
+  FillSettings settings;          ///< what single strategies ask for besides
 };
 
 /// Covers regions with beads, or drops: the centre lines of beads of the nominal width keep half a pitch from

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lamina/toolpath/repositions.hpp"
+
 namespace lamina {
 
 /// What slicing a part gave, and what it took.
@@ -15,6 +17,7 @@ struct SliceSummary {
   std::size_t contours = 0;       ///< closed ones, of all layers
   std::size_t open_contours = 0;  ///< none on a closed mesh
   std::size_t deposition_runs = 0;
+  Repositions repositions;
   double mesh_volume_mm3 = 0.0;    ///< of the repaired mesh
   double sliced_volume_mm3 = 0.0;  ///< signed area of the contours times layer height
   double deposition_mm = 0.0;

@@ -6,6 +6,7 @@
 
 #include "infill/hilbert.hpp"
 #include "infill/hilbert_quadtree.hpp"
+#include "infill/hybrid.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/base/error.hpp"
 
@@ -16,6 +17,7 @@ const std::map<std::string, InfillStrategy>& strategies() {
   static const std::map<std::string, InfillStrategy> by_name = {
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
+      {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
   };
   return by_name;

@@ -71,6 +71,7 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.deposition_mm = sums.deposition_mm;
   summary.travel_mm = sums.travel_mm;
   summary.deposited_mm3 = sums.deposited_mm3;
+  summary.repositions = countRepositions(toolpath);
   summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
 

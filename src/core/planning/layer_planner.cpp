@@ -101,9 +101,10 @@ class LayerPlanner {
     InfillRequest request;
     request.pitch_mm = pitch_;
     request.spacing_mm = pitch_ / infill.density;
-    request.angle_rad =
-        std::fmod(infill.angle_deg + infill.alternation_deg * static_cast<double>(index_), 360.0) * M_PI /
-        180.0;
+    const double turn = infill.alternation_deg * static_cast<double>(index_);
+    request.angle_rad = std::fmod(infill.angle_deg + turn, 360.0) * M_PI / 180.0;
+    request.turn_rad = std::fmod(turn, 360.0) * M_PI / 180.0;
+    request.start = nozzle_;
     request.layer = index_;
     request.settings = settings_.fill;
     return request;

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+
+/// Perimeters first, then a zigzag inside of them (metal deposition paths, 2.7 to 2.10).
+std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& request);
+
+}  // namespace lamina
