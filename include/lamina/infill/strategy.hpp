@@ -55,6 +55,7 @@ struct InfillStrategy {
   RunOrder order = RunOrder::Shortest;
   LayerLink link = LayerLink::Travel;
   WallContact contact = WallContact::Beside;
+  Deposit deposit = Deposit::Bead;  ///< drops cover the whole section: walls and skirt are of beads
 };
 
 /// The strategy of that name.

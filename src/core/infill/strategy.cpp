@@ -4,6 +4,9 @@
 
 #include <map>
 
+#include "infill/drops_contour.hpp"
+#include "infill/drops_dense.hpp"
+#include "infill/drops_raster.hpp"
 #include "infill/hilbert.hpp"
 #include "infill/hilbert_quadtree.hpp"
 #include "infill/hybrid.hpp"
@@ -13,8 +16,17 @@
 namespace lamina {
 namespace {
 
+/// Contours wind one way, by which a program's reader tells borders from holes: they must not be turned
+/// round.
+InfillStrategy drops(const FillFunction& fill) {
+  return {fill, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside, Deposit::Drops};
+}
+
 const std::map<std::string, InfillStrategy>& strategies() {
   static const std::map<std::string, InfillStrategy> by_name = {
+      {"drops_contour", drops(dropsContour)},
+      {"drops_dense", drops(dropsDense)},
+      {"drops_raster", drops(dropsRaster)},
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},

@@ -14,6 +14,12 @@ constexpr double kDarkest = 0.58;
 constexpr int kShades = 100;
 constexpr double kLeastStep = 0.6;  // px: finer detail cannot be seen
 
+struct Coat {
+  double width;  ///< part of the bead's
+  double shade;
+};
+constexpr Coat kCoats[] = {{1.0, 0.68}, {0.84, 1.0}, {0.35, 1.16}};
+
 /// Gathers the points of strokes that share colour and width.
 class StrokePen {
  public:
@@ -41,6 +47,22 @@ class StrokePen {
   std::vector<Point2> points_;
 };
 
+void drawDrops(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const double width_px = std::max(1.2, projection.seenHeight(path.bead.at(i)) * canvas.pixelsPerMm());
+    canvas.dot(projection(path.points[i]), 0.5 * width_px, shaded(colour, 0.9));
+  }
+}
+
+/// As wide as they are, each coat narrower than the one beneath.
+void drawFlatDrops(Canvas& canvas, const Path& path, const Colour& colour) {
+  for (const Coat& coat : kCoats)
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+      canvas.dot(path.points[i].head<2>(),
+                 std::max(0.25, 0.5 * coat.width * path.bead.at(i).width_mm * canvas.pixelsPerMm()),
+                 shaded(colour, coat.shade));
+}
+
 }  // namespace
 
 Projection::Projection(PictureView view) : elevation_(view == PictureView::Top ? M_PI / 2 : kElevation) {
@@ -67,6 +89,7 @@ double Projection::light(const Point3& direction) const {
 }
 
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
+  if (path.deposit == Deposit::Drops) return drawDrops(canvas, projection, path, colour);
   // Of a wall its side is seen, of a fill its top, which is lit the same in every direction.
   const bool shows_side = path.role == PathRole::OuterWall || path.role == PathRole::InnerWall;
   StrokePen pen(canvas);
@@ -85,11 +108,8 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
 }
 
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour) {
-  struct Coat {
-    double width;
-    double shade;
-  };
-  for (const Coat coat : {Coat{1.0, 0.68}, Coat{0.84, 1.0}, Coat{0.35, 1.16}}) {
+  if (path.deposit == Deposit::Drops) return drawFlatDrops(canvas, path, colour);
+  for (const Coat& coat : kCoats) {
     StrokePen pen(canvas);
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       const std::size_t end = path.motionEnd(m);

@@ -26,10 +26,10 @@ class Projection {
   double elevation_;
 };
 
-/// Draws a path's beads as they are seen from outside, lit from the left.
+/// Draws a path's beads or drops as they are seen from outside, lit from the left.
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour);
 
-/// Draws a path's beads at their width from above, each with a darker edge.
+/// Draws a path's beads or drops at their width from above, each with a darker edge.
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour);
 
 }  // namespace lamina

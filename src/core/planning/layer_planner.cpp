@@ -48,7 +48,7 @@ class LayerPlanner {
 
   ToolpathLayer plan(const std::vector<Polygon>& contours) && {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
-    if (index_ == 0)
+    if (index_ == 0 && !laysDrops())
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
     std::vector<RunEnds> islands;
     for (const Region& island : material) {
@@ -60,7 +60,10 @@ class LayerPlanner {
   }
 
  private:
+  bool laysDrops() const { return context_.strategy.deposit == Deposit::Drops; }
+
   void addIsland(const Region& island) {
+    if (laysDrops()) return addInfill(settings_.infill.density > 0.0 ? Regions{island} : Regions{});
     Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
     const std::size_t count = walls.centre_lines.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -135,6 +138,7 @@ class LayerPlanner {
   }
 
   AlongPath<Bead> beadsOf(const FillPath& run) const {
+    if (run.deposit == Deposit::Drops) return Bead{settings_.fill.drops.diameter_mm, result_.height_mm};
     if (run.width_mm.empty()) return bead_;
     const double area_per_width = crossSection(bead_) / pitch_;
     std::vector<Bead> beads;

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Points in square cells, to find those near a place in a time that does not grow with their number.
+class PointGrid {
+ public:
+  /// @param box      where most points will lie; those outside it are found too, only slower
+  /// @param cell_mm  positive: about the distance that is asked for; larger cells are taken where there would
+  /// be
+  ///   more than four million
+  PointGrid(const Box2& box, double cell_mm);
+
+  /// @return index of the point, from 0 in the order of insertion
+  std::uint32_t insert(const Point2& point);
+  /// The point is found no more; its index stays taken.
+  void remove(std::uint32_t index);
+
+  /// All points ever inserted.
+  const std::vector<Point2>& points() const { return points_; }
+
+  /// Calls visit(index, squared distance) for each point no farther than `radius`, in an order that depends
+  /// on the points and the order of insertion alone.
+  template <class Visit>
+  void visitNear(const Point2& place, double radius, Visit visit) const;
+
+  /// Whether a point lies nearer than the distance.
+  bool hasNearer(const Point2& place, double distance) const;
+
+  /// The nearest point; of those that are equally near within `tie_mm` the one of smaller x, then y. None if
+  /// the grid is empty.
+  std::optional<std::uint32_t> nearest(const Point2& place, double tie_mm) const;
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  int column(double x) const { return cellOf(x - low_.x(), columns_); }
+  int row(double y) const { return cellOf(y - low_.y(), rows_); }
+  int cellOf(double offset, int count) const;
+  std::size_t cell(const Point2& point) const;
+
+  Point2 low_ = Point2::Zero();
+  double cell_mm_;
+  int columns_ = 1;
+  int rows_ = 1;
+  std::size_t count_ = 0;             ///< of the points that are not removed
+  std::vector<std::uint32_t> first_;  ///< point of each cell
+  std::vector<std::uint32_t> next_;   ///< point of the same cell, for each point
+  std::vector<Point2> points_;
+};
+
+template <class Visit>
+void PointGrid::visitNear(const Point2& place, double radius, Visit visit) const {
+  const int last_column = column(place.x() + radius);
+  const int last_row = row(place.y() + radius);
+  for (int r = row(place.y() - radius); r <= last_row; ++r) {
+    for (int c = column(place.x() - radius); c <= last_column; ++c) {
+      const std::size_t at =
+          static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+      for (std::uint32_t i = first_[at]; i != kNone; i = next_[i]) {
+        const double squared = (points_[i] - place).squaredNorm();
+        if (squared <= radius * radius) visit(i, squared);
+      }
+    }
+  }
+}
+
+}  // namespace lamina

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+
+/// Contours of drops inside each other until nothing is left.
+/// @throws InvalidInput if a distance is not positive or too small for the regions
+std::vector<FillPath> dropsContour(const Regions& regions, const InfillRequest& request);
+
+}  // namespace lamina
