@@ -28,6 +28,11 @@ AxisGraph::AxisGraph(const MedialAxis& axis) : ends_(axis.nodes.size()) {
   for (const AxisBranch& branch : axis.branches) add(branch.from, branch.to, branch.points);
 }
 
+std::size_t AxisGraph::addVertex() {
+  ends_.emplace_back();
+  return ends_.size() - 1;
+}
+
 void AxisGraph::add(std::size_t from, std::size_t to, std::vector<AxisPoint> points) {
   ends_[from].push_back(pieces_.size());
   ends_[to].push_back(pieces_.size());
@@ -46,8 +51,7 @@ void AxisGraph::cutFront(std::size_t piece, std::size_t vertex, std::size_t coun
   AxisBranch branch = pieces_[piece].from == vertex ? pieces_[piece] : reversed(pieces_[piece]);
   remove(piece);
   branch.points.erase(branch.points.begin(), branch.points.begin() + static_cast<std::ptrdiff_t>(count));
-  ends_.emplace_back();
-  add(ends_.size() - 1, branch.to, std::move(branch.points));
+  add(addVertex(), branch.to, std::move(branch.points));
 }
 
 std::size_t AxisGraph::pieceAt(std::size_t vertex, std::size_t other) const {

@@ -16,6 +16,8 @@ class AxisGraph {
   /// The pieces of an axis; its nodes are the vertices.
   explicit AxisGraph(const MedialAxis& axis);
 
+  /// A vertex without pieces; its number.
+  std::size_t addVertex();
   /// @param points  from the one vertex to the other
   void add(std::size_t from, std::size_t to, std::vector<AxisPoint> points);
   void remove(std::size_t piece);

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/medial_axis.hpp"
+#include "lamina/infill/fill_path.hpp"
+
+namespace lamina {
+
+/// Closed runs along both sides of an axis, halfway to the border and half the thickness wide: round the
+/// outside of each connected axis, and inside of each hole that it closes round.
+std::vector<FillPath> axisLoops(const MedialAxis& axis);
+
+}  // namespace lamina

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/bead_axis.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/axis_graph.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+/// Corners and edges of the region make the axis wind; so far it may be straightened, in pitches.
+constexpr double kTolerance = 0.01;
+/// In pitches; the end of a bead covers what reaches less beyond it.
+constexpr double kLeastReach = 0.5;
+/// A round end leaves 0.4 of its squared radius open in such a corner.
+constexpr double kWidestCorner = 75.0 * M_PI / 180.0;
+
+AxisPoint between(const AxisPoint& a, const AxisPoint& b, double radius) {
+  const double t = (radius - a.radius_mm) / (b.radius_mm - a.radius_mm);
+  return {a.point + t * (b.point - a.point), radius};
+}
+
+/// Points out of the way between first and last are left out (Douglas and Peucker), the radius a coordinate
+/// like the others.
+class Straightening {
+ public:
+  explicit Straightening(const std::vector<AxisPoint>& points) : points_(points), is_kept_(points.size()) {}
+
+  std::vector<AxisPoint> within(double tolerance) {
+    is_kept_.front() = is_kept_.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, points_.size() - 1}};
+    while (!spans.empty()) {
+      const auto [first, last] = spans.back();
+      spans.pop_back();
+      const std::size_t worst = farthest(first, last, tolerance);
+      if (worst == first) continue;
+      is_kept_[worst] = true;
+      spans.emplace_back(first, worst);
+      spans.emplace_back(worst, last);
+    }
+    std::vector<AxisPoint> kept;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (is_kept_[i]) kept.push_back(points_[i]);
+    return kept;
+  }
+
+ private:
+  Point3 at(std::size_t i) const {
+    return {points_[i].point.x(), points_[i].point.y(), points_[i].radius_mm};
+  }
+
+  std::size_t farthest(std::size_t first, std::size_t last, double tolerance) const {
+    const Point3 along = at(last) - at(first);
+    const double squared = along.squaredNorm();
+    double most = tolerance;
+    std::size_t worst = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const Point3 offset = at(i) - at(first);
+      const double t = squared > 0.0 ? std::min(1.0, std::max(0.0, offset.dot(along) / squared)) : 0.0;
+      const double distance = (offset - t * along).norm();
+      if (distance > most) most = distance, worst = i;
+    }
+    return worst;
+  }
+
+  const std::vector<AxisPoint>& points_;
+  std::vector<bool> is_kept_;
+};
+
+/// Takes the axis over as far as it is thick enough.
+class ThickParts {
+ public:
+  ThickParts(const MedialAxis& axis, double least_radius, double tolerance)
+      : least_radius_(least_radius), tolerance_(tolerance), graph_(axis.nodes.size()) {
+    for (const AxisBranch& branch : axis.branches) take(branch);
+  }
+
+  MedialAxis joined() && { return std::move(graph_).joined(); }
+
+ private:
+  bool isThick(const AxisPoint& point) const { return point.radius_mm >= least_radius_; }
+
+  void take(const AxisBranch& branch) {
+    std::vector<AxisPoint> part;
+    std::size_t from = branch.from;
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const AxisPoint& point = branch.points[i];
+      const bool crosses = i > 0 && isThick(branch.points[i - 1]) != isThick(point);
+      if (crosses) part.push_back(between(branch.points[i - 1], point, least_radius_));
+      if (crosses && !isThick(point)) add(from, graph_.addVertex(), part);
+      if (crosses && isThick(point)) from = graph_.addVertex();
+      if (isThick(point)) part.push_back(point);
+    }
+    if (!part.empty()) add(from, branch.to, part);
+  }
+
+  void add(std::size_t from, std::size_t to, std::vector<AxisPoint>& part) {
+    graph_.add(from, to, Straightening(part).within(tolerance_));
+    part.clear();
+  }
+
+  double least_radius_;
+  double tolerance_;
+  AxisGraph graph_;
+};
+
+}  // namespace
+
+MedialAxis beadAxis(const Region& region, const MedialBeadSettings& settings) {
+  const double pitch = settings.pitch_mm;
+  AxisPruning pruning;
+  pruning.least_reach_mm = kLeastReach * pitch;
+  pruning.widest_corner_rad = kWidestCorner;
+  const MedialAxis axis = pruned(medialAxis(region, kTolerance * pitch), pruning);
+  return ThickParts(axis, 0.5 * settings.least_width * pitch, kTolerance * pitch).joined();
+}
+
+void requirePitch(const MedialBeadSettings& settings) {
+  if (!(settings.pitch_mm > 0.0))
+    throw InvalidInput("pitch of medial beads is " + std::to_string(settings.pitch_mm) +
+                       " mm; must be positive");
+}
+
+}  // namespace lamina

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/medial_beads.hpp"
+
+#include <iterator>
+
+#include "infill/axis_loops.hpp"
+#include "infill/axis_trails.hpp"
+#include "infill/bead_axis.hpp"
+#include "infill/trail_beads.hpp"
+
+namespace lamina {
+namespace {
+
+void append(std::vector<FillPath>& runs, std::vector<FillPath>&& more) {
+  runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettings& settings) {
+  requirePitch(settings);
+  std::vector<FillPath> runs;
+  for (const Region& region : regions)
+    for (const AxisTrail& trail : trailsOf(beadAxis(region, settings)))
+      append(runs, trailBeads(trail, settings));
+  return runs;
+}
+
+std::vector<FillPath> medialLoops(const Regions& regions, const MedialBeadSettings& settings) {
+  requirePitch(settings);
+  std::vector<FillPath> runs;
+  for (const Region& region : regions) append(runs, axisLoops(beadAxis(region, settings)));
+  return runs;
+}
+
+}  // namespace lamina
