@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "infill/contour.hpp"
 #include "infill/drops_contour.hpp"
 #include "infill/drops_dense.hpp"
 #include "infill/drops_raster.hpp"
@@ -24,6 +25,7 @@ InfillStrategy drops(const FillFunction& fill) {
 
 const std::map<std::string, InfillStrategy>& strategies() {
   static const std::map<std::string, InfillStrategy> by_name = {
+      {"contour", {contour, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"drops_contour", drops(dropsContour)},
       {"drops_dense", drops(dropsDense)},
       {"drops_raster", drops(dropsRaster)},

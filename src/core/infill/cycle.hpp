@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "infill/contour_tree.hpp"
+#include "infill/ring_net.hpp"
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+
+/// The loops of a tree as rings, nothing cut yet; ring i is loop i.
+RingNet ringsOf(ContourTree& tree);
+
+/// Joins all rings that do not hang together yet: neighbours are cut open by a gap as wide as they are apart,
+/// and joined by two links across. Rings that have no neighbour near enough stay by themselves.
+/// @param salt  of the seed: a number for the region
+void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::uint64_t salt);
+
+}  // namespace lamina
