@@ -113,6 +113,7 @@ TEST(HeightMonitor, FromOneScanStraightIntoTheNextBothAreReported) {
   scan(
       monitor, [](const Point2&) { return 0.2; }, 1.3);
   EXPECT_EQ(monitor.insert({{10, 10, 0.4}}, 1.5)->layer, 0u);
+  EXPECT_FALSE(monitor.insert({{10, 10, 0.4}}, 1.5).has_value());
   EXPECT_EQ(monitor.finish()->layer, 1u);
 }
 

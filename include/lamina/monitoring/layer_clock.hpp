@@ -20,9 +20,10 @@ class LayerClock {
   LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, double clearance_mm);
 
   /// The layer being scanned while the nozzle is at that height [mm, bed frame], if one is: its scan height
-  /// must be within a quarter of its layer height, and it must be the next one to be scanned or the one that
-  /// the nozzle was last seen to print. So a nozzle on its way through other heights, or parked at one of
-  /// them, scans nothing. A layer whose scan height the nozzle has left is done with.
+  /// must be within a quarter of its layer height and the same as at the observation before, and it must be
+  /// the next one to be scanned or the one that the nozzle was last seen to print. So a nozzle on its way
+  /// through other heights, or parked at one of them, scans nothing. A layer whose scan height the nozzle has
+  /// left is done with.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
   /// Takes the layer being scanned, if one is, to be done with, though the nozzle may still be at its height.

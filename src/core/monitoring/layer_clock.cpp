@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 constexpr double kSteady =
-    1e-3;  // mm between two observations: a nozzle that changes height is not printing planar layers
+    1e-3;  // mm between two observations: a nozzle that changes height neither prints a layer nor scans it
 
 }  // namespace
 
@@ -31,11 +31,13 @@ LayerClock::LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fr
 }
 
 std::optional<std::size_t> LayerClock::observe(double nozzle_height_mm) {
-  notePrinting(nozzle_height_mm);
+  const bool is_steady = last_height_mm_ && std::abs(*last_height_mm_ - nozzle_height_mm) < kSteady;
+  last_height_mm_ = nozzle_height_mm;
+  if (is_steady) notePrinting(nozzle_height_mm);
   const auto layer = layerAt(scans_, nozzle_height_mm);
   if (layer == scanned_) return scanned_;
   finish();
-  if (layer && isDue(*layer)) scanned_ = layer;
+  if (layer && is_steady && isDue(*layer)) scanned_ = layer;
   return scanned_;
 }
 
@@ -45,9 +47,6 @@ void LayerClock::finish() {
 }
 
 void LayerClock::notePrinting(double nozzle_height_mm) {
-  const bool is_steady = last_height_mm_ && std::abs(*last_height_mm_ - nozzle_height_mm) < kSteady;
-  last_height_mm_ = nozzle_height_mm;
-  if (!is_steady) return;
   const auto layer = layerAt(prints_, nozzle_height_mm);
   if (layer) printed_ = layer;
 }
