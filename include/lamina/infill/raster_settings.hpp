@@ -16,6 +16,7 @@ enum class SectionOrder {
 /// What the strategies of parallel lines ask for.
 struct RasterSettings {
   SectionOrder order = SectionOrder::Optimised;
+  double narrowest = 0.3;  ///< bead of a solid raster, in pitches
 };
 
 /// Adds the keys raster.*.

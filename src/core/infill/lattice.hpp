@@ -15,8 +15,8 @@ namespace lamina {
 class LatticeFrame {
  public:
   /// Fits a lattice into the region's box in the turned frame: its outermost rows and columns run just
-  /// inside the box, the steps come as near to the spacing as a whole number of them allows. A side shorter than half a
-  /// spacing has one row in its middle.
+  /// inside the box, the steps come as near to the spacing as a whole number of them allows. A side shorter
+  /// than half a spacing has one row in its middle.
   LatticeFrame(const Region& region, double spacing_mm, double angle_rad);
 
   Point2 intoLattice(const Point2& point) const;

@@ -71,15 +71,19 @@ class EdgeCutter {
 };
 
 /// Counting sort by line, then each line by x: linear, as a line has few crossings.
-std::vector<std::uint32_t> sortByLine(const std::vector<Crossing>& crossings) {
-  if (crossings.empty()) return {};
+void sortByLine(Raster& raster) {
+  const std::vector<Crossing>& crossings = raster.crossings;
+  if (crossings.empty()) return;
   const auto by_line = [](const Crossing& a, const Crossing& b) { return a.line < b.line; };
   const auto [low, high] = std::minmax_element(crossings.begin(), crossings.end(), by_line);
   const std::int64_t lowest = low->line;
-  std::vector<std::uint32_t> begin(static_cast<std::size_t>(high->line - lowest) + 2, 0);
+  std::vector<std::uint32_t>& begin = raster.line_begin;
+  begin.assign(static_cast<std::size_t>(high->line - lowest) + 2, 0);
+  raster.lowest = lowest;
   for (const Crossing& crossing : crossings) ++begin[static_cast<std::size_t>(crossing.line - lowest) + 1];
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> sorted(crossings.size());
+  std::vector<std::uint32_t>& sorted = raster.sorted;
+  sorted.resize(crossings.size());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (std::uint32_t i = 0; i < crossings.size(); ++i)
     sorted[next[static_cast<std::size_t>(crossings[i].line - lowest)]++] = i;
@@ -88,19 +92,20 @@ std::vector<std::uint32_t> sortByLine(const std::vector<Crossing>& crossings) {
               [&](std::uint32_t a, std::uint32_t b) {
                 return crossings[a].x != crossings[b].x ? crossings[a].x < crossings[b].x : a < b;
               });
-  return sorted;
 }
 
 }  // namespace
 
-RasterFrame::RasterFrame(double angle_rad) : cos_(std::cos(angle_rad)), sin_(std::sin(angle_rad)) {}
+RasterFrame::RasterFrame(double angle_rad, double bottom_mm)
+    : cos_(std::cos(angle_rad)), sin_(std::sin(angle_rad)), bottom_(bottom_mm) {}
 
 Point2 RasterFrame::intoRaster(const Point2& point) const {
-  return {cos_ * point.x() + sin_ * point.y(), cos_ * point.y() - sin_ * point.x()};
+  return {cos_ * point.x() + sin_ * point.y(), cos_ * point.y() - sin_ * point.x() - bottom_};
 }
 
 Point2 RasterFrame::outOfRaster(const Point2& point) const {
-  return {cos_ * point.x() - sin_ * point.y(), cos_ * point.y() + sin_ * point.x()};
+  const double y = point.y() + bottom_;
+  return {cos_ * point.x() - sin_ * y, cos_ * y + sin_ * point.x()};
 }
 
 Raster rasterise(const Regions& regions, double spacing_mm, const RasterFrame& frame) {
@@ -116,7 +121,7 @@ Raster rasterise(const Regions& regions, double spacing_mm, const RasterFrame& f
   refuseTooManyLines(boundingBox(raster.outlines), spacing_mm);
   EdgeCutter cutter(raster, spacing_mm);
   for (std::uint32_t outline = 0; outline < raster.outlines.size(); ++outline) cutter.cut(outline);
-  raster.sorted = sortByLine(raster.crossings);
+  sortByLine(raster);
   return raster;
 }
 

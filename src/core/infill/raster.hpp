@@ -10,16 +10,18 @@
 
 namespace lamina {
 
-/// A plane turned so that the lines of a raster lie along x.
+/// A plane turned so that the lines of a raster lie along x, and the line of number 0 at y = 0.
 class RasterFrame {
  public:
-  explicit RasterFrame(double angle_rad);
+  /// @param bottom_mm  where y = 0 lies in the turned plane
+  explicit RasterFrame(double angle_rad, double bottom_mm = 0.0);
   Point2 intoRaster(const Point2& point) const;
   Point2 outOfRaster(const Point2& point) const;
 
  private:
   double cos_;
   double sin_;
+  double bottom_;
 };
 
 /// Where an outline crosses a raster line.
@@ -40,6 +42,9 @@ struct Raster {
   /// Indices of crossings, line by line from below, on each line from left to right: 2i and 2i+1 bound a line
   /// inside.
   std::vector<std::uint32_t> sorted;
+  std::int64_t lowest = 0;  ///< line that has crossings
+  std::vector<std::uint32_t>
+      line_begin;  ///< where lines from the lowest on begin among the sorted, and an end
 };
 
 /// @throws InvalidInput if the spacing is not positive, or so small that a line would have a number above 10

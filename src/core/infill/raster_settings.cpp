@@ -10,6 +10,8 @@ void describe(SettingsSchema& schema, RasterSettings& settings) {
                  {"ends", SectionOrder::Ends},
                  {"optimised", SectionOrder::Optimised}},
                 "Order of the sections of a raster: greedy by midpoints or ends, or improved from there.");
+  schema.number("raster.narrowest", settings.narrowest, {0.05, 1.0, false},
+                "Narrowest bead of a solid raster, in pitches.");
 }
 
 }  // namespace lamina

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/zigzag.hpp"
 
-#include <cstdlib>
+#include <cmath>
 
 #include "infill/raster.hpp"
+#include "infill/strip_runs.hpp"
 #include "lamina/geometry/offset.hpp"
 
 namespace lamina {
@@ -146,6 +147,8 @@ class RunBuilder {
 }  // namespace
 
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
+  if (std::abs(request.spacing_mm - request.pitch_mm) < 1e-9 * request.pitch_mm)
+    return stripRuns(regions, request);
   return rasterRuns(offset(regions, -0.5 * request.pitch_mm), request);
 }
 

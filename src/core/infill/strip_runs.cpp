@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/strip_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "infill/raster_sections.hpp"
+#include "infill/strip_pass.hpp"
+#include "lamina/geometry/offset.hpp"
+
+namespace lamina {
+namespace {
+
+/// A border that recedes by more than this from strip to strip gets a narrow link, in strips.
+constexpr double kSteepBorder = 0.6;
+/// A link may be this much longer than the way it goes along the raster, in strips.
+constexpr double kLongestDetour = 3.0;
+/// Motions shorter than this are none [mm].
+constexpr double kShortest = 1e-4;
+
+/// How two passes are joined.
+struct StripLink {
+  enum class Kind { None, Turn, Border } kind = Kind::None;
+  std::uint32_t lower = kNoCrossing;
+  std::uint32_t upper = kNoCrossing;
+  double inset_mm = 0.0;         ///< of a turn
+  bool is_upwards = false;       ///< laid from the lower pass to the upper one
+  bool is_lower_longer = false;  ///< a border link lies on the longer pass
+};
+
+class StripTracer {
+ public:
+  StripTracer(const Strips& strips, const RasterSections& sections, const RasterFrame& frame)
+      : strips_(strips),
+        walk_(strips.walk),
+        sections_(sections),
+        frame_(frame),
+        strip_(2.0 * walk_.raster().spacing_mm) {}
+
+  std::vector<FillPath> trace(const PassEntries& entries) {
+    std::vector<FillPath> runs;
+    FillPath run;
+    StripLink before;
+    FillPath pass_before;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const StripLink after = i + 1 < entries.size() ? linkBetween(entries[i], entries[i + 1]) : StripLink{};
+      FillPath pass = passOf(entries[i], before, after);
+      if (before.kind == StripLink::Kind::None) {
+        finish(run, runs);
+        run = pass;
+      } else {
+        join(run, before, pass_before, pass);
+      }
+      before = after;
+      pass_before = std::move(pass);
+    }
+    finish(run, runs);
+    return runs;
+  }
+
+ private:
+  StripLink linkBetween(std::uint32_t entered, std::uint32_t next) const {
+    const std::uint32_t left_at = walk_.otherEnd(entered);
+    StripLink link;
+    if (sections_.above(left_at) == next) {
+      link.lower = left_at;
+      link.upper = next;
+      link.is_upwards = true;
+    } else if (sections_.above(next) == left_at) {
+      link.lower = next;
+      link.upper = left_at;
+    } else {
+      return link;
+    }
+    shape(link);
+    return link;
+  }
+
+  double outward(std::uint32_t crossing) const { return walk_.isLeftEnd(crossing) ? -1.0 : 1.0; }
+
+  void shape(StripLink& link) const {
+    const Point2 lower = walk_.pointAt(link.lower);
+    const Point2 upper = walk_.pointAt(link.upper);
+    const double sign = outward(link.lower);
+    if (sign != outward(link.upper)) return;
+    const double recedes = sign * (lower.x() - upper.x());
+    const Polyline border = borderBetween(link);
+    if (length(border) > std::abs(recedes) + kLongestDetour * strip_) return;
+    link.is_lower_longer = recedes > 0.0;
+    link.inset_mm = 0.5 * (strip_ - strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
+    link.kind = std::abs(recedes) <= kSteepBorder * strip_ && hasRoomToTurn(link, border)
+                    ? StripLink::Kind::Turn
+                    : StripLink::Kind::Border;
+  }
+
+  /// The outline from the lower line to the upper one.
+  Polyline borderBetween(const StripLink& link) const {
+    Polyline border = walk_.chain(link.lower, Vertical::Up);
+    const Polyline rest = walk_.chain(walk_.next(link.lower, Vertical::Up), Vertical::Up);
+    border.insert(border.end(), rest.begin() + 1, rest.end());
+    return border;
+  }
+
+  bool hasRoomToTurn(const StripLink& link, const Polyline& border) const {
+    const double sign = outward(link.lower);
+    const Point2 lower = walk_.pointAt(link.lower) - Point2(sign * link.inset_mm, 0.0);
+    const Point2 upper = walk_.pointAt(link.upper) - Point2(sign * link.inset_mm, 0.0);
+    const auto turnAt = [&](double y) {
+      return lower.x() + (upper.x() - lower.x()) * (y - lower.y()) / (upper.y() - lower.y());
+    };
+    for (const Point2& point : border)
+      if (sign * (point.x() - turnAt(point.y())) < 0.5 * link.inset_mm) return false;
+    const Point2 edge = walk_.pointAt(walk_.next(link.lower, Vertical::Up));
+    return lineLength(link.lower) > 2.0 * link.inset_mm && lineLength(link.upper) > 2.0 * link.inset_mm &&
+           walk_.isInside(walk_.lineOf(link.lower) + 1, edge.x(), turnAt(edge.y()));
+  }
+
+  double lineLength(std::uint32_t crossing) const {
+    return std::abs(walk_.pointAt(crossing).x() - walk_.pointAt(walk_.otherEnd(crossing)).x());
+  }
+
+  /// The pass entered there, in the direction it is laid.
+  FillPath passOf(std::uint32_t entered, const StripLink& before, const StripLink& after) const {
+    const PassEndShape entry = endShape(entered, before);
+    const PassEndShape exit = endShape(walk_.otherEnd(entered), after);
+    if (walk_.isLeftEnd(entered)) return passThrough(strips_, entered, entry, exit);
+    return reversed(passThrough(strips_, walk_.otherEnd(entered), exit, entry));
+  }
+
+  static PassEndShape endShape(std::uint32_t end, const StripLink& link) {
+    if (link.kind == StripLink::Kind::None) return {};
+    const bool is_lower = end == link.lower;
+    const Vertical towards = is_lower ? Vertical::Up : Vertical::Down;
+    if (link.kind == StripLink::Kind::Turn) return {PassEnd::Turn, link.inset_mm, towards};
+    if (is_lower != link.is_lower_longer) return {PassEnd::Free, 0.0, towards};
+    // The strip beside the link is open on the other side.
+    return {is_lower ? PassEnd::LinkAbove : PassEnd::LinkBelow, 0.0,
+            is_lower ? Vertical::Down : Vertical::Up};
+  }
+
+  void join(FillPath& run, const StripLink& link, const FillPath& from, const FillPath& to) const {
+    if (link.kind == StripLink::Kind::Turn) {
+      append(run, to.points.front(), 0.5 * (from.width_mm.back() + to.width_mm.front()));
+    } else {
+      for (const Point2& point : borderLink(link, from.points.back(), to.points.front()))
+        append(run, point, strips_.narrowest_mm);
+      append(run, to.points.front(), strips_.narrowest_mm);
+    }
+    for (std::size_t i = 1; i < to.points.size(); ++i) append(run, to.points[i], to.width_mm[i]);
+  }
+
+  /// The border from beside the end of the longer pass to the strip of the other one, or the other way round.
+  Polyline borderLink(const StripLink& link, const Point2& from, const Point2& to) const {
+    const std::uint32_t longer = link.is_lower_longer ? link.lower : link.upper;
+    const bool begins_at_longer = link.is_lower_longer == link.is_upwards;
+    const double end_x = (begins_at_longer ? from : to).x();
+    const Vertical across = link.is_lower_longer ? Vertical::Up : Vertical::Down;
+    const Vertical away = link.is_lower_longer ? Vertical::Down : Vertical::Up;
+    Polyline border = walk_.chain(longer, across);
+    std::reverse(border.begin(), border.end());
+    const Polyline rest = walk_.chain(longer, away);
+    border.insert(border.end(), rest.begin() + 1, rest.end());
+    const double sign = outward(longer);
+    Polyline along;
+    for (const Point2& point : border) {
+      if (sign * (point.x() - end_x) > 0.0 && !along.empty()) {
+        const Point2& last = along.back();
+        const double part = (end_x - last.x()) / (point.x() - last.x());
+        if (part > 0.0) along.emplace_back(last + part * (point - last));
+        break;
+      }
+      along.push_back(point);
+    }
+    if (begins_at_longer) std::reverse(along.begin(), along.end());
+    return along;
+  }
+
+  static void append(FillPath& run, const Point2& point, double width) {
+    if ((run.points.back() - point).norm() < kShortest) return;
+    run.points.push_back(point);
+    run.width_mm.push_back(width);
+  }
+
+  void finish(FillPath& run, std::vector<FillPath>& runs) const {
+    if (run.points.size() >= 2 && length(run.points) > kShortest) {
+      for (Point2& point : run.points) point = frame_.outOfRaster(point);
+      runs.push_back(std::move(run));
+    }
+    run = {};
+  }
+
+  const Strips& strips_;
+  const RasterWalk& walk_;
+  const RasterSections& sections_;
+  const RasterFrame& frame_;
+  double strip_;
+};
+
+/// Lowest and highest point across the raster [mm].
+std::pair<double, double> extent(const Region& region, double angle_rad) {
+  const RasterFrame frame(angle_rad);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Point2& point : region.outer) {
+    const double y = frame.intoRaster(point).y();
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  return {low, high};
+}
+
+void addRuns(std::vector<FillPath>& runs, const Region& links, const InfillRequest& request) {
+  const double narrowest = request.settings.raster.narrowest * request.pitch_mm;
+  const auto [low, high] = extent(links, request.angle_rad);
+  const double span = high - low + narrowest;
+  const double count = std::max(1.0, std::round(span / request.pitch_mm));
+  const RasterFrame frame(request.angle_rad, low - 0.5 * narrowest);
+  const Raster raster = rasterise({links}, 0.5 * span / count, frame);
+  const RasterWalk walk(raster);
+  const RasterSections sections(walk, PassLines::Odd);
+  const SectionTour tour =
+      tourOf(sections.ends(), frame.intoRaster(request.start), request.settings.raster.order);
+  const Strips strips{walk, findNotches(walk), narrowest};
+  for (FillPath& run : StripTracer(strips, sections, frame).trace(passesOf(sections, walk, tour)))
+    runs.push_back(std::move(run));
+}
+
+}  // namespace
+
+std::vector<FillPath> stripRuns(const Regions& regions, const InfillRequest& request) {
+  std::vector<FillPath> runs;
+  const double narrowest = request.settings.raster.narrowest * request.pitch_mm;
+  for (const Region& links : offset(regions, -0.5 * narrowest)) addRuns(runs, links, request);
+  return runs;
+}
+
+}  // namespace lamina
