@@ -11,6 +11,7 @@
 #include "lamina/picture/toolpath_picture.hpp"
 #include "lamina/program/csv_reader.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
+#include "layer_overlay.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -21,6 +22,7 @@ namespace {
 struct PreviewArguments {
   std::string input;
   std::string output = "preview.png";
+  std::string part;
   std::string config;
   std::vector<std::string> settings;
   std::optional<std::size_t> layer;
@@ -33,11 +35,15 @@ bool endsWith(const std::string& text, const std::string& suffix) {
          text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
-Toolpath toolpathOf(const PreviewArguments& arguments) {
+JobSettings settingsOf(const PreviewArguments& arguments) {
   std::vector<SettingText> overrides;
   for (const std::string& assignment : arguments.settings)
     overrides.push_back(settingFromAssignment(assignment));
-  const JobSettings settings = loadJobSettings(arguments.config, overrides);
+  return loadJobSettings(arguments.config, overrides);
+}
+
+Toolpath toolpathOf(const PreviewArguments& arguments) {
+  const JobSettings settings = settingsOf(arguments);
   const std::string& input = arguments.input;
   if (endsWith(input, ".gcode")) return toolpathFromGcodeFile(input, settings.program);
   if (endsWith(input, ".csv")) return readCsv(readFile(input), input.substr(input.find_last_of('/') + 1));
@@ -62,15 +68,34 @@ void print(const Toolpath& toolpath, const PreviewArguments& arguments, OutputFo
   std::printf("%s\n", json.dump(2).c_str());
 }
 
+/// What one layer leaves of the part; the others need not be looked at.
+LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& arguments) {
+  if (arguments.part.empty()) return {};
+  VoidJob job;
+  job.part = arguments.part;
+  job.settings = settingsOf(arguments);
+  TerminalProgress progress;
+  VoidReport report;
+  report.part = placeContours(toolpath, job, progress);
+  const std::size_t layer = *arguments.layer;
+  report.layers.resize(toolpath.layers.size());
+  if (layer < report.layers.size())
+    report.layers[layer] = findVoids(report.part.contours[layer], toolpath.layers[layer], job.map);
+  return layer < report.layers.size() ? overlayOf(report, layer) : LayerOverlay{};
+}
+
 void preview(const PreviewArguments& arguments, OutputFormat format) {
   if (!endsWith(arguments.output, ".png"))
     throw InvalidInput("output is '" + arguments.output + "'; its suffix must be .png");
+  if (!arguments.part.empty() && !arguments.layer)
+    throw InvalidInput("--part is '" + arguments.part + "' without --layer; voids are drawn in one layer");
   const Toolpath toolpath = toolpathOf(arguments);
   ToolpathPictureSettings settings;
   settings.view = arguments.view == "top" ? PictureView::Top : PictureView::Oblique;
   settings.colour = arguments.colour == "height" ? PictureColour::Height : PictureColour::Role;
   if (arguments.layer)
-    drawToolpathLayer(toolpath, *arguments.layer, settings, arguments.output);
+    drawToolpathLayer(toolpath, *arguments.layer, overlayFor(toolpath, arguments), settings,
+                      arguments.output);
   else
     drawToolpath(toolpath, settings, arguments.output);
   print(toolpath, arguments, format);
@@ -88,6 +113,8 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
   subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0")
       ->check(CLI::NonNegativeNumber);
+  subcommand->add_option("--part", arguments->part,
+                         "Draw what the layer leaves open or overfills of this mesh file or named part");
   subcommand->add_option("--view", arguments->view, "Where the part is seen from")
       ->check(CLI::IsMember({"oblique", "top"}))
       ->capture_default_str();

@@ -22,7 +22,7 @@ ARROWS = {
     "deposition": ["toolpath"],
     "monitoring": ["toolpath"],
     "picture": ["toolpath"],
-    "job": ["planning", "program", "kinematics", "streaming", "deposition", "monitoring", "picture"],
+    "job": ["planning", "voids", "program", "kinematics", "streaming", "deposition", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "lamina/geometry/polygon.hpp"
 #include "lamina/picture/colour.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -32,9 +34,22 @@ Colour roleColour(PathRole role);
 void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings,
                   const std::string& png_path);
 
-/// Draws one layer from above: beads at their true width, travels as thin dashed lines, path starts as dots.
+/// What is drawn over the beads of a layer.
+struct LayerOverlay {
+  Regions contour;                ///< that the layer should fill; its outline is drawn
+  std::vector<Region> voids;      ///< filled with red
+  std::vector<Region> overfills;  ///< filled with dark blue
+  std::string remark;             ///< stands beneath the title
+};
+
+/// Draws one layer from above: beads at their true width, drops as discs, travels as thin dashed lines, path
+/// starts as dots.
 /// @throws InvalidInput if there is no such layer, or it has no path; FileError
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const ToolpathPictureSettings& settings,
                        const std::string& png_path);
+
+/// The same with contour, voids and overfill over it.
+void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerOverlay& overlay,
+                       const ToolpathPictureSettings& settings, const std::string& png_path);
 
 }  // namespace lamina

@@ -17,6 +17,11 @@ enum class VoidClass : std::uint8_t {
   Between = 6,       ///< between the lines of a fill, away from its border
 };
 
+/// All classes, in their order.
+constexpr VoidClass kVoidClasses[] = {VoidClass::RasterBorder, VoidClass::DenseBorder, VoidClass::Core,
+                                      VoidClass::Meeting,      VoidClass::ShapeChange, VoidClass::Corner,
+                                      VoidClass::Between};
+
 /// As written in files: "R1", "D1", "C1" to "C4", "between".
 const char* toString(VoidClass kind);
 

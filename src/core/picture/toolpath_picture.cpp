@@ -22,6 +22,8 @@ constexpr double kStripeHeight = 2.5;   // px
 constexpr Colour kGrid{0.86, 0.87, 0.89};
 constexpr Colour kTravel{0.35, 0.38, 0.45, 0.75};
 constexpr Colour kStart{0.10, 0.10, 0.12};
+constexpr Colour kVoid{0.86, 0.08, 0.14};
+constexpr Colour kOverfill{0.20, 0.10, 0.45, 0.8};
 
 /// Walls last: they are what is seen where beads touch.
 constexpr std::array<PathRole, 5> kDrawingOrder = {PathRole::Infill, PathRole::GapFill, PathRole::InnerWall,
@@ -148,6 +150,51 @@ std::string titleOf(const Toolpath& toolpath) {
   return toolpath.part_name.empty() ? "part" : toolpath.part_name;
 }
 
+Toolpath layerAlone(const Toolpath& toolpath, std::size_t layer) {
+  if (layer >= toolpath.layers.size())
+    throw InvalidInput("layer " + std::to_string(layer) + " of '" + toolpath.part_name +
+                       "' does not exist; it has " + std::to_string(toolpath.layers.size()) +
+                       " layers, the first is 0");
+  Toolpath alone;
+  alone.part_name = toolpath.part_name;
+  alone.layers.push_back(toolpath.layers[layer]);
+  return alone;
+}
+
+/// Outline and holes as one line that goes to each hole and back: filled, it leaves the holes out.
+Polygon withHoles(const Region& region) {
+  Polygon line = region.outer;
+  if (line.empty()) return line;
+  line.push_back(line.front());
+  for (const Polygon& hole : region.holes) {
+    line.insert(line.end(), hole.begin(), hole.end());
+    line.push_back(hole.front());
+    line.push_back(region.outer.front());
+  }
+  return line;
+}
+
+void drawOverlay(Canvas& canvas, const LayerOverlay& overlay) {
+  for (const Region& region : overlay.overfills) canvas.area(withHoles(region), kOverfill);
+  for (const Region& region : overlay.voids) canvas.area(withHoles(region), kVoid);
+  for (Polygon outline : outlines(overlay.contour)) {
+    outline.push_back(outline.front());
+    canvas.line(outline, {kStart, 1.0});
+  }
+}
+
+void drawTravels(Canvas& canvas, const ToolpathLayer& layer) {
+  for (const Path& path : layer.paths) {
+    if (path.role == PathRole::Travel) {
+      std::vector<Point2> points;
+      for (const Point3& point : path.points) points.emplace_back(point.head<2>());
+      canvas.line(points, {kTravel, 1.3, 6.0});
+    } else {
+      canvas.dot(path.firstPoint().head<2>(), 3.0, kStart);
+    }
+  }
+}
+
 }  // namespace
 
 Colour roleColour(PathRole role) {
@@ -191,13 +238,12 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
 
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const ToolpathPictureSettings& settings,
                        const std::string& png_path) {
-  if (layer >= toolpath.layers.size())
-    throw InvalidInput("layer " + std::to_string(layer) + " of '" + toolpath.part_name +
-                       "' does not exist; it has " + std::to_string(toolpath.layers.size()) +
-                       " layers, the first is 0");
-  Toolpath alone;
-  alone.part_name = toolpath.part_name;
-  alone.layers.push_back(toolpath.layers[layer]);
+  drawToolpathLayer(toolpath, layer, {}, settings, png_path);
+}
+
+void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerOverlay& overlay,
+                       const ToolpathPictureSettings& settings, const std::string& png_path) {
+  const Toolpath alone = layerAlone(toolpath, layer);
   const ToolpathLayer& drawn = alone.layers.front();
   const Box3 box = requireDeposition(alone);
 
@@ -210,26 +256,24 @@ void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const Toolpa
   canvas.show(seen, drawingArea(flat));
   for (const Path& path : drawn.paths)
     if (path.role != PathRole::Travel) drawFlatBeads(canvas, path, roleColour(path.role));
-  for (const Path& path : drawn.paths) {
-    if (path.role == PathRole::Travel) {
-      std::vector<Point2> points;
-      for (const Point3& point : path.points) points.emplace_back(point.head<2>());
-      canvas.line(points, {kTravel, 1.3, 6.0});
-    } else {
-      canvas.dot(path.firstPoint().head<2>(), 3.0, kStart);
-    }
-  }
+  drawOverlay(canvas, overlay);
+  drawTravels(canvas, drawn);
 
   const ToolpathTotals sums = totals(alone);
-  drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer),
-            formatted("top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel",
-                      drawn.z_mm, drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3,
-                      sums.travel_mm / 1e3));
+  std::string subtitle = formatted(
+      "top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel", drawn.z_mm,
+      drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3, sums.travel_mm / 1e3);
+  if (!overlay.remark.empty()) subtitle += "  ·  " + overlay.remark;
+  drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer), subtitle);
   const double base = flat.height_px - 30.0;
   drawScaleBar(canvas, {kMargin, base});
   std::vector<LegendEntry> entries = rolesOf(alone);
   entries.push_back({"travel", {kTravel.red, kTravel.green, kTravel.blue}});
   entries.push_back({"path start", kStart});
+  if (!overlay.contour.empty()) {
+    entries.push_back({"void", kVoid});
+    entries.push_back({"overfill", kOverfill});
+  }
   drawLegend(canvas, {kMargin + 270.0, base + 4.0}, entries);
   canvas.writePng(png_path);
 }

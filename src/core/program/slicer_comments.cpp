@@ -19,6 +19,13 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
     {"WALL-INNER", PathRole::InnerWall},
     {"FILL", PathRole::Infill},
     {"SKIN", PathRole::Infill},
+    // What supports or cleans is, like a skirt, no part of the part.
+    {"SUPPORT", PathRole::Skirt},
+    {"SUPPORT-INTERFACE", PathRole::Skirt},
+    {"PRIME-TOWER", PathRole::Skirt},
+    {"Support material", PathRole::Skirt},
+    {"Support material interface", PathRole::Skirt},
+    {"Wipe tower", PathRole::Skirt},
     {"Skirt", PathRole::Skirt},
     {"Skirt/Brim", PathRole::Skirt},
     {"Brim", PathRole::Skirt},

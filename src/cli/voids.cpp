@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "lamina/job/void_job.hpp"
+#include "lamina/job/void_report_csv.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "layer_overlay.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina voids` as it was typed.
+struct VoidArguments {
+  std::string program;
+  std::string part;
+  std::string output;
+  std::string picture;
+  std::string config;
+  std::vector<std::string> settings;
+  std::vector<double> offset;
+  std::optional<std::size_t> layer;
+};
+
+VoidJob jobFrom(const VoidArguments& arguments) {
+  std::vector<SettingText> overrides;
+  for (const std::string& assignment : arguments.settings)
+    overrides.push_back(settingFromAssignment(assignment));
+  VoidJob job;
+  job.part = arguments.part;
+  job.settings = loadJobSettings(arguments.config, overrides);
+  if (!arguments.offset.empty()) job.offset = Point2(arguments.offset[0], arguments.offset[1]);
+  return job;
+}
+
+nlohmann::ordered_json toJson(const Polygon& polygon) {
+  nlohmann::ordered_json points = nlohmann::json::array();
+  for (const Point2& point : polygon) points.push_back({point.x(), point.y()});
+  return points;
+}
+
+nlohmann::ordered_json toJson(const Void& found) {
+  nlohmann::ordered_json holes = nlohmann::json::array();
+  for (const Polygon& hole : found.outline.holes) holes.push_back(toJson(hole));
+  return {{"class", toString(found.kind)},
+          {"area_mm2", found.area_mm2},
+          {"outline_mm", toJson(found.outline.outer)},
+          {"holes_mm", holes}};
+}
+
+nlohmann::ordered_json toJson(const LayerVoids& layer, std::size_t index) {
+  nlohmann::ordered_json voids = nlohmann::json::array();
+  for (const Void& each : layer.voids) voids.push_back(toJson(each));
+  return {{"layer", index},
+          {"z_mm", layer.z_mm},
+          {"area_mm2", layer.area_mm2},
+          {"deposited_mm2", layer.deposited_mm2},
+          {"uncovered_mm2", layer.uncovered_mm2},
+          {"overfill_mm2", layer.overfill_mm2},
+          {"runs", layer.runs},
+          {"voids", voids}};
+}
+
+nlohmann::ordered_json classCounts(const std::vector<LayerVoids>& layers) {
+  nlohmann::ordered_json counts = nlohmann::json::object();
+  for (const VoidClass kind : kVoidClasses) counts[toString(kind)] = 0;
+  for (const LayerVoids& layer : layers)
+    for (const Void& each : layer.voids)
+      counts[toString(each.kind)] = counts[toString(each.kind)].get<int>() + 1;
+  return counts;
+}
+
+void printJson(const VoidReport& report, const VoidArguments& arguments) {
+  const VoidTotals sums = totals(report.layers);
+  nlohmann::ordered_json json = {{"layers", sums.layers},
+                                 {"uncovered_percent_mean", sums.uncovered_percent_mean},
+                                 {"uncovered_percent_worst", sums.uncovered_percent_worst},
+                                 {"uncovered_worst_layer", sums.uncovered_worst_layer},
+                                 {"overfill_percent_mean", sums.overfill_percent_mean},
+                                 {"overfill_percent_worst", sums.overfill_percent_worst},
+                                 {"overfill_worst_layer", sums.overfill_worst_layer},
+                                 {"material_percent", sums.material_percent},
+                                 {"runs_per_layer_mean", sums.runs_per_layer_mean},
+                                 {"voids", sums.voids},
+                                 {"voids_by_class", classCounts(report.layers)},
+                                 {"offset_mm", {report.part.offset.x(), report.part.offset.y()}}};
+  if (arguments.layer) json["layer"] = toJson(report.layers[*arguments.layer], *arguments.layer);
+  if (!arguments.output.empty()) json["output"] = arguments.output;
+  if (!arguments.picture.empty()) json["picture"] = arguments.picture;
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const VoidReport& report) {
+  const VoidTotals sums = totals(report.layers);
+  std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
+  std::printf("uncovered   %.3f %%, at worst %.3f %% in layer %zu\n", sums.uncovered_percent_mean,
+              sums.uncovered_percent_worst, sums.uncovered_worst_layer);
+  std::printf("overfill    %.3f %%, at worst %.3f %% in layer %zu\n", sums.overfill_percent_mean,
+              sums.overfill_percent_worst, sums.overfill_worst_layer);
+  std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);
+  std::printf("voids       %zu\n", sums.voids);
+  std::printf("part at     %.3f, %.3f mm from its own origin\n", report.part.offset.x(),
+              report.part.offset.y());
+}
+
+void requireLayer(const VoidArguments& arguments, std::size_t layers) {
+  if (arguments.layer && *arguments.layer >= layers)
+    throw InvalidInput("layer " + std::to_string(*arguments.layer) + " does not exist; '" +
+                       arguments.program + "' has " + std::to_string(layers) + " layers, the first is 0");
+}
+
+void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
+  for (const std::string& output : {arguments.output, arguments.picture}) {
+    requireOtherFile(output, arguments.program);
+    requireOtherFile(output, arguments.part);
+  }
+  const VoidJob job = jobFrom(arguments);
+  const Toolpath program = toolpathFromGcodeFile(arguments.program, job.settings.program);
+  requireLayer(arguments, program.layers.size());
+  VoidReport report;
+  {
+    TerminalProgress progress;
+    report = runVoidJob(program, job, progress);
+  }
+  if (!arguments.output.empty()) writeVoidCsv(arguments.output, report.layers);
+  if (!arguments.picture.empty()) {
+    const std::size_t drawn = arguments.layer.value_or(totals(report.layers).uncovered_worst_layer);
+    drawToolpathLayer(program, drawn, overlayOf(report, drawn), {}, arguments.picture);
+  }
+  format == OutputFormat::Json ? printJson(report, arguments) : printText(report);
+}
+
+}  // namespace
+
+void addVoids(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand =
+      app.add_subcommand("voids", "Compare what a program deposits with the part it should fill");
+  const auto arguments = std::make_shared<VoidArguments>();
+  subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
+  subcommand->add_option("--part", arguments->part, "Mesh file or name of a parametric part")->required();
+  subcommand->add_option("--layer", arguments->layer, "Tell the voids of this layer; the first is 0")
+      ->check(CLI::NonNegativeNumber);
+  subcommand->add_option("-o,--output", arguments->output, "Table to write (.csv), one line per layer");
+  subcommand->add_option("--picture", arguments->picture,
+                         "Picture to write (.png) of that layer, or of the worst");
+  subcommand
+      ->add_option("--offset", arguments->offset,
+                   "Where the part's origin is in the program, x,y in mm; found if not given")
+      ->delimiter(',')
+      ->expected(2);
+  subcommand->add_option("--config", arguments->config, "Settings (YAML) for reading");
+  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
+      ->allow_extra_args(false);
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback([arguments, &chosen] {
+    chosen.run = [arguments, &chosen] { findVoidsOf(*arguments, chosen.format); };
+  });
+}
+
+}  // namespace lamina::cli
