@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/voids/drop_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+/// The smallest outline around each, or none.
+std::vector<std::size_t> parentsOf(const std::vector<DropContour>& contours) {
+  std::vector<double> areas;
+  std::vector<Box2> boxes;
+  for (const DropContour& contour : contours) {
+    areas.push_back(std::abs(signedArea(contour.outline)));
+    boxes.push_back(boundingBox({contour.outline}));
+  }
+  std::vector<std::size_t> parents(contours.size(), kNone);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const Point2& point = contours[i].outline.front();
+    for (std::size_t j = 0; j < contours.size(); ++j) {
+      const bool may_enclose = j != i && areas[j] > areas[i] &&
+                               (boxes[j].low.array() <= point.array()).all() &&
+                               (boxes[j].high.array() >= point.array()).all();
+      if (!may_enclose || (parents[i] != kNone && areas[parents[i]] <= areas[j])) continue;
+      if (encloses(contours[j].outline, point)) parents[i] = j;
+    }
+  }
+  return parents;
+}
+
+Polygon outlineOf(const std::vector<Point2>& drops, const DropChain& chain) {
+  return {drops.begin() + static_cast<std::ptrdiff_t>(chain.begin),
+          drops.begin() + static_cast<std::ptrdiff_t>(chain.end)};
+}
+
+}  // namespace
+
+std::vector<DropContour> contoursOf(const DropLayer& layer) {
+  std::vector<DropContour> contours;
+  for (std::size_t i = 0; i < layer.chains.size(); ++i) {
+    const DropChain& chain = layer.chains[i];
+    if (chain.role != DropRole::Contour || chain.end - chain.begin < 3) continue;
+    DropContour contour;
+    contour.chain = i;
+    contour.outline = outlineOf(layer.drops, chain);
+    contour.is_hole = signedArea(contour.outline) < 0.0;
+    contour.is_innermost = true;
+    contours.push_back(std::move(contour));
+  }
+  const std::vector<std::size_t> parents = parentsOf(contours);
+  for (std::size_t i = 0; i < contours.size(); ++i)
+    contours[i].is_border = contours[i].is_hole || parents[i] == kNone || contours[parents[i]].is_hole;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    if (parents[i] == kNone) continue;
+    DropContour& parent = contours[parents[i]];
+    parent.is_innermost = false;
+    if (parent.is_hole && contours[i].is_hole) parent.is_border = false;
+  }
+  return contours;
+}
+
+std::vector<Polygon> borders(const std::vector<DropContour>& contours) {
+  std::vector<Polygon> found;
+  for (const DropContour& contour : contours)
+    if (contour.is_border) found.push_back(contour.outline);
+  return found;
+}
+
+}  // namespace lamina

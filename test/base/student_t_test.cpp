@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/student_t.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+// Measured on printed parts: table 6.1 (roughness) and 6.2 (fracture load) of the source, T20.
+const Sample kRoughBefore{5.88, 1.31, 18};
+const Sample kRoughAfter{4.64, 1.13, 15};
+const Sample kLoadBefore{0.69, 0.03, 9};
+const Sample kLoadAfter{0.74, 0.05, 8};
+
+TEST(StudentTest, OfTheRoughnessIsThatOfTheSource) {
+  EXPECT_NEAR(kRoughAfter.mean / kRoughBefore.mean - 1.0, -0.2109, 5e-5);
+  const StudentTest test = compareMeans(kRoughBefore, kRoughAfter);
+  EXPECT_NEAR(test.t, 2.919, 1e-3);
+  EXPECT_EQ(test.degrees_of_freedom, 31U);
+  EXPECT_LT(test.probability, 0.005);
+}
+
+TEST(StudentTest, OfTheLoadFitsTheSourceWithinItsRounding) {
+  EXPECT_NEAR(kLoadAfter.mean / kLoadBefore.mean - 1.0, 0.0725, 5e-5);
+  const StudentTest test = compareMeans(kLoadAfter, kLoadBefore);
+  EXPECT_NEAR(test.t, 2.462, 1e-3);
+  EXPECT_EQ(test.degrees_of_freedom, 15U);
+}
+
+TEST(StudentTest, HasTheProbabilitiesAndCriticalValuesOfTheTable) {
+  EXPECT_NEAR(probabilityAbove(2.93, 31), 0.00316, 5e-6);
+  EXPECT_NEAR(probabilityAbove(2.87, 15), 0.0058, 5e-5);
+  EXPECT_NEAR(criticalT(0.995, 31), 2.744, 5e-4);
+  EXPECT_NEAR(criticalT(0.99, 15), 2.602, 5e-4);
+}
+
+TEST(StudentTest, RefusesSamplesThatTellNothing) {
+  EXPECT_THROW(compareMeans({1.0, 0.1, 1}, {2.0, 0.1, 5}), InvalidInput);
+  EXPECT_THROW(compareMeans({1.0, 0.0, 5}, {2.0, 0.0, 5}), InvalidInput);
+  EXPECT_THROW(criticalT(1.0, 5), InvalidInput);
+  EXPECT_THROW(probabilityAbove(1.0, 0), InvalidInput);
+}
+
+}  // namespace
+}  // namespace lamina
