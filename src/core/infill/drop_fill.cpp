@@ -164,13 +164,18 @@ Regions DropFill::inside(const Regions& regions, std::size_t contours) const {
 void DropFill::addContours(const Regions& regions, std::size_t most) {
   for (const Region& region : regions) {
     Regions left = offset({region}, -0.5 * settings_.diameter_mm);
-    for (std::size_t k = 0; k < most && !left.empty(); ++k) {
-      for (const Polygon& loop : outlines(left))
-        add(startedNear(dropsAlong(loop, settings_.pitch_mm)),
-            k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
+    const Regions wide = offset(offset(left, -0.5 * least_distance_), 0.5 * least_distance_);
+    addLoops(wide, PathRole::OuterWall);
+    addLoops(difference(left, wide), PathRole::Infill);
+    for (std::size_t k = 1; k < most && !left.empty(); ++k) {
       left = offset(left, -lineSpacing(settings_));
+      addLoops(left, PathRole::InnerWall);
     }
   }
+}
+
+void DropFill::addLoops(const Regions& regions, PathRole role) {
+  for (const Polygon& loop : outlines(regions)) add(startedNear(dropsAlong(loop, settings_.pitch_mm)), role);
 }
 
 Polyline DropFill::startedNear(Polyline loop) const {

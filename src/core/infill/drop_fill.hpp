@@ -27,7 +27,8 @@ class DropFill {
 
   /// Contours round the regions, from outside: the first at half a diameter from the border, the next a line
   /// spacing further inside, until `most` are laid or none fits. Each starts beside where the one before
-  /// ended. Those of the border are outer walls, the others inner ones.
+  /// ended. Those of the border are outer walls, the others inner ones. Where the first would run back beside
+  /// itself too near for two rows there is one row instead, as infill.
   void addContours(const Regions& regions, std::size_t most);
 
   /// What is left inside the contours for centres of drops, a line spacing off the innermost one.
@@ -39,6 +40,7 @@ class DropFill {
   std::vector<FillPath> take() && { return std::move(paths_); }
 
  private:
+  void addLoops(const Regions& regions, PathRole role);
   void add(const Polyline& drops, PathRole role);
   Polyline startedNear(Polyline loop) const;
 
