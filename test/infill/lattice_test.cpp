@@ -67,6 +67,26 @@ TEST(Lattice, HoldsThePointsThatTheRegionContains) {
   }));
 }
 
+TEST(Lattice, LeadsAlongTheDiagonalsOfAStrip) {
+  // The cells lie at 0.05 + k: their diagonal runs inside a strip along y = x, the other one leaves it.
+  Lattice lattice({{{0, 0}, {0.3, 0}, {5.1, 4.8}, {5.1, 5.1}, {4.8, 5.1}, {0, 0.3}}, {}}, 1.0, 0.0);
+  ASSERT_EQ(lattice.frame.columns(), 6);
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(lattice.leadsUpRight(lattice.indexOf({i, i}))) << "not found yet";
+  lattice.findDiagonals();
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(lattice.leadsUpRight(lattice.indexOf({i, i}))) << i;
+  for (std::size_t cell = 0; cell < lattice.size(); ++cell) EXPECT_FALSE(lattice.leadsUpLeft(cell));
+}
+
+TEST(Lattice, LeadsAlongBothDiagonalsInTheOpen) {
+  Lattice lattice({rectangle(0, 0, 3.1, 2.1), {}}, 1.0, 0.0);
+  lattice.findDiagonals();
+  for (int row = 0; row < 2; ++row)
+    for (int column = 0; column < 4; ++column) {
+      EXPECT_EQ(lattice.leadsUpRight(lattice.indexOf({column, row})), column < 3);
+      EXPECT_EQ(lattice.leadsUpLeft(lattice.indexOf({column, row})), column > 0);
+    }
+}
+
 TEST(Lattice, RefusesASpacingThatGivesTooManyCells) {
   EXPECT_THROW(Lattice({rectangle(0, 0, 1000, 1000), {}}, 1e-3, 0.0), InvalidInput);
 }

@@ -102,6 +102,19 @@ TEST(LatticeWalk, VisitsEveryCellOfEachPartByStepsInTheRegion) {
   }));
 }
 
+TEST(LatticeWalk, TakesDiagonalStepsOnceTheyAreFound) {
+  // Two squares of cells that meet at a corner, by a slanted neck too narrow for a straight step.
+  const Polygon pair = {{0, 0},     {3.1, 0}, {3.1, 2.9}, {4.3, 4.1}, {7.1, 4.1},
+                        {7.1, 7.1}, {4, 7.1}, {4, 4.3},   {2.8, 3.1}, {0, 3.1}};
+  Lattice lattice({pair, {}}, 1.0, 0.0);
+  const LatticeTours tours = makeTours(lattice);
+  ASSERT_EQ(walkLattice(lattice, tours).size(), 2U);
+  lattice.findDiagonals();
+  const std::vector<LatticeWalk> walks = walkLattice(lattice, tours);
+  ASSERT_EQ(walks.size(), 1U);
+  EXPECT_TRUE(walks[0].is_closed);
+}
+
 TEST(LatticeWalk, RepeatsFewCells) {
   const Lattice lattice({test::circle({0, 0}, 30, 200), {reversed(test::circle({3, 4}, 9, 80))}}, 0.5, 0.3);
   const std::vector<LatticeWalk> walks = walksOver(lattice);

@@ -28,12 +28,21 @@ FillPath pathOf(const LatticeWalk& walk, const Lattice& lattice, double width_mm
   return path;
 }
 
+/// Steps from corner to corner are taken only where the lattice falls apart without.
+std::vector<LatticeWalk> fewestWalks(Lattice& lattice) {
+  const LatticeTours tours = makeTours(lattice);
+  std::vector<LatticeWalk> walks = walkLattice(lattice, tours);
+  if (walks.size() < 2) return walks;
+  lattice.findDiagonals();
+  return walkLattice(lattice, tours);
+}
+
 FillAtAngle fillAt(const Region& centre_lines, const InfillRequest& request, double angle_rad) {
-  const Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
+  Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
   // A cell's bead is as much wider as the cell is larger than one of the requested spacing.
   const double width = request.pitch_mm * lattice.frame.step().prod() / std::pow(request.spacing_mm, 2);
   FillAtAngle fill;
-  for (const LatticeWalk& walk : walkLattice(lattice, makeTours(lattice))) {
+  for (const LatticeWalk& walk : fewestWalks(lattice)) {
     fill.covered += static_cast<double>(walk.cells.size());
     fill.paths.push_back(pathOf(walk, lattice, width));
   }

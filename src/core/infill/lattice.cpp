@@ -38,6 +38,19 @@ Region mapped(const Region& region, const LatticeFrame& frame) {
   return result;
 }
 
+/// Calls use(line, place) for every cell on a line that the line leads on from to the next cell, without
+/// leaving the region; places count 1/sqrt(2) along the line.
+template <class Use>
+void forCellPairs(const Raster& diagonals, Use use) {
+  for (std::size_t i = 0; i + 1 < diagonals.sorted.size(); i += 2) {
+    const Crossing& from = diagonals.crossings[diagonals.sorted[i]];
+    const double end = diagonals.crossings[diagonals.sorted[i + 1]].x * M_SQRT2;
+    auto place = static_cast<std::int64_t>(std::ceil(from.x * M_SQRT2));
+    if ((place - from.line) % 2 != 0) ++place;
+    for (; static_cast<double>(place + 2) <= end; place += 2) use(from.line, place);
+  }
+}
+
 }  // namespace
 
 LatticeFrame::LatticeFrame(const Region& region, double spacing_mm, double angle_rad) : turn_(angle_rad) {
@@ -71,9 +84,9 @@ Point2 LatticeFrame::centre(const Cell& cell) const { return outOfLattice(Point2
 Lattice::Lattice(const Region& centre_lines, double spacing_mm, double angle_rad)
     : frame(centre_lines, spacing_mm, angle_rad) {
   bits_.assign(static_cast<std::size_t>(frame.columns()) * static_cast<std::size_t>(frame.rows()), 0);
-  const Regions region = {mapped(centre_lines, frame)};
-  rows = rasterise(region, 1.0, RasterFrame(0.0));
-  columns = rasterise(region, 1.0, RasterFrame(M_PI / 2));
+  region_ = {mapped(centre_lines, frame)};
+  rows = rasterise(region_, 1.0, RasterFrame(0.0));
+  columns = rasterise(region_, 1.0, RasterFrame(M_PI / 2));
   markRows();
   markColumns();
 }
@@ -102,6 +115,26 @@ void Lattice::markColumns() {
       if (isInside(cell) && isInside(cell + stride)) bits_[cell] |= kUp;
     }
   }
+}
+
+/// In a frame turned by an eighth the lines through the cells lie 1/sqrt(2) apart, and on them the cells lie
+/// sqrt(2) apart: at every other multiple of 1/sqrt(2).
+void Lattice::findDiagonals() {
+  const Raster rising = rasterise(region_, M_SQRT1_2, RasterFrame(0.25 * M_PI));
+  forCellPairs(rising, [this](std::int64_t line, std::int64_t place) {
+    const Cell from{static_cast<int>((place - line) / 2), static_cast<int>((place + line) / 2)};
+    markDiagonal(from, {from.column + 1, from.row + 1}, kUpRight);
+  });
+  const Raster falling = rasterise(region_, M_SQRT1_2, RasterFrame(-0.25 * M_PI));
+  forCellPairs(falling, [this](std::int64_t line, std::int64_t place) {
+    const Cell upper{static_cast<int>((line + place) / 2), static_cast<int>((line - place) / 2)};
+    markDiagonal({upper.column + 1, upper.row - 1}, upper, kUpLeft);
+  });
+}
+
+void Lattice::markDiagonal(const Cell& from, const Cell& to, std::uint8_t step) {
+  if (!holds(from) || !holds(to)) return;
+  if (isInside(indexOf(from)) && isInside(indexOf(to))) bits_[indexOf(from)] |= step;
 }
 
 }  // namespace lamina

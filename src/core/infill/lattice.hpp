@@ -43,6 +43,9 @@ struct Lattice {
 
   Lattice(const Region& centre_lines, double spacing_mm, double angle_rad);
 
+  /// Finds the steps from corner to corner, too; until then there are none.
+  void findDiagonals();
+
   std::size_t indexOf(const Cell& cell) const {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(frame.columns()) +
            static_cast<std::size_t>(cell.column);
@@ -52,14 +55,25 @@ struct Lattice {
   /// Whether the step to the next column, or row, stays in the region.
   bool leadsRight(std::size_t cell) const { return (bits_[cell] & kRight) != 0; }
   bool leadsUp(std::size_t cell) const { return (bits_[cell] & kUp) != 0; }
+  /// Whether the step to the next row and the next, or the previous, column stays in the region.
+  bool leadsUpRight(std::size_t cell) const { return (bits_[cell] & kUpRight) != 0; }
+  bool leadsUpLeft(std::size_t cell) const { return (bits_[cell] & kUpLeft) != 0; }
 
  private:
   static constexpr std::uint8_t kInside = 1;
   static constexpr std::uint8_t kRight = 2;
   static constexpr std::uint8_t kUp = 4;
+  static constexpr std::uint8_t kUpRight = 8;
+  static constexpr std::uint8_t kUpLeft = 16;
 
   void markRows();
   void markColumns();
+  bool holds(const Cell& cell) const {
+    return cell.column >= 0 && cell.column < frame.columns() && cell.row >= 0 && cell.row < frame.rows();
+  }
+  void markDiagonal(const Cell& from, const Cell& to, std::uint8_t step);
+
+  Regions region_;  ///< in lattice coordinates
 
   std::vector<std::uint8_t> bits_;
 };

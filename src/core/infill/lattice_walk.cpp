@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/lattice_walk.hpp"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace lamina {
@@ -50,7 +52,7 @@ class WalkBuilder {
       const Index cell = queue_[i];
       int children = 0;
       forNeighbours(cell, [&](Index neighbour) {
-        if (visit_of_[neighbour] != kNone) return;
+        if (visit_of_[neighbour] != kNone || !take(cell, neighbour)) return;
         hang(neighbour, cell);
         ++children;
       });
@@ -61,8 +63,10 @@ class WalkBuilder {
 
   /// A row of single cells is walked from one of its ends, which the cell reached last is.
   LatticeWalk walkFromEndNear(Index cell) {
+    std::set<Index> crossed_before = crossed_;
     walkFrom(cell);
     const Index end = queue_.back();
+    crossed_ = std::move(crossed_before);
     for (const Index visited : queue_) visit_of_[visited] = kNone;
     return walkFrom(end);
   }
@@ -73,6 +77,20 @@ class WalkBuilder {
     if (lattice_.leadsUp(cell)) use(cell + stride_);
     if (cell % stride_ > 0 && lattice_.leadsRight(cell - 1)) use(cell - 1);
     if (cell >= stride_ && lattice_.leadsUp(cell - stride_)) use(cell - stride_);
+    if (lattice_.leadsUpRight(cell)) use(cell + stride_ + 1);
+    if (lattice_.leadsUpLeft(cell)) use(cell + stride_ - 1);
+    if (cell > stride_ && lattice_.leadsUpRight(cell - stride_ - 1)) use(cell - stride_ - 1);
+    if (cell + 1 > stride_ && lattice_.leadsUpLeft(cell - stride_ + 1)) use(cell - stride_ + 1);
+  }
+
+  /// Refuses a diagonal step if the other diagonal of its square is walked, which it would cross.
+  bool take(Index cell, Index neighbour) {
+    const Index low = std::min(cell, neighbour);
+    const Index step = std::max(cell, neighbour) - low;
+    const bool is_along_row = step == 1 && low % stride_ + 1 < stride_;
+    if (is_along_row || step == stride_) return true;
+    const Index square = step > stride_ ? low : low - 1;
+    return crossed_.insert(square).second;
   }
 
   Index newVisit(Index cell, Index next, bool is_doubled) {
@@ -142,6 +160,7 @@ class WalkBuilder {
   const Lattice& lattice_;
   const LatticeTours& tours_;
   Index stride_;
+  std::set<Index> crossed_;      ///< squares with a diagonal step that is walked, by their low corners
   std::vector<Index> visit_of_;  ///< of each cell the first one, kNone before it
   std::vector<Visit> visits_;
   std::vector<Index> queue_;  ///< cells of this part, in the order met

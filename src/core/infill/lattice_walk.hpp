@@ -17,9 +17,9 @@ struct LatticeWalk {
   bool is_closed = false;
 };
 
-/// One walk over each connected part of the lattice, over all of its cells. Tours and the cells that no tour
-/// visits hang together by steps that are walked there and back. Parts that are a row of single cells are
-/// walked once, from end to end. Parts of a single cell give none.
+/// One walk over each connected part of the lattice, diagonals counted if they were found, over all of its
+/// cells. Tours and the cells that no tour visits hang together by steps that are walked there and back.
+/// Parts that are a row of single cells are walked once, from end to end. Parts of a single cell give none.
 std::vector<LatticeWalk> walkLattice(const Lattice& lattice, const LatticeTours& tours);
 
 }  // namespace lamina
