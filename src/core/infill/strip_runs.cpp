@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "infill/raster_sections.hpp"
 #include "infill/strip_pass.hpp"
-#include "lamina/geometry/offset.hpp"
 
 namespace lamina {
 namespace {
@@ -212,28 +212,74 @@ std::pair<double, double> extent(const Region& region, double angle_rad) {
   return {low, high};
 }
 
-void addRuns(std::vector<FillPath>& runs, const Region& links, const InfillRequest& request) {
-  const double narrowest = request.settings.raster.narrowest * request.pitch_mm;
-  const auto [low, high] = extent(links, request.angle_rad);
-  const double span = high - low + narrowest;
-  const double count = std::max(1.0, std::round(span / request.pitch_mm));
-  const RasterFrame frame(request.angle_rad, low - 0.5 * narrowest);
-  const Raster raster = rasterise({links}, 0.5 * span / count, frame);
-  const RasterWalk walk(raster);
-  const RasterSections sections(walk, PassLines::Odd);
-  const SectionTour tour =
-      tourOf(sections.ends(), frame.intoRaster(request.start), request.settings.raster.order);
-  const Strips strips{walk, findNotches(walk), narrowest};
-  for (FillPath& run : StripTracer(strips, sections, frame).trace(passesOf(sections, walk, tour)))
-    runs.push_back(std::move(run));
-}
+/// A region cut into strips.
+class StripRegion {
+ public:
+  StripRegion(const Region& links, const InfillRequest& request)
+      : narrowest_(narrowestBead(request)),
+        frame_(request.angle_rad, extent(links, request.angle_rad).first - 0.5 * narrowest_),
+        raster_(rasterise({links}, 0.5 * stripWidth(links, request), frame_)),
+        walk_(raster_),
+        sections_(walk_, PassLines::Odd),
+        strips_{walk_, findNotches(walk_), narrowest_} {}
+  StripRegion(const StripRegion&) = delete;
+  StripRegion& operator=(const StripRegion&) = delete;
+
+  /// In the plane of the layer.
+  std::vector<RasterSection> ends() const {
+    std::vector<RasterSection> ends = sections_.ends();
+    for (RasterSection& section : ends)
+      for (std::array<Point2, 2>* line : {&section.first, &section.last})
+        for (Point2& point : *line) point = frame_.outOfRaster(point);
+    return ends;
+  }
+
+  std::vector<FillPath> runs(const SectionTour& tour) const {
+    return StripTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
+  }
+
+ private:
+  double stripWidth(const Region& links, const InfillRequest& request) const {
+    const auto [low, high] = extent(links, request.angle_rad);
+    const double span = high - low + narrowest_;
+    return span / std::max(1.0, std::round(span / request.pitch_mm));
+  }
+
+  double narrowest_;
+  RasterFrame frame_;
+  Raster raster_;
+  RasterWalk walk_;
+  RasterSections sections_;
+  Strips strips_;
+};
 
 }  // namespace
 
-std::vector<FillPath> stripRuns(const Regions& regions, const InfillRequest& request) {
+double narrowestBead(const InfillRequest& request) {
+  return request.settings.raster.narrowest * request.pitch_mm;
+}
+
+std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request) {
+  std::vector<std::unique_ptr<StripRegion>> regions;
+  std::vector<RasterSection> sections;
+  std::vector<std::size_t> begin;
+  for (const Region& region : links) {
+    regions.push_back(std::make_unique<StripRegion>(region, request));
+    begin.push_back(sections.size());
+    const std::vector<RasterSection> more = regions.back()->ends();
+    sections.insert(sections.end(), more.begin(), more.end());
+  }
+  const SectionTour tour = tourOf(sections, request.start, request.settings.raster.order);
   std::vector<FillPath> runs;
-  const double narrowest = request.settings.raster.narrowest * request.pitch_mm;
-  for (const Region& links : offset(regions, -0.5 * narrowest)) addRuns(runs, links, request);
+  for (std::size_t i = 0; i < tour.size();) {
+    const auto region = static_cast<std::size_t>(
+        std::upper_bound(begin.begin(), begin.end(), tour[i].section) - begin.begin() - 1);
+    const std::size_t end = region + 1 < begin.size() ? begin[region + 1] : sections.size();
+    SectionTour within;
+    for (; i < tour.size() && tour[i].section >= begin[region] && tour[i].section < end; ++i)
+      within.push_back({tour[i].section - begin[region], tour[i].entry});
+    for (FillPath& run : regions[region]->runs(within)) runs.push_back(std::move(run));
+  }
   return runs;
 }
 

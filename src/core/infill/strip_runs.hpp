@@ -6,9 +6,14 @@
 
 namespace lamina {
 
-/// Fills regions solidly by a zigzag: strips parallel to the raster divide each evenly, a bead fills each
-/// strip to its ends, as wide as the strip is there, and links along the border join them. Runs are in the
-/// order of `raster.order`, from `request.start` on, region by region.
-std::vector<FillPath> stripRuns(const Regions& regions, const InfillRequest& request);
+/// Plan width of the narrowest bead of a solid raster [mm].
+double narrowestBead(const InfillRequest& request);
+
+/// Fills an area solidly by a zigzag: strips parallel to the raster divide each region evenly, a bead fills
+/// each strip to its ends, as wide as the strip is there, and links along the border join them. Runs are in
+/// the order of `raster.order`, from `request.start` on.
+///
+/// @param links  the area, shrunk by half the narrowest bead: where links along the border run
+std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request);
 
 }  // namespace lamina

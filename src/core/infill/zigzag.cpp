@@ -146,9 +146,12 @@ class RunBuilder {
 
 }  // namespace
 
+bool isSolid(const InfillRequest& request) {
+  return std::abs(request.spacing_mm - request.pitch_mm) < 1e-9 * request.pitch_mm;
+}
+
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
-  if (std::abs(request.spacing_mm - request.pitch_mm) < 1e-9 * request.pitch_mm)
-    return stripRuns(regions, request);
+  if (isSolid(request)) return stripRuns(offset(regions, -0.5 * narrowestBead(request)), request);
   return rasterRuns(offset(regions, -0.5 * request.pitch_mm), request);
 }
 
