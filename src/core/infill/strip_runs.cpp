@@ -169,7 +169,7 @@ class StripTracer {
       if (sign * (point.x() - end_x) > 0.0 && !along.empty()) {
         const Point2& last = along.back();
         const double part = (end_x - last.x()) / (point.x() - last.x());
-        if (part > 0.0) along.emplace_back(last + part * (point - last));
+        if (part > 0.0 && part < 1.0) along.emplace_back(last + part * (point - last));
         break;
       }
       along.push_back(point);
