@@ -38,6 +38,7 @@ int runCommandLine(int argc, char** argv) {
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   addEmulate(app, chosen);
+  addFillVoids(app, chosen);
   addInfo(app, chosen);
   addPart(app, chosen);
   addPreview(app, chosen);

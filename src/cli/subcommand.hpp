@@ -31,6 +31,7 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addEmulate(CLI::App& app, Chosen& chosen);
+void addFillVoids(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/job/void_job.hpp"
+#include "lamina/voids/refill.hpp"
+
+namespace lamina {
+
+/// One request: fill the voids of a program of beads.
+struct VoidFillingJob {
+  std::string program;  ///< path of a .gcode file
+  std::string output;   ///< file to write; empty for none
+  VoidJob map;          ///< the part, and how its voids are found
+  RefillSettings refill;
+};
+
+/// What filling voids gave.
+struct VoidFillingReport {
+  std::size_t runs = 0;        ///< that were added
+  std::size_t layers = 0;      ///< to which they were added
+  double deposited_mm3 = 0.0;  ///< by them
+  VoidTotals before;
+  VoidTotals after;  ///< as read from the new program
+};
+
+/// Adds runs along the voids of each layer at its end; see `insertRuns`. They are laid as `feed.infill_mm_s`,
+/// `travel.*` and `program.*` of the settings say.
+/// @throws FileError, InvalidProgram, InvalidMesh, InvalidInput if output and input are the same file;
+/// Cancelled
+VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress);
+
+}  // namespace lamina

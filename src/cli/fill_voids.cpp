@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/job/void_filling.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina fill-voids` as it was typed.
+struct FillVoidsArguments {
+  std::string program;
+  std::string part;
+  std::string output;
+  std::string config;
+  std::vector<std::string> settings;
+  std::vector<double> offset;
+  RefillSettings refill;
+};
+
+VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {
+  std::vector<SettingText> overrides;
+  for (const std::string& assignment : arguments.settings)
+    overrides.push_back(settingFromAssignment(assignment));
+  VoidFillingJob job;
+  job.program = arguments.program;
+  job.output = arguments.output;
+  job.map.part = arguments.part;
+  job.map.settings = loadJobSettings(arguments.config, overrides);
+  if (!arguments.offset.empty()) job.map.offset = Point2(arguments.offset[0], arguments.offset[1]);
+  job.refill = arguments.refill;
+  return job;
+}
+
+nlohmann::ordered_json toJson(const VoidTotals& sums) {
+  return {{"voids", sums.voids},
+          {"uncovered_percent_mean", sums.uncovered_percent_mean},
+          {"uncovered_percent_worst", sums.uncovered_percent_worst},
+          {"overfill_percent_mean", sums.overfill_percent_mean},
+          {"overfill_percent_worst", sums.overfill_percent_worst},
+          {"material_percent", sums.material_percent},
+          {"runs_per_layer_mean", sums.runs_per_layer_mean}};
+}
+
+void printJson(const VoidFillingReport& report, const FillVoidsArguments& arguments) {
+  const nlohmann::ordered_json json = {
+      {"layers", report.before.layers},  {"layers_filled", report.layers},
+      {"runs_added", report.runs},       {"deposited_mm3", report.deposited_mm3},
+      {"before", toJson(report.before)}, {"after", toJson(report.after)},
+      {"output", arguments.output}};
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const VoidFillingReport& report, const FillVoidsArguments& arguments) {
+  std::printf("added       %zu runs in %zu of %zu layers, %.2f mm3\n", report.runs, report.layers,
+              report.before.layers, report.deposited_mm3);
+  std::printf("voids       %zu before, %zu after\n", report.before.voids, report.after.voids);
+  std::printf("uncovered   %.3f %% before, %.3f %% after\n", report.before.uncovered_percent_mean,
+              report.after.uncovered_percent_mean);
+  std::printf("overfill    %.3f %% before, %.3f %% after\n", report.before.overfill_percent_mean,
+              report.after.overfill_percent_mean);
+  std::printf("written to  %s\n", arguments.output.c_str());
+}
+
+void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
+  VoidFillingReport report;
+  {
+    TerminalProgress progress;
+    report = runVoidFillingJob(jobFrom(arguments), progress);
+  }
+  format == OutputFormat::Json ? printJson(report, arguments) : printText(report, arguments);
+}
+
+}  // namespace
+
+void addFillVoids(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand =
+      app.add_subcommand("fill-voids", "Add runs to a program where it leaves voids in its part");
+  const auto arguments = std::make_shared<FillVoidsArguments>();
+  subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
+  subcommand->add_option("-o,--output", arguments->output, "Program to write (.gcode)")->required();
+  subcommand->add_option("--part", arguments->part, "Mesh file or name of a parametric part")->required();
+  subcommand
+      ->add_option("--least-area", arguments->refill.least_area,
+                   "Smaller voids stay, in squared widths of a bead")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  subcommand
+      ->add_option("--least-width", arguments->refill.least_width,
+                   "Narrower places stay, in widths of a bead")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  subcommand
+      ->add_option("--offset", arguments->offset,
+                   "Where the part's origin is in the program, x,y in mm; found if not given")
+      ->delimiter(',')
+      ->expected(2);
+  subcommand->add_option("--config", arguments->config, "Settings (YAML) for reading and for the new runs");
+  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
+      ->allow_extra_args(false);
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { fillVoids(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

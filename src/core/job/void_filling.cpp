@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/void_filling.hpp"
+
+#include <utility>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "lamina/program/run_insertion.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "planning/ordering.hpp"
+
+namespace lamina {
+namespace {
+
+Path toPath(const FillPath& run, const ToolpathLayer& layer, double feed_mm_s) {
+  Path path;
+  path.role = run.role;
+  path.is_closed = run.is_closed;
+  for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), layer.z_mm);
+  std::vector<Bead> beads;
+  for (const double width : run.width_mm)
+    beads.push_back(beadOfArea(width * layer.height_mm, layer.height_mm));
+  path.bead = AlongPath<Bead>(std::move(beads));
+  path.feed_mm_s = feed_mm_s;
+  return path;
+}
+
+/// In the order of the shortest travel from where the layer ends.
+std::vector<Path> ordered(std::vector<FillPath> runs, const ToolpathLayer& layer, double feed_mm_s) {
+  std::vector<RunEnds> ends;
+  for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
+  const Point2 start =
+      layer.paths.empty() ? Point2(Point2::Zero()) : Point2(layer.paths.back().lastPoint().head<2>());
+  std::vector<Path> paths;
+  for (const OrderedRun& next : orderRuns(ends, start)) {
+    FillPath run = std::move(runs[next.run]);
+    paths.push_back(toPath(next.is_reversed ? reversed(std::move(run)) : run, layer, feed_mm_s));
+  }
+  return paths;
+}
+
+InsertionSettings insertionSettings(const JobSettings& settings) {
+  InsertionSettings insertion;
+  insertion.program = settings.program;
+  insertion.travel_feed_mm_s = settings.planning.travel.feed_mm_s;
+  insertion.retraction_threshold_mm = settings.planning.travel.retraction_threshold_mm;
+  return insertion;
+}
+
+}  // namespace
+
+VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress) {
+  requireOtherFile(job.output, job.program);
+  requireOtherFile(job.output, job.map.part);
+  const JobSettings& settings = job.map.settings;
+  const std::string text = readFile(job.program);
+  const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
+  const VoidReport found = runVoidJob(program, job.map, progress);
+  std::vector<std::vector<Path>> runs(program.layers.size());
+  parallelFor(
+      runs.size(),
+      [&](std::size_t i) {
+        runs[i] = ordered(refill(found.layers[i], job.refill), program.layers[i],
+                          settings.planning.feed.infill_mm_s);
+      },
+      progress, "fill");
+  const std::string filled = insertRuns(text, program, runs, insertionSettings(settings));
+  VoidFillingReport report;
+  for (const std::vector<Path>& layer : runs) {
+    report.runs += layer.size();
+    report.layers += layer.empty() ? 0 : 1;
+    for (const Path& path : layer) report.deposited_mm3 += depositedVolume(path);
+  }
+  report.before = totals(found.layers);
+  const Toolpath result = toolpathFromGcode(filled, settings.program, job.program);
+  report.after = totals(findVoids(found.part.contours, result, job.map.map, progress));
+  if (!job.output.empty()) {
+    AtomicFile file(job.output);
+    file.write(filled);
+    file.commit();
+  }
+  return report;
+}
+
+}  // namespace lamina
