@@ -11,6 +11,7 @@
 #include "lamina/job/void_report_csv.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/voids/void_totals.hpp"
 #include "layer_overlay.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
@@ -78,20 +79,28 @@ nlohmann::ordered_json classCounts(const std::vector<LayerVoids>& layers) {
   return counts;
 }
 
+void addShare(nlohmann::ordered_json& json, const std::string& name, const AreaShare& share) {
+  json[name + "_percent_mean"] = share.mean_percent;
+  json[name + "_percent_total"] = share.total_percent;
+  json[name + "_percent_worst"] = share.worst_percent;
+  json[name + "_worst_layer"] = share.worst_layer;
+}
+
+void printShare(const char* name, const AreaShare& share) {
+  std::printf("%-11s %.3f %% of a layer in the mean, %.3f %% of all, at worst %.3f %% in layer %zu\n", name,
+              share.mean_percent, share.total_percent, share.worst_percent, share.worst_layer);
+}
+
 void printJson(const VoidReport& report, const VoidArguments& arguments) {
   const VoidTotals sums = totals(report.layers);
-  nlohmann::ordered_json json = {{"layers", sums.layers},
-                                 {"uncovered_percent_mean", sums.uncovered_percent_mean},
-                                 {"uncovered_percent_worst", sums.uncovered_percent_worst},
-                                 {"uncovered_worst_layer", sums.uncovered_worst_layer},
-                                 {"overfill_percent_mean", sums.overfill_percent_mean},
-                                 {"overfill_percent_worst", sums.overfill_percent_worst},
-                                 {"overfill_worst_layer", sums.overfill_worst_layer},
-                                 {"material_percent", sums.material_percent},
-                                 {"runs_per_layer_mean", sums.runs_per_layer_mean},
-                                 {"voids", sums.voids},
-                                 {"voids_by_class", classCounts(report.layers)},
-                                 {"offset_mm", {report.part.offset.x(), report.part.offset.y()}}};
+  nlohmann::ordered_json json = {{"layers", sums.layers}};
+  addShare(json, "uncovered", sums.uncovered);
+  addShare(json, "overfill", sums.overfill);
+  json.update({{"material_percent", sums.material_percent},
+               {"runs_per_layer_mean", sums.runs_per_layer_mean},
+               {"voids", sums.voids},
+               {"voids_by_class", classCounts(report.layers)},
+               {"offset_mm", {report.part.offset.x(), report.part.offset.y()}}});
   if (arguments.layer) json["layer"] = toJson(report.layers[*arguments.layer], *arguments.layer);
   if (!arguments.output.empty()) json["output"] = arguments.output;
   if (!arguments.picture.empty()) json["picture"] = arguments.picture;
@@ -101,10 +110,8 @@ void printJson(const VoidReport& report, const VoidArguments& arguments) {
 void printText(const VoidReport& report) {
   const VoidTotals sums = totals(report.layers);
   std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
-  std::printf("uncovered   %.3f %%, at worst %.3f %% in layer %zu\n", sums.uncovered_percent_mean,
-              sums.uncovered_percent_worst, sums.uncovered_worst_layer);
-  std::printf("overfill    %.3f %%, at worst %.3f %% in layer %zu\n", sums.overfill_percent_mean,
-              sums.overfill_percent_worst, sums.overfill_worst_layer);
+  printShare("uncovered", sums.uncovered);
+  printShare("overfill", sums.overfill);
   std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);
   std::printf("voids       %zu\n", sums.voids);
   std::printf("part at     %.3f, %.3f mm from its own origin\n", report.part.offset.x(),
@@ -132,7 +139,7 @@ void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
   }
   if (!arguments.output.empty()) writeVoidCsv(arguments.output, report.layers);
   if (!arguments.picture.empty()) {
-    const std::size_t drawn = arguments.layer.value_or(totals(report.layers).uncovered_worst_layer);
+    const std::size_t drawn = arguments.layer.value_or(totals(report.layers).uncovered.worst_layer);
     drawToolpathLayer(program, drawn, overlayOf(report, drawn), {}, arguments.picture);
   }
   format == OutputFormat::Json ? printJson(report, arguments) : printText(report);

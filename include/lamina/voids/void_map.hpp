@@ -57,19 +57,4 @@ LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const V
 std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const Toolpath& toolpath,
                                   const VoidMapSettings& settings, Progress& progress);
 
-/// Sums over layers.
-struct VoidTotals {
-  std::size_t layers = 0;
-  std::size_t voids = 0;
-  double uncovered_percent_mean = 0.0;  ///< of the area of all layers
-  double uncovered_percent_worst = 0.0;
-  std::size_t uncovered_worst_layer = 0;
-  double overfill_percent_mean = 0.0;
-  double overfill_percent_worst = 0.0;
-  std::size_t overfill_worst_layer = 0;
-  double material_percent = 0.0;  ///< deposited over what fills the area of all layers
-  double runs_per_layer_mean = 0.0;
-};
-VoidTotals totals(const std::vector<LayerVoids>& layers);
-
 }  // namespace lamina

@@ -158,8 +158,6 @@ class LayerAccount {
   LayerVoids result_;
 };
 
-double percent(double part, double whole) { return whole > 0.0 ? 100.0 * part / whole : 0.0; }
-
 }  // namespace
 
 LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const VoidMapSettings& settings) {
@@ -178,39 +176,6 @@ std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const To
       layers.size(), [&](std::size_t i) { layers[i] = findVoids(contours[i], toolpath.layers[i], settings); },
       progress, "voids");
   return layers;
-}
-
-VoidTotals totals(const std::vector<LayerVoids>& layers) {
-  VoidTotals totals;
-  double whole = 0.0;
-  double uncovered = 0.0;
-  double overfill = 0.0;
-  double deposited = 0.0;
-  std::size_t runs = 0;
-  totals.layers = layers.size();
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const LayerVoids& layer = layers[i];
-    whole += layer.area_mm2;
-    uncovered += layer.uncovered_mm2;
-    overfill += layer.overfill_mm2;
-    deposited += layer.deposited_mm2;
-    runs += layer.runs;
-    totals.voids += layer.voids.size();
-    if (percent(layer.uncovered_mm2, layer.area_mm2) > totals.uncovered_percent_worst) {
-      totals.uncovered_percent_worst = percent(layer.uncovered_mm2, layer.area_mm2);
-      totals.uncovered_worst_layer = i;
-    }
-    if (percent(layer.overfill_mm2, layer.area_mm2) > totals.overfill_percent_worst) {
-      totals.overfill_percent_worst = percent(layer.overfill_mm2, layer.area_mm2);
-      totals.overfill_worst_layer = i;
-    }
-  }
-  totals.uncovered_percent_mean = percent(uncovered, whole);
-  totals.overfill_percent_mean = percent(overfill, whole);
-  totals.material_percent = percent(deposited, whole);
-  totals.runs_per_layer_mean =
-      layers.empty() ? 0.0 : static_cast<double>(runs) / static_cast<double>(layers.size());
-  return totals;
 }
 
 }  // namespace lamina
