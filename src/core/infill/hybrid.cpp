@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "infill/documented_zigzag.hpp"
 #include "infill/perimeter.hpp"
 #include "infill/strip_runs.hpp"
 #include "infill/zigzag.hpp"
@@ -17,9 +18,25 @@ int perimeterCount(const InfillRequest& request) {
   return every > 0 && (request.layer + 1) % static_cast<std::size_t>(every) == 0 ? 2 : 1;
 }
 
+/// Perimeters and zigzag as documented.
+std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillRequest& request) {
+  std::vector<FillPath> runs;
+  Regions centre_lines = offset(regions, -0.5 * request.pitch_mm);
+  for (int k = perimeterCount(request); k > 0; --k) {
+    for (Polygon& loop : outlines(centre_lines))
+      runs.push_back({std::move(loop), true, PathRole::OuterWall, Deposit::Bead, {}});
+    if (k > 1) centre_lines = offset(centre_lines, -request.pitch_mm);
+  }
+  InfillRequest inside = request;
+  if (!runs.empty()) inside.start = lastPoint(runs.back());
+  for (FillPath& run : documentedZigzag(centre_lines, inside)) runs.push_back(std::move(run));
+  return runs;
+}
+
 }  // namespace
 
 std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& request) {
+  if (request.settings.hybrid.lines == HybridLines::Documented) return documentedHybrid(regions, request);
   PerimeterFill fill = layPerimeters(regions, perimeterCount(request), request);
   InfillRequest inside = request;
   if (!fill.runs.empty()) inside.start = lastPoint(fill.runs.back());

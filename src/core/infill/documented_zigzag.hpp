@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+
+/// The zigzag of metal deposition inside perimeters as documented (2.1, 2.7 to 2.9): gridSections, adapted
+/// longitudinally and transversally; ordered by `raster.order`.
+///
+/// @param perimeters  areas bounded by the centre lines of perimeters
+std::vector<FillPath> documentedZigzag(const Regions& perimeters, const InfillRequest& request);
+
+}  // namespace lamina
