@@ -13,7 +13,7 @@ namespace lamina {
 std::vector<FillPath> contour(const Regions& regions, const InfillRequest& request) {
   std::vector<FillPath> cycles;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    ContourTree tree = contourTree(regions[i], request);
+    const ContourTree tree = contourTree(regions[i], request);
     RingNet net = ringsOf(tree);
     joinRings(net, tree, request, i);
     std::vector<FillPath> lines = net.lines();

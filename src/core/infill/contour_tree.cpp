@@ -3,9 +3,12 @@
 #include "infill/contour_tree.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "geometry/direct_shrinking.hpp"
+#include "infill/narrow_loops.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -15,6 +18,12 @@ namespace {
 /// Loops shorter than this many pitches are points.
 constexpr double kShortest = 1.0;
 constexpr double kMostContours = 1e5;
+/// A contour is laid where a disc of this radius fits, in pitches: what it leaves is a pitch thick at least.
+constexpr double kWide = 1.5;
+/// Of the narrow rest, what is thinner than twice this is left out, in pitches.
+constexpr double kHair = 0.1;
+/// Cosine of the turn at the sharpest corner that a contour goes round: 60 degrees inside.
+constexpr double kSharpest = -0.5;
 
 void refuseTooManyContours(const Region& region, double spacing) {
   if (!(spacing > 0.0 && std::isfinite(spacing)))
@@ -25,19 +34,57 @@ void refuseTooManyContours(const Region& region, double spacing) {
                        std::to_string(box.size().minCoeff()) + " mm across");
 }
 
+bool hasSharpCorner(const Polygon& outline) {
+  const std::size_t count = outline.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point2 in = outline[i] - outline[i > 0 ? i - 1 : count - 1];
+    const Point2 out = outline[i + 1 < count ? i + 1 : 0] - outline[i];
+    const bool is_convex = in.x() * out.y() - in.y() * out.x() > 0.0;
+    if (is_convex && in.dot(out) < kSharpest * in.norm() * out.norm()) return true;
+  }
+  return false;
+}
+
+bool hasSharpCorner(const Region& region) {
+  for (const Polygon& outline : outlines({region}))
+    if (hasSharpCorner(outline)) return true;
+  return false;
+}
+
+/// The area parted into what contours fill and the narrow rest.
+struct Parted {
+  Regions wide;
+  Regions narrow;
+};
+
+Parted parted(const Region& area, double pitch) {
+  const Regions core = offset({area}, -kWide * pitch);
+  if (core.empty()) return {{}, {area}};
+  Regions wide = intersection(offset(core, kWide * pitch), {area});
+  // Rounding leaves hairs along the border: they are cleared away.
+  const Regions narrow = offset(difference({area}, wide), -kHair * pitch);
+  return {std::move(wide), offset(narrow, kHair * pitch)};
+}
+
 class TreeGrower {
  public:
-  explicit TreeGrower(const InfillRequest& request) : request_(request) { tree_.parents.push_back(0); }
+  explicit TreeGrower(const InfillRequest& request) : pitch_(request.pitch_mm), spacing_(request.spacing_mm) {
+    tree_.parents.push_back(0);
+  }
 
   ContourTree grow(const Region& region) && {
-    std::vector<Growing> growing;
-    const auto add = [&](Regions centre_lines, std::size_t parent) {
-      for (Region& each : centre_lines) growing.push_back({std::move(each), parent});
-    };
-    add(offset({region}, -0.5 * request_.pitch_mm), 0);
-    for (std::size_t i = 0; i < growing.size(); ++i) {
-      const std::size_t node = addNode(growing[i].centre_lines, growing[i].parent);
-      add(offset({std::exchange(growing[i].centre_lines, {})}, -request_.spacing_mm), node);
+    const bool is_solid = std::abs(spacing_ / pitch_ - 1.0) < 1e-6;
+    if (is_solid)
+      part(region, 0);
+    else
+      add(offset({region}, -0.5 * pitch_), 0);
+    for (std::size_t i = 0; i < growing_.size(); ++i) {
+      const Growing from = std::exchange(growing_[i], {});
+      const std::size_t node = addNode(from.centre_lines, from.parent);
+      if (is_solid)
+        growSolid(from, node);
+      else
+        add(offset({from.centre_lines}, -spacing_), node);
     }
     return std::move(tree_);
   }
@@ -45,20 +92,53 @@ class TreeGrower {
  private:
   struct Growing {
     Region centre_lines;
-    std::size_t parent;
+    std::size_t parent = 0;
+    std::optional<Region> next;  ///< centre lines, if they are known already
   };
+
+  void add(Regions centre_lines, std::size_t parent) {
+    for (Region& each : centre_lines) growing_.push_back({std::move(each), parent, std::nullopt});
+  }
+
+  void growSolid(const Growing& from, std::size_t node) {
+    // What the next contour but one leaves tells whether there is room for the next one everywhere.
+    std::optional<Region> next = from.next ? from.next : shrinkDirectly(from.centre_lines, pitch_);
+    std::optional<Region> after;
+    if (next) after = shrinkDirectly(*next, pitch_);
+    if (after && !hasSharpCorner(*after)) {
+      growing_.push_back({std::move(*next), node, std::move(after)});
+      return;
+    }
+    for (const Region& left : offset({from.centre_lines}, -0.5 * pitch_)) part(left, node);
+  }
+
+  void part(const Region& area, std::size_t parent) {
+    const Parted parts = parted(area, pitch_);
+    add(offset(parts.wide, -0.5 * pitch_), parent);
+    for (const Region& narrow : parts.narrow) {
+      std::vector<ContourLoop> loops = narrowLoops(narrow, pitch_);
+      if (loops.empty()) continue;
+      tree_.parents.push_back(parent);
+      for (ContourLoop& loop : loops) {
+        loop.node = tree_.parents.size() - 1;
+        tree_.loops.push_back(std::move(loop));
+      }
+    }
+  }
 
   std::size_t addNode(const Region& centre_lines, std::size_t parent) {
     tree_.parents.push_back(parent);
     const std::size_t node = tree_.parents.size() - 1;
     for (const Polygon& outline : outlines({centre_lines}))
-      if (perimeter(outline) > kShortest * request_.pitch_mm)
-        tree_.loops.push_back({outline, std::vector<double>(outline.size(), request_.pitch_mm), node});
+      if (perimeter(outline) > kShortest * pitch_)
+        tree_.loops.push_back({outline, std::vector<double>(outline.size(), pitch_), node});
     return node;
   }
 
-  const InfillRequest& request_;
+  double pitch_;
+  double spacing_;
   ContourTree tree_;
+  std::vector<Growing> growing_;
 };
 
 }  // namespace

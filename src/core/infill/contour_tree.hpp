@@ -5,17 +5,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "infill/contour_loop.hpp"
 #include "lamina/geometry/polygon.hpp"
 #include "lamina/infill/strategy.hpp"
 
 namespace lamina {
-
-/// A closed centre line that fills its part of a region.
-struct ContourLoop {
-  Polygon points;
-  std::vector<double> width_mm;  ///< plan width on the way to each point
-  std::size_t node = 0;          ///< of the tree
-};
 
 /// The contours that fill one connected region, parallel to its border and to each other. A node holds the
 /// loops that lie side by side between those of its parent and its children; the root holds none.

@@ -135,12 +135,27 @@ class Joiner {
   std::size_t groups_ = 0;
 };
 
+/// Points that stand nearer together than this are one [mm].
+constexpr double kSamePoint = 1e-6;
+
+Ring ringOf(const ContourLoop& loop) {
+  Polygon points;
+  std::vector<double> width;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Point2& last = points.empty() ? loop.points.back() : points.back();
+    if ((loop.points[i] - last).norm() < kSamePoint) continue;
+    points.push_back(loop.points[i]);
+    width.push_back(loop.width_mm[i]);
+  }
+  return Ring(std::move(points), std::move(width));
+}
+
 }  // namespace
 
-RingNet ringsOf(ContourTree& tree) {
+RingNet ringsOf(const ContourTree& tree) {
   std::vector<Ring> rings;
   rings.reserve(tree.loops.size());
-  for (ContourLoop& loop : tree.loops) rings.emplace_back(std::move(loop.points), std::move(loop.width_mm));
+  for (const ContourLoop& loop : tree.loops) rings.push_back(ringOf(loop));
   return RingNet(std::move(rings));
 }
 

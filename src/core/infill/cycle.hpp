@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// The loops of a tree as rings, nothing cut yet; ring i is loop i.
-RingNet ringsOf(ContourTree& tree);
+RingNet ringsOf(const ContourTree& tree);
 
 /// Joins all rings that do not hang together yet: neighbours are cut open by a gap as wide as they are apart,
 /// and joined by two links across. Rings that have no neighbour near enough stay by themselves.

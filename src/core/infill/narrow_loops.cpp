@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/narrow_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "infill/axis_loops.hpp"
+#include "infill/bead_axis.hpp"
+
+namespace lamina {
+namespace {
+
+/// Thickness below which nothing is laid, in pitches.
+constexpr double kLeastWidth = 0.3;
+/// By how much the radius may change within one motion, in pitches.
+constexpr double kWidthStep = 0.05;
+/// Smaller regions are left out, in squared pitches.
+constexpr double kLeastArea = 0.05;
+/// Shorter loops are left out, in pitches.
+constexpr double kShortest = 0.5;
+
+std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step) {
+  std::vector<AxisPoint> result = {points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const AxisPoint& from = points[i - 1];
+    const AxisPoint& to = points[i];
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(std::abs(to.radius_mm - from.radius_mm) / step)));
+    for (int k = 1; k <= count; ++k) {
+      const double t = static_cast<double>(k) / count;
+      result.push_back(
+          {from.point + t * (to.point - from.point), from.radius_mm + t * (to.radius_mm - from.radius_mm)});
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
+  if (area({region}) < kLeastArea * pitch_mm * pitch_mm) return {};
+  MedialBeadSettings settings;
+  settings.pitch_mm = pitch_mm;
+  settings.least_width = kLeastWidth;
+  MedialAxis axis = beadAxis(region, settings);
+  for (AxisBranch& branch : axis.branches) branch.points = inSteps(branch.points, kWidthStep * pitch_mm);
+  std::vector<ContourLoop> loops;
+  for (FillPath& path : axisLoops(axis)) {
+    if (perimeter(path.points) < kShortest * pitch_mm) continue;
+    ContourLoop loop;
+    loop.points = std::move(path.points);
+    // The loop has the width at each point, a run that on the way to it.
+    for (std::size_t i = 0; i < path.width_mm.size(); ++i)
+      loop.width_mm.push_back(0.5 *
+                              (path.width_mm[i] + path.width_mm[i > 0 ? i - 1 : path.width_mm.size() - 1]));
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+}  // namespace lamina
