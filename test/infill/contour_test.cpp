@@ -38,6 +38,14 @@ std::vector<Region> outlinesWithIslands() {
           {square, {square_island, round_island}}};
 }
 
+/// What a closed run fills [mm²].
+double filledArea(const FillPath& run) {
+  double sum = 0.0;
+  for (std::size_t i = 0, j = run.points.size() - 1; i < run.points.size(); j = i++)
+    sum += (run.points[i] - run.points[j]).norm() * run.width_mm[i];
+  return sum;
+}
+
 TEST(Contour, JoinsEachRegionIntoOneClosedCycle) {
   for (const Region& region : outlinesWithIslands())
     for (const ContourLink link : {ContourLink::Average, ContourLink::Tangential})
@@ -52,8 +60,8 @@ TEST(Contour, JoinsEachRegionIntoOneClosedCycle) {
 TEST(Contour, LaysAsMuchAsTheRegionHolds) {
   for (const Region& region : outlinesWithIslands()) {
     double filled = 0.0;
-    for (const FillPath& cycle : contour({region}, solid())) filled += 0.4 * perimeter(cycle.points);
-    EXPECT_NEAR(filled / area({region}), 1.0, 0.02);
+    for (const FillPath& cycle : contour({region}, solid())) filled += filledArea(cycle);
+    EXPECT_NEAR(filled / area({region}), 1.0, 0.01);
   }
 }
 
@@ -73,13 +81,16 @@ TEST(ContourTree, HasLoopsAPitchApartWithinOnePercent) {
 }
 
 TEST(ContourTree, MergesLoopsWhereAnIslandTouchesTheOutside) {
-  // 1 mm of material is left between island and border: one loop fits round each, none round both apart.
-  const Region region = {rectangle(-10, -10, 10, 10), {reversed(rectangle(3, -3, 9, 3))}};
+  // 1.6 mm are left between island and border: a loop round each, and then less than a loop needs.
+  const Region region = {rectangle(-10, -10, 10, 10), {reversed(rectangle(3, -3, 8.4, 3))}};
   const ContourTree tree = contourTree(region, solid());
   std::vector<std::size_t> loops(tree.parents.size(), 0);
   for (const ContourLoop& loop : tree.loops) ++loops[loop.node];
   EXPECT_EQ(loops[1], 2U);
+  EXPECT_EQ(tree.parents[2], 1U);
   EXPECT_EQ(loops[2], 1U);
+  EXPECT_EQ(tree.parents[3], 1U);
+  EXPECT_EQ(loops[3], 1U);
 }
 
 }  // namespace

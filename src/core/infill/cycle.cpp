@@ -93,6 +93,23 @@ class Joiner {
     return false;
   }
 
+  bool crossesOthers(const RingLink& link) const {
+    const std::array<Point2, 2> from = endsOf(link.a);
+    std::array<Point2, 2> onto = endsOf(link.b);
+    if (link.ends == LinkEnds::Opposite) std::swap(onto[0], onto[1]);
+    for (const int side : {0, 1}) {
+      if (net_.isLinkCrossedBy(from[side], onto[side])) return true;
+      for (const Ring& ring : net_.rings())
+        if (ring.isCrossedBy(from[side], onto[side])) return true;
+    }
+    return false;
+  }
+
+  std::array<Point2, 2> endsOf(const RingGap& gap) const {
+    const Ring& ring = net_.rings()[gap.ring];
+    return {ring.pointAt(gap.from_mm), ring.pointAt(gap.to_mm)};
+  }
+
   ContourLink otherKind() const {
     return settings_.link == ContourLink::Average ? ContourLink::Tangential : ContourLink::Average;
   }
@@ -122,6 +139,8 @@ class Joiner {
     const LinkTrial trial{ring, position, *onto, apart};
     std::optional<RingLink> link = linkAt(net_, trial, settings_.link, limits);
     if (!link && &limits == &kLimits.back()) link = linkAt(net_, trial, otherKind(), limits);
+    // Short links between rings that are neighbours have nothing to cross.
+    if (link && &limits != &kLimits.front() && crossesOthers(*link)) link.reset();
     return link;
   }
 

@@ -17,9 +17,9 @@ constexpr double kLeastWidth = 0.3;
 /// By how much the radius may change within one motion, in pitches.
 constexpr double kWidthStep = 0.05;
 /// Smaller regions are left out, in squared pitches.
-constexpr double kLeastArea = 0.05;
+constexpr double kLeastArea = 0.2;
 /// Shorter loops are left out, in pitches.
-constexpr double kShortest = 0.5;
+constexpr double kShortest = 1.0;
 
 std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step) {
   std::vector<AxisPoint> result = {points.front()};

@@ -7,13 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "infill/line_crossing.hpp"
+
 namespace lamina {
 namespace {
 
 /// A link may touch rings at its ends: what lies within this part of its length there is left aside.
 constexpr double kTouching = 1e-3;
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 struct EdgePlace {
   double squared = std::numeric_limits<double>::infinity();
@@ -24,11 +24,6 @@ EdgePlace nearestOnEdge(const Point2& from, const Point2& to, const Point2& poin
   const Point2 along = to - from;
   const double part = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
   return {(from + part * along - point).squaredNorm(), part};
-}
-
-bool cross(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return (cross(b - a, c - a) > 0.0) != (cross(b - a, d - a) > 0.0) &&
-         (cross(d - c, a - c) > 0.0) != (cross(d - c, b - c) > 0.0);
 }
 
 }  // namespace
@@ -102,10 +97,10 @@ std::optional<RingPlace> Ring::hit(const Point2& from, const Point2& direction,
   std::optional<RingPlace> best;
   visitEdges(stretch, [&](std::size_t edge) {
     const Point2 along = endOf(edge) - points_[edge];
-    const double turn = cross(direction, along);
+    const double turn = crossProduct(direction, along);
     if (turn == 0.0) return;
-    const double distance = cross(points_[edge] - from, along) / turn;
-    const double part = cross(points_[edge] - from, direction) / turn;
+    const double distance = crossProduct(points_[edge] - from, along) / turn;
+    const double part = crossProduct(points_[edge] - from, direction) / turn;
     if (part < 0.0 || part > 1.0 || distance < 0.0 || (best && distance >= best->distance_mm)) return;
     best = RingPlace{at_[edge] + part * (at_[edge + 1] - at_[edge]), distance};
   });
@@ -119,7 +114,7 @@ bool Ring::isCrossedBy(const Point2& from, const Point2& to) const {
   const Point2 high = a.cwiseMax(b);
   if ((high.array() < box_.low.array()).any() || (low.array() > box_.high.array()).any()) return false;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (cross(a, b, points_[i], endOf(i))) return true;
+    if (areCrossing(a, b, points_[i], endOf(i))) return true;
   return false;
 }
 

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "infill/line_crossing.hpp"
+
 namespace lamina {
 namespace {
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-bool meet(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  return (cross(b - a, c - a) > 0.0) != (cross(b - a, d - a) > 0.0) &&
-         (cross(d - c, a - c) > 0.0) != (cross(d - c, b - c) > 0.0);
-}
 
 /// Where links from both ends of a gap land.
 struct Landings {
@@ -73,7 +68,7 @@ std::optional<RingLink> linkAt(const RingNet& net, const LinkTrial& trial, Conto
     return std::nullopt;
   const Point2 start_on = onto.pointAt(landed->start.position_mm);
   const Point2 end_on = onto.pointAt(landed->end.position_mm);
-  if (meet(start, start_on, end, end_on)) return std::nullopt;
+  if (areCrossing(start, start_on, end, end_on)) return std::nullopt;
   for (const Ring* crossed : {&ring, &onto})
     if (crossed->isCrossedBy(start, start_on) || crossed->isCrossedBy(end, end_on)) return std::nullopt;
   const bool is_alike = std::abs(link.b.from_mm - onto.wrapped(landed->start.position_mm)) < 1e-9;

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "infill/line_crossing.hpp"
+
 namespace lamina {
 namespace {
 
@@ -56,6 +58,18 @@ std::size_t RingNet::cut(const RingGap& gap) {
 void RingNet::joinEnds(const End& a, const End& b) {
   joints_[a.ring][a.gap].to[a.side] = b;
   joints_[b.ring][b.gap].to[b.side] = a;
+  links_.push_back({pointOf(a), pointOf(b)});
+}
+
+Point2 RingNet::pointOf(const End& end) const {
+  const RingGap& gap = gaps_[end.ring][end.gap];
+  return rings_[end.ring].pointAt(end.side == 0 ? gap.from_mm : gap.to_mm);
+}
+
+bool RingNet::isLinkCrossedBy(const Point2& from, const Point2& to) const {
+  return std::any_of(links_.begin(), links_.end(), [&](const std::array<Point2, 2>& link) {
+    return areCrossing(link[0], link[1], from, to);
+  });
 }
 
 void RingNet::join(const RingGap& a, const RingGap& b, LinkEnds ends) {
@@ -94,7 +108,7 @@ class RingNet::Walk {
 
   FillPath from(const End& start) {
     End at = start;
-    put(pointOf(at), 0.0);
+    put(net_.pointOf(at), 0.0);
     while (true) {
       const End end = alongRing(at);
       const std::optional<End>& next = net_.joints_[end.ring][end.gap].to[end.side];
@@ -105,7 +119,7 @@ class RingNet::Walk {
         path_.is_closed = true;
         return std::move(path_);
       }
-      put(pointOf(*next), width);
+      put(net_.pointOf(*next), width);
       at = *next;
     }
   }
@@ -115,7 +129,6 @@ class RingNet::Walk {
     const RingGap& gap = net_.gaps_[end.ring][end.gap];
     return net_.rings_[end.ring].wrapped(end.side == 0 ? gap.from_mm : gap.to_mm);
   }
-  Point2 pointOf(const End& end) const { return net_.rings_[end.ring].pointAt(positionOf(end)); }
   double widthAt(const End& end) const { return net_.rings_[end.ring].widthAt(positionOf(end)); }
 
   void put(const Point2& point, double width) {
@@ -142,7 +155,7 @@ class RingNet::Walk {
       putForward(ring, start, shortest);
     else
       putBackward(ring, start, shortest);
-    put(pointOf(end), ring.widthAt(goes_forward ? start + shortest - kSame : start - shortest));
+    put(net_.pointOf(end), ring.widthAt(goes_forward ? start + shortest - kSame : start - shortest));
     return end;
   }
 

@@ -41,6 +41,9 @@ class RingNet {
   /// Whether a gap keeps a margin from those made so far [mm].
   bool isFree(const RingGap& gap, double margin_mm) const;
 
+  /// Whether the line from one point to the other crosses a link made so far.
+  bool isLinkCrossedBy(const Point2& from, const Point2& to) const;
+
   /// Cuts both and joins them by two links.
   void join(const RingGap& a, const RingGap& b, LinkEnds ends);
   /// Cuts each ring and leads from the start of each gap to the end of the next one: the first gap's end and
@@ -63,12 +66,14 @@ class RingNet {
 
   std::size_t cut(const RingGap& gap);
   void joinEnds(const End& a, const End& b);
+  Point2 pointOf(const End& end) const;
   void merge(std::size_t a, std::size_t b);
 
   std::vector<Ring> rings_;
   std::vector<std::vector<RingGap>> gaps_;   ///< ring by ring
   std::vector<std::vector<Joints>> joints_;  ///< of each gap
-  std::vector<std::size_t> parent_;          ///< union-find
+  std::vector<std::array<Point2, 2>> links_;
+  std::vector<std::size_t> parent_;  ///< union-find
 };
 
 }  // namespace lamina
