@@ -38,10 +38,10 @@ VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {
 
 nlohmann::ordered_json toJson(const VoidTotals& sums) {
   return {{"voids", sums.voids},
-          {"uncovered_percent_mean", sums.uncovered_percent_mean},
-          {"uncovered_percent_worst", sums.uncovered_percent_worst},
-          {"overfill_percent_mean", sums.overfill_percent_mean},
-          {"overfill_percent_worst", sums.overfill_percent_worst},
+          {"uncovered_percent_mean", sums.uncovered.mean_percent},
+          {"uncovered_percent_worst", sums.uncovered.worst_percent},
+          {"overfill_percent_mean", sums.overfill.mean_percent},
+          {"overfill_percent_worst", sums.overfill.worst_percent},
           {"material_percent", sums.material_percent},
           {"runs_per_layer_mean", sums.runs_per_layer_mean}};
 }
@@ -59,10 +59,10 @@ void printText(const VoidFillingReport& report, const FillVoidsArguments& argume
   std::printf("added       %zu runs in %zu of %zu layers, %.2f mm3\n", report.runs, report.layers,
               report.before.layers, report.deposited_mm3);
   std::printf("voids       %zu before, %zu after\n", report.before.voids, report.after.voids);
-  std::printf("uncovered   %.3f %% before, %.3f %% after\n", report.before.uncovered_percent_mean,
-              report.after.uncovered_percent_mean);
-  std::printf("overfill    %.3f %% before, %.3f %% after\n", report.before.overfill_percent_mean,
-              report.after.overfill_percent_mean);
+  std::printf("uncovered   %.3f %% before, %.3f %% after\n", report.before.uncovered.mean_percent,
+              report.after.uncovered.mean_percent);
+  std::printf("overfill    %.3f %% before, %.3f %% after\n", report.before.overfill.mean_percent,
+              report.after.overfill.mean_percent);
   std::printf("written to  %s\n", arguments.output.c_str());
 }
 

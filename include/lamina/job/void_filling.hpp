@@ -6,6 +6,7 @@
 
 #include "lamina/job/void_job.hpp"
 #include "lamina/voids/refill.hpp"
+#include "lamina/voids/void_totals.hpp"
 
 namespace lamina {
 
