@@ -16,7 +16,8 @@ enum class SectionOrder {
 /// What the strategies of parallel lines ask for.
 struct RasterSettings {
   SectionOrder order = SectionOrder::Optimised;
-  double narrowest = 0.3;  ///< bead of a solid raster, in pitches
+  double narrowest = 0.3;               ///< bead of a solid raster, in pitches
+  double longest_connection_mm = 50.0;  ///< along the border, from one section of a solid raster to the next
 };
 
 /// Adds the keys raster.*.

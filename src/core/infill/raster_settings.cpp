@@ -12,6 +12,8 @@ void describe(SettingsSchema& schema, RasterSettings& settings) {
                 "Order of the sections of a raster: greedy by midpoints or ends, or improved from there.");
   schema.number("raster.narrowest", settings.narrowest, {0.05, 1.0, false},
                 "Narrowest bead of a solid raster, in pitches.");
+  schema.number("raster.longest_connection_mm", settings.longest_connection_mm, {0.0, 100000.0, false},
+                "Sections of a solid raster are connected along the border up to this way; 0 connects none.");
 }
 
 }  // namespace lamina

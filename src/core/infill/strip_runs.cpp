@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "infill/border_connection.hpp"
 #include "infill/raster_sections.hpp"
 #include "infill/strip_pass.hpp"
 
@@ -278,7 +279,10 @@ std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& reque
     SectionTour within;
     for (; i < tour.size() && tour[i].section >= begin[region] && tour[i].section < end; ++i)
       within.push_back({tour[i].section - begin[region], tour[i].entry});
-    for (FillPath& run : regions[region]->runs(within)) runs.push_back(std::move(run));
+    const BorderConnection connection{narrowestBead(request), 2.0 * request.pitch_mm,
+                                      request.settings.raster.longest_connection_mm};
+    for (FillPath& run : connectAlongBorder(regions[region]->runs(within), {links[region]}, connection))
+      runs.push_back(std::move(run));
   }
   return runs;
 }

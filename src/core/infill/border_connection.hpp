@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/infill/fill_path.hpp"
+
+namespace lamina {
+
+/// How runs are connected along a border.
+struct BorderConnection {
+  double width_mm = 0.1;    ///< plan width of the bead laid on the way
+  double reach_mm = 0.8;    ///< how far from the border the ends of runs may be
+  double longest_mm = 0.0;  ///< way along the border
+};
+
+/// Joins each run to the one after it where both ends lie near the same outline and the way along that
+/// outline is not too long: the shorter way round, as a bead of its own width. A thin bead along the border
+/// costs hardly any material and saves a stop and a start of the process.
+///
+/// @param runs    open, in the order they are laid; closed runs stay by themselves
+/// @param border  along whose outlines the connections run
+std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regions& border,
+                                         const BorderConnection& connection);
+
+}  // namespace lamina
