@@ -93,12 +93,14 @@ class Joiner {
     return false;
   }
 
-  bool crossesOthers(const RingLink& link) const {
+  bool crossesOthers(const RingLink& link, const LinkLimits& limits) const {
     const std::array<Point2, 2> from = endsOf(link.a);
     std::array<Point2, 2> onto = endsOf(link.b);
     if (link.ends == LinkEnds::Opposite) std::swap(onto[0], onto[1]);
     for (const int side : {0, 1}) {
       if (net_.isLinkCrossedBy(from[side], onto[side])) return true;
+      // Short links between rings that are neighbours have no other ring to cross.
+      if (&limits == &kLimits.front()) continue;
       for (const Ring& ring : net_.rings())
         if (ring.isCrossedBy(from[side], onto[side])) return true;
     }
@@ -139,8 +141,7 @@ class Joiner {
     const LinkTrial trial{ring, position, *onto, apart};
     std::optional<RingLink> link = linkAt(net_, trial, settings_.link, limits);
     if (!link && &limits == &kLimits.back()) link = linkAt(net_, trial, otherKind(), limits);
-    // Short links between rings that are neighbours have nothing to cross.
-    if (link && &limits != &kLimits.front() && crossesOthers(*link)) link.reset();
+    if (link && crossesOthers(*link, limits)) link.reset();
     return link;
   }
 

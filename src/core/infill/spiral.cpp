@@ -9,6 +9,7 @@
 
 #include "infill/contour_tree.hpp"
 #include "infill/cycle.hpp"
+#include "infill/line_crossing.hpp"
 #include "lamina/base/random.hpp"
 
 namespace lamina {
@@ -48,21 +49,38 @@ class SpiralBuilder {
       : net_(net), scale_(request.spacing_mm / request.pitch_mm) {}
 
   /// The gaps of a spiral that starts at a position of the first ring, as far in as it gets.
-  std::vector<RingGap> gapsFrom(const std::vector<std::size_t>& rings, double start) const {
-    std::vector<RingGap> gaps = {gapBefore(rings.front(), start)};
+  std::vector<RingGap> gapsFrom(const std::vector<std::size_t>& rings, double position) const {
+    std::vector<RingGap> gaps = {gapBefore(rings.front(), position)};
+    std::vector<Step> steps;
     for (std::size_t i = 1; i < rings.size(); ++i) {
       const Ring& before = net_.rings()[rings[i - 1]];
       const Ring& ring = net_.rings()[rings[i]];
-      const RingPlace landing = ring.nearest(before.pointAt(gaps.back().from_mm));
+      const Point2 start = before.pointAt(gaps.back().from_mm);
+      const RingPlace landing = ring.nearest(start);
       const double apart =
           0.5 * scale_ * (before.widthAt(gaps.back().from_mm) + ring.widthAt(landing.position_mm));
-      if (landing.distance_mm > kLongestStep * apart) break;
+      const Step step = {start, ring.pointAt(landing.position_mm)};
+      if (landing.distance_mm > kLongestStep * apart || isCrossed(step, steps)) break;
+      steps.push_back(step);
       gaps.push_back(gapBefore(rings[i], landing.position_mm));
     }
     return gaps;
   }
 
  private:
+  struct Step {
+    Point2 from;
+    Point2 to;
+  };
+
+  bool isCrossed(const Step& step, const std::vector<Step>& others) const {
+    for (const Ring& ring : net_.rings())
+      if (ring.isCrossedBy(step.from, step.to)) return true;
+    return std::any_of(others.begin(), others.end(), [&](const Step& other) {
+      return areCrossing(step.from, step.to, other.from, other.to);
+    });
+  }
+
   RingGap gapBefore(std::size_t index, double position) const {
     const Ring& ring = net_.rings()[index];
     const double length = std::min(scale_ * ring.widthAt(position), kLargestGap * ring.length());

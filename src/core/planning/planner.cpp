@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/parallel.hpp"
+#include "planning/layer_chain.hpp"
 #include "planning/layer_planner.hpp"
 #include "planning/travel.hpp"
 
@@ -52,6 +53,7 @@ Toolpath planToolpath(const std::string& part_name, const std::vector<Layer>& la
   parallelFor(
       layers.size(), [&](std::size_t i) { toolpath.layers[i] = planLayer(layers[i], i, context); }, progress,
       "plan");
+  if (context.strategy.link == LayerLink::Chained) chainLayers(toolpath.layers, settings, context.anchor);
   joinLayers(toolpath.layers, settings.travel);
   return toolpath;
 }

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/opened_cycle.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace lamina {
+namespace {
+
+/// Stretches shorter than this are left out [mm].
+constexpr double kShortest = 1e-6;
+
+/// Waypoints of an open path: where each is, and which waypoint of the cycle tells of the way to it.
+struct Waypoints {
+  std::vector<Point3> points;
+  std::vector<std::size_t> from;
+
+  void add(const Point3& point, std::size_t waypoint) {
+    if (!points.empty() && (point - points.back()).norm() < kShortest) return;
+    points.push_back(point);
+    from.push_back(waypoint);
+  }
+
+  /// Takes away from the end.
+  void shorten(double left_out) {
+    while (points.size() > 1) {
+      const Point3 back = points[points.size() - 2] - points.back();
+      const double length = back.norm();
+      if (length > left_out + kShortest) {
+        points.back() += left_out / length * back;
+        return;
+      }
+      left_out -= length;
+      points.pop_back();
+      from.pop_back();
+    }
+  }
+};
+
+template <class Value>
+AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::size_t>& from) {
+  if (quantity.isCommon()) return quantity;
+  std::vector<Value> values;
+  values.reserve(from.size());
+  for (const std::size_t waypoint : from) values.push_back(quantity.at(waypoint));
+  return AlongPath<Value>(std::move(values));
+}
+
+}  // namespace
+
+CyclePlace nearestPlace(const Path& cycle, const Point2& point) {
+  CyclePlace best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t motion = 0; motion < cycle.motionCount(); ++motion) {
+    const Point2 from = cycle.points[motion].head<2>();
+    const Point2 along = cycle.points[cycle.motionEnd(motion)].head<2>() - from;
+    const double squared = along.squaredNorm();
+    const double part = squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+    const Point2 place = from + part * along;
+    const double distance = (place - point).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best = {motion, part, place};
+  }
+  return best;
+}
+
+Path opened(const Path& cycle, const CycleOpening& opening) {
+  const std::size_t count = cycle.points.size();
+  const std::size_t motion = opening.start.motion;
+  const std::size_t end = cycle.motionEnd(motion);
+  const Point3& from = cycle.points[motion];
+  const Point3 start = from + opening.start.part * (cycle.points[end] - from);
+  Waypoints waypoints;
+  waypoints.add(start, end);
+  for (std::size_t i = 0; i < count; ++i) {
+    // The way to a waypoint is told by itself forwards, and by the one after it backwards.
+    if (opening.sense == CycleSense::AsGiven)
+      waypoints.add(cycle.points[(end + i) % count], (end + i) % count);
+    else
+      waypoints.add(cycle.points[(motion + count - i) % count], (motion + count - i + 1) % count);
+  }
+  waypoints.add(start, end);
+  waypoints.shorten(opening.left_out_mm);
+  Path path = cycle;
+  path.is_closed = false;
+  path.points = std::move(waypoints.points);
+  path.bead = taken(cycle.bead, waypoints.from);
+  path.feed_mm_s = taken(cycle.feed_mm_s, waypoints.from);
+  path.orientation = taken(cycle.orientation, waypoints.from);
+  return path;
+}
+
+}  // namespace lamina

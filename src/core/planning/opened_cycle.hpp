@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A place on a closed path, in the plane of its layer.
+struct CyclePlace {
+  std::size_t motion = 0;  ///< that passes it
+  double part = 0.0;       ///< of that motion, from its start
+  Point2 point = Point2::Zero();
+};
+
+/// The place of a closed path that is nearest to a point.
+CyclePlace nearestPlace(const Path& cycle, const Point2& point);
+
+enum class CycleSense { AsGiven, Reversed };
+
+/// Where a closed path is opened.
+struct CycleOpening {
+  CyclePlace start;
+  CycleSense sense = CycleSense::AsGiven;
+  double left_out_mm = 0.0;  ///< of its arc, at the end
+};
+
+/// The closed path as an open one. What is left out must be shorter than the path.
+Path opened(const Path& cycle, const CycleOpening& opening);
+
+}  // namespace lamina
