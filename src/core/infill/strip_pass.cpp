@@ -18,17 +18,32 @@ constexpr double kWidest = 1.6;
 /// Widths change from one motion to the next by at most this part of the strip.
 constexpr double kWidthStep = 0.25;
 
-/// What a strip holds at x; heights from its centre line.
+/// What a strip holds at x.
 struct Slice {
   double x = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-
-  double width() const { return high - low; }
+  double middle = 0.0;  ///< from the strip's centre line
+  double width = 0.0;
 };
 
 Slice between(const Slice& a, const Slice& b, double t) {
-  return {a.x + t * (b.x - a.x), a.low + t * (b.low - a.low), a.high + t * (b.high - a.high)};
+  return {a.x + t * (b.x - a.x), a.middle + t * (b.middle - a.middle), a.width + t * (b.width - a.width)};
+}
+
+/// How far material goes from the centre line of a strip on one side.
+struct Reach {
+  double filled = 0.0;  ///< to the border of what the pass fills
+  double inside = 0.0;  ///< to the outline of the raster: so far centre lines may run
+
+  void limit(double to, double growth) {
+    filled = std::min(filled, to + growth);
+    inside = std::min(inside, to);
+  }
+};
+
+/// The middle of what is filled, as far as centre lines may run there.
+Slice sliceAt(double x, const Reach& down, const Reach& up) {
+  const double middle = 0.5 * (up.filled - down.filled);
+  return {x, std::max(-down.inside, std::min(up.inside, middle)), up.filled + down.filled};
 }
 
 /// Part of an outline within half a strip: x, and height above or below the centre line.
@@ -72,7 +87,7 @@ class StripSlicer {
     std::vector<Slice> all = branch(left_, left_end);
     std::reverse(all.begin(), all.end());
     for (const double x : mainBreaks())
-      all.push_back({x, -height(Vertical::Down, x), height(Vertical::Up, x)});
+      all.push_back(sliceAt(x, height(Vertical::Down, x), height(Vertical::Up, x)));
     const std::vector<Slice> beyond = branch(right_, right_end);
     all.insert(all.end(), beyond.begin(), beyond.end());
     return all;
@@ -127,20 +142,19 @@ class StripSlicer {
   }
 
   /// How far the material of the pass reaches up, or down, from the centre line.
-  double height(Vertical side, double x) const {
-    double reach = half_;
+  Reach height(Vertical side, double x) const {
+    Reach reach{half_, half_};
     for (const Border& cap : caps_[sideOf(side)])
       edgesAt(cap.chain, x, [&](double y, const Point2& a, const Point2& b) {
-        reach = std::max(reach, y + cap.grownBy(a, b));
+        reach.filled = std::max(reach.filled, y + cap.grownBy(a, b));
       });
     for (const Border& dip : dips_[sideOf(side)])
-      edgesAt(dip.chain, x, [&](double y, const Point2& a, const Point2& b) {
-        reach = std::min(reach, y + dip.grownBy(a, b));
-      });
+      edgesAt(dip.chain, x,
+              [&](double y, const Point2& a, const Point2& b) { reach.limit(y, dip.grownBy(a, b)); });
     for (const Border& border : borders_[sideOf(side)])
       edgesAt(border.chain, x, [&](double y, const Point2& a, const Point2& b) {
         if (border.outward * (0.5 * (a.x() + b.x()) - border.from_x) < 0.0)
-          reach = std::min(reach, y + border.grownBy(a, b));
+          reach.limit(y, border.grownBy(a, b));
       });
     return reach;
   }
@@ -196,6 +210,7 @@ class StripSlicer {
     const double up = branchLength(borders_[0][which], Vertical::Up);
     const double down = branchLength(borders_[1][which], Vertical::Down);
     if (up == 0.0 && down == 0.0) return {};
+    if (end.kind == PassEnd::Joined && (end.towards == Vertical::Up ? up : down) == 0.0) return {};
     const bool goes_up = up > 0.0 && (down == 0.0 || end.towards == Vertical::Up);
     return branchSlices(borders_[goes_up ? 0 : 1][which], goes_up ? up : down, goes_up ? 1.0 : -1.0);
   }
@@ -210,13 +225,15 @@ class StripSlicer {
     std::vector<Slice> slices;
     for (const double x : along) {
       const double at = border.from_x + border.outward * x;
-      double floor = 0.0;
+      // The outline is the floor here, so that it limits how far material goes back to the centre line.
+      Reach down;
       edgesAt(border.chain, at, [&](double y, const Point2& a, const Point2& b) {
         if (border.outward * (0.5 * (a.x() + b.x()) - border.from_x) > 0.0)
-          floor = std::max(floor, y - border.grownBy(a, b));
+          down.limit(-y, border.grownBy(a, b));
       });
-      floor = std::min(floor, half_);
-      slices.push_back(up > 0.0 ? Slice{at, floor, half_} : Slice{at, -half_, -floor});
+      down.filled = std::max(down.filled, -half_);
+      const Slice slice = sliceAt(at, down, {half_, half_});
+      slices.push_back({at, up * slice.middle, slice.width});
     }
     return slices;
   }
@@ -234,11 +251,12 @@ class StripSlicer {
 
 /// Shortens the slices to where the pass may end on the right. None are left if it may nowhere.
 void cutRight(std::vector<Slice>& slices, const PassEndShape& end, double line_end, double narrowest) {
+  if (end.kind == PassEnd::Joined) return;
   const double tip = slices.back().x + 0.5 * narrowest;
   // What must not be negative at the end of a pass.
   const auto room = [&](const Slice& slice) {
     if (end.kind == PassEnd::Turn) return line_end - end.inset_mm - slice.x;
-    return std::min(tip - slice.x - kEndGap * slice.width(), slice.width() - narrowest);
+    return std::min(tip - slice.x - kEndGap * slice.width, slice.width - narrowest);
   };
   while (!slices.empty() && room(slices.back()) < 0.0) {
     const Slice last = slices.back();
@@ -260,7 +278,7 @@ std::vector<Slice> mirrored(const std::vector<Slice>& slices) {
   std::vector<Slice> result;
   result.reserve(slices.size());
   for (auto slice = slices.rbegin(); slice != slices.rend(); ++slice)
-    result.push_back({-slice->x, slice->low, slice->high});
+    result.push_back({-slice->x, slice->middle, slice->width});
   return result;
 }
 
@@ -271,22 +289,22 @@ class PassTracer {
       : centre_y_(centre_y), strip_(strip), narrowest_(narrowest) {}
 
   FillPath trace(const std::vector<Slice>& slices) {
-    add(middle(slices.front()), clamped(slices.front().width()));
+    add(middle(slices.front()), clamped(slices.front().width));
     for (std::size_t i = 1; i < slices.size(); ++i) addMotion(slices[i - 1], slices[i]);
     return std::move(path_);
   }
 
  private:
-  Point2 middle(const Slice& slice) const { return {slice.x, centre_y_ + 0.5 * (slice.low + slice.high)}; }
+  Point2 middle(const Slice& slice) const { return {slice.x, centre_y_ + slice.middle}; }
   double clamped(double width) const { return std::clamp(width, narrowest_, kWidest * strip_); }
 
   void addMotion(const Slice& from, const Slice& to) {
-    const double change = std::abs(clamped(to.width()) - clamped(from.width()));
+    const double change = std::abs(clamped(to.width) - clamped(from.width));
     const int parts = 1 + static_cast<int>(change / (kWidthStep * strip_) - 1e-9);
     for (int k = 1; k <= parts; ++k) {
       const Point2 a = middle(between(from, to, static_cast<double>(k - 1) / parts));
       const Point2 b = middle(between(from, to, static_cast<double>(k) / parts));
-      const double width = between(from, to, (k - 0.5) / parts).width();
+      const double width = between(from, to, (k - 0.5) / parts).width;
       const double length = (b - a).norm();
       if (length < 1e-6) continue;
       // Slices are upright, widths are across the motion.
@@ -320,8 +338,8 @@ FillPath passThrough(const Strips& strips, std::uint32_t left, const PassEndShap
   const double left_x = walk.pointAt(left).x();
   const double right_x = walk.pointAt(walk.otherEnd(left)).x();
   std::vector<Slice> slices = StripSlicer(strips, left).slices(left_end, right_end);
-  const Slice& thickest = *std::max_element(
-      slices.begin(), slices.end(), [](const Slice& a, const Slice& b) { return a.width() < b.width(); });
+  const Slice& thickest = *std::max_element(slices.begin(), slices.end(),
+                                            [](const Slice& a, const Slice& b) { return a.width < b.width; });
   const Slice fallback = thickest;
   cutRight(slices, right_end, right_x, strips.narrowest_mm);
   if (!slices.empty()) {

@@ -13,6 +13,7 @@ enum class PassEnd {
   Turn,       ///< a link as wide as the strip that keeps half of that from the border
   LinkAbove,  ///< a narrow link along the border that closes the strip from above
   LinkBelow,  ///< the same from below
+  Joined,     ///< such a link of the neighbouring strip, which goes on where this one ends
 };
 
 struct PassEndShape {

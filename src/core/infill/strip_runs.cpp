@@ -19,6 +19,8 @@ namespace {
 constexpr double kSteepBorder = 0.6;
 /// A link may be this much longer than the way it goes along the raster, in strips.
 constexpr double kLongestDetour = 3.0;
+/// A strip that ends this near to a link goes on there, in strips.
+constexpr double kNearTip = 0.3;
 /// Motions shorter than this are none [mm].
 constexpr double kShortest = 1e-4;
 
@@ -136,7 +138,7 @@ class StripTracer {
     const bool is_lower = end == link.lower;
     const Vertical towards = is_lower ? Vertical::Up : Vertical::Down;
     if (link.kind == StripLink::Kind::Turn) return {PassEnd::Turn, link.inset_mm, towards};
-    if (is_lower != link.is_lower_longer) return {PassEnd::Free, 0.0, towards};
+    if (is_lower != link.is_lower_longer) return {PassEnd::Joined, 0.0, towards};
     // The strip beside the link is open on the other side.
     return {is_lower ? PassEnd::LinkAbove : PassEnd::LinkBelow, 0.0,
             is_lower ? Vertical::Down : Vertical::Up};
@@ -164,18 +166,29 @@ class StripTracer {
     std::reverse(border.begin(), border.end());
     const Polyline rest = walk_.chain(longer, away);
     border.insert(border.end(), rest.begin() + 1, rest.end());
-    const double sign = outward(longer);
-    Polyline along;
-    for (const Point2& point : border) {
-      if (sign * (point.x() - end_x) > 0.0 && !along.empty()) {
-        const Point2& last = along.back();
-        const double part = (end_x - last.x()) / (point.x() - last.x());
-        if (part > 0.0 && part < 1.0) along.emplace_back(last + part * (point - last));
-        break;
-      }
-      along.push_back(point);
+    Polyline along = upTo(border, end_x, outward(longer));
+    const Point2& tip = begins_at_longer ? to : from;
+    if ((tip - along.front()).norm() > kNearTip * strip_) {
+      Polyline rest_of_way = walk_.chain(link.is_lower_longer ? link.upper : link.lower, away);
+      rest_of_way.pop_back();
+      along.insert(along.begin(), rest_of_way.begin(), rest_of_way.end());
     }
     if (begins_at_longer) std::reverse(along.begin(), along.end());
+    return along;
+  }
+
+  /// The border as far as it does not go beyond x.
+  static Polyline upTo(const Polyline& border, double x, double sign) {
+    Polyline along = {border.front()};
+    for (std::size_t i = 1; i < border.size(); ++i) {
+      if (sign * (along.back().x() - x) >= 0.0) break;
+      if (sign * (border[i].x() - x) > 0.0) {
+        const Point2& last = along.back();
+        along.emplace_back(last + (x - last.x()) / (border[i].x() - last.x()) * (border[i] - last));
+        break;
+      }
+      along.push_back(border[i]);
+    }
     return along;
   }
 

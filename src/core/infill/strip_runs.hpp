@@ -13,6 +13,9 @@ double narrowestBead(const InfillRequest& request);
 /// each strip to its ends, as wide as the strip is there, and links along the border join them. Runs are in
 /// the order of `raster.order`, from `request.start` on.
 ///
+/// Centre lines stay inside the area; beside spikes of the border narrower than a strip they may leave it by
+/// half the narrowest bead.
+///
 /// @param links  the area, shrunk by half the narrowest bead: where links along the border run
 std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request);
 
