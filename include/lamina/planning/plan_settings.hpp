@@ -71,7 +71,8 @@ struct PlanSettings {
   double simplification_mm = 0.01;  ///< how far a planned outline may leave the sliced one
 };
 
-/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, skirt.*, seam.*, travel.*, feed.* and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, skirt.*, seam.*, travel.*, feed.*
+/// and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -40,8 +40,8 @@ class PerimeterApproach {
   std::vector<Polygon> inwards_;  ///< the perimeter offset by the approach
 };
 
-/// Brings both ends of each pass to their distance from the perimeter (2.9, longitudinal). In two passes, those
-/// of one point stay.
+/// Brings both ends of each pass to their distance from the perimeter (2.9, longitudinal). In two passes,
+/// those of one point stay.
 void adaptLongitudinally(std::vector<GridSection>& sections, const PerimeterApproach& perimeter);
 
 /// Brings the zigzag to its distance from the perimeters it lies along (2.9, transversal), at the first and
