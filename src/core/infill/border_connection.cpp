@@ -3,9 +3,10 @@
 #include "infill/border_connection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -67,33 +68,71 @@ class MeasuredOutline {
   std::vector<double> along_;
 };
 
-class Connector {
+/// A way along the border to an end of another run.
+struct Way {
+  std::size_t run = 0;
+  bool is_reversed = false;  ///< it ends at the last point of that run
+  double length_mm = std::numeric_limits<double>::infinity();
+  Polyline points;
+};
+
+/// Where the first and last point of a run lie on the border, if they do.
+using RunPlaces = std::array<std::optional<BorderPlace>, 2>;
+
+bool canBeJoined(const FillPath& run) { return !run.is_closed && !run.width_mm.empty(); }
+
+class BorderWays {
  public:
-  Connector(const Regions& border, const BorderConnection& connection) : connection_(connection) {
+  BorderWays(const std::vector<FillPath>& runs, const Regions& border, double reach) {
     for (Polygon& outline : outlines(border))
       if (!outline.empty()) outlines_.emplace_back(std::move(outline));
+    places_.resize(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (canBeJoined(runs[i]))
+        places_[i] = {placeNear(runs[i].points.front(), reach), placeNear(runs[i].points.back(), reach)};
   }
 
-  /// The way along the border from one point to the other, if there is one.
-  std::optional<Polyline> way(const Point2& from, const Point2& to) const {
-    const std::optional<BorderPlace> start = placeNear(from);
-    const std::optional<BorderPlace> end = placeNear(to);
-    if (!start || !end || start->outline != end->outline) return std::nullopt;
-    const MeasuredOutline& outline = outlines_[start->outline];
-    double onward = end->along_mm - start->along_mm;
-    if (onward < 0.0) onward += outline.length();
-    const double back = outline.length() - onward;
-    if (std::min(onward, back) > connection_.longest_mm) return std::nullopt;
-    if (onward <= back) return outline.onward(*start, *end);
-    Polyline way = outline.onward(*end, *start);
-    std::reverse(way.begin(), way.end());
+  /// The shortest way from an end of a run, 0 for its first and 1 for its last point, to one of `others`.
+  std::optional<Way> shortest(std::size_t run, std::size_t end,
+                              const std::vector<std::size_t>& others) const {
+    const std::optional<BorderPlace>& from = places_[run][end];
+    if (!from) return std::nullopt;
+    Way way;
+    for (const std::size_t other : others)
+      for (const std::size_t entry : {0, 1}) {
+        const std::optional<BorderPlace>& to = places_[other][entry];
+        if (!to || to->outline != from->outline) continue;
+        const double length = lengthBetween(*from, *to);
+        if (length < way.length_mm) way = {other, entry == 1, length, {}};
+      }
+    if (!std::isfinite(way.length_mm)) return std::nullopt;
+    way.points = pointsBetween(*from, *places_[way.run][way.is_reversed ? 1 : 0]);
     return way;
   }
 
  private:
-  std::optional<BorderPlace> placeNear(const Point2& point) const {
+  double onward(const BorderPlace& from, const BorderPlace& to) const {
+    const double along = to.along_mm - from.along_mm;
+    return along < 0.0 ? along + outlines_[from.outline].length() : along;
+  }
+
+  double lengthBetween(const BorderPlace& from, const BorderPlace& to) const {
+    const double along = onward(from, to);
+    return std::min(along, outlines_[from.outline].length() - along);
+  }
+
+  Polyline pointsBetween(const BorderPlace& from, const BorderPlace& to) const {
+    const MeasuredOutline& outline = outlines_[from.outline];
+    const double along = onward(from, to);
+    if (along <= outline.length() - along) return outline.onward(from, to);
+    Polyline way = outline.onward(to, from);
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  std::optional<BorderPlace> placeNear(const Point2& point, double reach) const {
     std::optional<BorderPlace> found;
-    double least = connection_.reach_mm;
+    double least = reach;
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       auto [place, distance] = outlines_[i].nearest(point);
       if (distance > least) continue;
@@ -104,8 +143,8 @@ class Connector {
     return found;
   }
 
-  const BorderConnection& connection_;
   std::vector<MeasuredOutline> outlines_;
+  std::vector<RunPlaces> places_;
 };
 
 void append(FillPath& run, const Point2& point, double width) {
@@ -121,25 +160,31 @@ void join(FillPath& run, const Polyline& way, double width, const FillPath& next
   run.width_mm.insert(run.width_mm.end(), next.width_mm.begin() + 1, next.width_mm.end());
 }
 
-bool canBeJoined(const FillPath& a, const FillPath& b) {
-  return !a.is_closed && !b.is_closed && a.role == b.role && !a.width_mm.empty() && !b.width_mm.empty();
-}
-
 }  // namespace
 
 std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regions& border,
                                          const BorderConnection& connection) {
   if (runs.size() < 2 || connection.longest_mm <= 0.0) return runs;
-  const Connector connector(border, connection);
+  const BorderWays ways(runs, border, connection.reach_mm);
+  std::vector<std::size_t> open(runs.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
   std::vector<FillPath> connected;
-  for (FillPath& run : runs) {
-    const bool may_join = !connected.empty() && canBeJoined(connected.back(), run);
-    const std::optional<Polyline> way =
-        may_join ? connector.way(connected.back().points.back(), run.points.front()) : std::nullopt;
-    if (way)
-      join(connected.back(), *way, connection.width_mm, run);
-    else
-      connected.push_back(std::move(run));
+  double left_mm2 = connection.most_mm2;
+  while (!open.empty()) {
+    std::size_t at = open.front();
+    std::size_t end = 1;
+    open.erase(open.begin());
+    connected.push_back(std::move(runs[at]));
+    while (const std::optional<Way> way = ways.shortest(at, end, open)) {
+      const double area = way->length_mm * connection.width_mm;
+      if (way->length_mm > connection.longest_mm || area > left_mm2) break;
+      left_mm2 -= area;
+      at = way->run;
+      end = way->is_reversed ? 0 : 1;
+      open.erase(std::find(open.begin(), open.end(), at));
+      join(connected.back(), way->points, connection.width_mm,
+           way->is_reversed ? reversed(std::move(runs[at])) : std::move(runs[at]));
+    }
   }
   return connected;
 }

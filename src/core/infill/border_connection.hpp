@@ -13,13 +13,15 @@ struct BorderConnection {
   double width_mm = 0.1;    ///< plan width of the bead laid on the way
   double reach_mm = 0.8;    ///< how far from the border the ends of runs may be
   double longest_mm = 0.0;  ///< way along the border
+  double most_mm2 = 0.0;    ///< plan area of all connections together
 };
 
-/// Joins each run to the one after it where both ends lie near the same outline and the way along that
-/// outline is not too long: the shorter way round, as a bead of its own width. A thin bead along the border
-/// costs hardly any material and saves a stop and a start of the process.
+/// Joins runs where the ends of two lie near the same outline and the way along that outline is short enough:
+/// the shorter way round, as a bead of its own width. A thin bead along the border costs hardly any material
+/// and saves a stop and a start of the process. From the end of each run the nearest end of those still to be
+/// laid is taken, turned round if need be; where there is none, the next run in the given order begins anew.
 ///
-/// @param runs    open, in the order they are laid; closed runs stay by themselves
+/// @param runs    in the order they are laid; closed runs, and those without widths, stay by themselves
 /// @param border  along whose outlines the connections run
 std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regions& border,
                                          const BorderConnection& connection);

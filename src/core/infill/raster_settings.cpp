@@ -14,6 +14,8 @@ void describe(SettingsSchema& schema, RasterSettings& settings) {
                 "Narrowest bead of a solid raster, in pitches.");
   schema.number("raster.longest_connection_mm", settings.longest_connection_mm, {0.0, 100000.0, false},
                 "Sections of a solid raster are connected along the border up to this way; 0 connects none.");
+  schema.number("raster.most_connection", settings.most_connection, {0.0, 1.0, false},
+                "Part of a region's area that these connections may overfill.");
 }
 
 }  // namespace lamina
