@@ -19,6 +19,9 @@ namespace {
 constexpr double kSteepBorder = 0.6;
 /// A link may be this much longer than the way it goes along the raster, in strips.
 constexpr double kLongestDetour = 3.0;
+/// A turn keeps this from the border, in strips: it laps over a little, or its bends would leave the corners
+/// empty.
+constexpr double kTurnReach = 0.43;
 /// A strip that ends this near to a link goes on there, in strips.
 constexpr double kNearTip = 0.3;
 /// Motions shorter than this are none [mm].
@@ -93,7 +96,7 @@ class StripTracer {
     const Polyline border = borderBetween(link);
     if (length(border) > std::abs(recedes) + kLongestDetour * strip_) return;
     link.is_lower_longer = recedes > 0.0;
-    link.inset_mm = 0.5 * (strip_ - strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
+    link.inset_mm = (kTurnReach * strip_ - 0.5 * strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
     link.kind = std::abs(recedes) <= kSteepBorder * strip_ && hasRoomToTurn(link, border)
                     ? StripLink::Kind::Turn
                     : StripLink::Kind::Border;
