@@ -19,13 +19,17 @@ namespace lamina {
 /// [mm/min]; the remainder of each rounding of E is carried on, so that the sum of all E is that of the
 /// toolpath within half a unit of the last decimal.
 ///
+/// A toolpath of drops is written in the dialect `settings.drops`: a header of `;key=value`, a comment with
+/// its role before each run of drops, and for each drop a motion and the command that lets it go. It holds no
+/// extrusion and no retraction.
+///
 /// The nozzle travels to the first waypoint height first, then across. Material is pulled back and pushed
 /// forth at retracted paths; consecutive retracted paths share one retraction. Layers are written by all
 /// threads in bounded memory; the bytes are the same whatever their number.
 ///
 /// @param bed_from_part  where the part stands on the bed [mm]
-/// @throws InvalidInput if the toolpath holds no motion, a number is not finite or beyond 10 km, a feed is
-/// not
+/// @throws InvalidInput if the toolpath holds no motion, both beads and drops, or drops of several diameters,
+/// a number is not finite or beyond 10 km, a feed is not
 ///   positive, or the nozzle does not point straight down in the bed frame; names layer, path and waypoint.
 ///   All of it is checked before the first piece is written.
 /// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c} and

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/program/drop_dialect.hpp"
 
 namespace lamina {
 
@@ -22,9 +23,11 @@ struct ProgramSettings {
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "G91\nG0 Z5 F600\nG90\nM104 S0\nM140 S0\nM84";
+  DropDialect drops;
+  std::string strategy;  ///< that filled the part; told in the header of drop programs, no setting of its own
 };
 
-/// Adds the keys program.*.
+/// Adds the keys program.* and drop_program.*.
 void describe(SettingsSchema& schema, ProgramSettings& settings);
 
 }  // namespace lamina

@@ -38,7 +38,8 @@ class ToolpathBuilder {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a program that is held in memory.
+/// Reads a program that is held in memory. If it lets drops go (settings.drops), it is one of drops: see
+/// `drop_program.hpp`.
 /// @throws InvalidProgram naming the line; also if nothing in it moves
 Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,
                            const std::string& part_name);

@@ -141,8 +141,11 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.summary.plan_s = laps.lap();
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
-  if (!job.output.empty())
-    writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, job.settings.program);
+  if (!job.output.empty()) {
+    ProgramSettings program = job.settings.program;
+    program.strategy = job.settings.planning.infill.strategy;
+    writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, program);
+  }
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

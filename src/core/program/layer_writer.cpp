@@ -36,7 +36,8 @@ LayerWriter::LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSe
       translation_(bed_from_part.translation()),
       filament_per_volume_(filamentPerVolume(settings)),
       retraction_length_mm_(settings.retraction_length_mm),
-      retraction_feed_mm_s_(settings.retraction_feed_mm_s) {}
+      retraction_feed_mm_s_(settings.retraction_feed_mm_s),
+      drops_(settings.drops) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
   text.append(";LAYER:").append(std::to_string(start.index)).append("\n");
@@ -55,6 +56,10 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
     const bool next_is_retracted =
         p + 1 < layer.paths.size() ? layer.paths[p + 1].process.is_retracted : start.next_is_retracted;
     if (path.process.is_retracted && !is_retracted) writeRetraction(-retraction_length_mm_, modal, text);
+    if (path.deposit == Deposit::Drops) {
+      writeDrops(path, modal, text);
+      continue;
+    }
     if (path.role != PathRole::Travel) {
       if (path.role != role || previous != nullptr)
         text.append(";TYPE:").append(toString(path.role)).append("\n");
@@ -67,6 +72,14 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
     writePath(path, modal, text);
     is_retracted = path.process.is_retracted && next_is_retracted;
     if (path.process.is_retracted && !is_retracted) writeRetraction(retraction_length_mm_, modal, text);
+  }
+}
+
+void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) const {
+  text.append(";").append(drops_.role_mark).append(roleName(path.role, drops_)).append("\n");
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    writeMotion(path.points[i], path.feed_mm_s.at(i), modal, text);
+    text.append(drops_.discharge).append("\n");
   }
 }
 

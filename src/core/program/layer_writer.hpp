@@ -39,6 +39,7 @@ class LayerWriter {
     double filament_mm = 0.0;   ///< the same before rounding
   };
 
+  void writeDrops(const Path& path, Modal& modal, std::string& text) const;
   void writePath(const Path& path, Modal& modal, std::string& text) const;
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
@@ -48,6 +49,7 @@ class LayerWriter {
   double filament_per_volume_;
   double retraction_length_mm_;
   double retraction_feed_mm_s_;
+  DropDialect drops_;
 };
 
 }  // namespace lamina

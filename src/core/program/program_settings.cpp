@@ -19,6 +19,7 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.text("program.start_code", settings.start_code,
               "G-code before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.");
   schema.text("program.end_code", settings.end_code, "G-code after the last motion.");
+  describe(schema, settings.drops);
 }
 
 }  // namespace lamina

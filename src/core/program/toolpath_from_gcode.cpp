@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/program/drop_program.hpp"
 #include "program/extrusion.hpp"
 #include "program/path_builder.hpp"
 
@@ -13,6 +15,16 @@ namespace lamina {
 namespace {
 
 constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
+
+/// The builder's, and what tells a program of drops.
+GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
+  GcodeHandlers handlers;
+  handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
+  handlers.other = [&settings, &has_drops](std::size_t, std::string_view command) {
+    has_drops |= isDischarge(command, settings.drops);
+  };
+  return handlers;
+}
 
 bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.end; }
 
@@ -113,9 +125,11 @@ Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->
 Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,
                            const std::string& part_name) {
   ToolpathBuilder builder(settings);
-  GcodeReader reader({}, {[&](const GcodeMotion& motion) { builder.add(motion); }, {}, {}});
+  bool has_drops = false;
+  GcodeReader reader({}, handlersFor(builder, settings, has_drops));
   reader.read(program);
   reader.finish();
+  if (has_drops) return toolpathOf(parseDropProgram(std::string(program), settings.drops), part_name);
   Toolpath toolpath = builder.finish(part_name);
   if (toolpath.layers.empty())
     throw InvalidProgram("'" + part_name + "' has no motion; expected a program that prints");
@@ -124,9 +138,12 @@ Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& sett
 
 Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& settings) {
   ToolpathBuilder builder(settings);
-  readGcodeFile(path, {}, {[&](const GcodeMotion& motion) { builder.add(motion); }, {}, {}});
+  bool has_drops = false;
+  readGcodeFile(path, {}, handlersFor(builder, settings, has_drops));
   const std::string file_name = path.substr(path.find_last_of('/') + 1);
-  Toolpath toolpath = builder.finish(file_name.substr(0, file_name.find_last_of('.')));
+  const std::string part_name = file_name.substr(0, file_name.find_last_of('.'));
+  if (has_drops) return toolpathOf(parseDropProgram(readFile(path), settings.drops), part_name);
+  Toolpath toolpath = builder.finish(part_name);
   if (toolpath.layers.empty())
     throw InvalidProgram("'" + path + "' has no motion; expected a program that prints");
   return toolpath;

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The words of programs for drops. No sample of the source's programs is left (droplet-infill.md
+/// section 1.1), so that each of them is a setting.
+struct DropDialect {
+  std::string discharge = "M780";     ///< lets one drop go; parameters may follow it
+  std::string layer_mark = "LAYER:";  ///< comment that opens a layer
+  std::string role_mark = "TYPE:";    ///< comment that tells the role of the drops that follow
+  std::string contour = "CONTOUR";    ///< roles
+  std::string infill = "INFILL";
+  std::string void_fill = "VOIDFILL";
+  std::string diameter_key = "drop_diameter";  ///< comments key=value before the first layer [mm]
+  std::string height_key = "layer_height";
+  std::string strategy_key = "strategy";
+  std::string units_key = "units";
+};
+
+/// Adds the keys drop_program.*.
+void describe(SettingsSchema& schema, DropDialect& dialect);
+
+/// Whether the command, without its comment, lets a drop go.
+bool isDischarge(std::string_view command, const DropDialect& dialect);
+
+/// The role as the dialect writes it: walls are contours, a gap fill is a void fill.
+const std::string& roleName(PathRole role, const DropDialect& dialect);
+
+/// The role of that name: outer wall, infill or gap fill; none if it is another one.
+std::optional<PathRole> roleOf(std::string_view name, const DropDialect& dialect);
+
+}  // namespace lamina
