@@ -4,7 +4,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "fill_drop_voids.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/job/void_filling.hpp"
+#include "lamina/program/drop_program.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -20,17 +24,24 @@ struct FillVoidsArguments {
   std::vector<std::string> settings;
   std::vector<double> offset;
   RefillSettings refill;
+  DropFillArguments drops;
 };
 
-VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {
-  std::vector<SettingText> overrides;
+JobSettings settingsFrom(const FillVoidsArguments& arguments) {
+  std::vector<SettingText> overrides = overridesOf(arguments.drops);
   for (const std::string& assignment : arguments.settings)
     overrides.push_back(settingFromAssignment(assignment));
+  return loadJobSettings(arguments.config, overrides);
+}
+
+VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {
+  if (arguments.part.empty())
+    throw InvalidInput("no part is given; voids between beads are those of a part (--part)");
   VoidFillingJob job;
   job.program = arguments.program;
   job.output = arguments.output;
   job.map.part = arguments.part;
-  job.map.settings = loadJobSettings(arguments.config, overrides);
+  job.map.settings = settingsFrom(arguments);
   if (!arguments.offset.empty()) job.map.offset = Point2(arguments.offset[0], arguments.offset[1]);
   job.refill = arguments.refill;
   return job;
@@ -67,6 +78,9 @@ void printText(const VoidFillingReport& report, const FillVoidsArguments& argume
 }
 
 void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
+  const JobSettings settings = settingsFrom(arguments);
+  if (isDropProgram(readFile(arguments.program), settings.program.drops))
+    return fillDropVoids({arguments.program, arguments.output, arguments.drops.sweep}, settings, format);
   VoidFillingReport report;
   {
     TerminalProgress progress;
@@ -79,11 +93,12 @@ void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
 
 void addFillVoids(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand =
-      app.add_subcommand("fill-voids", "Add runs to a program where it leaves voids in its part");
+      app.add_subcommand("fill-voids", "Add runs, or drops, to a program where it leaves voids in its part");
   const auto arguments = std::make_shared<FillVoidsArguments>();
   subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
   subcommand->add_option("-o,--output", arguments->output, "Program to write (.gcode)")->required();
-  subcommand->add_option("--part", arguments->part, "Mesh file or name of a parametric part")->required();
+  subcommand->add_option("--part", arguments->part,
+                         "Mesh file or name of a parametric part; needed unless the program is of drops");
   subcommand
       ->add_option("--least-area", arguments->refill.least_area,
                    "Smaller voids stay, in squared widths of a bead")
@@ -99,6 +114,7 @@ void addFillVoids(CLI::App& app, Chosen& chosen) {
                    "Where the part's origin is in the program, x,y in mm; found if not given")
       ->delimiter(',')
       ->expected(2);
+  addTo(*subcommand, arguments->drops);
   subcommand->add_option("--config", arguments->config, "Settings (YAML) for reading and for the new runs");
   subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
       ->allow_extra_args(false);

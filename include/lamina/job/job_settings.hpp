@@ -13,6 +13,7 @@
 #include "lamina/program/program_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
+#include "lamina/voids/drop_void_settings.hpp"
 
 namespace lamina {
 
@@ -37,6 +38,7 @@ struct JobSettings {
   MachineSettings machine;
   SlicingSettings slicing;
   PlanSettings planning;
+  DropVoidSettings drop_voids;
   ScanSettings scan;
   MotionLimits motion;
   ProgramSettings program;

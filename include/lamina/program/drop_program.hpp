@@ -49,6 +49,10 @@ struct DropProgram {
   std::vector<DropProgramLayer> layers;  ///< those with drops
 };
 
+/// Whether the text is a program of drops: it has the header that tells their diameter, or a line that lets
+/// one go.
+bool isDropProgram(std::string_view text, const DropDialect& dialect);
+
 /// Reads the text as GcodeReader does. Layers are those of the comments, and drops before the first are left
 /// alone; without such comments a layer begins where a drop lies at another height.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter

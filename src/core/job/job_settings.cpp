@@ -27,6 +27,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice("machine.name", settings.machine.name, machineNames(), "Machine that prints the part.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
+  describe(schema, settings.drop_voids);
   describe(schema, settings.scan);
   describe(schema, settings.motion);
   describe(schema, settings.program);

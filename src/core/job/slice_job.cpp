@@ -11,6 +11,7 @@
 #include "job/part_source.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/kinematics/machine.hpp"
 #include "lamina/planning/planner.hpp"
@@ -134,6 +135,9 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.toolpath =
       planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
   layers = {};
+  if (job.settings.drop_voids.is_on)
+    sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,
+                                          job.settings.planning.travel.feed_mm_s, progress);
   requireDeposition(sliced.toolpath, job.settings.planning.bead.width_mm);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/drop_program.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -174,6 +175,17 @@ class DropParser {
 };
 
 }  // namespace
+
+bool isDropProgram(std::string_view text, const DropDialect& dialect) {
+  if (text.find(";" + dialect.diameter_key + "=") != std::string_view::npos) return true;
+  for (std::size_t at = text.find(dialect.discharge); at != std::string_view::npos;
+       at = text.find(dialect.discharge, at + 1)) {
+    const std::string_view line = text.substr(at, std::min(text.find('\n', at), text.size()) - at);
+    const std::string_view command = line.substr(0, line.find_first_of(";\r"));
+    if ((at == 0 || text[at - 1] == '\n') && isDischarge(command, dialect)) return true;
+  }
+  return false;
+}
 
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect) {
   return DropParser(std::move(text), dialect).parse();

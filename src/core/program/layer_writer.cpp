@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program/layer_writer.hpp"
 
+#include <algorithm>
+
 #include "program/extrusion.hpp"
 #include "program/fixed_point.hpp"
 
@@ -40,7 +42,11 @@ LayerWriter::LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSe
       drops_(settings.drops) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
-  text.append(";LAYER:").append(std::to_string(start.index)).append("\n");
+  const bool lays_drops = std::any_of(layer.paths.begin(), layer.paths.end(),
+                                      [](const Path& path) { return path.deposit == Deposit::Drops; });
+  text.append(lays_drops ? ";" + drops_.layer_mark : ";LAYER:")
+      .append(std::to_string(start.index))
+      .append("\n");
   writeComment(";Z:", layer.z_mm + translation_.z(), text);
   writeComment(";HEIGHT:", layer.height_mm, text);
   Modal modal;

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fill_drop_voids.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/job/drop_void_job.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+nlohmann::ordered_json toJson(const DropVoid& each, std::size_t layer) {
+  nlohmann::ordered_json drops = nlohmann::json::array();
+  for (const Point2& drop : each.drops) drops.push_back({drop.x(), drop.y()});
+  return {{"layer", layer},
+          {"class", toString(each.kind)},
+          {"points", each.points.size()},
+          {"greatest_clearance_mm", each.greatest_clearance_mm},
+          {"new_drops", drops},
+          {"uncovered_before_mm2", each.uncovered_before_mm2},
+          {"uncovered_after_mm2", each.uncovered_after_mm2}};
+}
+
+nlohmann::ordered_json toJson(const DropVoidReport& report) {
+  const OverlapReading& overlap = report.overlap;
+  nlohmann::ordered_json classes = nlohmann::json::object();
+  for (const auto& [kind, count] : report.countByClass()) classes[toString(kind)] = count;
+  nlohmann::ordered_json voids = nlohmann::json::array();
+  for (std::size_t layer = 0; layer < report.voids.size(); ++layer)
+    for (const DropVoid& each : report.voids[layer]) voids.push_back(toJson(each, layer));
+  return {{"layers", report.voids.size()},
+          {"layers_without_contour", report.layers_without_contour},
+          {"drops", overlap.prior},
+          {"new_drops", overlap.added},
+          {"voids", report.count()},
+          {"voids_by_class", classes},
+          {"greatest_linear_overlap", overlap.greatest_linear},
+          {"greatest_area_overlap", overlap.greatest_area},
+          {"overlap_per_new_drop", overlap.perNewDrop()},
+          {"overlap_per_drop", overlap.perDrop()},
+          {"uncovered_before_mm2", report.uncoveredBefore()},
+          {"uncovered_after_mm2", report.uncoveredAfter()},
+          {"largest_before_mm2", report.largestBefore()},
+          {"largest_after_mm2", report.largestAfter()},
+          {"worth_it", report.is_worth_it},
+          {"void_list", voids}};
+}
+
+void printText(const DropVoidReport& report, const std::string& output) {
+  const OverlapReading& overlap = report.overlap;
+  std::printf("drops       %zu in %zu layers\n", overlap.prior, report.voids.size());
+  std::printf("voids       %zu", report.count());
+  for (const auto& [kind, count] : report.countByClass()) std::printf(", %s: %zu", toString(kind), count);
+  std::printf("\nnew drops   %zu\n", overlap.added);
+  std::printf(
+      "overlap     at most %.1f %% of the diameter, %.1f %% of the area; %.2f %% per drop of the part\n",
+      100.0 * overlap.greatest_linear, 100.0 * overlap.greatest_area, 100.0 * overlap.perDrop());
+  std::printf("uncovered   %.3f -> %.3f mm2 in voids, the largest %.3f -> %.3f mm2\n",
+              report.uncoveredBefore(), report.uncoveredAfter(), report.largestBefore(),
+              report.largestAfter());
+  if (report.layers_without_contour > 0)
+    std::printf("left alone  %zu layers without a contour: their inside is not known\n",
+                report.layers_without_contour);
+  if (!report.is_worth_it) std::printf("so few new drops may not be worth printing with them\n");
+  std::printf("written to  %s\n", output.c_str());
+}
+
+void writeWhole(const std::string& path, const std::string& text) {
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+void addTo(CLI::App& subcommand, DropFillArguments& arguments) {
+  const std::string group = "Programs of drops";
+  subcommand.add_option("--overlap", arguments.overlap, "Overlap of a new drop with any other: 0.2")
+      ->group(group);
+  subcommand.add_option("--definition", arguments.definition, "Overlap as a share of: linear or area")
+      ->group(group);
+  subcommand.add_option("--detector", arguments.detector, "How voids are found: voronoi or neighbours")
+      ->group(group);
+  subcommand.add_flag("--iterate", arguments.iterates, "Search again until no drop finds room")->group(group);
+  subcommand
+      .add_option("--sweep", arguments.sweep, "Table to write (.csv): what overlaps from 0 to 0.4 would do")
+      ->group(group);
+}
+
+std::vector<SettingText> overridesOf(const DropFillArguments& arguments) {
+  std::vector<SettingText> overrides;
+  if (!arguments.overlap.empty()) overrides.push_back({"drop_voids.overlap", arguments.overlap});
+  if (!arguments.definition.empty()) overrides.push_back({"drop_voids.definition", arguments.definition});
+  if (!arguments.detector.empty()) overrides.push_back({"drop_voids.detector", arguments.detector});
+  if (arguments.iterates) overrides.push_back({"drop_voids.passes", "until_full"});
+  return overrides;
+}
+
+void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format) {
+  requireOtherFile(files.output, files.program);
+  requireOtherFile(files.sweep, files.program);
+  const DropDialect& dialect = settings.program.drops;
+  const DropProgram program = parseDropProgram(readFile(files.program), dialect);
+  FilledDropProgram filled;
+  {
+    TerminalProgress progress;
+    filled = fillDropProgram(program, settings.drop_voids, dialect, progress);
+    if (!files.sweep.empty()) writeWhole(files.sweep, sweepDropVoids(program, settings.drop_voids, progress));
+  }
+  writeWhole(files.output, filled.text);
+  if (format == OutputFormat::Text) return printText(filled.report, files.output);
+  nlohmann::ordered_json json = toJson(filled.report);
+  json["output"] = files.output;
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+}  // namespace lamina::cli

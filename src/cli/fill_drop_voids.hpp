@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "lamina/job/job_settings.hpp"
+#include "subcommand.hpp"
+
+namespace lamina::cli {
+
+/// What `lamina fill-voids` takes for programs of drops besides.
+struct DropFillArguments {
+  std::string overlap;
+  std::string definition;
+  std::string detector;
+  std::string sweep;
+  bool iterates = false;
+};
+
+void addTo(CLI::App& subcommand, DropFillArguments& arguments);
+
+/// The arguments as settings.
+std::vector<SettingText> overridesOf(const DropFillArguments& arguments);
+
+struct DropFillFiles {
+  std::string program;
+  std::string output;
+  std::string sweep;  ///< empty for none
+};
+
+/// Fills the voids of a program of drops and tells what it did.
+void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format);
+
+}  // namespace lamina::cli
