@@ -27,7 +27,7 @@ struct InsertionPoint {
   std::size_t offset = 0;         ///< in the text: behind the line of the last drop
   std::size_t line = 0;           ///< of the last drop, 1 based
   std::string role_comment;       ///< that holds there, with its semicolon; empty if none does
-  std::string motion = "G1";      ///< command that holds for lines of coordinates alone
+  std::string motion = "G1";      ///< command that holds for lines of coordinates alone; empty if an arc's
   Point2 shift = Point2::Zero();  ///< machine coordinates less those of the program [mm]
   double unit_mm = 1.0;
   bool is_absolute = true;
@@ -56,8 +56,7 @@ bool isDropProgram(std::string_view text, const DropDialect& dialect);
 /// Reads the text as GcodeReader does. Layers are those of the comments, and drops before the first are left
 /// alone; without such comments a layer begins where a drop lies at another height.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter
-/// or
-///   height is no positive number or whose unit is not mm
+///   or height is no positive number or whose unit is not mm
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 
 /// The text with new drops behind the last of each layer; everything else stays byte for byte. The lines go
@@ -66,7 +65,7 @@ DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 /// last drop.
 /// @param added  centres for each layer [mm, machine]
 /// @throws InvalidProgram naming the line if coordinates are relative (G91) or shifted in an unknown way
-/// there
+/// there, or lines of coordinates alone are arcs
 std::string withDrops(const DropProgram& program, const std::vector<std::vector<Point2>>& added,
                       const DropDialect& dialect);
 

@@ -16,6 +16,8 @@ void requireWritable(const InsertionPoint& end) {
                          "coordinates are relative (G91) where drops would be added; must be absolute");
   if (!end.is_shift_known)
     throw InvalidProgram(where + "coordinates were shifted (G92, G28) and not stated since");
+  if (end.motion.empty())
+    throw InvalidProgram(where + "arcs (G2, G3) hold where drops would be added; must be straight motions");
 }
 
 class LayerInsertion {

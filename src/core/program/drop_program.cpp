@@ -28,13 +28,15 @@ class CoordinateState {
   void read(const GcodeLine& line, const std::optional<Point3>& reached) {
     std::optional<double> x;
     std::optional<double> y;
-    bool is_shifted = false;
+    bool may_shift = false;
+    bool names_axes = false;
     for (const GcodeWord& word : line.words) {
       if (word.letter == 'X') x = word.value;
       if (word.letter == 'Y') y = word.value;
-      if (word.letter == 'G' && word.value) is_shifted |= takeCommand(*word.value);
+      if (word.letter == 'G' && word.value) may_shift |= takeCommand(*word.value);
+      names_axes |= word.letter == 'X' || word.letter == 'Y' || word.letter == 'Z' || word.letter == 'E';
     }
-    if (is_shifted) return;
+    if (may_shift) return forget(x || !names_axes, y || !names_axes);
     if (!reached || !end.is_absolute) return;
     if (x) end.shift.x() = reached->x() - *x * end.unit_mm;
     if (y) end.shift.y() = reached->y() - *y * end.unit_mm;
@@ -51,9 +53,14 @@ class CoordinateState {
     if (code == 90.0 || code == 91.0) end.is_absolute = code == 90.0;
     if (code == 20.0 || code == 21.0) end.unit_mm = code == 20.0 ? 25.4 : 1.0;
     if (code == 0.0 || code == 1.0) end.motion = code == 0.0 ? "G0" : "G1";
-    if (code != 92.0 && code != 28.0) return false;
-    knows_x_ = knows_y_ = end.is_shift_known = false;
-    return true;
+    if (code == 2.0 || code == 3.0) end.motion.clear();
+    return code == 92.0 || code == 28.0;
+  }
+
+  void forget(bool x, bool y) {
+    knows_x_ &= !x;
+    knows_y_ &= !y;
+    end.is_shift_known = knows_x_ && knows_y_;
   }
 
   bool knows_x_ = false;
