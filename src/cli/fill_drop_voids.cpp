@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/atomic_file.hpp"
-#include "lamina/job/drop_void_job.hpp"
+#include "lamina/job/drop_void_sweep.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "terminal_progress.hpp"
 
@@ -50,7 +50,29 @@ nlohmann::ordered_json toJson(const DropVoidReport& report) {
           {"void_list", voids}};
 }
 
-void printText(const DropVoidReport& report, const std::string& output) {
+nlohmann::ordered_json toJson(const DropSweepStep& step) {
+  return {{"allowed_overlap", step.overlap},
+          {"voids", step.voids},
+          {"new_drops", step.reading.added},
+          {"greatest_linear_overlap", step.reading.greatest_linear},
+          {"greatest_area_overlap", step.reading.greatest_area},
+          {"overlap_per_new_drop", step.reading.perNewDrop()},
+          {"overlap_per_drop", step.reading.perDrop()},
+          {"uncovered_before_mm2", step.uncovered_before_mm2},
+          {"uncovered_after_mm2", step.uncovered_after_mm2},
+          {"largest_after_mm2", step.largest_after_mm2},
+          {"worth_it", step.is_worth_it}};
+}
+
+void printText(const std::vector<DropSweepStep>& steps) {
+  std::printf("allowed   voids  new drops  overlap per drop   uncovered mm2   largest mm2\n");
+  for (const DropSweepStep& step : steps)
+    std::printf("%5.0f %%  %6zu  %9zu  %14.2f %%  %14.3f  %12.4f%s\n", 100.0 * step.overlap, step.voids,
+                step.reading.added, 100.0 * step.reading.perDrop(), step.uncovered_after_mm2,
+                step.largest_after_mm2, step.is_worth_it ? "" : "  (may not be worth it)");
+}
+
+void printText(const DropVoidReport& report) {
   const OverlapReading& overlap = report.overlap;
   std::printf("drops       %zu in %zu layers\n", overlap.prior, report.voids.size());
   std::printf("voids       %zu", report.count());
@@ -66,7 +88,19 @@ void printText(const DropVoidReport& report, const std::string& output) {
     std::printf("left alone  %zu layers without a contour: their inside is not known\n",
                 report.layers_without_contour);
   if (!report.is_worth_it) std::printf("so few new drops may not be worth printing with them\n");
-  std::printf("written to  %s\n", output.c_str());
+}
+
+void printJson(const DropVoidReport& report, const std::vector<DropSweepStep>& steps,
+               const DropFillFiles& files) {
+  nlohmann::ordered_json json = toJson(report);
+  if (!files.output.empty()) json["output"] = files.output;
+  if (!files.sweep.empty()) {
+    nlohmann::ordered_json rows = nlohmann::json::array();
+    for (const DropSweepStep& step : steps) rows.push_back(toJson(step));
+    json["sweep"] = rows;
+    json["sweep_output"] = files.sweep;
+  }
+  std::printf("%s\n", json.dump(2).c_str());
 }
 
 void writeWhole(const std::string& path, const std::string& text) {
@@ -103,19 +137,23 @@ std::vector<SettingText> overridesOf(const DropFillArguments& arguments) {
 void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format) {
   requireOtherFile(files.output, files.program);
   requireOtherFile(files.sweep, files.program);
+  requireOtherFile(files.sweep, files.output);
   const DropDialect& dialect = settings.program.drops;
   const DropProgram program = parseDropProgram(readFile(files.program), dialect);
   FilledDropProgram filled;
+  std::vector<DropSweepStep> steps;
   {
     TerminalProgress progress;
     filled = fillDropProgram(program, settings.drop_voids, dialect, progress);
-    if (!files.sweep.empty()) writeWhole(files.sweep, sweepDropVoids(program, settings.drop_voids, progress));
+    if (!files.sweep.empty()) steps = sweepDropVoids(program, settings.drop_voids, progress);
   }
-  writeWhole(files.output, filled.text);
-  if (format == OutputFormat::Text) return printText(filled.report, files.output);
-  nlohmann::ordered_json json = toJson(filled.report);
-  json["output"] = files.output;
-  std::printf("%s\n", json.dump(2).c_str());
+  if (!files.output.empty()) writeWhole(files.output, filled.text);
+  if (!files.sweep.empty()) writeWhole(files.sweep, sweepCsv(steps));
+  if (format == OutputFormat::Json) return printJson(filled.report, steps, files);
+  printText(filled.report);
+  if (!steps.empty()) printText(steps);
+  for (const std::string& written : {files.output, files.sweep})
+    if (!written.empty()) std::printf("written to  %s\n", written.c_str());
 }
 
 }  // namespace lamina::cli

@@ -25,10 +25,11 @@ void addTo(CLI::App& subcommand, DropFillArguments& arguments);
 /// The arguments as settings.
 std::vector<SettingText> overridesOf(const DropFillArguments& arguments);
 
+/// Outputs are empty for none.
 struct DropFillFiles {
   std::string program;
   std::string output;
-  std::string sweep;  ///< empty for none
+  std::string sweep;
 };
 
 /// Fills the voids of a program of drops and tells what it did.

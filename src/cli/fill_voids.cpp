@@ -78,9 +78,13 @@ void printText(const VoidFillingReport& report, const FillVoidsArguments& argume
 }
 
 void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
+  if (arguments.output.empty() && arguments.drops.sweep.empty())
+    throw InvalidInput("no output is given; expected a program to write (-o), or a table (--sweep)");
   const JobSettings settings = settingsFrom(arguments);
   if (isDropProgram(readFile(arguments.program), settings.program.drops))
     return fillDropVoids({arguments.program, arguments.output, arguments.drops.sweep}, settings, format);
+  if (!arguments.drops.sweep.empty())
+    throw InvalidInput("'" + arguments.program + "' lays beads; --sweep is for programs of drops");
   VoidFillingReport report;
   {
     TerminalProgress progress;
@@ -96,7 +100,8 @@ void addFillVoids(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("fill-voids", "Add runs, or drops, to a program where it leaves voids in its part");
   const auto arguments = std::make_shared<FillVoidsArguments>();
   subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
-  subcommand->add_option("-o,--output", arguments->output, "Program to write (.gcode)")->required();
+  subcommand->add_option("-o,--output", arguments->output,
+                         "Program to write (.gcode); needed unless --sweep is given");
   subcommand->add_option("--part", arguments->part,
                          "Mesh file or name of a parametric part; needed unless the program is of drops");
   subcommand

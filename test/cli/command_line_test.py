@@ -71,6 +71,46 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
         self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
 
+    def slice_drops(self, name):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
+        path = self.path(name)
+        self.assertEqual(run("slice", box, "-o", path, "--set", "infill.strategy=drops_dense", "--set",
+                             "slicing.layer_height_mm=0.5", "--set", "slicing.first_layer_height_mm=0.5").returncode, 0)
+        return path
+
+    def test_voids_of_a_drop_program_are_filled(self):
+        program = self.slice_drops("drops.gcode")
+        before = content(program)
+        filled = self.path("filled.gcode")
+        told = json.loads(run("fill-voids", program, "-o", filled, "--overlap", "0.1", "--json").stdout)
+        self.assertEqual(told["layers"], 2)
+        self.assertGreater(told["new_drops"], 0)
+        self.assertLessEqual(told["greatest_linear_overlap"], 0.1 + 1e-6)
+        self.assertEqual(sum(told["voids_by_class"].values()), told["voids"])
+        self.assertEqual(content(program), before)
+        lines = content(filled).decode().splitlines()
+        self.assertEqual(lines.count("M780"), told["drops"] + told["new_drops"])
+
+    def test_a_sweep_of_degrees_needs_no_output(self):
+        table = self.path("sweep.csv")
+        told = json.loads(run("fill-voids", self.slice_drops("drops.gcode"), "--sweep", table, "--json").stdout)
+        self.assertEqual([round(100 * step["allowed_overlap"]) for step in told["sweep"]], list(range(0, 41, 5)))
+        self.assertEqual(len(content(table).decode().splitlines()), 10)
+        self.assertNotIn("output", told)
+
+    def test_a_drop_program_is_measured_like_one_of_beads(self):
+        program = self.slice_drops("drops.gcode")
+        told = json.loads(run("voids", program, "--part", self.path("box.stl"), "--json").stdout)
+        for key in ("layers", "uncovered_percent_mean", "uncovered_percent_worst", "overfill_percent_mean",
+                    "runs_per_layer_mean", "voids"):
+            self.assertIn(key, told)
+        # Between the porosity of a hexagonal lattice, 9.3 %, and that of a layer with its voids open.
+        self.assertGreater(told["uncovered_percent_mean"], 9.3)
+        self.assertLess(told["uncovered_percent_mean"], 25.0)
+
+    def test_filling_without_a_file_to_write_is_refused(self):
+        self.assert_fails_with("InvalidInput", "fill-voids", self.slice_drops("drops.gcode"))
+
     def test_a_mesh_is_never_overwritten_by_its_program(self):
         mesh = self.make_part("box")
         trap = self.path("box.gcode")

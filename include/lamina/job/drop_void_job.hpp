@@ -17,6 +17,7 @@ namespace lamina {
 
 /// What filling did to a program or toolpath of drops.
 struct DropVoidReport {
+  double diameter_mm = 0.0;                  ///< of a drop
   std::vector<std::vector<DropVoid>> voids;  ///< of each layer
   std::vector<double> heights_mm;            ///< of the drops of each layer
   OverlapReading overlap;
@@ -52,8 +53,5 @@ DropVoidReport reportDropVoids(const DropProgram& program, const DropVoidSetting
 /// @throws Cancelled
 Toolpath withDropVoidsFilled(Toolpath toolpath, const DropVoidSettings& settings, double travel_feed_mm_s,
                              Progress& progress);
-
-/// Degrees of overlap from 0 to 0.4 by 0.05 and what each does, as CSV.
-std::string sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings, Progress& progress);
 
 }  // namespace lamina

@@ -3,7 +3,6 @@
 #include "lamina/job/drop_void_job.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -11,12 +10,19 @@
 namespace lamina {
 namespace {
 
-constexpr int kSweepSteps = 8;
-constexpr double kSweepStep = 0.05;
+constexpr double kJump = 2.0;  // diameters, and steps: drops of one role so far apart are of two chains
 
 DropRole dropRole(PathRole role) {
   if (role == PathRole::GapFill) return DropRole::VoidFill;
   return role == PathRole::Infill ? DropRole::Infill : DropRole::Contour;
+}
+
+/// Programs may tell the role of several contours at once: one ends where the next drop is far.
+bool isJump(const DropLayer& layer, const DropChain& chain, std::size_t next) {
+  const double step = (layer.drops[next] - layer.drops[next - 1]).norm();
+  const double before =
+      next > chain.begin + 1 ? (layer.drops[next - 1] - layer.drops[next - 2]).norm() : layer.diameter_mm;
+  return step > kJump * std::max(layer.diameter_mm, before);
 }
 
 DropLayer layerOf(const DropProgramLayer& source, const DropProgram& program) {
@@ -28,7 +34,7 @@ DropLayer layerOf(const DropProgramLayer& source, const DropProgram& program) {
     const ProgramDrop& drop = source.drops[i];
     has_roles = has_roles && drop.role.has_value();
     layer.drops.push_back(drop.position.head<2>());
-    if (i == 0 || drop.section != source.drops[i - 1].section)
+    if (i == 0 || drop.section != source.drops[i - 1].section || isJump(layer, layer.chains.back(), i))
       layer.chains.push_back({dropRole(drop.role.value_or(PathRole::Infill)), i, i});
     layer.chains.back().end = i + 1;
   }
@@ -153,6 +159,7 @@ std::map<VoidClass, std::size_t> DropVoidReport::countByClass() const {
 DropVoidReport reportDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                Progress& progress) {
   DropVoidReport found = report(layersOf(program), settings, progress);
+  found.diameter_mm = *program.diameter_mm;
   for (const DropProgramLayer& layer : program.layers)
     found.heights_mm.push_back(layer.drops.front().position.z());
   return found;
@@ -176,25 +183,6 @@ Toolpath withDropVoidsFilled(Toolpath toolpath, const DropVoidSettings& settings
   for (std::size_t i = 0; i < layers.size(); ++i)
     appendDrops(toolpath.layers[i], newDrops(found.voids[i]), travel_feed_mm_s);
   return toolpath;
-}
-
-std::string sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings, Progress& progress) {
-  std::string csv =
-      "allowed_overlap,voids,new_drops,greatest_linear_overlap,greatest_area_overlap,"
-      "overlap_per_new_drop,overlap_per_drop,uncovered_before_mm2,uncovered_after_mm2\n";
-  const std::vector<DropLayer> layers = layersOf(program);
-  for (int step = 0; step <= kSweepSteps; ++step) {
-    DropVoidSettings tried = settings;
-    tried.overlap = kSweepStep * step;
-    const DropVoidReport found = report(layers, tried, progress);
-    const OverlapReading& o = found.overlap;
-    char row[256];
-    std::snprintf(row, sizeof row, "%.2f,%zu,%zu,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", tried.overlap,
-                  found.count(), o.added, o.greatest_linear, o.greatest_area, o.perNewDrop(), o.perDrop(),
-                  found.uncoveredBefore(), found.uncoveredAfter());
-    csv += row;
-  }
-  return csv;
 }
 
 }  // namespace lamina
