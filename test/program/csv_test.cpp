@@ -97,6 +97,33 @@ TEST(Csv, ReadsBackWhatWasWritten) {
   }));
 }
 
+TEST(Csv, TellsDropsFromBeadsInAColumnOfTheirOwn) {
+  Toolpath toolpath = triangleAndTravel();
+  Path drops = toolpath.layers[0].paths[0];
+  drops.is_closed = false;
+  drops.deposit = Deposit::Drops;
+  drops.points = {{9, 0, 0.2}, {9, 0.4, 0.2}};
+  toolpath.layers[0].paths.push_back(drops);
+  const std::string text = written(toolpath);
+  EXPECT_EQ(text.substr(0, text.find('\n')), std::string(kCsvHeader) + ",deposit");
+  EXPECT_NE(text.find("0,1,travel,0,9,0,0.2,0,1,0,0,0,0,150,bead\n"), std::string::npos);
+  EXPECT_NE(text.find("0,2,outer_wall,0,9,0.4,0.2,0,1,0,0,0.4,0.2,30,drops\n"), std::string::npos);
+  const Toolpath back = readCsv(text, "");
+  ASSERT_EQ(back.layers[0].paths.size(), 3U);
+  EXPECT_EQ(back.layers[0].paths[0].deposit, Deposit::Bead);
+  EXPECT_EQ(back.layers[0].paths[2].deposit, Deposit::Drops);
+  EXPECT_TRUE(areSame(back.layers[0].paths[2], drops));
+}
+
+TEST(Csv, RefusesADepositItDoesNotKnow) {
+  const std::string header = std::string(kDropCsvHeader) + "\n";
+  const std::string row = "0,0,infill,0,0,0,0,0,1,0,0,1,1,1,drops\n";
+  EXPECT_NO_THROW(readCsv(header + row, ""));
+  for (const char* bad : {"0,0,infill,0,0,0,0,0,1,0,0,1,1,1,foam\n", "0,0,infill,0,0,0,0,0,1,0,0,1,1,1\n",
+                          "0,0,infill,0,0,0,0,0,1,0,0,1,1,1,bead\n"})
+    EXPECT_THROW(readCsv(header + row + bad, ""), InvalidProgram) << bad;
+}
+
 TEST(Csv, ReadsHeightAndThicknessOfALayer) {
   const Toolpath back = readCsv(written(triangleAndTravel()), "part");
   EXPECT_EQ(back.part_name, "part");

@@ -11,11 +11,18 @@ namespace lamina {
 constexpr const char* kCsvHeader =
     "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s";
 
+/// The same if the toolpath lays drops.
+constexpr const char* kDropCsvHeader =
+    "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s,deposit";
+
 /// Writes the toolpath as comma-separated values in the part frame: the header, then one row for each motion
 /// target, in order. A path begins with a row for where it starts; a closed path ends with a row that repeats
 /// that position. Layers and the paths of each layer count from 0; `closed` is 1 or 0; the quaternion is
 /// part_from_nozzle; a travel has bead width 0. Bead and feed stand in the row of the waypoint they lead to.
 /// Numbers are the shortest that read back to the same double.
+///
+/// A toolpath that lays drops has one column more, `deposit`: `bead`, or `drops` where a drop of that width
+/// and height falls at each row's position and nothing on the way. Without drops every path is a bead.
 ///
 /// Retraction, the part's name and layers without paths do not appear.
 ///

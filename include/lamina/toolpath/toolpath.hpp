@@ -42,6 +42,9 @@ enum class Deposit : std::uint8_t {
   Drops = 1,  ///< a drop at each waypoint, a disc as wide and high as its `Bead`; nothing on the way
 };
 
+/// As written in files: "bead", "drops".
+const char* toString(Deposit deposit);
+
 /// A quantity along a path: one value for all waypoints, or one per waypoint where it varies.
 template <class Value>
 class AlongPath {

@@ -14,6 +14,7 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kFields = 14;
+constexpr std::size_t kDropFields = 15;
 constexpr std::size_t kMostLayers = 10'000'000;
 
 struct Row {
@@ -21,12 +22,16 @@ struct Row {
   std::size_t path = 0;
   PathRole role = PathRole::Travel;
   bool is_closed = false;
+  Deposit deposit = Deposit::Bead;
   std::array<double, 10> numbers{};  // x y z, qw qx qy qz, bead width and height, feed
 
   Point3 point() const { return {numbers[0], numbers[1], numbers[2]}; }
   Eigen::Quaterniond orientation() const { return {numbers[3], numbers[4], numbers[5], numbers[6]}; }
   Bead bead() const { return {numbers[7], numbers[8]}; }
   double feed() const { return numbers[9]; }
+  bool isLikePathOf(const Row& other) const {
+    return role == other.role && is_closed == other.is_closed && deposit == other.deposit;
+  }
   bool isOfSamePathAs(const Row& other) const { return layer == other.layer && path == other.path; }
 };
 
@@ -40,21 +45,24 @@ class Rows {
   }
 
   void readHeader() {
-    if (nextLine() != kCsvHeader) refuse(std::string("the header must be ") + kCsvHeader);
+    const std::string_view header = nextLine();
+    if (header == kDropCsvHeader) fields_ = kDropFields;
+    if (header != kCsvHeader && header != kDropCsvHeader)
+      refuse(std::string("the header must be ") + kCsvHeader + ", or end in ,deposit");
   }
 
   bool isAtEnd() const { return rest_.empty(); }
 
   Row next() {
     std::string_view line = nextLine();
-    std::array<std::string_view, kFields> fields;
+    std::array<std::string_view, kDropFields> fields;
     std::size_t count = 0;
-    for (; count < kFields && !line.empty(); ++count) {
+    for (; count < fields_ && !line.empty(); ++count) {
       const std::size_t comma = std::min(line.find(','), line.size());
       fields[count] = line.substr(0, comma);
       line.remove_prefix(std::min(comma + 1, line.size()));
     }
-    if (count != kFields || !line.empty()) refuse("a row needs " + std::to_string(kFields) + " fields");
+    if (count != fields_ || !line.empty()) refuse("a row needs " + std::to_string(fields_) + " fields");
     Row row;
     row.layer = number<std::size_t>(fields[0]);
     row.path = number<std::size_t>(fields[1]);
@@ -63,6 +71,7 @@ class Rows {
       refuse("closed is '" + std::string(fields[3]) + "'; must be 0 or 1");
     row.is_closed = fields[3] == "1";
     for (std::size_t i = 0; i < row.numbers.size(); ++i) row.numbers[i] = number<double>(fields[i + 4]);
+    if (fields_ == kDropFields) row.deposit = deposit(fields[kFields]);
     return row;
   }
 
@@ -84,6 +93,12 @@ class Rows {
     }
   }
 
+  Deposit deposit(std::string_view field) const {
+    for (const Deposit each : {Deposit::Bead, Deposit::Drops})
+      if (field == toString(each)) return each;
+    refuse("deposit is '" + std::string(field) + "'; must be bead or drops");
+  }
+
   template <class Number>
   Number number(std::string_view field) const {
     Number value{};
@@ -95,6 +110,7 @@ class Rows {
 
   std::string_view rest_;
   std::size_t line_ = 0;
+  std::size_t fields_ = kFields;  ///< of a row
 };
 
 /// One value if all are the same, otherwise each.
@@ -110,6 +126,7 @@ Path pathOf(std::vector<Row> rows, const Rows& source) {
   Path path;
   path.role = rows.front().role;
   path.is_closed = rows.front().is_closed;
+  path.deposit = rows.front().deposit;
   if (path.is_closed) {
     if (rows.size() < 3 || rows.back().point() != rows.front().point())
       source.refuse("the closed path before does not return to where it starts");
@@ -167,8 +184,8 @@ Toolpath readCsv(std::string_view text, const std::string& part_name) {
       addPath(toolpath, rows.front(), pathOf(rows, source), source);
       rows.clear();
     }
-    if (!rows.empty() && (row.role != rows.front().role || row.is_closed != rows.front().is_closed))
-      source.refuse("role or closed differ from the row before, which is of the same path");
+    if (!rows.empty() && !row.isLikePathOf(rows.front()))
+      source.refuse("role, closed or deposit differ from the row before, which is of the same path");
     rows.push_back(row);
   }
   if (!rows.empty()) addPath(toolpath, rows.front(), pathOf(rows, source), source);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/csv_writer.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 
@@ -29,10 +30,20 @@ void appendOrientation(std::string& text, const Eigen::Quaterniond& q) {
   }
 }
 
+enum class DepositColumn { No, Yes };
+
+bool laysDrops(const Toolpath& toolpath) {
+  return std::any_of(toolpath.layers.begin(), toolpath.layers.end(), [](const ToolpathLayer& layer) {
+    return std::any_of(layer.paths.begin(), layer.paths.end(),
+                       [](const Path& path) { return path.deposit == Deposit::Drops; });
+  });
+}
+
 /// The rows of one path. What is the same in all of them is formatted once.
 class PathRows {
  public:
-  PathRows(std::size_t layer, std::size_t index, const Path& path) : path_(path) {
+  PathRows(std::size_t layer, std::size_t index, const Path& path, DepositColumn column)
+      : path_(path), column_(column) {
     appendNumber(begin_, layer);
     begin_ += ',';
     appendNumber(begin_, index);
@@ -75,10 +86,12 @@ class PathRows {
     appendNumber(text, bead.height_mm);
     text += ',';
     appendNumber(text, path_.feed_mm_s.at(waypoint));
+    if (column_ == DepositColumn::Yes) text.append(",").append(toString(path_.deposit));
     text += '\n';
   }
 
   const Path& path_;
+  DepositColumn column_;
   std::string begin_;
   std::string end_;
 };
@@ -87,10 +100,11 @@ class PathRows {
 
 void writeCsv(const Toolpath& toolpath, const TextSink& sink) {
   validate(toolpath);
-  sink(std::string(kCsvHeader) + "\n");
-  const auto append = [&toolpath](std::size_t l, std::string& text) {
+  const DepositColumn column = laysDrops(toolpath) ? DepositColumn::Yes : DepositColumn::No;
+  sink(std::string(column == DepositColumn::Yes ? kDropCsvHeader : kCsvHeader) + "\n");
+  const auto append = [&toolpath, column](std::size_t l, std::string& text) {
     const auto& paths = toolpath.layers[l].paths;
-    for (std::size_t p = 0; p < paths.size(); ++p) PathRows(l, p, paths[p]).append(text);
+    for (std::size_t p = 0; p < paths.size(); ++p) PathRows(l, p, paths[p], column).append(text);
   };
   writeLayers(toolpath, append, sink);
 }

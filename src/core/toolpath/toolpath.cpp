@@ -27,6 +27,8 @@ double dropVolume(const Path& path) {
 
 const char* toString(PathRole role) { return kRoleNames.at(static_cast<std::size_t>(role)); }
 
+const char* toString(Deposit deposit) { return deposit == Deposit::Drops ? "drops" : "bead"; }
+
 PathRole pathRoleFromString(const std::string& name) {
   for (std::size_t i = 0; i < kRoleNames.size(); ++i)
     if (name == kRoleNames[i]) return static_cast<PathRole>(i);
