@@ -3,14 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "lamina/voids/void_map.hpp"
 
 namespace lamina {
 
-/// A part of the area of layers [%].
+/// A part of the area of layers.
 struct AreaShare {
+  double area_mm2 = 0.0;       ///< of all layers together
   double mean_percent = 0.0;   ///< of the layers' own percentages, those without area left out
   double total_percent = 0.0;  ///< of the area of all layers together
   double worst_percent = 0.0;
@@ -21,6 +23,7 @@ struct AreaShare {
 struct VoidTotals {
   std::size_t layers = 0;
   std::size_t voids = 0;
+  std::map<VoidClass, std::size_t> voids_by_class;  ///< those there are
   AreaShare uncovered;
   AreaShare overfill;
   double material_percent = 0.0;  ///< deposited, of what fills the area of all layers

@@ -24,6 +24,7 @@ AreaShare shareOf(const std::vector<LayerVoids>& layers, double LayerVoids::*par
     share.worst_percent = own;
     share.worst_layer = i;
   }
+  share.area_mm2 = sum_of_parts;
   share.total_percent = percent(sum_of_parts, whole);
   if (counted > 0) share.mean_percent = sum_of_percents / static_cast<double>(counted);
   return share;
@@ -41,6 +42,7 @@ VoidTotals totals(const std::vector<LayerVoids>& layers) {
   for (const LayerVoids& layer : layers) {
     runs += layer.runs;
     totals.voids += layer.voids.size();
+    for (const Void& each : layer.voids) ++totals.voids_by_class[each.kind];
   }
   if (!layers.empty())
     totals.runs_per_layer_mean = static_cast<double>(runs) / static_cast<double>(layers.size());
