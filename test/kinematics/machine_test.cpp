@@ -58,6 +58,15 @@ TEST(Machine, HeadOf45DegreesPointsDownAndBack) {
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30)));
 }
 
+TEST(Machine, TableOfTheDropPrinterMovesBeneathItsNozzle) {
+  const Machine machine = machineByName("drop_printer");
+  EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30), 1e-9));
+  EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).linear().isApprox(nozzleDown().toRotationMatrix(), 1e-9));
+  EXPECT_TRUE(workspace(machine).low.isZero(1e-9));
+  EXPECT_TRUE(workspace(machine).high.isApprox(Point3(200, 200, 200)));
+  EXPECT_EQ(machine.urdf.find("<child link=\"gantry\"/>"), std::string::npos) << "nothing carries the nozzle";
+}
+
 TEST(Machine, SensorLooksDownBesideTheNozzle) {
   for (const std::string& name : machineNames()) {
     const Machine machine = machineByName(name);
@@ -72,7 +81,11 @@ TEST(Machine, InverseAnswersForward) {
     Random random(seed);
     for (const std::string& name : machineNames()) {
       const Machine machine = machineByName(name);
-      const AxisValues values(random.uniform(0, 220), random.uniform(0, 220), random.uniform(0, 250));
+      AxisValues values;
+      for (int i = 0; i < 3; ++i) {
+        const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
+        values[i] = random.uniform(axis.low_mm, axis.high_mm);
+      }
       RC_ASSERT((axisValuesWithin(machine, bedFromNozzle(machine, values)) - values).norm() < 1e-9);
     }
   }));
@@ -121,7 +134,9 @@ TEST(Machine, RefusesAnUnknownNameAndListsTheKnown) {
     machineByName("delta");
     FAIL() << "an unknown machine was found";
   } catch (const InvalidConfig& error) {
-    EXPECT_STREQ(error.what(), "machine.name is 'delta'; must be one of cartesian_gantry, gantry_45");
+    EXPECT_STREQ(error.what(),
+                 "machine.name is 'delta'; must be one of cartesian_gantry, drop_printer, "
+                 "gantry_45");
   }
 }
 
@@ -137,8 +152,8 @@ TEST(Machine, DescriptionIsTheFileOfItsName) {
     EXPECT_EQ(machineByName(name).urdf, readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/" + name + ".urdf"));
 }
 
-TEST(Machine, TheSensorOfBothGantriesLooks25MillimetresBesideTheNozzle) {
-  for (const char* name : {"cartesian_gantry", "gantry_45"}) {
+TEST(Machine, TheSensorOfEachMachineLooks25MillimetresBesideTheNozzle) {
+  for (const std::string& name : machineNames()) {
     const Point2 offset = sensorOffset(machineByName(name));
     EXPECT_NEAR(offset.x(), 25.0, 1e-6) << name;
     EXPECT_NEAR(offset.y(), 0.0, 1e-6) << name;
