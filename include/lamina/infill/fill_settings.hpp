@@ -6,6 +6,7 @@
 #include "lamina/infill/drop_settings.hpp"
 #include "lamina/infill/hilbert_settings.hpp"
 #include "lamina/infill/hybrid_settings.hpp"
+#include "lamina/infill/perimeters_settings.hpp"
 #include "lamina/infill/raster_settings.hpp"
 
 namespace lamina {
@@ -14,6 +15,7 @@ namespace lamina {
 struct FillSettings {
   RasterSettings raster;
   HybridSettings hybrid;
+  PerimetersSettings perimeters;
   ContourSettings contour;
   HilbertSettings hilbert;
   DropSettings drops;

@@ -9,6 +9,7 @@
 
 #include "geometry/direct_shrinking.hpp"
 #include "infill/narrow_loops.hpp"
+#include "infill/parted_area.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -18,21 +19,8 @@ namespace {
 /// Loops shorter than this many pitches are points.
 constexpr double kShortest = 1.0;
 constexpr double kMostContours = 1e5;
-/// A contour is laid where a disc of this radius fits, in pitches: what it leaves is a pitch thick at least.
-constexpr double kWide = 1.5;
-/// Of the narrow rest, what is thinner than twice this is left out, in pitches.
-constexpr double kHair = 0.1;
 /// Cosine of the turn at the sharpest corner that a contour goes round: 60 degrees inside.
 constexpr double kSharpest = -0.5;
-
-void refuseTooManyContours(const Region& region, double spacing) {
-  if (!(spacing > 0.0 && std::isfinite(spacing)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; must be positive");
-  const Box2 box = boundingBox({region.outer});
-  if (!box.isEmpty() && box.size().minCoeff() > kMostContours * spacing)
-    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; too small for a region " +
-                       std::to_string(box.size().minCoeff()) + " mm across");
-}
 
 bool hasSharpCorner(const Polygon& outline) {
   const std::size_t count = outline.size();
@@ -51,28 +39,17 @@ bool hasSharpCorner(const Region& region) {
   return false;
 }
 
-/// The area parted into what contours fill and the narrow rest.
-struct Parted {
-  Regions wide;
-  Regions narrow;
-};
-
-Parted parted(const Region& area, double pitch) {
-  const Regions core = offset({area}, -kWide * pitch);
-  if (core.empty()) return {{}, {area}};
-  Regions wide = intersection(offset(core, kWide * pitch), {area});
-  // Rounding leaves hairs along the border: they are cleared away.
-  const Regions narrow = offset(difference({area}, wide), -kHair * pitch);
-  return {std::move(wide), offset(narrow, kHair * pitch)};
-}
+/// What becomes of the narrow rests.
+enum class RestFill { Loops, None };
 
 class TreeGrower {
  public:
-  explicit TreeGrower(const InfillRequest& request) : pitch_(request.pitch_mm), spacing_(request.spacing_mm) {
+  TreeGrower(const InfillRequest& request, RestFill rest_fill)
+      : pitch_(request.pitch_mm), spacing_(request.spacing_mm), rest_fill_(rest_fill) {
     tree_.parents.push_back(0);
   }
 
-  ContourTree grow(const Region& region) && {
+  OpenContourTree grow(const Region& region) && {
     const bool is_solid = std::abs(spacing_ / pitch_ - 1.0) < 1e-6;
     if (is_solid)
       part(region, 0);
@@ -86,7 +63,7 @@ class TreeGrower {
       else
         add(offset({from.centre_lines}, -spacing_), node);
     }
-    return std::move(tree_);
+    return {std::move(tree_), std::move(rests_)};
   }
 
  private:
@@ -113,16 +90,23 @@ class TreeGrower {
   }
 
   void part(const Region& area, std::size_t parent) {
-    const Parted parts = parted(area, pitch_);
+    const PartedArea parts = partByWidth({area}, pitch_);
     add(offset(parts.wide, -0.5 * pitch_), parent);
     for (const Region& narrow : parts.narrow) {
-      std::vector<ContourLoop> loops = narrowLoops(narrow, pitch_);
-      if (loops.empty()) continue;
-      tree_.parents.push_back(parent);
-      for (ContourLoop& loop : loops) {
-        loop.node = tree_.parents.size() - 1;
-        tree_.loops.push_back(std::move(loop));
-      }
+      if (rest_fill_ == RestFill::Loops)
+        addLoops(narrow, parent);
+      else
+        rests_.push_back({narrow, parent});
+    }
+  }
+
+  void addLoops(const Region& narrow, std::size_t parent) {
+    std::vector<ContourLoop> loops = narrowLoops(narrow, pitch_);
+    if (loops.empty()) return;
+    tree_.parents.push_back(parent);
+    for (ContourLoop& loop : loops) {
+      loop.node = tree_.parents.size() - 1;
+      tree_.loops.push_back(std::move(loop));
     }
   }
 
@@ -137,15 +121,31 @@ class TreeGrower {
 
   double pitch_;
   double spacing_;
+  RestFill rest_fill_;
   ContourTree tree_;
+  std::vector<NarrowRest> rests_;
   std::vector<Growing> growing_;
 };
 
 }  // namespace
 
+void requireContourSpacing(const Region& region, double spacing) {
+  if (!(spacing > 0.0 && std::isfinite(spacing)))
+    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; must be positive");
+  const Box2 box = boundingBox({region.outer});
+  if (!box.isEmpty() && box.size().minCoeff() > kMostContours * spacing)
+    throw InvalidInput("infill spacing is " + std::to_string(spacing) + " mm; too small for a region " +
+                       std::to_string(box.size().minCoeff()) + " mm across");
+}
+
+OpenContourTree openContourTree(const Region& region, const InfillRequest& request) {
+  requireContourSpacing(region, request.spacing_mm);
+  return TreeGrower(request, RestFill::None).grow(region);
+}
+
 ContourTree contourTree(const Region& region, const InfillRequest& request) {
-  refuseTooManyContours(region, request.spacing_mm);
-  return TreeGrower(request).grow(region);
+  requireContourSpacing(region, request.spacing_mm);
+  return std::move(TreeGrower(request, RestFill::Loops).grow(region).tree);
 }
 
 }  // namespace lamina

@@ -7,6 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, FillSettings& settings) {
   describe(schema, settings.raster);
   describe(schema, settings.hybrid);
+  describe(schema, settings.perimeters);
   describe(schema, settings.contour);
   describe(schema, settings.hilbert);
   describe(schema, settings.drops);

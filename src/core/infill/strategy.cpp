@@ -11,6 +11,7 @@
 #include "infill/hilbert.hpp"
 #include "infill/hilbert_quadtree.hpp"
 #include "infill/hybrid.hpp"
+#include "infill/perimeters.hpp"
 #include "infill/spiral.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/base/error.hpp"
@@ -33,6 +34,7 @@ const std::map<std::string, InfillStrategy>& strategies() {
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
+      {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
   };

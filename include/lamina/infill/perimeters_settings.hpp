@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// How each perimeter follows from the one outside of it.
+enum class PerimeterOffset {
+  Robust,   ///< the outline offset as an area: loops part, join and vanish as it does
+  Normals,  ///< each point moved along its normal, as documented for metal deposition; may cross itself
+};
+
+/// In which order perimeters are laid.
+enum class PerimeterOrder {
+  OutsideIn,
+  InsideOut,
+  Alternating,  ///< outside in, and inside out in every other layer
+};
+
+/// Where perimeters start.
+enum class PerimeterSeam {
+  Progressive,  ///< farther along from layer to layer, and from perimeter to perimeter
+  Random,
+};
+
+/// What the strategy of N perimeters asks for. Lengths are in pitches.
+struct PerimetersSettings {
+  int count = 0;  ///< 0 for as many as fit, and beads in the narrow rest
+  PerimeterOffset offset = PerimeterOffset::Robust;
+  PerimeterOrder order = PerimeterOrder::OutsideIn;
+  double first_inset = 0.5;  ///< of the outermost centre line from the border
+  double end_gap = 0.65;     ///< by which a perimeter ends short of its start
+  PerimeterSeam seam = PerimeterSeam::Progressive;
+  double seam_step = 3.0;  ///< of the progressive start
+  int seed = 1;            ///< of the random starts
+};
+
+/// Adds the keys perimeters.*.
+void describe(SettingsSchema& schema, PerimetersSettings& settings);
+
+}  // namespace lamina
