@@ -113,6 +113,31 @@ TEST(MedialAxis, KeepsSharpCornersWhenPruned) {
   EXPECT_TRUE(starts_at_tip != ends_at_tip);
 }
 
+TEST(FarthestWay, ThroughASquareIsADiagonal) {
+  const MedialAxis way = farthestWay(medialAxis({rectangle(0, 0, 3, 3), {}}));
+  ASSERT_EQ(way.branches.size(), 1U);
+  EXPECT_NEAR(length(way), 3.0 * std::sqrt(2.0), kGrid);
+}
+
+TEST(FarthestWay, ThroughADiscIsADiameter) {
+  const MedialAxis way = farthestWay(medialAxis({circle({3, 4}, 2.0, 60), {}}));
+  ASSERT_EQ(way.branches.size(), 1U);
+  const std::vector<AxisPoint>& points = way.branches[0].points;
+  EXPECT_NEAR((points.front().point - points.back().point).norm(), 4.0, kGrid);
+}
+
+TEST(FarthestWay, ThroughARectangleGoesFromCornerToOppositeCorner) {
+  const MedialAxis way = farthestWay(medialAxis({rectangle(0, 0, 10, 2), {}}));
+  ASSERT_EQ(way.branches.size(), 1U);
+  EXPECT_NEAR(length(way), 8.0 + 2.0 * std::sqrt(2.0), kGrid);
+}
+
+TEST(FarthestWay, OfARingWithoutTipsIsTheRing) {
+  const MedialAxis ring =
+      pruned(medialAxis({circle({0, 0}, 2.0, 60), {reversed(circle({0, 0}, 1.0, 60))}}), {0.1});
+  EXPECT_NEAR(length(farthestWay(ring)), length(ring), 1e-12);
+}
+
 TEST(MedialAxis, OfWhatHasNoAreaIsEmpty) {
   EXPECT_TRUE(medialAxis({}).branches.empty());
   EXPECT_TRUE(medialAxis({{{1, 1}}, {}}).branches.empty());

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "support/shapes.hpp"
@@ -87,10 +90,47 @@ TEST(MedialBeads, OfACrossGoStraightOnWhereItsArmsMeet) {
   EXPECT_EQ(medialBeads(cross, pitchOf(0.4)).size(), 3U);  // through, and an arm on each side
 }
 
-TEST(MedialBeads, OfADiscSmallerThanABeadAreOneShortRun) {
+TEST(MedialBeads, OfADiscSmallerThanABeadGoAcrossItAsWideAsItIs) {
   const std::vector<FillPath> runs = medialBeads({{circle({1, 2}, 0.2, 40), {}}}, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
-  EXPECT_EQ(runs[0].points.size(), 2U);
+  // From where 0.3 pitches have room to the same on the other side; the middle as wide as the disc.
+  const Point2 along = runs[0].points.back() - runs[0].points.front();
+  EXPECT_NEAR(along.norm(), 2.0 * (0.2 - 0.06), kTolerance);
+  EXPECT_NEAR((0.5 * (runs[0].points.front() + runs[0].points.back()) - Point2(1, 2)).norm(), 0.0,
+              kTolerance);
+  EXPECT_NEAR(*std::max_element(runs[0].width_mm.begin(), runs[0].width_mm.end()), 0.4, 0.05);
+}
+
+TEST(MedialBeads, OfASquareGoAlongItsDiagonal) {
+  const std::vector<FillPath> runs = medialBeads({{rectangle(0, 0, 0.5, 0.5), {}}}, pitchOf(0.4));
+  ASSERT_EQ(runs.size(), 1U);
+  const Point2 along = runs[0].points.back() - runs[0].points.front();
+  EXPECT_NEAR(along.norm(), std::sqrt(2.0) * (0.5 - 0.12), kTolerance);
+  EXPECT_NEAR(std::abs(along.x()), std::abs(along.y()), kTolerance);
+}
+
+TEST(MedialBeads, OfHalfADiscGoFromCornerToCorner) {
+  Polygon half = circle({0, 0}, 0.5, 64);
+  half.erase(std::remove_if(half.begin(), half.end(), [](const Point2& p) { return p.y() < -1e-9; }),
+             half.end());
+  const std::vector<FillPath> runs = medialBeads(unite({half}), pitchOf(0.4));
+  ASSERT_EQ(runs.size(), 1U);
+  const Point2 along = runs[0].points.back() - runs[0].points.front();
+  // A disc of radius 0.06 in each corner.
+  const double reach = std::sqrt(std::pow(0.5 - 0.06, 2) - 0.06 * 0.06);
+  EXPECT_NEAR(along.norm(), 2.0 * reach, 2.0 * kTolerance);
+}
+
+TEST(MedialBeads, BecomeNoWiderWhereTwoLanesAreJoined) {
+  const double radius = 0.75;
+  Polygon half = circle({0, 0}, radius, 64);
+  half.erase(std::remove_if(half.begin(), half.end(), [](const Point2& p) { return p.y() < -1e-9; }),
+             half.end());
+  for (const FillPath& run : medialBeads(unite({half}), pitchOf(0.36)))
+    for (std::size_t i = 1; i < run.points.size(); ++i)
+      for (const Point2& point : {run.points[i - 1], run.points[i]})
+        EXPECT_LE(0.5 * run.width_mm[i], std::min(point.y(), radius - point.norm()) + 0.05)
+            << point.transpose();
 }
 
 TEST(MedialBeads, LayNothingWhereThereIsLessThanTheLeastWidth) {

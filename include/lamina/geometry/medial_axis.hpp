@@ -50,4 +50,8 @@ struct AxisPruning {
 /// to the next node. Nodes where two branches are left vanish. Each connected axis keeps a point at least.
 MedialAxis pruned(const MedialAxis& axis, const AxisPruning& pruning);
 
+/// The way through a connected axis from one tip to the tip farthest from it, as the only branch: of a disc a
+/// diameter, of a square a diagonal. An axis without tips stays as it is.
+MedialAxis farthestWay(const MedialAxis& axis);
+
 }  // namespace lamina

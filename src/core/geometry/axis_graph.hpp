@@ -30,6 +30,7 @@ class AxisGraph {
   const AxisBranch& piece(std::size_t index) const { return pieces_[index]; }
   /// Number of pieces' ends at the vertex.
   std::size_t degree(std::size_t vertex) const { return ends_[vertex].size(); }
+  const std::vector<std::size_t>& piecesAt(std::size_t vertex) const { return ends_[vertex]; }
   /// The first piece at the vertex that is not `other`; `other` if there is none.
   std::size_t pieceAt(std::size_t vertex, std::size_t other) const;
   std::size_t otherEnd(std::size_t piece, std::size_t vertex) const {

@@ -19,6 +19,8 @@ constexpr double kTolerance = 0.01;
 constexpr double kLeastReach = 0.5;
 /// A round end leaves 0.4 of its squared radius open in such a corner.
 constexpr double kWidestCorner = 75.0 * M_PI / 180.0;
+/// Wider ones are bends of the border.
+constexpr double kBend = 120.0 * M_PI / 180.0;
 
 AxisPoint between(const AxisPoint& a, const AxisPoint& b, double radius) {
   const double t = (radius - a.radius_mm) / (b.radius_mm - a.radius_mm);
@@ -109,14 +111,25 @@ class ThickParts {
   AxisGraph graph_;
 };
 
+bool isPoint(const MedialAxis& axis) {
+  return axis.branches.size() == 1 && axis.branches.front().points.size() == 1;
+}
+
+/// Where one branch is all, its ends cost no run: they are kept. What is about as long as wide has nothing
+/// but ends: two of them are.
+MedialAxis withoutWorthlessEnds(const MedialAxis& axis, double pitch) {
+  const MedialAxis unbent = pruned(axis, {0.0, kBend});
+  if (isPoint(unbent)) return farthestWay(axis);
+  if (unbent.branches.size() == 1) return unbent;
+  MedialAxis rest = pruned(unbent, {kLeastReach * pitch, kWidestCorner});
+  return isPoint(rest) ? farthestWay(unbent) : rest;
+}
+
 }  // namespace
 
 MedialAxis beadAxis(const Region& region, const MedialBeadSettings& settings) {
   const double pitch = settings.pitch_mm;
-  AxisPruning pruning;
-  pruning.least_reach_mm = kLeastReach * pitch;
-  pruning.widest_corner_rad = kWidestCorner;
-  const MedialAxis axis = pruned(medialAxis(region, kTolerance * pitch), pruning);
+  const MedialAxis axis = withoutWorthlessEnds(medialAxis(region, kTolerance * pitch), pitch);
   return ThickParts(axis, 0.5 * settings.least_width * pitch, kTolerance * pitch).joined();
 }
 

@@ -11,9 +11,12 @@ namespace {
 
 /// Along a run, widths change by steps of this at most, in pitches.
 constexpr double kWidthStep = 0.1;
-/// A trail that branches off another starts this far from the middle of that, in radii there: its round end
-/// then overlaps the other bead about as much as its corners leave open.
+/// A trail that branches off another starts this far from the middle of that, in radii there, and a lane that
+/// begins beside a bead this far from where that ends, in radii of its own: its round end then overlaps the
+/// other bead about as much as its corners leave open.
 constexpr double kBesideBranch = 0.75;
+/// Of its first motion a lane keeps this part.
+constexpr double kShortestStart = 0.05;
 /// What is longer across than along gets a short bead of this half length and this width, in radii.
 constexpr double kDotReach = 0.25;
 constexpr double kDotWidth = 1.5;
@@ -181,6 +184,9 @@ class Lanes {
   /// The second lane goes back where the first one ended.
   void addLane(int k, std::size_t begin, std::size_t end, std::vector<FillPath>& runs) const {
     FillPath run = lane(k, begin, end);
+    if (begin > 0 && !run.points.empty()) run = withoutRoundStart(std::move(run));
+    if (end < count_.size() && !run.points.empty())
+      run = reversed(withoutRoundStart(reversed(std::move(run))));
     const bool is_whole = begin == 0 && end == count_.size();
     run.is_closed = is_closed_ && is_whole;
     if (k == 1 && !is_closed_ && end == count_.size()) {
@@ -195,7 +201,17 @@ class Lanes {
     }
   }
 
+  static FillPath withoutRoundStart(FillPath run) {
+    if (run.points.size() < 2) return run;
+    const Point2 along = run.points[1] - run.points[0];
+    const double cut = 0.5 * kBesideBranch * run.width_mm[1];
+    run.points[0] += std::min(1.0 - kShortestStart, cut / along.norm()) * along;
+    return run;
+  }
+
   static void append(FillPath& run, FillPath&& more) {
+    // What joins two lanes is no wider than either.
+    if (more.width_mm.size() > 1) more.width_mm.front() = std::min(run.width_mm.back(), more.width_mm[1]);
     run.points.insert(run.points.end(), more.points.begin(), more.points.end());
     run.width_mm.insert(run.width_mm.end(), more.width_mm.begin(), more.width_mm.end());
   }
