@@ -8,6 +8,7 @@
 #include "lamina/infill/hybrid_settings.hpp"
 #include "lamina/infill/perimeters_settings.hpp"
 #include "lamina/infill/raster_settings.hpp"
+#include "lamina/infill/vase_settings.hpp"
 
 namespace lamina {
 
@@ -17,6 +18,7 @@ struct FillSettings {
   HybridSettings hybrid;
   PerimetersSettings perimeters;
   ContourSettings contour;
+  VaseSettings vase;
   HilbertSettings hilbert;
   DropSettings drops;
 };

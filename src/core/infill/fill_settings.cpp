@@ -9,6 +9,7 @@ void describe(SettingsSchema& schema, FillSettings& settings) {
   describe(schema, settings.hybrid);
   describe(schema, settings.perimeters);
   describe(schema, settings.contour);
+  describe(schema, settings.vase);
   describe(schema, settings.hilbert);
   describe(schema, settings.drops);
 }

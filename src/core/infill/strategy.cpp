@@ -13,6 +13,7 @@
 #include "infill/hybrid.hpp"
 #include "infill/perimeters.hpp"
 #include "infill/spiral.hpp"
+#include "infill/vase.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/base/error.hpp"
 
@@ -36,6 +37,7 @@ const std::map<std::string, InfillStrategy>& strategies() {
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
+      {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
   };
   return by_name;

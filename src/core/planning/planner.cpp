@@ -7,6 +7,7 @@
 #include "lamina/base/parallel.hpp"
 #include "planning/layer_chain.hpp"
 #include "planning/layer_planner.hpp"
+#include "planning/rising_wall.hpp"
 #include "planning/travel.hpp"
 
 namespace lamina {
@@ -28,6 +29,28 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   return context;
 }
 
+bool isVase(const PlanContext& context) { return context.strategy.link == LayerLink::Rising; }
+
+std::size_t baseLayers(const PlanContext& context) {
+  return isVase(context) ? static_cast<std::size_t>(context.settings.fill.vase.base_layers) : 0;
+}
+
+/// Of layers without base: a vase is its own wall.
+PlanContext wallContext(PlanContext context) {
+  if (!isVase(context)) return context;
+  context.settings.walls.count = 0;
+  context.settings.infill.density = 1.0;
+  return context;
+}
+
+/// Of base layers: solid inside one wall.
+PlanContext baseContext(PlanContext context) {
+  context.strategy = infillStrategy(context.settings.fill.vase.base_strategy);
+  context.settings.walls.count = 1;
+  context.settings.infill.density = 1.0;
+  return context;
+}
+
 /// Layers are planned apart from each other; only here does each learn where the nozzle comes from.
 void joinLayers(std::vector<ToolpathLayer>& layers, const TravelSettings& settings) {
   const Path* previous = nullptr;
@@ -46,14 +69,18 @@ void joinLayers(std::vector<ToolpathLayer>& layers, const TravelSettings& settin
 
 Toolpath planToolpath(const std::string& part_name, const std::vector<Layer>& layers,
                       const PlanSettings& settings, Progress& progress) {
-  const PlanContext context = contextFor(layers, settings);
+  const PlanContext context = wallContext(contextFor(layers, settings));
+  const std::size_t base_layers = baseLayers(context);
+  const PlanContext base = baseContext(context);
   Toolpath toolpath;
   toolpath.part_name = part_name;
   toolpath.layers.resize(layers.size());
   parallelFor(
-      layers.size(), [&](std::size_t i) { toolpath.layers[i] = planLayer(layers[i], i, context); }, progress,
-      "plan");
+      layers.size(),
+      [&](std::size_t i) { toolpath.layers[i] = planLayer(layers[i], i, i < base_layers ? base : context); },
+      progress, "plan");
   if (context.strategy.link == LayerLink::Chained) chainLayers(toolpath.layers, settings, context.anchor);
+  if (isVase(context)) raiseWall(toolpath.layers, base_layers, settings.travel);
   joinLayers(toolpath.layers, settings.travel);
   return toolpath;
 }
