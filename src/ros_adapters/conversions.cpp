@@ -32,6 +32,7 @@ std::vector<Value> fromMessages(const std::vector<Message>& messages) {
 lamina_msgs::ToolpathPath toMessage(const Path& path) {
   lamina_msgs::ToolpathPath message;
   message.role = static_cast<std::uint8_t>(path.role);
+  message.deposit = static_cast<std::uint8_t>(path.deposit);
   message.is_closed = path.is_closed;
   message.is_retracted = path.process.is_retracted;
   message.points = toMessages<geometry_msgs::Point>(path.points);
@@ -47,9 +48,17 @@ PathRole roleFromMessage(std::uint8_t role) {
   return static_cast<PathRole>(role);
 }
 
+Deposit depositFromMessage(std::uint8_t deposit) {
+  if (deposit > lamina_msgs::ToolpathPath::DROPS)
+    throw InvalidInput("deposit of a path is " + std::to_string(deposit) +
+                       "; must be one of lamina/ToolpathPath");
+  return static_cast<Deposit>(deposit);
+}
+
 Path fromMessage(const lamina_msgs::ToolpathPath& message) {
   Path path;
   path.role = roleFromMessage(message.role);
+  path.deposit = depositFromMessage(message.deposit);
   path.is_closed = message.is_closed;
   path.process.is_retracted = message.is_retracted;
   path.points = fromMessages<Point3>(message.points);

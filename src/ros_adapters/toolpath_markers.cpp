@@ -29,7 +29,7 @@ std_msgs::ColorRGBA colour(PathRole role) {
   return message;
 }
 
-/// Collects the segments of each role and gives them away as markers at the ends of layers.
+/// Collects the segments, and drops, of each role and gives them away as markers at the ends of layers.
 class MarkerChunks {
  public:
   explicit MarkerChunks(const std::string& frame) : frame_(frame) {
@@ -37,10 +37,14 @@ class MarkerChunks {
     clear.header.frame_id = frame;
     clear.action = Marker::DELETEALL;
     markers_.markers.push_back(clear);
-    for (std::size_t role = 0; role < kRoles; ++role) open_[role] = emptyMarker(static_cast<PathRole>(role));
+    for (std::size_t role = 0; role < kRoles; ++role) {
+      open_[role] = emptyMarker(static_cast<PathRole>(role), Marker::LINE_LIST);
+      open_[kRoles + role] = emptyMarker(static_cast<PathRole>(role), Marker::SPHERE_LIST);
+    }
   }
 
   void add(const Path& path) {
+    if (path.deposit == Deposit::Drops) return addDrops(path);
     Marker& marker = open_[static_cast<std::size_t>(path.role)];
     const bool is_travel = path.role == PathRole::Travel;
     marker.scale.x = toMetres(is_travel ? kTravelWidth : kLineShare * path.bead.at(0).width_mm);
@@ -62,26 +66,33 @@ class MarkerChunks {
   }
 
  private:
-  Marker emptyMarker(PathRole role) {
+  void addDrops(const Path& path) {
+    Marker& marker = open_[kRoles + static_cast<std::size_t>(path.role)];
+    marker.scale.x = marker.scale.y = toMetres(path.bead.at(0).width_mm);
+    marker.scale.z = toMetres(path.bead.at(0).height_mm);
+    for (const Point3& drop : path.points) marker.points.push_back(toMessage(drop));
+  }
+
+  Marker emptyMarker(PathRole role, std::int32_t type) {
     Marker marker;
     marker.header.frame_id = frame_;
     marker.ns = toString(role);
     marker.id = next_id_++;
-    marker.type = Marker::LINE_LIST;
+    marker.type = type;
     marker.pose.orientation.w = 1.0;
     marker.color = colour(role);
     return marker;
   }
 
   void close(Marker& marker) {
-    Marker next = emptyMarker(pathRoleFromString(marker.ns));
+    Marker next = emptyMarker(pathRoleFromString(marker.ns), marker.type);
     markers_.markers.push_back(std::move(marker));
     marker = std::move(next);
   }
 
   std::string frame_;
   int next_id_ = 0;
-  std::array<Marker, kRoles> open_;
+  std::array<Marker, 2 * kRoles> open_;  ///< of beads, then of drops
   MarkerArray markers_;
 };
 

@@ -11,7 +11,8 @@
 namespace lamina {
 
 /// The toolpath as RViz shows it: lines a quarter as wide as the beads, coloured by role, one namespace per
-/// role so that each can be switched off; travel is thin and nearly transparent. A marker holds some thousand
+/// role so that each can be switched off; travel is thin and nearly transparent; drops are spheres of their
+/// own size, pressed to the layer's height. A marker holds some thousand
 /// segments of whole layers, so that RViz copes with millions. The first marker deletes those of an earlier
 /// toolpath.
 ///

@@ -22,7 +22,7 @@ void expectNear(const Point3& actual, const Point3& expected) {
   EXPECT_LE((actual - expected).norm(), kRelative * expected.norm());
 }
 
-/// A wall with a bead that varies, a retracted travel, and a fill: everything a message can carry.
+/// A wall with a bead that varies, a retracted travel, a fill and a drop: everything a message can carry.
 MachineToolpath machineToolpath() {
   Path wall;
   wall.role = PathRole::OuterWall;
@@ -40,9 +40,12 @@ MachineToolpath machineToolpath() {
   fill.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Point3::UnitX()));
   fill.bead = lamina::Bead{0.4, 0.3};
   fill.feed_mm_s = 60.0;
+  Path drop = fill;
+  drop.deposit = lamina::Deposit::Drops;
+  drop.points = {fill.lastPoint()};
   MachineToolpath placed;
   placed.toolpath.part_name = "wall";
-  placed.toolpath.layers = {{0.3, 0.3, {wall, travel, fill}}, {0.6, 0.3, {}}};
+  placed.toolpath.layers = {{0.3, 0.3, {wall, travel, fill, drop}}, {0.6, 0.3, {}}};
   placed.id = toolpathId(placed.toolpath);
   placed.machine = "gantry";
   placed.bed_from_part = Eigen::Translation3d(100.0, 90.0, 0.0) * Eigen::AngleAxisd(0.5, Point3::UnitZ());
@@ -87,6 +90,7 @@ TEST(Conversions, CarryAToolpathThereAndBack) {
     const Path& expected = there.toolpath.layers[0].paths[p];
     const Path& actual = back.toolpath.layers[0].paths[p];
     EXPECT_EQ(actual.role, expected.role);
+    EXPECT_EQ(actual.deposit, expected.deposit);
     EXPECT_EQ(actual.is_closed, expected.is_closed);
     EXPECT_EQ(actual.process.is_retracted, expected.process.is_retracted);
     EXPECT_EQ(actual.bead.values().size(), expected.bead.values().size());
@@ -118,6 +122,9 @@ TEST(Conversions, RefuseAToolpathThatBreaksItsPromises) {
   auto unknown_role = good;
   unknown_role.layers[0].paths[0].role = 77;
   EXPECT_THROW(lamina::fromMessage(unknown_role), lamina::InvalidInput);
+  auto unknown_deposit = good;
+  unknown_deposit.layers[0].paths[0].deposit = 2;
+  EXPECT_THROW(lamina::fromMessage(unknown_deposit), lamina::InvalidInput);
   auto no_pose = good;
   no_pose.bed_from_part.orientation.w = 9.0;
   EXPECT_THROW(lamina::fromMessage(no_pose), lamina::InvalidInput);

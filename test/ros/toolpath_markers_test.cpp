@@ -61,4 +61,21 @@ TEST(ToolpathMarkers, AreAQuarterAsWideAsTheBead) {
     }
 }
 
+TEST(ToolpathMarkers, ShowDropsAsSpheresOfTheirSize) {
+  Toolpath toolpath = triangles(1);
+  Path drops = toolpath.layers[0].paths[0];
+  drops.deposit = lamina::Deposit::Drops;
+  drops.is_closed = false;
+  toolpath.layers[0].paths.push_back(drops);
+  std::size_t spheres = 0;
+  for (const Marker& marker : lamina::toolpathMarkers(toolpath, "part").markers) {
+    if (marker.type != Marker::SPHERE_LIST || marker.points.empty()) continue;
+    spheres += marker.points.size();
+    EXPECT_EQ(marker.ns, "outer_wall");
+    EXPECT_DOUBLE_EQ(marker.scale.x, 0.0004);
+    EXPECT_DOUBLE_EQ(marker.scale.z, 0.0002);
+  }
+  EXPECT_EQ(spheres, 3U);
+}
+
 }  // namespace
