@@ -33,20 +33,26 @@ double leastDistance(const std::vector<Point2>& drops) {
 }
 
 TEST(DropsAlong, AnOutlineLieAtItsCornersAndEvenlyBetweenThem) {
-  const Polyline drops = dropsAlong(rectangle(0, 0, 3.9, 2), 1.0);
+  const Polyline drops = dropsAlong(rectangle(0, 0, 3.9, 2), 1.0, 1.0);
   ASSERT_EQ(drops.size(), 10U) << "3 + 2 + 3 + 2";
   EXPECT_NEAR((drops[1] - drops[0]).norm(), 1.3, 1e-9);
   EXPECT_NEAR((drops[4] - drops[3]).norm(), 1.0, 1e-9);
 }
 
+TEST(DropsAlong, AnOutlineStandNearerWhereTheGapWouldBeWide) {
+  EXPECT_EQ(dropsAlong(rectangle(0, 0, 1.7, 2), 1.0, 0.8).size(), 2U * (2U + 2U)) << "0.85 apart, not 1.7";
+  EXPECT_EQ(dropsAlong(rectangle(0, 0, 1.5, 2), 1.0, 0.8).size(), 2U * (1U + 2U)) << "0.75 would be too near";
+  EXPECT_EQ(dropsAlong(rectangle(0, 0, 2.4, 2), 1.0, 0.8).size(), 2U * (2U + 2U)) << "1.2 is no wide gap";
+}
+
 TEST(DropsAlong, ACircleGoRoundItEvenly) {
-  const Polyline drops = dropsAlong(circle({0, 0}, 5, 200), 1.0);
+  const Polyline drops = dropsAlong(circle({0, 0}, 5, 200), 1.0, 0.8);
   EXPECT_EQ(drops.size(), 31U) << "2 pi 5 = 31.4";
 }
 
 TEST(DropsAlong, AnOutlineShorterThanThePitchAreOne) {
-  EXPECT_EQ(dropsAlong(rectangle(0, 0, 0.2, 0.2), 1.0), (Polyline{{0.1, 0.1}}));
-  EXPECT_TRUE(dropsAlong({}, 1.0).empty());
+  EXPECT_EQ(dropsAlong(rectangle(0, 0, 0.2, 0.2), 1.0, 0.8), (Polyline{{0.1, 0.1}}));
+  EXPECT_TRUE(dropsAlong({}, 1.0, 0.8).empty());
 }
 
 TEST(DropsContour, OfASquareAreAsManyAsItsSidesHaveRoomFor) {

@@ -15,6 +15,7 @@ namespace {
 constexpr double kCorner = 50.0 * M_PI / 180.0;
 constexpr double kRounding = 1e-6;  // of a pitch: an outline exactly n pitches long has room for n
 constexpr double kMostDrops = 1e9;  // in a region's box
+constexpr double kWidest = 1.25;    // pitches, from drop to drop along the border
 
 double positive(double value, const char* key) {
   if (!(value > 0.0 && std::isfinite(value)))
@@ -37,7 +38,8 @@ DropSettings checked(const DropSettings& settings, const Box2& box) {
 /// The outline as a way that begins and ends at one of its corners, if it has one.
 class OutlineWalk {
  public:
-  OutlineWalk(const Polygon& outline, double pitch) : outline_(outline), pitch_(pitch) {
+  OutlineWalk(const Polygon& outline, double pitch, double least)
+      : outline_(outline), pitch_(pitch), least_(least) {
     const std::size_t n = outline.size();
     while (start_ < n && !isCorner(start_)) ++start_;
     if (start_ == n) start_ = 0;
@@ -74,9 +76,15 @@ class OutlineWalk {
     return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out))) > kCorner;
   }
 
+  int countAlong(double length) const {
+    const int count = std::max(1, static_cast<int>(length / pitch_ + kRounding));
+    const bool is_wide = length > kWidest * pitch_ * count;
+    return is_wide && length >= least_ * (count + 1) ? count + 1 : count;
+  }
+
   /// Its end belongs to the next stretch.
   void appendStretch(double from, double to, std::size_t& segment, Polyline& drops) const {
-    const int count = std::max(1, static_cast<int>((to - from) / pitch_ + kRounding));
+    const int count = countAlong(to - from);
     for (int k = 0; k < count; ++k) {
       const double at = from + (to - from) * k / count;
       while (segment + 2 < at_.size() && at_[segment + 1] <= at) ++segment;
@@ -88,6 +96,7 @@ class OutlineWalk {
 
   const Polygon& outline_;
   double pitch_;
+  double least_;
   std::size_t start_ = 0;
   std::vector<double> at_;  ///< length of the way up to each point [mm]
 };
@@ -146,9 +155,9 @@ class LineRuns {
 
 }  // namespace
 
-Polyline dropsAlong(const Polygon& outline, double pitch_mm) {
+Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm) {
   if (outline.size() < 3) return {};
-  return OutlineWalk(outline, pitch_mm).drops();
+  return OutlineWalk(outline, pitch_mm, least_mm).drops();
 }
 
 DropFill::DropFill(const Regions& regions, const DropSettings& settings)
@@ -175,7 +184,9 @@ void DropFill::addContours(const Regions& regions, std::size_t most) {
 }
 
 void DropFill::addLoops(const Regions& regions, PathRole role) {
-  for (const Polygon& loop : outlines(regions)) add(startedNear(dropsAlong(loop, settings_.pitch_mm)), role);
+  const double least = role == PathRole::OuterWall ? least_distance_ : settings_.pitch_mm;
+  for (const Polygon& loop : outlines(regions))
+    add(startedNear(dropsAlong(loop, settings_.pitch_mm, least)), role);
 }
 
 Polyline DropFill::startedNear(Polyline loop) const {

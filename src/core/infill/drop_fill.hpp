@@ -13,8 +13,9 @@ namespace lamina {
 
 /// Drops along a closed outline: one at each corner (a turn by more than 50 degrees), and between corners as
 /// many, evenly, as keep the pitch along the outline. Corners nearer to the one before than the pitch have
-/// none of their own. An outline shorter than the pitch has one drop.
-Polyline dropsAlong(const Polygon& outline, double pitch_mm);
+/// none of their own. An outline shorter than the pitch has one drop. Where drops would stand more than a
+/// quarter of the pitch too far apart there is one more, if `least_mm` is kept then.
+Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm);
 
 /// Drops of one line of a raster, from left to right [raster frame].
 using DropLine = std::function<std::vector<double>(std::int64_t line, double left, double right)>;
@@ -40,6 +41,7 @@ class DropFill {
   std::vector<FillPath> take() && { return std::move(paths_); }
 
  private:
+  /// Loops that show on the part's surface have no wide gap.
   void addLoops(const Regions& regions, PathRole role);
   void add(const Polyline& drops, PathRole role);
   Polyline startedNear(Polyline loop) const;
