@@ -30,6 +30,19 @@ TEST(StudentTest, OfTheLoadFitsTheSourceWithinItsRounding) {
   EXPECT_EQ(test.degrees_of_freedom, 15U);
 }
 
+/// The value of t where the second mean is that of the first and a difference, with both deviations.
+double tOf(double difference, double first_deviation, double second_deviation) {
+  return compareMeans({kLoadBefore.mean + difference, second_deviation, kLoadAfter.count},
+                      {kLoadBefore.mean, first_deviation, kLoadBefore.count})
+      .t;
+}
+
+TEST(StudentTest, OfTheLoadLeavesRoomForThePrintedValue) {
+  // Means and deviations are rounded to 0.01: the printed 2.87 lies in what they may have been.
+  EXPECT_NEAR(tOf(0.04, 0.035, 0.055), 1.76, 0.01);
+  EXPECT_NEAR(tOf(0.06, 0.025, 0.045), 3.34, 0.01);
+}
+
 TEST(StudentTest, HasTheProbabilitiesAndCriticalValuesOfTheTable) {
   EXPECT_NEAR(probabilityAbove(2.93, 31), 0.00316, 5e-6);
   EXPECT_NEAR(probabilityAbove(2.87, 15), 0.0058, 5e-5);

@@ -195,6 +195,14 @@ TEST(DropFilling, DoesNotDependOnSizePlaceAndDirection) {  // T19
   EXPECT_EQ(newDrops(voids).size(), 4U);
   EXPECT_EQ(newDrops(moved_voids).size(), 4U);
   EXPECT_NEAR(measureOverlap(moved.drops, newDrops(moved_voids), 0.2).perNewDrop(), 0.0, 1e-6);
+  for (std::size_t i = 0; i < 2; ++i) {  // the order of voids turns with the layer
+    const DropVoid& original = voids[i];
+    const DropVoid& other = moved_voids[original.drops.size() == moved_voids[i].drops.size() ? i : 1 - i];
+    EXPECT_EQ(other.kind, original.kind);
+    EXPECT_NEAR(other.greatest_clearance_mm, 0.2 * original.greatest_clearance_mm, 1e-9);
+    EXPECT_NEAR(other.uncovered_after_mm2 / other.uncovered_before_mm2,
+                original.uncovered_after_mm2 / original.uncovered_before_mm2, 0.01);
+  }
 }
 
 TEST(DropFilling, ByNeighboursGivesTheDropsOfTheVoronoiDiagram) {  // T21
