@@ -8,6 +8,8 @@
 
 #define lamina lamina_msgs
 #include <lamina/Bead.h>
+#include <lamina/FillVoids.h>
+#include <lamina/FilledVoid.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/MachineState.h>
 #include <lamina/Setting.h>
@@ -19,4 +21,6 @@
 #include <lamina/Toolpath.h>
 #include <lamina/ToolpathLayer.h>
 #include <lamina/ToolpathPath.h>
+#include <lamina/VoidCount.h>
+#include <lamina/VoidFillingSummary.h>
 #undef lamina

@@ -8,6 +8,7 @@ namespace lamina::names {
 // Topics.
 inline constexpr char kToolpath[] = "toolpath";                 ///< lamina/Toolpath, latched
 inline constexpr char kToolpathMarkers[] = "toolpath_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kVoidMarkers[] = "void_markers";          ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kMachineState[] = "machine_state";        ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
@@ -24,6 +25,7 @@ inline constexpr char kHeightDeviation[] =
 
 // Services.
 inline constexpr char kSliceMesh[] = "slice_mesh";           ///< lamina/SliceMesh
+inline constexpr char kFillVoids[] = "fill_voids";           ///< lamina/FillVoids
 inline constexpr char kPause[] = "pause";                    ///< std_srvs/Trigger
 inline constexpr char kResume[] = "resume";                  ///< std_srvs/Trigger
 inline constexpr char kAbort[] = "abort";                    ///< std_srvs/Trigger

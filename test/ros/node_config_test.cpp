@@ -50,6 +50,13 @@ TEST(NodeConfig, OfSlicingServiceIsCompleteAndHasTheDefaults) {
   expectDefaults("slicing_service", schema);
 }
 
+TEST(NodeConfig, OfVoidFillerIsCompleteAndHasTheDefaults) {
+  lamina::JobSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("void_filler", schema);
+}
+
 TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {
   lamina::TrajectorySettings settings;
   lamina::SettingsSchema schema;

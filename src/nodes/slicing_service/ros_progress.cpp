@@ -25,6 +25,4 @@ void ActionProgress::report(const std::string& stage, double fraction) {
 
 bool ActionProgress::isCancelled() const { return server_.isPreemptRequested() || !ros::ok(); }
 
-bool ServiceProgress::isCancelled() const { return !ros::ok(); }
-
 }  // namespace lamina

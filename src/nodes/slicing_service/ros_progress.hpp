@@ -30,11 +30,4 @@ class ActionProgress final : public Progress {
   std::chrono::steady_clock::time_point last_report_;
 };
 
-/// Progress of a service call: nobody watches; cancelled when ROS shuts down.
-class ServiceProgress final : public Progress {
- public:
-  void report(const std::string&, double) override {}
-  bool isCancelled() const override;
-};
-
 }  // namespace lamina

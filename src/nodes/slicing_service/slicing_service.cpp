@@ -5,6 +5,7 @@
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "ros_progress.hpp"
+#include "service_progress.hpp"
 #include "status.hpp"
 #include "toolpath_markers.hpp"
 

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "void_messages.hpp"
+
+#include "conversions.hpp"
+#include "lamina/picture/toolpath_picture.hpp"
+
+namespace lamina {
+namespace {
+
+double toSquareMetres(double square_millimetres) { return toMetres(toMetres(square_millimetres)); }
+
+std::vector<lamina_msgs::VoidCount> toMessages(const std::map<VoidClass, std::size_t>& counts) {
+  std::vector<lamina_msgs::VoidCount> messages;
+  for (const auto& [kind, count] : counts) {
+    lamina_msgs::VoidCount message;
+    message.kind = toString(kind);
+    message.count = static_cast<std::uint32_t>(count);
+    messages.push_back(message);
+  }
+  return messages;
+}
+
+lamina_msgs::VoidFillingSummary toMessage(const VoidFillingReport& report) {
+  lamina_msgs::VoidFillingSummary summary;
+  summary.layers = static_cast<std::uint32_t>(report.before.layers);
+  summary.layers_filled = static_cast<std::uint32_t>(report.layers);
+  summary.voids = static_cast<std::uint32_t>(report.before.voids);
+  summary.voids_by_class = toMessages(report.before.voids_by_class);
+  summary.runs_added = static_cast<std::uint32_t>(report.runs);
+  summary.uncovered_before = toSquareMetres(report.before.uncovered.area_mm2);
+  summary.uncovered_after = toSquareMetres(report.after.uncovered.area_mm2);
+  summary.overfill_before = toSquareMetres(report.before.overfill.area_mm2);
+  summary.overfill_after = toSquareMetres(report.after.overfill.area_mm2);
+  summary.is_worth_it = report.runs > 0;
+  return summary;
+}
+
+lamina_msgs::VoidFillingSummary toMessage(const DropVoidReport& report) {
+  lamina_msgs::VoidFillingSummary summary;
+  summary.lays_drops = true;
+  summary.layers = static_cast<std::uint32_t>(report.voids.size());
+  for (const std::vector<DropVoid>& layer : report.voids)
+    if (!newDrops(layer).empty()) ++summary.layers_filled;
+  summary.voids = static_cast<std::uint32_t>(report.count());
+  summary.voids_by_class = toMessages(report.countByClass());
+  summary.drops_added = static_cast<std::uint32_t>(report.overlap.added);
+  summary.uncovered_before = toSquareMetres(report.uncoveredBefore());
+  summary.uncovered_after = toSquareMetres(report.uncoveredAfter());
+  summary.greatest_overlap = report.overlap.greatest_linear;
+  summary.overlap_per_drop = report.overlap.perDrop();
+  summary.layers_without_contour = static_cast<std::uint32_t>(report.layers_without_contour);
+  summary.is_worth_it = report.is_worth_it;
+  return summary;
+}
+
+Point3 at(const Point2& drop, double height_mm) { return {drop.x(), drop.y(), height_mm}; }
+
+}  // namespace
+
+lamina_msgs::VoidFillingSummary toMessage(const ProgramVoidReport& report) {
+  return std::visit([](const auto& each) { return toMessage(each); }, report);
+}
+
+std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report) {
+  std::vector<lamina_msgs::FilledVoid> messages;
+  for (std::size_t layer = 0; layer < report.voids.size(); ++layer)
+    for (const DropVoid& each : report.voids[layer]) {
+      lamina_msgs::FilledVoid message;
+      message.layer = static_cast<std::uint32_t>(layer);
+      message.kind = toString(each.kind);
+      message.greatest_clearance = toMetres(each.greatest_clearance_mm);
+      message.uncovered_before = toSquareMetres(each.uncovered_before_mm2);
+      message.uncovered_after = toSquareMetres(each.uncovered_after_mm2);
+      for (const Point2& drop : each.drops)
+        message.drops.push_back(toMessage(at(drop, report.heights_mm[layer])));
+      messages.push_back(std::move(message));
+    }
+  return messages;
+}
+
+visualization_msgs::MarkerArray voidMarkers(const DropVoidReport& report, const std::string& frame) {
+  using visualization_msgs::Marker;
+  visualization_msgs::MarkerArray array;
+  array.markers.emplace_back();
+  array.markers.back().action = Marker::DELETEALL;
+  for (const VoidClass kind : kVoidClasses) {
+    Marker marker;
+    marker.ns = toString(kind);
+    marker.type = Marker::SPHERE_LIST;
+    marker.pose.orientation.w = 1.0;
+    marker.scale.x = marker.scale.y = marker.scale.z = toMetres(report.diameter_mm);
+    const Colour drawn = roleColour(PathRole::GapFill);
+    marker.color.r = static_cast<float>(drawn.red);
+    marker.color.g = static_cast<float>(drawn.green);
+    marker.color.b = static_cast<float>(drawn.blue);
+    marker.color.a = 1.0F;
+    for (std::size_t layer = 0; layer < report.voids.size(); ++layer)
+      for (const DropVoid& each : report.voids[layer])
+        for (const Point2& drop : each.drops)
+          if (each.kind == kind) marker.points.push_back(toMessage(at(drop, report.heights_mm[layer])));
+    if (!marker.points.empty()) array.markers.push_back(std::move(marker));
+  }
+  for (Marker& marker : array.markers) marker.header.frame_id = frame;
+  return array;
+}
+
+}  // namespace lamina

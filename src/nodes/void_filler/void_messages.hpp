@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "lamina/job/program_void_job.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+lamina_msgs::VoidFillingSummary toMessage(const ProgramVoidReport& report);
+
+/// Each void of each layer.
+std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report);
+
+/// The new drops as spheres, one namespace per class of void. The first marker deletes those of an earlier
+/// program.
+visualization_msgs::MarkerArray voidMarkers(const DropVoidReport& report, const std::string& frame);
+
+}  // namespace lamina

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Calls the running node void_filler as a client would.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "support/drop_programs.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace {
+
+using lamina_msgs::FillVoids;
+using lamina_msgs::Status;
+
+constexpr double kPatience = 30.0;  // s: far above what a job takes, for loaded machines
+
+class VoidFiller : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience))); }
+
+  FillVoids::Response call(const std::string& program, const std::string& part = "",
+                           const std::vector<lamina_msgs::Setting>& settings = {}) {
+    FillVoids service;
+    service.request.program = program;
+    service.request.output = output_;
+    service.request.part = part;
+    service.request.settings = settings;
+    EXPECT_TRUE(client_.call(service)) << "the node does not answer";
+    return service.response;
+  }
+
+  std::string written(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.file(name)) << text;
+    return folder_.file(name);
+  }
+
+  /// A box of 20 mm whose infill leaves every other line open.
+  std::string slicedBox() const {
+    lamina::SliceJob job;
+    job.part = "box";
+    job.output = folder_.file("box.gcode");
+    job.settings.planning.infill.density = 0.5;
+    job.settings.slicing.layer_height_mm = 0.4;
+    job.settings.slicing.first_layer_height_mm = 0.4;
+    lamina::NoProgress progress;
+    runSliceJob(job, progress);
+    return job.output;
+  }
+
+  void expectRefused(const FillVoids::Response& response, std::uint8_t code, const std::string& word) {
+    EXPECT_EQ(response.status.code + 0, code + 0) << response.status.message;
+    EXPECT_NE(response.status.message.find(word), std::string::npos) << response.status.message;
+    EXPECT_FALSE(std::filesystem::exists(output_)) << "something was written";
+  }
+
+  ros::NodeHandle node_;
+  ros::ServiceClient client_ = node_.serviceClient<FillVoids>(lamina::names::kFillVoids);
+  lamina::test::ScratchFolder folder_;
+  std::string output_ = folder_.file("filled.gcode");
+};
+
+TEST_F(VoidFiller, PutsMissingDropsIntoAProgramOfDrops) {
+  const std::string text = lamina::test::squareProgram({{4, 4}, lamina::test::kNoneMissing, {2, 6}});
+  const auto response = call(written("drops.gcode", text));
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  const auto& summary = response.summary;
+  EXPECT_TRUE(summary.lays_drops);
+  EXPECT_EQ(summary.layers, 3U);
+  EXPECT_EQ(summary.layers_filled, 2U);
+  EXPECT_EQ(summary.voids, 2U);
+  EXPECT_EQ(summary.drops_added, 2U);
+  EXPECT_EQ(summary.runs_added, 0U);
+  EXPECT_TRUE(summary.is_worth_it);
+  EXPECT_LT(summary.uncovered_after, summary.uncovered_before);
+  EXPECT_NEAR(summary.greatest_overlap, 0.0, 1e-9);
+  std::uint32_t classed = 0;
+  for (const auto& each : summary.voids_by_class) classed += each.count;
+  EXPECT_EQ(classed, 2U);
+  ASSERT_EQ(response.voids.size(), 2U);
+  EXPECT_EQ(response.voids[1].layer, 2U);
+  EXPECT_NEAR(response.voids[1].greatest_clearance, 0.001, 1e-12) << "a pitch, in metres";
+  ASSERT_EQ(response.voids[1].drops.size(), 1U);
+  EXPECT_NEAR(response.voids[1].drops[0].x, 0.012, 1e-9);
+  EXPECT_NEAR(response.voids[1].drops[0].y, 0.026, 1e-9);
+  EXPECT_NEAR(response.voids[1].drops[0].z, 0.003, 1e-9);
+  const std::string filled = lamina::readFile(output_);
+  EXPECT_NE(filled.find("G1 X12 Y26\nM780 P3\n"), std::string::npos);
+}
+
+TEST_F(VoidFiller, ShowsTheNewDropsAsMarkers) {
+  const std::string text = lamina::test::squareProgram({{4, 4}, {3, 3}});
+  ASSERT_EQ(call(written("drops.gcode", text)).status.code, Status::OK + 0);
+  const auto markers = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
+      lamina::names::kVoidMarkers, node_, ros::Duration(kPatience));
+  ASSERT_TRUE(markers);
+  std::size_t points = 0;
+  for (const auto& marker : markers->markers) {
+    EXPECT_EQ(marker.header.frame_id, lamina::names::kBedFrame);
+    points += marker.points.size();
+  }
+  EXPECT_EQ(points, 2U);
+}
+
+TEST_F(VoidFiller, LaysRunsIntoTheVoidsOfAProgramOfBeads) {
+  const auto response = call(slicedBox(), "box");
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  const auto& summary = response.summary;
+  EXPECT_FALSE(summary.lays_drops);
+  EXPECT_EQ(summary.layers, summary.layers_filled);
+  EXPECT_GT(summary.runs_added, summary.layers);
+  EXPECT_EQ(summary.drops_added, 0U);
+  EXPECT_LT(summary.uncovered_after, 0.5 * summary.uncovered_before);
+  EXPECT_TRUE(response.voids.empty());
+  EXPECT_GT(std::filesystem::file_size(output_), std::filesystem::file_size(folder_.file("box.gcode")));
+}
+
+TEST_F(VoidFiller, OverridesItsSettingsForOneRequestOnly) {
+  const std::string program =
+      written("drops.gcode", lamina::test::squareProgram({lamina::test::kNoneMissing}));
+  lamina_msgs::Setting overlap;
+  overlap.key = "drop_voids.overlap";
+  overlap.value = "0.3";
+  EXPECT_GE(call(program, "", {overlap}).summary.drops_added, 64U) << "the pores of a square lattice";
+  EXPECT_EQ(call(program).summary.drops_added, 0U);
+}
+
+TEST_F(VoidFiller, RefusesAProgramOfBeadsWithoutItsPart) {
+  expectRefused(call(slicedBox()), Status::INVALID_INPUT, "part");
+}
+
+TEST_F(VoidFiller, RefusesAMissingProgramAndAnUnknownSetting) {
+  expectRefused(call(folder_.file("none.gcode")), Status::FILE_ERROR, "none.gcode");
+  lamina_msgs::Setting setting;
+  setting.key = "drop_voids.overlapp";
+  setting.value = "0.3";
+  expectRefused(call(written("d.gcode", lamina::test::squareProgram({{4, 4}})), "", {setting}),
+                Status::INVALID_CONFIG, "drop_voids.overlap");
+}
+
+TEST_F(VoidFiller, NeverOverwritesTheProgramItReads) {
+  const std::string text = lamina::test::squareProgram({{4, 4}});
+  output_ = written("drops.gcode", text);
+  EXPECT_EQ(call(output_).status.code, Status::INVALID_INPUT + 0);
+  EXPECT_EQ(lamina::readFile(output_), text);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "void_filler_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
