@@ -13,8 +13,16 @@ enum class SectionOrder {
   Optimised,  ///< improved from there
 };
 
+/// Along which direction the lines of a raster run.
+enum class RasterDirection {
+  Given,        ///< that of `infill.angle_deg` and its alternation
+  FewestTurns,  ///< that of each layer's own which takes the fewest lines
+  LeastTravel,  ///< that of each layer's own which leaves the shortest way between runs
+};
+
 /// What the strategies of parallel lines ask for.
 struct RasterSettings {
+  RasterDirection direction = RasterDirection::Given;
   SectionOrder order = SectionOrder::Optimised;
   double narrowest = 0.3;               ///< bead of a solid raster, in pitches
   double longest_connection_mm = 50.0;  ///< along the border, from one section of a solid raster to the next

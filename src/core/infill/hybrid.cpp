@@ -6,6 +6,7 @@
 
 #include "infill/documented_zigzag.hpp"
 #include "infill/perimeter.hpp"
+#include "infill/raster_direction.hpp"
 #include "infill/strip_runs.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/geometry/offset.hpp"
@@ -42,8 +43,9 @@ std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& reques
   if (!fill.runs.empty()) inside.start = lastPoint(fill.runs.back());
   const std::vector<FillPath> zigzags =
       isSolid(request)
-          ? stripRuns(fill.links, inside)
-          : rasterRuns(offset(fill.links, -0.5 * (request.pitch_mm - narrowestBead(request))), inside);
+          ? inBestDirection(fill.links, inside, stripRuns)
+          : inBestDirection(offset(fill.links, -0.5 * (request.pitch_mm - narrowestBead(request))), inside,
+                            rasterRuns);
   for (const FillPath& run : zigzags) fill.runs.push_back(run);
   return std::move(fill.runs);
 }

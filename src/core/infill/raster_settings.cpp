@@ -5,6 +5,11 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, RasterSettings& settings) {
+  schema.choice("raster.direction", settings.direction,
+                {{"given", RasterDirection::Given},
+                 {"fewest_turns", RasterDirection::FewestTurns},
+                 {"least_travel", RasterDirection::LeastTravel}},
+                "Direction of a raster: as infill.angle_deg says, or found for each layer.");
   schema.choice("raster.order", settings.order,
                 {{"midpoints", SectionOrder::Midpoints},
                  {"ends", SectionOrder::Ends},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "infill/raster.hpp"
+#include "infill/raster_direction.hpp"
 #include "infill/strip_runs.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -151,8 +152,9 @@ bool isSolid(const InfillRequest& request) {
 }
 
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
-  if (isSolid(request)) return stripRuns(offset(regions, -0.5 * narrowestBead(request)), request);
-  return rasterRuns(offset(regions, -0.5 * request.pitch_mm), request);
+  if (isSolid(request))
+    return inBestDirection(offset(regions, -0.5 * narrowestBead(request)), request, stripRuns);
+  return inBestDirection(offset(regions, -0.5 * request.pitch_mm), request, rasterRuns);
 }
 
 std::vector<FillPath> rasterRuns(const Regions& regions, const InfillRequest& request) {
