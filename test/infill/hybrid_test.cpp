@@ -95,11 +95,13 @@ std::size_t jumpsInside(const Regions& regions, HybridLines lines, double angle)
          1;
 }
 
+/// Acceptance case A9.
 TEST(HybridJumps, AreNeededWhereAPassLineCrossesTheSectionTwice) {
   EXPECT_GE(jumpsInside(concave(), HybridLines::Documented, M_PI / 2), 1U);
   EXPECT_GE(jumpsInside(concave(), HybridLines::Fitted, M_PI / 2), 1U);
 }
 
+/// Acceptance case A9.
 TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
   const Regions notched = {
       {{{0, 0}, {60, 0}, {60, 30}, {40, 30}, {40, 15}, {20, 15}, {20, 30}, {0, 30}}, {}}};
@@ -107,6 +109,7 @@ TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
   EXPECT_EQ(jumpsInside(notched, HybridLines::Fitted, M_PI / 2), 0U);
 }
 
+/// Acceptance case A9: travel of the documented order, by midpoints, by ends and optimised.
 TEST(HybridJumps, AreShorterInAGreedyOrderThanInTheInitialOne) {
   const std::vector<RasterSection> sections = concaveSections();
   ASSERT_EQ(sections.size(), 7U);

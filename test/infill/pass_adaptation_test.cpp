@@ -37,6 +37,7 @@ const Polygon& contour() {
 
 std::vector<GridSection> circleSections() { return gridSections({contour()}, 2.0, {0.2, 0.2}); }
 
+/// Acceptance case A11, default mode.
 TEST(LongitudinalAdaptation, ClippedPutsAllEndsAtTheirDistance) {
   const PerimeterApproach perimeter({contour()}, 2.0, settingsOf(LongitudinalAdaptation::Clipped));
   std::vector<GridSection> sections = circleSections();
@@ -47,6 +48,7 @@ TEST(LongitudinalAdaptation, ClippedPutsAllEndsAtTheirDistance) {
     for (const Point2& end : pass) EXPECT_NEAR((20.0 - end.norm()) / 2.0, 1.0, 1e-3);
 }
 
+/// Acceptance case A11, documented mode.
 TEST(LongitudinalAdaptation, NeedsASecondPass) {
   const PerimeterApproach perimeter({contour()}, 2.0, settingsOf(LongitudinalAdaptation::TwoPass));
   std::vector<GridSection> once = circleSections();
@@ -65,7 +67,8 @@ TEST(LongitudinalAdaptation, LeavesAnEndWhosePerimeterIsBesideIt) {
   EXPECT_EQ(perimeter.approached({20.0, 16.9}, {1, 0}), Point2(20.0, 16.9)) << "3.1 mm beneath the border";
 }
 
-/// A stack of passes from y = 0 down, `gap` spacings of 2 mm beneath the straight border of a wide rectangle.
+/// Acceptance case A12: a stack of passes from y = 0 down, `gap` spacings of 2 mm beneath the straight border
+/// of a wide rectangle.
 class Transversal : public testing::TestWithParam<LongitudinalAdaptation> {
  protected:
   GridSection adapted(double gap) const {
@@ -110,6 +113,18 @@ TEST_P(Transversal, AddsOnePointInBetween) {
   EXPECT_EQ(section.passes.size(), 6U);
   ASSERT_TRUE(section.above);
   EXPECT_NEAR(section.above->y(), 0.7, 1e-3) << "one spacing of 2 mm beneath the border at 2.7";
+}
+
+TEST_P(Transversal, LeavesNoGapBelowHalfASpacingNorAboveOneAndAHalf) {
+  for (double gap = 1.01; gap < 1.999; gap += 0.01) {
+    const GridSection section = adapted(gap);
+    const Point2 outermost = section.above.value_or(section.passes.back().front());
+    const double to_border = (2.0 * gap - outermost.y()) / 2.0;
+    EXPECT_GE(to_border, 0.5) << "D is " << gap;
+    EXPECT_LE(to_border, 1.5) << "D is " << gap;
+    EXPECT_GE(gapBeneathCurve(section), 0.5 - 1e-6) << "D is " << gap;
+    EXPECT_LE(gapBeneathCurve(section), 1.5 + 1e-6) << "D is " << gap;
+  }
 }
 
 TEST_P(Transversal, ReplacesAPassThatIsAPoint) {
@@ -160,6 +175,7 @@ TEST(PassAdaptation, FitsNineteenPassesIntoARectangle) {
   }
 }
 
+/// Acceptance case A13 in the documented mode.
 TEST(PassAdaptation, InTwoPassesLeavesOneEndInTheCornerBehind) {
   const std::vector<GridSection> sections = rectangleSections(LongitudinalAdaptation::TwoPass);
   ASSERT_EQ(sections.size(), 1U);
