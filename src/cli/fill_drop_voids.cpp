@@ -58,18 +58,22 @@ nlohmann::ordered_json toJson(const DropSweepStep& step) {
           {"greatest_area_overlap", step.reading.greatest_area},
           {"overlap_per_new_drop", step.reading.perNewDrop()},
           {"overlap_per_drop", step.reading.perDrop()},
-          {"uncovered_before_mm2", step.uncovered_before_mm2},
-          {"uncovered_after_mm2", step.uncovered_after_mm2},
-          {"largest_after_mm2", step.largest_after_mm2},
+          {"uncovered_percent_before", uncoveredPercent(step, step.before)},
+          {"uncovered_percent_after", uncoveredPercent(step, step.after)},
+          {"largest_before_mm2", step.before.largest_mm2},
+          {"largest_after_mm2", step.after.largest_mm2},
           {"worth_it", step.is_worth_it}};
 }
 
 void printText(const std::vector<DropSweepStep>& steps) {
-  std::printf("allowed   voids  new drops  overlap per drop   uncovered mm2   largest mm2\n");
+  std::printf("allowed   voids  new drops  overlap per drop  uncovered inside  largest mm2\n");
+  if (!steps.empty())
+    std::printf("   none                  0          0.00 %%  %14.2f %%  %11.4f\n",
+                uncoveredPercent(steps[0], steps[0].before), steps[0].before.largest_mm2);
   for (const DropSweepStep& step : steps)
-    std::printf("%5.0f %%  %6zu  %9zu  %14.2f %%  %14.3f  %12.4f%s\n", 100.0 * step.overlap, step.voids,
-                step.reading.added, 100.0 * step.reading.perDrop(), step.uncovered_after_mm2,
-                step.largest_after_mm2, step.is_worth_it ? "" : "  (may not be worth it)");
+    std::printf("%5.0f %%  %6zu  %9zu  %12.2f %%  %14.2f %%  %11.4f%s\n", 100.0 * step.overlap, step.voids,
+                step.reading.added, 100.0 * step.reading.perDrop(), uncoveredPercent(step, step.after),
+                step.after.largest_mm2, step.is_worth_it ? "" : "  (may not be worth it)");
 }
 
 void printText(const DropVoidReport& report) {

@@ -33,12 +33,25 @@ TEST(DropVoidSweep, PutsAMissingDropBackAtAnyDegreeAndFillsPoresAboveTheirOwn) {
   }
 }
 
+TEST(DropVoidSweep, MeasuresTheWholeInsideBeforeAndAfter) {
+  // T8 in a program: within the contour of 8 x 8 pitches there is a void of 1.6438, and pores of 0.2146.
+  const std::vector<DropSweepStep> steps = sweepOf(test::squareProgram({{4, 4}}));
+  for (const DropSweepStep& step : steps) {
+    EXPECT_NEAR(step.inside_mm2, 64.0, 0.1);
+    EXPECT_NEAR(step.before.largest_mm2, 1.6438, 0.02);
+    EXPECT_NEAR(uncoveredPercent(step, step.before), 100.0 * (0.2146 + 0.7854 / 64.0), 0.5);
+    if (step.overlap > 0.29) continue;
+    EXPECT_NEAR(step.after.largest_mm2, 0.2146, 0.005) << "a pore";
+    EXPECT_NEAR(uncoveredPercent(step, step.after), 21.46, 0.5);
+  }
+}
+
 TEST(DropVoidSweep, IsATableOfOneLinePerStep) {
   const std::string csv = sweepCsv(sweepOf(test::squareProgram({{4, 4}})));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 10);
   const std::string names = csv.substr(0, csv.find('\n'));
   const std::size_t columns = static_cast<std::size_t>(std::count(names.begin(), names.end(), ','));
-  EXPECT_EQ(columns, 11U);
+  EXPECT_EQ(columns, 12U);
   for (std::size_t at = 0; at < csv.size(); at = csv.find('\n', at) + 1) {
     const std::string line = csv.substr(at, csv.find('\n', at) - at);
     EXPECT_EQ(static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')), columns) << line;

@@ -11,6 +11,7 @@
 #include "lamina/program/drop_program.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/drop_filling.hpp"
+#include "lamina/voids/drop_layer.hpp"
 #include "lamina/voids/overlap_meter.hpp"
 
 namespace lamina {
@@ -37,6 +38,11 @@ struct FilledDropProgram {
   std::string text;
   DropVoidReport report;
 };
+
+/// The layers of the program as voids are searched in them: chains by the roles that the program tells, or
+/// guessed. One ends where the next drop is farther than two diameters and two steps.
+/// @throws InvalidProgram if it lets no drop go, or its header tells no diameter
+std::vector<DropLayer> dropLayers(const DropProgram& program);
 
 /// Fills the voids of each layer by itself.
 /// @throws InvalidProgram if it lets no drop go, its header tells no diameter, or lines cannot be added to

@@ -6,17 +6,19 @@
 #include <vector>
 
 #include "lamina/job/drop_void_job.hpp"
+#include "lamina/voids/disc_coverage.hpp"
 
 namespace lamina {
 
-/// What one allowed overlap would do to a program of drops.
+/// What one allowed overlap would do to a program of drops. The area left uncovered is that of the whole
+/// inside, pores of the pattern too, so that degrees can be compared: each sees other voids.
 struct DropSweepStep {
   double overlap = 0.0;  ///< allowed
   std::size_t voids = 0;
   OverlapReading reading;
-  double uncovered_before_mm2 = 0.0;  ///< of the voids that this overlap lets see
-  double uncovered_after_mm2 = 0.0;
-  double largest_after_mm2 = 0.0;
+  double inside_mm2 = 0.0;  ///< area within the contours, as the next two look at it
+  DiscCoverage before;      ///< of all layers; the largest of any of them
+  DiscCoverage after;
   bool is_worth_it = false;
 };
 
@@ -25,6 +27,10 @@ struct DropSweepStep {
 /// @throws InvalidProgram as `reportDropVoids`; Cancelled
 std::vector<DropSweepStep> sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                           Progress& progress);
+
+/// Of the area within the contours [%]; 0 if there is none.
+/// @param coverage  the step's, before or after
+double uncoveredPercent(const DropSweepStep& step, const DiscCoverage& coverage);
 
 /// The table as text: a line of names, then one line per step.
 std::string sweepCsv(const std::vector<DropSweepStep>& steps);

@@ -42,16 +42,6 @@ DropLayer layerOf(const DropProgramLayer& source, const DropProgram& program) {
   return layer;
 }
 
-std::vector<DropLayer> layersOf(const DropProgram& program) {
-  if (program.layers.empty())
-    throw InvalidProgram("the program lets no drop go; expected a program of drops");
-  if (!program.diameter_mm)
-    throw InvalidProgram("the header of the program tells no diameter of drops; expected drop_diameter=...");
-  std::vector<DropLayer> layers;
-  for (const DropProgramLayer& layer : program.layers) layers.push_back(layerOf(layer, program));
-  return layers;
-}
-
 DropLayer layerOf(const ToolpathLayer& source) {
   DropLayer layer;
   for (const Path& path : source.paths) {
@@ -120,6 +110,16 @@ void appendDrops(ToolpathLayer& layer, const std::vector<Point2>& drops, double 
 
 }  // namespace
 
+std::vector<DropLayer> dropLayers(const DropProgram& program) {
+  if (program.layers.empty())
+    throw InvalidProgram("the program lets no drop go; expected a program of drops");
+  if (!program.diameter_mm)
+    throw InvalidProgram("the header of the program tells no diameter of drops; expected drop_diameter=...");
+  std::vector<DropLayer> layers;
+  for (const DropProgramLayer& layer : program.layers) layers.push_back(layerOf(layer, program));
+  return layers;
+}
+
 std::size_t DropVoidReport::count() const {
   std::size_t sum = 0;
   for (const std::vector<DropVoid>& layer : voids) sum += layer.size();
@@ -158,7 +158,7 @@ std::map<VoidClass, std::size_t> DropVoidReport::countByClass() const {
 
 DropVoidReport reportDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                Progress& progress) {
-  DropVoidReport found = report(layersOf(program), settings, progress);
+  DropVoidReport found = report(dropLayers(program), settings, progress);
   found.diameter_mm = *program.diameter_mm;
   for (const DropProgramLayer& layer : program.layers)
     found.heights_mm.push_back(layer.drops.front().position.z());
