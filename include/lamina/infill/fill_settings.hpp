@@ -8,6 +8,7 @@
 #include "lamina/infill/hybrid_settings.hpp"
 #include "lamina/infill/perimeters_settings.hpp"
 #include "lamina/infill/raster_settings.hpp"
+#include "lamina/infill/smoothing_settings.hpp"
 #include "lamina/infill/vase_settings.hpp"
 
 namespace lamina {
@@ -21,6 +22,7 @@ struct FillSettings {
   VaseSettings vase;
   HilbertSettings hilbert;
   DropSettings drops;
+  SmoothingSettings smoothing;  ///< of all families
 };
 
 /// Adds the keys of all families.

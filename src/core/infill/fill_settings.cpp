@@ -12,6 +12,7 @@ void describe(SettingsSchema& schema, FillSettings& settings) {
   describe(schema, settings.vase);
   describe(schema, settings.hilbert);
   describe(schema, settings.drops);
+  describe(schema, settings.smoothing);
 }
 
 }  // namespace lamina

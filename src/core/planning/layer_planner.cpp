@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/inside.hpp"
+#include "infill/corner_smoothing.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
 #include "planning/ordering.hpp"
@@ -87,7 +88,10 @@ class LayerPlanner {
 
   void addInfill(const Regions& area) {
     if (area.empty()) return;
+    const SmoothingSettings& smoothing = settings_.fill.smoothing;
     std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
+    for (FillPath& fill : fills)
+      fill = simplified(smoothed(std::move(fill), smoothing), smoothing.tolerance_mm);
     if (context_.strategy.order == RunOrder::AsGiven) {
       for (const FillPath& fill : fills) addFill(fill, area);
       return;
