@@ -92,6 +92,20 @@ TEST(DropVoidJob, TellsContoursOfOneRoleApartByTheirDistance) {
   EXPECT_TRUE(result.report.voids[0][0].drops[0].isApprox(Point2(11, 21), 1e-6));
 }
 
+TEST(DropVoidJob, KeepsAContourWholeThatMissesDrops) {
+  std::vector<Point2> ring = test::squareRing(9, {10, 20});
+  ring.erase(ring.begin() + 10, ring.begin() + 13);  // a gap of four pitches in the second side
+  const std::string text = test::kDropHeader + ";LAYER:0\nG1 Z1\n;TYPE:CONTOUR\n" + test::dropLines(ring) +
+                           ";TYPE:INFILL\n" + test::dropLines(test::squareInside(9, {10, 20}, {3, 3}));
+  const DropVoidReport report = filled(text).report;
+  EXPECT_EQ(report.layers_without_contour, 0U);
+  std::vector<Point2> added;
+  for (const DropVoid& each : report.voids[0])
+    added.insert(added.end(), each.drops.begin(), each.drops.end());
+  EXPECT_TRUE(std::any_of(added.begin(), added.end(),
+                          [](const Point2& drop) { return drop.isApprox(Point2(13, 23), 1e-6); }));
+}
+
 TEST(DropVoidJob, LeavesALayerWithoutContourAlone) {
   const std::string text = test::kDropHeader + ";LAYER:0\nG1 Z1\n;TYPE:INFILL\n" +
                            test::dropLines({{1, 1}, {4, 1}, {1, 4}, {4, 4}});

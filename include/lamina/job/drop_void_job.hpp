@@ -40,7 +40,7 @@ struct FilledDropProgram {
 };
 
 /// The layers of the program as voids are searched in them: chains by the roles that the program tells, or
-/// guessed. One ends where the next drop is farther than two diameters and two steps.
+/// guessed. A chain back at its start ends where the next drop is farther than two diameters and two steps.
 /// @throws InvalidProgram if it lets no drop go, or its header tells no diameter
 std::vector<DropLayer> dropLayers(const DropProgram& program);
 

@@ -10,19 +10,20 @@
 namespace lamina {
 namespace {
 
-constexpr double kJump = 2.0;  // diameters, and steps: drops of one role so far apart are of two chains
+constexpr double kJump = 2.0;  // diameters, and steps: drops so far apart do not follow each other
 
 DropRole dropRole(PathRole role) {
   if (role == PathRole::GapFill) return DropRole::VoidFill;
   return role == PathRole::Infill ? DropRole::Infill : DropRole::Contour;
 }
 
-/// Programs may tell the role of several contours at once: one ends where the next drop is far.
+/// Programs may tell the role of several contours at once: one that is back at its start ends where the next
+/// drop is far.
 bool isJump(const DropLayer& layer, const DropChain& chain, std::size_t next) {
-  const double step = (layer.drops[next] - layer.drops[next - 1]).norm();
-  const double before =
-      next > chain.begin + 1 ? (layer.drops[next - 1] - layer.drops[next - 2]).norm() : layer.diameter_mm;
-  return step > kJump * std::max(layer.diameter_mm, before);
+  if (next < chain.begin + 3) return false;
+  const Point2& last = layer.drops[next - 1];
+  const double near = kJump * std::max(layer.diameter_mm, (last - layer.drops[next - 2]).norm());
+  return (layer.drops[next] - last).norm() > near && (last - layer.drops[chain.begin]).norm() <= near;
 }
 
 DropLayer layerOf(const DropProgramLayer& source, const DropProgram& program) {
