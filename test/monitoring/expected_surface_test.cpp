@@ -42,6 +42,18 @@ TEST(ExpectedSurface, ATwoLayerStepHasTwoHeights) {
   EXPECT_TRUE(std::isnan(expected.heights().nearest({30, 10})));
 }
 
+TEST(ExpectedSurface, DropsStandAloneAndNothingBetweenThem) {
+  ToolpathLayer layer = oneBead({10, 10, 0.2}, {12, 10, 0.2}, {0.8, 0.2});
+  layer.paths[0].deposit = Deposit::Drops;
+  ExpectedSurface expected(bed(0.02), Eigen::Isometry3d::Identity());
+  expected.addLayer(layer);
+  EXPECT_DOUBLE_EQ(expected.heights().nearest({10, 10}), 0.2);
+  EXPECT_DOUBLE_EQ(expected.heights().nearest({12, 10.39}), 0.2);
+  EXPECT_TRUE(std::isnan(expected.heights().nearest({11, 10})));
+  const double two_discs = 2.0 * M_PI * 0.4 * 0.4;
+  EXPECT_NEAR(double(heightRange(expected.heights()).known) * 0.02 * 0.02, two_discs, 0.02 * two_discs);
+}
+
 TEST(ExpectedSurface, ABeadCoversItsWidthAndLength) {
   ExpectedSurface expected(bed(0.05), Eigen::Isometry3d::Identity());
   expected.addLayer(oneBead({10, 10, 0.2}, {29.3, 17.71, 0.2}, {0.6, 0.2}));

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// The top surface that a toolpath should give, layer by layer: each bead stands as wide as planned and as
-/// high as the nozzle ran; elsewhere the height is that of earlier layers, or unknown. Linear in the
+/// The top surface that a toolpath should give, layer by layer: each bead, or drop, stands as wide as planned
+/// and as high as the nozzle ran; elsewhere the height is that of earlier layers, or unknown. Linear in the
 /// deposited length.
 class ExpectedSurface {
  public:
@@ -31,6 +31,8 @@ class ExpectedSurface {
   const std::vector<std::size_t>& topCells() const { return top_cells_; }
 
  private:
+  void addBead(const Path& path);
+  void addDrops(const Path& path);
   void addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role);
 
   HeightMap heights_;

@@ -17,11 +17,22 @@ void ExpectedSurface::addLayer(const ToolpathLayer& layer) {
   top_cells_.clear();
   for (const Path& path : layer.paths) {
     if (path.role == PathRole::Travel) continue;
-    for (std::size_t m = 0; m < path.motionCount(); ++m) {
-      const std::size_t end = path.motionEnd(m);
-      addMotion(bed_from_part_ * path.points[m], bed_from_part_ * path.points[end], path.bead.at(end),
-                path.role);
-    }
+    path.deposit == Deposit::Drops ? addDrops(path) : addBead(path);
+  }
+}
+
+void ExpectedSurface::addBead(const Path& path) {
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const std::size_t end = path.motionEnd(m);
+    addMotion(bed_from_part_ * path.points[m], bed_from_part_ * path.points[end], path.bead.at(end),
+              path.role);
+  }
+}
+
+void ExpectedSurface::addDrops(const Path& path) {
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Point3 drop = bed_from_part_ * path.points[i];
+    addMotion(drop, drop, path.bead.at(i), path.role);
   }
 }
 
