@@ -15,6 +15,10 @@ constexpr double kSteepest = 3.0;
 /// Steepest border between which and the strip a bead is fitted, as the cosine of its slope: beyond, it keeps
 /// more of its width up to its end, or it would leave the corners empty.
 constexpr double kFlankCosine = 0.7;
+/// Slices follow each other so densely that they miss no bend of this size, or stand so near to each other,
+/// in half strips.
+constexpr double kBend = 0.06;
+constexpr double kShortestStep = 0.2;
 
 /// A straight border beside a slice.
 struct Flank {
@@ -86,14 +90,41 @@ class StripSlicer {
     addNotches();
     std::vector<StripSlice> all = branch(left_, left_end);
     std::reverse(all.begin(), all.end());
-    for (const double x : mainBreaks())
-      all.push_back(sliceAt(x, height(Vertical::Down, x), height(Vertical::Up, x)));
+    appendMain(all);
     const std::vector<StripSlice> beyond = branch(right_, right_end);
     all.insert(all.end(), beyond.begin(), beyond.end());
     return all;
   }
 
  private:
+  StripSlice mainSlice(double x) const {
+    return sliceAt(x, height(Vertical::Down, x), height(Vertical::Up, x));
+  }
+
+  void appendMain(std::vector<StripSlice>& all) const {
+    const std::vector<double> breaks = mainBreaks();
+    all.push_back(mainSlice(breaks.front()));
+    for (std::size_t i = 1; i < breaks.size(); ++i) {
+      const StripSlice from = all.back();
+      appendBetween(from, mainSlice(breaks[i]), all);
+    }
+  }
+
+  /// Slices up to `to` so near to each other that the strip is straight between them: where discs begin to
+  /// touch other borders, it bends.
+  void appendBetween(const StripSlice& from, const StripSlice& to, std::vector<StripSlice>& all) const {
+    const double x = 0.5 * (from.x + to.x);
+    const StripSlice slice = mainSlice(x);
+    const double bend = std::max(std::abs(slice.width - 0.5 * (from.width + to.width)),
+                                 std::abs(slice.middle - 0.5 * (from.middle + to.middle)));
+    if (bend > kBend * half_ && to.x - from.x > kShortestStep * half_) {
+      appendBetween(from, slice, all);
+      appendBetween(slice, to, all);
+    } else {
+      all.push_back(to);
+    }
+  }
+
   static std::size_t sideOf(Vertical direction) { return direction == Vertical::Up ? 0 : 1; }
 
   Polyline localChain(std::uint32_t crossing, Vertical direction, Vertical side) const {
