@@ -199,7 +199,10 @@ TEST(MedialAxis, TakesOutlinesThatTouchAndCrossAsTheyLie) {
     for (int i = 0; i < 12; ++i)
       region.outer.emplace_back(std::floor(random.uniform(0, 6)), std::floor(random.uniform(0, 6)));
     for (const AxisBranch& branch : pruned(medialAxis(region), {0.1}).branches)
-      for (const AxisPoint& each : branch.points) RC_ASSERT(each.point.allFinite() && each.radius_mm >= 0.0);
+      for (const AxisPoint& each : branch.points) {
+        RC_ASSERT(each.radius_mm >= 0.0);
+        RC_ASSERT((each.point.array() >= -kGrid).all() && (each.point.array() <= 5.0 + kGrid).all());
+      }
   }));
 }
 

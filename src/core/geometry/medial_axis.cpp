@@ -33,6 +33,8 @@ class InsideEdges {
  public:
   InsideEdges(const BorderSegments& border, const Diagram& diagram)
       : border_(border), diagram_(diagram), sides_(diagram.num_edges(), Side::Unknown) {
+    for (const GridSegment& segment : border.segments)
+      for (const GridPoint& end : {segment.low(), segment.high()}) box_.include(toPoint(end));
     for (const Edge& edge : diagram.edges())
       if (isAxis(edge)) sides_[indexOf(edge)] = sideOf(edge);
     spread();
@@ -57,7 +59,15 @@ class InsideEdges {
   }
 
  private:
-  static bool isAxis(const Edge& edge) { return edge.is_primary() && edge.is_finite(); }
+  /// Outlines that cross have no inside everywhere; at least nothing beyond their box is.
+  bool isAxis(const Edge& edge) const {
+    return edge.is_primary() && edge.is_finite() && isInBox(*edge.vertex0()) && isInBox(*edge.vertex1());
+  }
+  bool isInBox(const Vertex& vertex) const {
+    const Point2 at = toPoint(vertex);
+    return (at.array() >= box_.low.array() - kOnBorder).all() &&
+           (at.array() <= box_.high.array() + kOnBorder).all();
+  }
   std::size_t indexOf(const Edge& edge) const {
     return static_cast<std::size_t>(&edge - diagram_.edges().data());
   }
@@ -97,6 +107,7 @@ class InsideEdges {
 
   const BorderSegments& border_;
   const Diagram& diagram_;
+  Box2 box_;                 ///< of the border
   std::vector<Side> sides_;  ///< edge by edge
 };
 
