@@ -6,6 +6,7 @@
 
 #include "infill/medial_beads.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/offset.hpp"
 
 namespace lamina {
 namespace {
@@ -29,7 +30,8 @@ std::vector<FillPath> refill(const LayerVoids& layer, const RefillSettings& sett
   MedialBeadSettings beads;
   beads.pitch_mm = layer.pitch_mm;
   beads.least_width = settings.least_width;
-  return medialBeads(filled, beads);
+  // The outline of a void is as coarse as the rows it was found on, and may touch itself.
+  return medialBeads(unite(outlines(filled)), beads);
 }
 
 }  // namespace lamina
