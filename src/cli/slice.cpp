@@ -70,6 +70,9 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"repositions_b", s.repositions.in_layer},
       {"repositions_c", s.repositions.to_layer},
       {"deposited_mm3", s.deposited_mm3},
+      {"unprinted_mm3", s.unprinted_mm3},
+      {"refill_runs", s.refilling.runs},
+      {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
       {"repairs", s.repairs},
       {"output", output},
@@ -93,6 +96,10 @@ void printText(const SliceSummary& s, const std::string& output) {
   std::printf("repositions %zu to fills, %zu within layers, %zu between layers\n", s.repositions.to_fill,
               s.repositions.in_layer, s.repositions.to_layer);
   std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
+  if (s.unprinted_mm3 > 0.0)
+    std::printf("unprinted   %.3f mm3, thinner than the narrowest bead\n", s.unprinted_mm3);
+  if (s.refilling.runs > 0)
+    std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
               s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);

@@ -158,6 +158,9 @@ lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   message.deposition = toMetres(summary.deposition_mm);
   message.travel = toMetres(summary.travel_mm);
   message.deposited_volume = toCubicMetres(summary.deposited_mm3);
+  message.unprinted_volume = toCubicMetres(summary.unprinted_mm3);
+  message.refill_runs = static_cast<std::uint32_t>(summary.refilling.runs);
+  message.refilled_volume = toCubicMetres(summary.refilling.deposited_mm3);
   message.estimated_time = summary.estimated_time_s;
   message.wall_time = summary.wall_s;
   message.repairs = summary.repairs;

@@ -152,12 +152,21 @@ TEST_F(SliceJobTest, RefusesAPartBesideTheBed) {
   EXPECT_FALSE(hasOutput());
 }
 
-TEST_F(SliceJobTest, RefusesAPartThatIsNarrowerThanABead) {
-  // A fin of 0.3 mm for a bead of 0.4 mm, with a skirt that would be all that is printed.
-  writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 20.3, 6}));
+TEST_F(SliceJobTest, RefusesAPartThatIsNarrowerThanAnyBead) {
+  // A fin of 0.1 mm for a bead of 0.4 mm, with a skirt that would be all that is printed.
+  writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 20.1, 6}));
   job_.settings.planning.skirt.count = 1;
   EXPECT_THROW(run(), InvalidInput);
   EXPECT_FALSE(hasOutput());
+}
+
+TEST_F(SliceJobTest, PrintsAFinThatIsNarrowerThanABead) {
+  writeStl(job_.part, test::boxBetween({10, 20, 5}, {30, 20.3, 6}));
+  const SlicedPart sliced = run();
+  // The bead ends half its width from both ends, and fills less than its width.
+  const double fills = 0.3 - (1.0 - M_PI / 4.0) * 0.2;
+  EXPECT_NEAR(sliced.summary.deposited_mm3, (20 - 0.3) * fills * 1.0, 0.02);
+  EXPECT_EQ(sliced.summary.unprinted_mm3, 0.0);
 }
 
 TEST_F(SliceJobTest, RefusesAMachineThatIsNotThere) {

@@ -46,6 +46,7 @@ enum class LayerLink {
 /// Whether the ends of a fill run into the walls around it.
 enum class WallContact {
   Overlapping,  ///< by `infill.wall_overlap`
+  Fitted,       ///< so if the fill is sparse; a solid one is as wide as its place
   Beside,
 };
 

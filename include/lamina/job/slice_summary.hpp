@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/planning/planner.hpp"
 #include "lamina/toolpath/repositions.hpp"
 
 namespace lamina {
@@ -23,6 +24,8 @@ struct SliceSummary {
   double deposition_mm = 0.0;
   double travel_mm = 0.0;
   double deposited_mm3 = 0.0;
+  double unprinted_mm3 = 0.0;  ///< of what is thinner than the narrowest bead
+  Refilling refilling;
   double estimated_time_s = 0.0;
   std::vector<std::string> repairs;  ///< what was changed on the mesh and where
   double read_s = 0.0;               ///< reading and repairing

@@ -22,6 +22,8 @@ enum class WallOrder { OutsideIn, InsideOut };
 struct WallSettings {
   int count = 2;
   WallOrder order = WallOrder::InsideOut;
+  double narrowest =
+      0.3;  ///< bead of a place too narrow for a loop, in pitches; thinner material is not printed
 };
 
 struct InfillSettings {
@@ -30,6 +32,14 @@ struct InfillSettings {
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
+};
+
+/// What becomes of voids that walls and infill leave.
+enum class VoidRefill { None, Beads };
+
+struct VoidSettings {
+  VoidRefill refill = VoidRefill::None;
+  double least_area = 0.25;  ///< smaller voids stay, in squared pitches
 };
 
 struct SkirtSettings {
@@ -64,6 +74,7 @@ struct PlanSettings {
   WallSettings walls;
   InfillSettings infill;
   FillSettings fill;
+  VoidSettings voids;
   SkirtSettings skirt;
   SeamSettings seam;
   TravelSettings travel;
@@ -71,8 +82,8 @@ struct PlanSettings {
   double simplification_mm = 0.01;  ///< how far a planned outline may leave the sliced one
 };
 
-/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, skirt.*, seam.*, travel.*, feed.*
-/// and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, seam.*, travel.*,
+/// feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,24 @@
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
+
+/// Runs that fill what walls and infill leave open, `voids.refill`.
+struct Refilling {
+  std::size_t runs = 0;
+  double deposited_mm3 = 0.0;
+};
+
+/// A toolpath, what it leaves out and what was added to it.
+struct Plan {
+  Toolpath toolpath;
+  Refilling refilling;
+  double unprinted_mm3 = 0.0;  ///< of what is too thin for the narrowest bead, `walls.narrowest`
+};
+
+/// The plan of a part, as `planToolpath` makes it.
+/// @throws as it does
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              Progress& progress);
 
 /// The toolpath of a part cut into planar layers: skirt, walls and infill of each layer, ordered to shorten
 /// travel and joined by travel paths. The nozzle points down; its tip runs at the top of each layer. Layers

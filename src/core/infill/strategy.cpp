@@ -38,7 +38,7 @@ const std::map<std::string, InfillStrategy>& strategies() {
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
-      {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
+      {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
   };
   return by_name;
 }

@@ -78,14 +78,14 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
 
 bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
 
-/// A part that is thinner than a bead everywhere would leave nothing but its skirt.
-void requireDeposition(const Toolpath& toolpath, double bead_width_mm) {
+/// A part that is thinner than any bead everywhere would leave nothing but its skirt.
+void requireDeposition(const Toolpath& toolpath, double narrowest) {
   for (const ToolpathLayer& layer : toolpath.layers)
     if (std::any_of(layer.paths.begin(), layer.paths.end(), buildsPart)) return;
   throw InvalidInput("no bead of part '" + toolpath.part_name + "' is laid in any of " +
-                     std::to_string(toolpath.layers.size()) + " layers: it is narrower than bead.width_mm, " +
-                     std::to_string(bead_width_mm) +
-                     " mm, everywhere, or walls.count and infill.density are both 0");
+                     std::to_string(toolpath.layers.size()) +
+                     " layers: it is narrower than walls.narrowest, " + std::to_string(narrowest) +
+                     " pitches, everywhere, or walls.count and infill.density are both 0");
 }
 
 std::string sizeText(const Point3& size) {
@@ -132,13 +132,16 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);
   Laps laps;
-  sliced.toolpath =
-      planToolpath(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
+  Plan plan =
+      planPart(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
+  sliced.toolpath = std::move(plan.toolpath);
+  sliced.summary.unprinted_mm3 = plan.unprinted_mm3;
+  sliced.summary.refilling = plan.refilling;
   layers = {};
   if (job.settings.drop_voids.is_on)
     sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,
                                           job.settings.planning.travel.feed_mm_s, progress);
-  requireDeposition(sliced.toolpath, job.settings.planning.bead.width_mm);
+  requireDeposition(sliced.toolpath, job.settings.planning.walls.narrowest);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);

@@ -10,6 +10,7 @@
 #include "infill/corner_smoothing.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
+#include "lamina/voids/refill.hpp"
 #include "planning/ordering.hpp"
 #include "planning/seam.hpp"
 #include "planning/skirt.hpp"
@@ -47,7 +48,7 @@ class LayerPlanner {
     pitch_ = settings_.bead.pitch_mm > 0.0 ? settings_.bead.pitch_mm : planWidth(bead_);
   }
 
-  ToolpathLayer plan(const std::vector<Polygon>& contours) && {
+  PlannedLayer plan(const std::vector<Polygon>& contours) && {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
     if (index_ == 0 && !laysDrops())
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
@@ -57,21 +58,28 @@ class LayerPlanner {
       islands.push_back({outline.front(), outline.front()});
     }
     for (const OrderedRun& next : orderRuns(islands, nozzle_)) addIsland(material[next.run]);
-    return std::move(result_);
+    if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
+    return {std::move(result_), unprinted_mm2_, refilling_};
   }
 
  private:
   bool laysDrops() const { return context_.strategy.deposit == Deposit::Drops; }
+  /// A vase is hollow.
+  bool isFilledByBeads() const { return !laysDrops() && context_.strategy.link != LayerLink::Rising; }
 
   void addIsland(const Region& island) {
     if (laysDrops()) return addInfill(settings_.infill.density > 0.0 ? Regions{island} : Regions{});
     Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
-    const std::size_t count = walls.centre_lines.size();
+    unprinted_mm2_ += walls.unprinted_mm2;
+    const std::size_t count = walls.walls.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
-      addWall(walls.centre_lines[k], k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
+      addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
+      addShortest(std::move(walls.walls[k].thin), {});
     }
-    addInfill(walls.infill);
+    if (settings_.infill.density > 0.0) addInfill(walls.infill);
+    if (settings_.infill.density < 1.0)
+      sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {
@@ -96,11 +104,31 @@ class LayerPlanner {
       for (const FillPath& fill : fills) addFill(fill, area);
       return;
     }
+    addShortest(std::move(fills), area);
+  }
+
+  /// @param area  over which travels need not be retracted
+  void addShortest(std::vector<FillPath> runs, const Regions& area) {
     std::vector<RunEnds> ends;
-    ends.reserve(fills.size());
-    for (const FillPath& fill : fills) ends.push_back({fill.points.front(), lastPoint(fill)});
+    ends.reserve(runs.size());
+    for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
     for (const OrderedRun& next : orderRuns(ends, nozzle_))
-      addFill(next.is_reversed ? reversed(std::move(fills[next.run])) : fills[next.run], area);
+      addFill(next.is_reversed ? reversed(std::move(runs[next.run])) : runs[next.run], area);
+  }
+
+  /// What a sparse infill leaves open stays so.
+  void refillVoids(const Regions& material) {
+    RefillSettings settings;
+    settings.least_area = settings_.voids.least_area;
+    const Regions solid = settings_.infill.density < 1.0 ? difference(material, sparse_) : material;
+    const std::size_t before = result_.paths.size();
+    addShortest(refill(findVoids(solid, result_, {}), settings), material);
+    for (std::size_t i = before; i < result_.paths.size(); ++i) {
+      const Path& path = result_.paths[i];
+      if (path.role == PathRole::Travel) continue;
+      ++refilling_.runs;
+      refilling_.deposited_mm3 += depositedVolume(path);
+    }
   }
 
   InfillRequest infillRequest() const {
@@ -165,12 +193,15 @@ class LayerPlanner {
   double top_;
   Bead bead_;           ///< nominal
   double pitch_ = 0.0;  ///< between neighbouring beads [mm]
+  double unprinted_mm2_ = 0.0;
+  Refilling refilling_;
+  Regions sparse_;  ///< what the infill of all islands does not fill
   ToolpathLayer result_;
 };
 
 }  // namespace
 
-ToolpathLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context) {
+PlannedLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context) {
   return LayerPlanner(layer, index, context).plan(layer.section.contours);
 }
 

@@ -6,6 +6,7 @@
 
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -18,9 +19,16 @@ struct PlanContext {
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
 };
 
+/// The paths of one layer.
+struct PlannedLayer {
+  ToolpathLayer layer;
+  double unprinted_mm2 = 0.0;  ///< of what is too thin for any bead
+  Refilling refilling;
+};
+
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
 /// layers can be planned side by side.
 /// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
-ToolpathLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context);
+PlannedLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context);
 
 }  // namespace lamina

@@ -22,6 +22,8 @@ void describe(SettingsSchema& schema, WallSettings& walls) {
   schema.choice<WallOrder>("walls.order", walls.order,
                            {{"outside_in", WallOrder::OutsideIn}, {"inside_out", WallOrder::InsideOut}},
                            "Which walls come first.");
+  schema.number("walls.narrowest", walls.narrowest, {0.05, 1.0, false},
+                "Narrowest bead where no wall fits, in pitches; what is thinner is not printed.");
 }
 
 void describe(SettingsSchema& schema, InfillSettings& infill) {
@@ -34,6 +36,14 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
                 "Turn of the infill from each layer to the next.");
   schema.number("infill.wall_overlap", infill.wall_overlap, {0.0, 0.9, false},
                 "Part of the bead width by which infill runs into the innermost wall.");
+}
+
+void describe(SettingsSchema& schema, VoidSettings& voids) {
+  schema.choice<VoidRefill>("voids.refill", voids.refill,
+                            {{"none", VoidRefill::None}, {"beads", VoidRefill::Beads}},
+                            "What fills voids that walls and infill leave.");
+  schema.number("voids.least_area", voids.least_area, {0.0, 1e6, false},
+                "Smaller voids stay, in squared pitches.");
 }
 
 void describe(SettingsSchema& schema, SkirtSettings& skirt) {
@@ -75,6 +85,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.walls);
   describe(schema, settings.infill);
   describe(schema, settings.fill);
+  describe(schema, settings.voids);
   describe(schema, settings.skirt);
   describe(schema, settings.seam);
   describe(schema, settings.travel);

@@ -65,24 +65,42 @@ void joinLayers(std::vector<ToolpathLayer>& layers, const TravelSettings& settin
   }
 }
 
+Plan inOne(std::vector<PlannedLayer> planned) {
+  Plan plan;
+  plan.toolpath.layers.reserve(planned.size());
+  for (PlannedLayer& each : planned) {
+    plan.unprinted_mm3 += each.unprinted_mm2 * each.layer.height_mm;
+    plan.refilling.runs += each.refilling.runs;
+    plan.refilling.deposited_mm3 += each.refilling.deposited_mm3;
+    plan.toolpath.layers.push_back(std::move(each.layer));
+  }
+  return plan;
+}
+
 }  // namespace
 
-Toolpath planToolpath(const std::string& part_name, const std::vector<Layer>& layers,
-                      const PlanSettings& settings, Progress& progress) {
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              Progress& progress) {
   const PlanContext context = wallContext(contextFor(layers, settings));
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
-  Toolpath toolpath;
-  toolpath.part_name = part_name;
-  toolpath.layers.resize(layers.size());
+  std::vector<PlannedLayer> planned(layers.size());
   parallelFor(
       layers.size(),
-      [&](std::size_t i) { toolpath.layers[i] = planLayer(layers[i], i, i < base_layers ? base : context); },
+      [&](std::size_t i) { planned[i] = planLayer(layers[i], i, i < base_layers ? base : context); },
       progress, "plan");
-  if (context.strategy.link == LayerLink::Chained) chainLayers(toolpath.layers, settings, context.anchor);
-  if (isVase(context)) raiseWall(toolpath.layers, base_layers, settings.travel);
-  joinLayers(toolpath.layers, settings.travel);
-  return toolpath;
+  Plan plan = inOne(std::move(planned));
+  std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
+  plan.toolpath.part_name = part_name;
+  if (context.strategy.link == LayerLink::Chained) chainLayers(paths, settings, context.anchor);
+  if (isVase(context)) raiseWall(paths, base_layers, settings.travel);
+  joinLayers(paths, settings.travel);
+  return plan;
+}
+
+Toolpath planToolpath(const std::string& part_name, const std::vector<Layer>& layers,
+                      const PlanSettings& settings, Progress& progress) {
+  return planPart(part_name, layers, settings, progress).toolpath;
 }
 
 }  // namespace lamina

@@ -4,29 +4,94 @@
 
 #include <utility>
 
+#include "infill/medial_beads.hpp"
 #include "lamina/geometry/offset.hpp"
+#include "planning/narrow_places.hpp"
 
 namespace lamina {
+namespace {
+
+/// In squared pitches: corners may hold as much without being taken for narrow places.
+constexpr double kCorners = 0.1;
+/// In squared pitches: smaller narrow places get no bead, but for those that are seen from outside.
+constexpr double kLeastGap = 0.3;
+constexpr double kLeastFin = 0.05;
+
+class WallMaker {
+ public:
+  WallMaker(const Regions& material, const PlanSettings& settings, double pitch_mm, double overlap_mm)
+      : material_(material),
+        settings_(settings),
+        pitch_(pitch_mm),
+        // A bead reaches beyond the width it fills: its edge, not that width, ends at the outline.
+        beyond_(0.5 * (settings.bead.width_mm - pitch_mm)),
+        overlap_(overlap_mm) {}
+
+  Walls make() {
+    Walls walls;
+    if (!addAll(walls)) {
+      walls = {};
+      addOneByOne(walls);
+    }
+    if (settings_.walls.count == 0) walls.infill = offset(material_, -beyond_);
+    return walls;
+  }
+
+ private:
+  /// All walls, each from the one before: less to do than one by one. False if there is a narrow place.
+  bool addAll(Walls& walls) const {
+    const double tolerance = kCorners * pitch_ * pitch_;
+    const Regions* before = &material_;
+    walls.walls.reserve(static_cast<std::size_t>(settings_.walls.count));
+    for (int k = 0; k < settings_.walls.count; ++k) {
+      const double distance = k == 0 ? 0.5 * settings_.bead.width_mm : pitch_;
+      walls.walls.push_back({offset(*before, -distance), {}});
+      if (!isWideEverywhere(*before, walls.walls.back().centre_lines, distance, tolerance)) return false;
+      before = &walls.walls.back().centre_lines;
+    }
+    if (walls.walls.empty()) return true;
+    const double distance = 0.5 * pitch_ - overlap_;
+    walls.infill = offset(*before, -distance);
+    return isWideEverywhere(*before, walls.infill, distance, tolerance);
+  }
+
+  void addOneByOne(Walls& walls) const {
+    const double least = settings_.walls.narrowest * pitch_ + 2.0 * beyond_;
+    walls.unprinted_mm2 = areaThinnerThan(material_, least);
+    Regions left = offset(material_, -beyond_);
+    for (int k = 0; k < settings_.walls.count && !left.empty(); ++k) {
+      const Regions inner = offset(left, -pitch_);
+      const double least_gap = (k == 0 ? kLeastFin : kLeastGap) * pitch_ * pitch_;
+      const SplitArea split = splitByThickness(left, inner, pitch_, least_gap);
+      walls.walls.push_back({offset(split.wide, -0.5 * pitch_), thinBeads(split.narrow, k)});
+      left = inner;
+    }
+    walls.infill = overlap_ > 0.0 ? offset(left, overlap_) : std::move(left);
+  }
+
+  std::vector<FillPath> thinBeads(const Regions& narrow, int wall) const {
+    MedialBeadSettings beads;
+    beads.pitch_mm = pitch_;
+    beads.least_width = settings_.walls.narrowest;
+    std::vector<FillPath> runs = medialBeads(narrow, beads);
+    for (FillPath& run : runs) run.role = wall == 0 ? PathRole::OuterWall : PathRole::GapFill;
+    return runs;
+  }
+
+  const Regions& material_;
+  const PlanSettings& settings_;
+  double pitch_;
+  double beyond_;  ///< what a bead reaches beyond the width it fills, on each side [mm]
+  double overlap_;
+};
+
+}  // namespace
 
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
-  const double width = settings.bead.width_mm;
-  Walls walls;
-  for (int k = 0; k < settings.walls.count; ++k) {
-    // Each wall starts from the one before, which is the same as starting from the outline but has less left
-    // to do.
-    Regions wall = k == 0 ? offset(material, -0.5 * width) : offset(walls.centre_lines.back(), -pitch_mm);
-    if (wall.empty()) return walls;
-    walls.centre_lines.push_back(std::move(wall));
-  }
-  if (settings.infill.density == 0.0) return walls;
-  if (walls.centre_lines.empty()) {
-    // A bead reaches beyond the width it fills: its edge, not that width, shall end at the outline.
-    walls.infill = offset(material, 0.5 * (pitch_mm - width));
-  } else {
-    const double overlap = contact == WallContact::Overlapping ? settings.infill.wall_overlap * width : 0.0;
-    walls.infill = offset(walls.centre_lines.back(), overlap - 0.5 * pitch_mm);
-  }
-  return walls;
+  const bool overlaps = contact == WallContact::Overlapping ||
+                        (contact == WallContact::Fitted && settings.infill.density < 1.0);
+  const double overlap = overlaps ? settings.infill.wall_overlap * settings.bead.width_mm : 0.0;
+  return WallMaker(material, settings, pitch_mm, overlap).make();
 }
 
 }  // namespace lamina

@@ -64,6 +64,9 @@ std::string summaryText(const PrintReport& report) {
   lines.add("layers", slicing.layers);
   lines.add("deposition", fixed(slicing.deposition, 2), " m in ", slicing.deposition_runs, " runs, ",
             fixed(slicing.deposited_volume * kCubicCentimetresPerCubicMetre, 2), " cm³");
+  if (slicing.unprinted_volume > 0.0)
+    lines.add("unprinted", fixed(slicing.unprinted_volume * kCubicCentimetresPerCubicMetre, 4),
+              " cm³, thinner than the narrowest bead");
   lines.add("travel", fixed(slicing.travel, 2), " m");
   lines.add("lines streamed", report.streaming.lines_acknowledged);
   lines.add("resends", report.streaming.resends);

@@ -10,6 +10,11 @@
 #include "toolpath_markers.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kCubicMillimetresPerCubicMetre = 1e9;
+
+}  // namespace
 
 SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings)
     : settings_(settings),
@@ -54,6 +59,10 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
     Answer given = slice(request, progress);
     ROS_INFO_STREAM("sliced '" << request.part << "' into " << given.summary.layers << " layers, toolpath "
                                << given.toolpath_id);
+    if (given.summary.unprinted_volume > 0.0)
+      ROS_WARN_STREAM("not printed of '" << request.part << "': "
+                                         << given.summary.unprinted_volume * kCubicMillimetresPerCubicMetre
+                                         << " mm^3 thinner than the narrowest bead, walls.narrowest");
     return given;
   } catch (...) {
     const Failure failure = currentFailure();
