@@ -78,6 +78,7 @@ class LayerPlanner {
       addShortest(std::move(walls.walls[k].thin), {});
     }
     if (settings_.infill.density > 0.0) addInfill(walls.infill);
+    addShortest(std::move(walls.narrow_infill), {});
     if (settings_.infill.density < 1.0)
       sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
   }

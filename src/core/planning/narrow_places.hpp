@@ -13,7 +13,7 @@ struct SplitArea {
 };
 
 /// Whether the area is thicker than twice the distance everywhere: then shrinking took the same from it all
-/// along its border. Only areas are compared, so that it costs next to nothing.
+/// along its border, and no outline vanishes. Only areas are compared, so that it costs next to nothing.
 /// @param shrunk         the area shrunk by `distance_mm`
 /// @param tolerance_mm2  of what is too narrow
 bool isWideEverywhere(const Regions& whole, const Regions& shrunk, double distance_mm, double tolerance_mm2);

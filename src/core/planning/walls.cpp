@@ -16,6 +16,8 @@ constexpr double kCorners = 0.1;
 /// In squared pitches: smaller narrow places get no bead, but for those that are seen from outside.
 constexpr double kLeastGap = 0.3;
 constexpr double kLeastFin = 0.05;
+/// In squared pitches: a smaller narrow place is left to the lines beside it, such as a corner is.
+constexpr double kLeastNarrow = 4.0;
 
 class WallMaker {
  public:
@@ -27,7 +29,7 @@ class WallMaker {
         beyond_(0.5 * (settings.bead.width_mm - pitch_mm)),
         overlap_(overlap_mm) {}
 
-  Walls make() {
+  Walls make() const {
     Walls walls;
     if (!addAll(walls)) {
       walls = {};
@@ -35,6 +37,15 @@ class WallMaker {
     }
     if (settings_.walls.count == 0) walls.infill = offset(material_, -beyond_);
     return walls;
+  }
+
+  /// Lines to and fro in a place less than two beads wide would be mostly turns.
+  void takeNarrowInfill(Walls& walls) const {
+    const Regions shrunk = offset(walls.infill, -pitch_);
+    if (isWideEverywhere(walls.infill, shrunk, pitch_, kLeastNarrow * pitch_ * pitch_)) return;
+    const SplitArea split = splitByThickness(walls.infill, shrunk, pitch_, kLeastNarrow * pitch_ * pitch_);
+    walls.narrow_infill = beadsAlong(split.narrow, PathRole::GapFill);
+    walls.infill = difference(walls.infill, split.narrow);
   }
 
  private:
@@ -63,18 +74,19 @@ class WallMaker {
       const Regions inner = offset(left, -pitch_);
       const double least_gap = (k == 0 ? kLeastFin : kLeastGap) * pitch_ * pitch_;
       const SplitArea split = splitByThickness(left, inner, pitch_, least_gap);
-      walls.walls.push_back({offset(split.wide, -0.5 * pitch_), thinBeads(split.narrow, k)});
+      walls.walls.push_back({offset(split.wide, -0.5 * pitch_),
+                             beadsAlong(split.narrow, k == 0 ? PathRole::OuterWall : PathRole::GapFill)});
       left = inner;
     }
     walls.infill = overlap_ > 0.0 ? offset(left, overlap_) : std::move(left);
   }
 
-  std::vector<FillPath> thinBeads(const Regions& narrow, int wall) const {
+  std::vector<FillPath> beadsAlong(const Regions& narrow, PathRole role) const {
     MedialBeadSettings beads;
     beads.pitch_mm = pitch_;
     beads.least_width = settings_.walls.narrowest;
     std::vector<FillPath> runs = medialBeads(narrow, beads);
-    for (FillPath& run : runs) run.role = wall == 0 ? PathRole::OuterWall : PathRole::GapFill;
+    for (FillPath& run : runs) run.role = role;
     return runs;
   }
 
@@ -88,10 +100,13 @@ class WallMaker {
 }  // namespace
 
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
-  const bool overlaps = contact == WallContact::Overlapping ||
-                        (contact == WallContact::Fitted && settings.infill.density < 1.0);
+  const bool fits = contact == WallContact::Fitted && settings.infill.density == 1.0;
+  const bool overlaps = contact != WallContact::Beside && !fits;
   const double overlap = overlaps ? settings.infill.wall_overlap * settings.bead.width_mm : 0.0;
-  return WallMaker(material, settings, pitch_mm, overlap).make();
+  const WallMaker maker(material, settings, pitch_mm, overlap);
+  Walls walls = maker.make();
+  if (fits) maker.takeNarrowInfill(walls);
+  return walls;
 }
 
 }  // namespace lamina

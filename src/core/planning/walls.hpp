@@ -27,6 +27,8 @@ struct Walls {
   std::vector<Wall> walls;
   /// What the infill has to cover.
   Regions infill;
+  /// What is too narrow for lines to and fro that fit between the walls: beads along its middle.
+  std::vector<FillPath> narrow_infill;
   /// Area [mm²] of what is thinner than the narrowest bead that is laid, `walls.narrowest` pitches.
   double unprinted_mm2 = 0.0;
 };
