@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "layer_overlay.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
+#include "void_json.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -40,34 +42,6 @@ VoidJob jobFrom(const VoidArguments& arguments) {
   job.settings = loadJobSettings(arguments.config, overrides);
   if (!arguments.offset.empty()) job.offset = Point2(arguments.offset[0], arguments.offset[1]);
   return job;
-}
-
-nlohmann::ordered_json toJson(const Polygon& polygon) {
-  nlohmann::ordered_json points = nlohmann::json::array();
-  for (const Point2& point : polygon) points.push_back({point.x(), point.y()});
-  return points;
-}
-
-nlohmann::ordered_json toJson(const Void& found) {
-  nlohmann::ordered_json holes = nlohmann::json::array();
-  for (const Polygon& hole : found.outline.holes) holes.push_back(toJson(hole));
-  return {{"class", toString(found.kind)},
-          {"area_mm2", found.area_mm2},
-          {"outline_mm", toJson(found.outline.outer)},
-          {"holes_mm", holes}};
-}
-
-nlohmann::ordered_json toJson(const LayerVoids& layer, std::size_t index) {
-  nlohmann::ordered_json voids = nlohmann::json::array();
-  for (const Void& each : layer.voids) voids.push_back(toJson(each));
-  return {{"layer", index},
-          {"z_mm", layer.z_mm},
-          {"area_mm2", layer.area_mm2},
-          {"deposited_mm2", layer.deposited_mm2},
-          {"uncovered_mm2", layer.uncovered_mm2},
-          {"overfill_mm2", layer.overfill_mm2},
-          {"runs", layer.runs},
-          {"voids", voids}};
 }
 
 nlohmann::ordered_json classCounts(const std::vector<LayerVoids>& layers) {
@@ -124,11 +98,24 @@ void requireLayer(const VoidArguments& arguments, std::size_t layers) {
                        arguments.program + "' has " + std::to_string(layers) + " layers, the first is 0");
 }
 
+std::string suffixOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+void requireSuffix(const std::string& output) {
+  if (output.empty() || suffixOf(output) == ".csv" || suffixOf(output) == ".json") return;
+  throw InvalidInput("output is '" + output + "'; its suffix must be .csv or .json");
+}
+
+void write(const std::vector<LayerVoids>& layers, const std::string& output) {
+  if (suffixOf(output) == ".csv") writeVoidCsv(output, layers);
+  if (suffixOf(output) == ".json") writeVoidJson(output, layers);
+}
+
 void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
   for (const std::string& output : {arguments.output, arguments.picture}) {
     requireOtherFile(output, arguments.program);
     requireOtherFile(output, arguments.part);
   }
+  requireSuffix(arguments.output);
   const VoidJob job = jobFrom(arguments);
   const Toolpath program = toolpathFromGcodeFile(arguments.program, job.settings.program);
   requireLayer(arguments, program.layers.size());
@@ -137,7 +124,7 @@ void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
     TerminalProgress progress;
     report = runVoidJob(program, job, progress);
   }
-  if (!arguments.output.empty()) writeVoidCsv(arguments.output, report.layers);
+  write(report.layers, arguments.output);
   if (!arguments.picture.empty()) {
     const std::size_t drawn = arguments.layer.value_or(totals(report.layers).uncovered.worst_layer);
     drawToolpathLayer(program, drawn, overlayOf(report, drawn), {}, arguments.picture);
@@ -155,7 +142,8 @@ void addVoids(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--part", arguments->part, "Mesh file or name of a parametric part")->required();
   subcommand->add_option("--layer", arguments->layer, "Tell the voids of this layer; the first is 0")
       ->check(CLI::NonNegativeNumber);
-  subcommand->add_option("-o,--output", arguments->output, "Table to write (.csv), one line per layer");
+  subcommand->add_option("-o,--output", arguments->output,
+                         "File to write: a table with one line per layer (.csv), or all voids (.json)");
   subcommand->add_option("--picture", arguments->picture,
                          "Picture to write (.png) of that layer, or of the worst");
   subcommand
