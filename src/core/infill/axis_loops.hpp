@@ -10,7 +10,8 @@
 namespace lamina {
 
 /// Closed runs along both sides of an axis, halfway to the border and half the thickness wide: round the
-/// outside of each connected axis, and inside of each hole that it closes round.
-std::vector<FillPath> axisLoops(const MedialAxis& axis);
+/// outside of each connected axis, and inside of each hole that it closes round. Round a tip the run turns by
+/// a half circle, or as far into the corners beside it as its bead finds room in the region.
+std::vector<FillPath> axisLoops(const MedialAxis& axis, const Region& region);
 
 }  // namespace lamina

@@ -30,7 +30,7 @@ std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettin
 std::vector<FillPath> medialLoops(const Regions& regions, const MedialBeadSettings& settings) {
   requirePitch(settings);
   std::vector<FillPath> runs;
-  for (const Region& region : regions) append(runs, axisLoops(beadAxis(region, settings)));
+  for (const Region& region : regions) append(runs, axisLoops(beadAxis(region, settings), region));
   return runs;
 }
 

@@ -47,14 +47,11 @@ std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
   MedialAxis axis = beadAxis(region, settings);
   for (AxisBranch& branch : axis.branches) branch.points = inSteps(branch.points, kWidthStep * pitch_mm);
   std::vector<ContourLoop> loops;
-  for (FillPath& path : axisLoops(axis)) {
+  for (FillPath& path : axisLoops(axis, region)) {
     if (perimeter(path.points) < kShortest * pitch_mm) continue;
     ContourLoop loop;
     loop.points = std::move(path.points);
-    // The loop has the width at each point, a run that on the way to it.
-    for (std::size_t i = 0; i < path.width_mm.size(); ++i)
-      loop.width_mm.push_back(0.5 *
-                              (path.width_mm[i] + path.width_mm[i > 0 ? i - 1 : path.width_mm.size() - 1]));
+    loop.width_mm = std::move(path.width_mm);
     loops.push_back(std::move(loop));
   }
   return loops;
