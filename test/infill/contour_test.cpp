@@ -46,6 +46,7 @@ double filledArea(const FillPath& run) {
   return sum;
 }
 
+// T5 of the curved paths.
 TEST(Contour, JoinsEachRegionIntoOneClosedCycle) {
   for (const Region& region : outlinesWithIslands())
     for (const ContourLink link : {ContourLink::Average, ContourLink::Tangential})
@@ -72,6 +73,7 @@ TEST(Contour, CutsAtPlacesThatChangeWithTheLayerOnly) {
             contour(square, solid(ContourLink::Average, 1)).front().points);
 }
 
+// T5 of the curved paths.
 TEST(ContourTree, HasLoopsAPitchApartWithinOnePercent) {
   const ContourTree tree = contourTree({circle({0, 0}, 10, 360), {}}, solid());
   for (std::size_t i = 0; i < 24; ++i) {
@@ -80,6 +82,7 @@ TEST(ContourTree, HasLoopsAPitchApartWithinOnePercent) {
   }
 }
 
+// T5 of the curved paths.
 TEST(ContourTree, MergesLoopsWhereAnIslandTouchesTheOutside) {
   // 1.6 mm are left between island and border: a loop round each, and then less than a loop needs.
   const Region region = {rectangle(-10, -10, 10, 10), {reversed(rectangle(3, -3, 8.4, 3))}};

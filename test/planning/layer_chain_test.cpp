@@ -31,7 +31,7 @@ struct NamedPart {
   std::vector<Layer> layers;
 };
 
-/// The parts of T4.
+/// The parts of T4: figures 3-13 to 3-19.
 std::vector<NamedPart> parts() {
   const Polygon disc = circle({0, 0}, 8, 90);
   const Polygon hole = reversed(rectangle(-3, -3, 3, 3));
@@ -72,6 +72,7 @@ Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
   return toolpath;
 }
 
+// T4 of the curved paths.
 TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
   for (const NamedPart& part : parts()) {
     const ToolpathTotals sums = totals(plan(part.layers, contoursOnly()));
@@ -80,6 +81,7 @@ TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
   }
 }
 
+// T4 of the curved paths.
 TEST(LayerChain, LaysNoPointOutsideTheOutline) {
   for (const NamedPart& part : parts()) {
     const Toolpath toolpath = plan(part.layers, contoursOnly());

@@ -7,7 +7,7 @@
 namespace lamina {
 
 /// Contours parallel to the border, joined into one closed cycle per connected region: neighbouring contours
-/// are cut open by a gap as wide as they are apart, and joined by two links across it.
+/// are cut open by a gap nearly as wide as they are apart, and joined by two links across it.
 /// @throws InvalidInput if the spacing is not positive, or too small for the region
 std::vector<FillPath> contour(const Regions& regions, const InfillRequest& request);
 

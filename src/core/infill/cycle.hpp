@@ -11,8 +11,8 @@ namespace lamina {
 /// The loops of a tree as rings, nothing cut yet; ring i is loop i.
 RingNet ringsOf(const ContourTree& tree);
 
-/// Joins all rings that do not hang together yet: neighbours are cut open by a gap as wide as they are apart,
-/// and joined by two links across. Rings that have no neighbour near enough stay by themselves.
+/// Joins all rings that do not hang together yet: neighbours are cut open by a gap nearly as wide as they are
+/// apart, and joined by two links across. Rings that have no neighbour near enough stay by themselves.
 /// @param salt  of the seed: a number for the region
 void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::uint64_t salt);
 

@@ -10,6 +10,10 @@
 namespace lamina {
 namespace {
 
+/// Length of a gap, in distances between the rings. Runs turn round where they are cut, and leave their
+/// corners open; a little less than a whole distance makes up for that.
+constexpr double kGap = 0.9;
+
 /// Where links from both ends of a gap land.
 struct Landings {
   RingPlace start;
@@ -53,7 +57,7 @@ std::optional<RingLink> linkAt(const RingNet& net, const LinkTrial& trial, Conto
   const double distance = trial.distance_mm;
   const double from = ring.wrapped(trial.position_mm);
   RingLink link;
-  link.a = {trial.ring, from, from + std::min(distance, 0.4 * ring.length())};
+  link.a = {trial.ring, from, from + std::min(kGap * distance, 0.4 * ring.length())};
   if (!net.isFree(link.a, limits.margin * distance) || !isStraight(ring, link.a, limits.straightness))
     return std::nullopt;
   const Point2 start = ring.pointAt(link.a.from_mm);

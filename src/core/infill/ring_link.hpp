@@ -30,7 +30,7 @@ struct LinkTrial {
   std::size_t ring = 0;      ///< that is cut
   double position_mm = 0.0;  ///< where its gap begins
   std::size_t onto = 0;      ///< the ring that is landed on
-  double distance_mm = 0.0;  ///< between the rings, and length of the gap
+  double distance_mm = 0.0;  ///< between the rings; the gap is nine tenths as long
 };
 
 /// The link at that place, none if it does not fit there. It crosses neither ring.
