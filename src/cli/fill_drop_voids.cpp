@@ -107,12 +107,6 @@ void printJson(const DropVoidReport& report, const std::vector<DropSweepStep>& s
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void writeWhole(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 }  // namespace
 
 void addTo(CLI::App& subcommand, DropFillArguments& arguments) {
@@ -151,8 +145,8 @@ void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, Outp
     filled = fillDropProgram(program, settings.drop_voids, dialect, progress);
     if (!files.sweep.empty()) steps = sweepDropVoids(program, settings.drop_voids, progress);
   }
-  if (!files.output.empty()) writeWhole(files.output, filled.text);
-  if (!files.sweep.empty()) writeWhole(files.sweep, sweepCsv(steps));
+  if (!files.output.empty()) writeFile(files.output, filled.text);
+  if (!files.sweep.empty()) writeFile(files.sweep, sweepCsv(steps));
   if (format == OutputFormat::Json) return printJson(filled.report, steps, files);
   printText(filled.report);
   if (!steps.empty()) printText(steps);

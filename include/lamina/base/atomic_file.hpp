@@ -34,6 +34,10 @@ class AtomicFile {
   std::FILE* file_ = nullptr;
 };
 
+/// Writes the whole file, or leaves what was there.
+/// @throws FileError if it cannot be written
+void writeFile(const std::string& path, std::string_view bytes);
+
 /// The whole file as bytes.
 /// @throws FileError if it is missing, a folder, or cannot be read
 std::string readFile(const std::string& path);

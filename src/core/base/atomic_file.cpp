@@ -47,6 +47,12 @@ void AtomicFile::commit() {
   fail("write", path_, error_number);
 }
 
+void writeFile(const std::string& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
 std::string readFile(const std::string& path) { return InputFile(path).readRest(); }
 
 }  // namespace lamina

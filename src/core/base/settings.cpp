@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -108,8 +109,7 @@ void SettingsSchema::choice(const std::string& key, std::string& field,
 void SettingsSchema::addChoice(const std::string& key, const std::vector<std::string>& names,
                                const std::string& meaning, const std::function<void(std::size_t)>& choose,
                                std::function<std::string()> get) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : " | ") + name;
+  const std::string list = listed(names, " | ");
   const auto set = [key, names, list, choose](const std::string& text) {
     const auto found = std::find(names.begin(), names.end(), text);
     if (found == names.end()) refuse(key, text, "one of " + list);

@@ -16,6 +16,7 @@
 #include "infill/vase.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -48,9 +49,8 @@ const std::map<std::string, InfillStrategy>& strategies() {
 InfillStrategy infillStrategy(const std::string& name) {
   const auto found = strategies().find(name);
   if (found != strategies().end()) return found->second;
-  std::string names;
-  for (const std::string& known : infillStrategyNames()) names += (names.empty() ? "" : " | ") + known;
-  throw InvalidConfig("infill.strategy is '" + name + "'; must be one of " + names);
+  throw InvalidConfig("infill.strategy is '" + name + "'; must be one of " +
+                      listed(infillStrategyNames(), " | "));
 }
 
 std::vector<std::string> infillStrategyNames() {

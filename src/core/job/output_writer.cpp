@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/program/csv_writer.hpp"
 #include "lamina/program/gcode_writer.hpp"
 
@@ -36,9 +37,8 @@ OutputWriter outputWriterFor(const std::string& path) {
   const auto writers = registry();
   const auto found = writers.find(std::filesystem::path(path).extension().string());
   if (found != writers.end()) return found->second;
-  std::string known;
-  for (const std::string& suffix : outputSuffixes()) known += (known.empty() ? "" : ", ") + suffix;
-  throw InvalidInput("output '" + path + "' has no suffix that chooses a writer; must be one of " + known);
+  throw InvalidInput("output '" + path + "' has no suffix that chooses a writer; must be one of " +
+                     listed(outputSuffixes()));
 }
 
 void requireOtherFile(const std::string& output, const std::string& input) {

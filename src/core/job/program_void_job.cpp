@@ -25,11 +25,7 @@ DropVoidReport fillDrops(std::string text, const ProgramVoidJob& job, Progress& 
   const DropDialect& dialect = job.settings.program.drops;
   FilledDropProgram filled =
       fillDropProgram(parseDropProgram(std::move(text), dialect), job.settings.drop_voids, dialect, progress);
-  if (!job.output.empty()) {
-    AtomicFile file(job.output);
-    file.write(filled.text);
-    file.commit();
-  }
+  if (!job.output.empty()) writeFile(job.output, filled.text);
   return std::move(filled.report);
 }
 

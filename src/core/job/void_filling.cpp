@@ -76,11 +76,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   report.before = totals(found.layers);
   const Toolpath result = toolpathFromGcode(filled, settings.program, job.program);
   report.after = totals(findVoids(found.part.contours, result, job.map.map, progress));
-  if (!job.output.empty()) {
-    AtomicFile file(job.output);
-    file.write(filled);
-    file.commit();
-  }
+  if (!job.output.empty()) writeFile(job.output, filled);
   return report;
 }
 

@@ -29,9 +29,7 @@ std::string voidCsv(const std::vector<LayerVoids>& layers) {
 }
 
 void writeVoidCsv(const std::string& path, const std::vector<LayerVoids>& layers) {
-  AtomicFile file(path);
-  file.write(voidCsv(layers));
-  file.commit();
+  writeFile(path, voidCsv(layers));
 }
 
 }  // namespace lamina

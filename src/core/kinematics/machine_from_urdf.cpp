@@ -7,6 +7,7 @@
 
 #include "kinematics/machine_urdf.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/kinematics/machine.hpp"
 
 namespace lamina {
@@ -72,12 +73,6 @@ MachineAxis axisOf(const Model& model, int index, const Point3& direction) {
   axis.high_mm = kMillimetres * joint->limits->upper;
   axis.max_speed_mm_s = kMillimetres * joint->limits->velocity;
   return axis;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  return list;
 }
 
 }  // namespace

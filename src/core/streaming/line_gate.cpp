@@ -4,16 +4,11 @@
 
 #include <charconv>
 
+#include "lamina/base/text.hpp"
 #include "lamina/streaming/marlin_protocol.hpp"
 
 namespace lamina {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\r')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r')) text.remove_suffix(1);
-  return text;
-}
 
 std::optional<std::uint64_t> wholeNumber(std::string_view text) {
   std::uint64_t value = 0;

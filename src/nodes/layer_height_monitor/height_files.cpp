@@ -27,12 +27,6 @@ std::string summaryOf(const HeightMonitor& monitor, const std::vector<LayerHeigh
   return text.str();
 }
 
-void saveText(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 }  // namespace
 
 void saveHeights(const std::string& folder, const HeightMonitor& monitor,
@@ -47,7 +41,7 @@ void saveHeights(const std::string& folder, const HeightMonitor& monitor,
   drawDeviation(folder + "/deviation.png", monitor.deviation(),
                 {"Measured less expected height: " + part, summary});
   writeOctree(folder + "/height_map.bt", *octreeOf(heights, kMetresPerMillimetre));
-  saveText(folder + "/layer_heights.csv", layerHeightCsv(layers));
+  writeFile(folder + "/layer_heights.csv", layerHeightCsv(layers));
 }
 
 }  // namespace lamina

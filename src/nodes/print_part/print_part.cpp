@@ -21,12 +21,6 @@ namespace {
 constexpr std::chrono::seconds kSafeStopPatience{20};
 constexpr double kSettlingTime = 3.0;  // s without a further height once streaming is over
 
-void writeFile(const std::string& path, const std::string& text) {
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 /// The answer of an action that is done; its status is what it ended with.
 template <class Client>
 auto resultOf(Client& client, const std::string& action) {

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lamina {
+
+/// Without white space at its ends; whatever the locale.
+std::string_view trimmed(std::string_view text);
+
+/// One after the other with the separator between them; empty if there are none.
+std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
+
+}  // namespace lamina

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::string_view kSpace = " \t\r\n\f\v";
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::string listed(const std::vector<std::string>& names, std::string_view separator) {
+  std::string list;
+  for (const std::string& name : names) {
+    if (&name != &names.front()) list += separator;
+    list += name;
+  }
+  return list;
+}
+
+}  // namespace lamina

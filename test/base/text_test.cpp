@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lamina {
+namespace {
+
+TEST(Text, LosesWhiteSpaceAtItsEndsOnly) {
+  EXPECT_EQ(trimmed(" \t G1 X2\r\n"), "G1 X2");
+  EXPECT_EQ(trimmed("G28"), "G28");
+  EXPECT_EQ(trimmed(" \r\n"), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(Text, ListsNamesWithSeparatorsBetween) {
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
+  EXPECT_EQ(listed({"", "b"}, " | "), " | b");
+  EXPECT_EQ(listed({}), "");
+}
+
+}  // namespace
+}  // namespace lamina
