@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "infill/axis_loops.hpp"
 #include "infill/bead_axis.hpp"
+#include "lamina/geometry/offset.hpp"
 
 namespace lamina {
 namespace {
@@ -20,6 +22,11 @@ constexpr double kWidthStep = 0.05;
 constexpr double kLeastArea = 0.2;
 /// Shorter loops are left out, in pitches.
 constexpr double kShortest = 1.0;
+/// Of regions that are filled along their border, in pitches: the corners of thinner ones are in the way of
+/// links.
+constexpr double kLeastRadius = 0.6;
+/// How much of a region's area a loop along its border may lay.
+constexpr double kMostFilled = 1.06;
 
 std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step) {
   std::vector<AxisPoint> result = {points.front()};
@@ -37,6 +44,25 @@ std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step
   return result;
 }
 
+double largestRadius(const MedialAxis& axis) {
+  double largest = 0.0;
+  for (const AxisBranch& branch : axis.branches)
+    for (const AxisPoint& point : branch.points) largest = std::max(largest, point.radius_mm);
+  return largest;
+}
+
+/// One loop along the border, half as wide as the largest disc inside: it reaches everything. None if it
+/// would lay too much, because the region is narrower elsewhere.
+std::optional<ContourLoop> borderLoop(const Region& region, double radius) {
+  const Regions centre_lines = offset({region}, -0.5 * radius);
+  if (centre_lines.size() != 1 || !centre_lines.front().holes.empty()) return std::nullopt;
+  ContourLoop loop;
+  loop.points = centre_lines.front().outer;
+  if (perimeter(loop.points) * radius > kMostFilled * area({region})) return std::nullopt;
+  loop.width_mm.assign(loop.points.size(), radius);
+  return loop;
+}
+
 }  // namespace
 
 std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
@@ -45,6 +71,9 @@ std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
   settings.pitch_mm = pitch_mm;
   settings.least_width = kLeastWidth;
   MedialAxis axis = beadAxis(region, settings);
+  const double radius = largestRadius(axis);
+  if (radius > kLeastRadius * pitch_mm)
+    if (std::optional<ContourLoop> loop = borderLoop(region, radius)) return {std::move(*loop)};
   for (AxisBranch& branch : axis.branches) branch.points = inSteps(branch.points, kWidthStep * pitch_mm);
   std::vector<ContourLoop> loops;
   for (FillPath& path : axisLoops(axis, region)) {

@@ -10,7 +10,8 @@
 namespace lamina {
 
 /// Closed loops that fill a narrow region by beads half as wide as it is, out along one side of its medial
-/// axis and back along the other: one loop round each connected axis and one more in each of its holes.
+/// axis and back along the other: one loop round each connected axis and one more in each of its holes. Where
+/// the region is about as thick all over, and without holes, the loop runs along its border.
 std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm);
 
 }  // namespace lamina
