@@ -34,6 +34,7 @@ DiscCoverage coverageOf(const std::vector<DropLayer>& layers, const std::vector<
 
 std::vector<std::vector<Point2>> dropsOf(const std::vector<DropLayer>& layers) {
   std::vector<std::vector<Point2>> drops;
+  drops.reserve(layers.size());
   for (const DropLayer& layer : layers) drops.push_back(layer.drops);
   return drops;
 }
