@@ -55,6 +55,19 @@ SliceJob jobFrom(const SliceArguments& arguments) {
   return {arguments.part, arguments.output, loadJobSettings(arguments.config, overrides)};
 }
 
+double perLayer(std::size_t count, std::size_t layers) {
+  return layers > 0 ? static_cast<double>(count) / static_cast<double>(layers) : 0.0;
+}
+
+void printFill(const SliceSummary& s) {
+  const FillStarts& fill = s.starts;
+  std::printf("fill        %.2f runs per layer, %.2f at least\n", perLayer(fill.runs, s.layers),
+              perLayer(fill.regions, s.layers));
+  const double gap = fill.best_travel_mm > 0.0 ? fill.travel_mm / fill.best_travel_mm - 1.0 : 0.0;
+  std::printf("fill travel %.2f m between runs, %.1f %% above the best order found\n", fill.travel_mm / 1e3,
+              100.0 * gap);
+}
+
 void printJson(const SliceSummary& s, const std::string& output) {
   const nlohmann::ordered_json json = {
       {"triangles", s.triangles},
@@ -69,6 +82,12 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"repositions_a", s.repositions.to_fill},
       {"repositions_b", s.repositions.in_layer},
       {"repositions_c", s.repositions.to_layer},
+      {"fill_runs", s.starts.runs},
+      {"fill_runs_least", s.starts.regions},
+      {"fill_runs_per_layer", perLayer(s.starts.runs, s.layers)},
+      {"fill_runs_least_per_layer", perLayer(s.starts.regions, s.layers)},
+      {"fill_travel_mm", s.starts.travel_mm},
+      {"fill_travel_best_mm", s.starts.best_travel_mm},
       {"deposited_mm3", s.deposited_mm3},
       {"unprinted_mm3", s.unprinted_mm3},
       {"refill_runs", s.refilling.runs},
@@ -95,6 +114,7 @@ void printText(const SliceSummary& s, const std::string& output) {
               s.deposited_mm3 / 1e3);
   std::printf("repositions %zu to fills, %zu within layers, %zu between layers\n", s.repositions.to_fill,
               s.repositions.in_layer, s.repositions.to_layer);
+  if (s.starts.runs > 0) printFill(s);
   std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
   if (s.unprinted_mm3 > 0.0)
     std::printf("unprinted   %.3f mm3, thinner than the narrowest bead\n", s.unprinted_mm3);

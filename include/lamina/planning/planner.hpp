@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/planning/fill_starts.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -23,6 +24,7 @@ struct Refilling {
 struct Plan {
   Toolpath toolpath;
   Refilling refilling;
+  FillStarts starts;           ///< of all layers
   double unprinted_mm3 = 0.0;  ///< of what is too thin for the narrowest bead, `walls.narrowest`
 };
 

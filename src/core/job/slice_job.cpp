@@ -137,6 +137,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   sliced.toolpath = std::move(plan.toolpath);
   sliced.summary.unprinted_mm3 = plan.unprinted_mm3;
   sliced.summary.refilling = plan.refilling;
+  sliced.summary.starts = plan.starts;
   layers = {};
   if (job.settings.drop_voids.is_on)
     sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,

@@ -14,6 +14,7 @@
 #include "planning/ordering.hpp"
 #include "planning/seam.hpp"
 #include "planning/skirt.hpp"
+#include "planning/start_count.hpp"
 #include "planning/travel.hpp"
 #include "planning/walls.hpp"
 
@@ -59,7 +60,7 @@ class LayerPlanner {
     }
     for (const OrderedRun& next : orderRuns(islands, nozzle_)) addIsland(material[next.run]);
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
-    return {std::move(result_), unprinted_mm2_, refilling_};
+    return {std::move(result_), unprinted_mm2_, refilling_, starts_};
   }
 
  private:
@@ -77,10 +78,23 @@ class LayerPlanner {
       addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
       addShortest(std::move(walls.walls[k].thin), {});
     }
+    const std::size_t before = result_.paths.size();
     if (settings_.infill.density > 0.0) addInfill(walls.infill);
+    starts_ += startsOf(walls.infill, fillsSince(before), pitch_);
     addShortest(std::move(walls.narrow_infill), {});
     if (settings_.infill.density < 1.0)
       sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
+  }
+
+  /// Ends of the runs of infill laid since there were so many paths.
+  std::vector<RunEnds> fillsSince(std::size_t before) const {
+    std::vector<RunEnds> ends;
+    for (std::size_t i = before; i < result_.paths.size(); ++i) {
+      const Path& path = result_.paths[i];
+      if (path.role == PathRole::Infill || path.role == PathRole::GapFill)
+        ends.push_back({path.firstPoint().head<2>(), path.lastPoint().head<2>()});
+    }
+    return ends;
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {
@@ -196,6 +210,7 @@ class LayerPlanner {
   double pitch_ = 0.0;  ///< between neighbouring beads [mm]
   double unprinted_mm2_ = 0.0;
   Refilling refilling_;
+  FillStarts starts_;
   Regions sparse_;  ///< what the infill of all islands does not fill
   ToolpathLayer result_;
 };

@@ -24,6 +24,7 @@ struct PlannedLayer {
   ToolpathLayer layer;
   double unprinted_mm2 = 0.0;  ///< of what is too thin for any bead
   Refilling refilling;
+  FillStarts starts;
 };
 
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that

@@ -72,6 +72,7 @@ Plan inOne(std::vector<PlannedLayer> planned) {
     plan.unprinted_mm3 += each.unprinted_mm2 * each.layer.height_mm;
     plan.refilling.runs += each.refilling.runs;
     plan.refilling.deposited_mm3 += each.refilling.deposited_mm3;
+    plan.starts += each.starts;
     plan.toolpath.layers.push_back(std::move(each.layer));
   }
   return plan;

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+namespace lamina {
+
+/// How often a fill is started, and how far the nozzle travels for it, beside what is least. Walls and
+/// perimeters do not count.
+struct FillStarts {
+  std::size_t runs = 0;
+  std::size_t regions = 0;      ///< connected areas inside the walls with room for a bead: the least runs
+  double travel_mm = 0.0;       ///< between runs of the same area
+  double best_travel_mm = 0.0;  ///< in the order that the optimiser finds, from the same start
+};
+
+FillStarts& operator+=(FillStarts& sum, const FillStarts& more);
+
+}  // namespace lamina
