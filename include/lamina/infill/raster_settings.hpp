@@ -26,7 +26,7 @@ struct RasterSettings {
   SectionOrder order = SectionOrder::Optimised;
   double narrowest = 0.3;               ///< bead of a solid raster, in pitches
   double longest_connection_mm = 50.0;  ///< along the border, from one section of a solid raster to the next
-  double most_connection = 0.015;        ///< part of the area that all these connections may overfill
+  double most_connection = 0.015;       ///< part of the area that all these connections may overfill
 };
 
 /// Adds the keys raster.*.
