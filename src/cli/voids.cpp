@@ -81,13 +81,14 @@ void printJson(const VoidReport& report, const VoidArguments& arguments) {
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void printText(const VoidReport& report) {
+void printText(const VoidReport& report, const VoidArguments& arguments) {
   const VoidTotals sums = totals(report.layers);
   std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
   printShare("uncovered", sums.uncovered);
   printShare("overfill", sums.overfill);
   std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);
   std::printf("voids       %zu\n", sums.voids);
+  if (arguments.part.empty()) return;
   std::printf("part at     %.3f, %.3f mm from its own origin\n", report.part.offset.x(),
               report.part.offset.y());
 }
@@ -129,7 +130,7 @@ void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
     const std::size_t drawn = arguments.layer.value_or(totals(report.layers).uncovered.worst_layer);
     drawToolpathLayer(program, drawn, overlayOf(report, drawn), {}, arguments.picture);
   }
-  format == OutputFormat::Json ? printJson(report, arguments) : printText(report);
+  format == OutputFormat::Json ? printJson(report, arguments) : printText(report, arguments);
 }
 
 }  // namespace
@@ -139,7 +140,8 @@ void addVoids(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("voids", "Compare what a program deposits with the part it should fill");
   const auto arguments = std::make_shared<VoidArguments>();
   subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
-  subcommand->add_option("--part", arguments->part, "Mesh file or name of a parametric part")->required();
+  subcommand->add_option("--part", arguments->part,
+                         "Mesh file or name of a parametric part; without it, what the outer walls enclose");
   subcommand->add_option("--layer", arguments->layer, "Tell the voids of this layer; the first is 0")
       ->check(CLI::NonNegativeNumber);
   subcommand->add_option("-o,--output", arguments->output,

@@ -90,6 +90,26 @@ TEST_F(VoidJobTest, TakesALayerBeyondThePartForOverfill) {
   EXPECT_NEAR(report.layers[4].overfill_mm2, 10 * kWidth * (10.0 + M_PI / 4.0 * kWidth), 0.1);
 }
 
+TEST_F(VoidJobTest, WithoutAPartTakesWhatTheOuterWallsEnclose) {
+  Toolpath program = linesFrom(0, 10, 1);
+  const auto loop = [&](double low, double high) {
+    Path wall = program.layers[0].paths[0];
+    wall.role = PathRole::OuterWall;
+    wall.is_closed = true;
+    wall.points = {{low, low, kHeight}, {high, low, kHeight}, {high, high, kHeight}, {low, high, kHeight}};
+    return wall;
+  };
+  job_.part.clear();
+  EXPECT_THROW(run(program), InvalidInput);
+  program.layers[0].paths = {loop(20, 30), loop(24, 26)};
+  const VoidReport report = run(program);
+  // The walls are a little wider than they fill.
+  const double reach = kWidth + (1.0 - M_PI / 4.0) * kHeight;
+  EXPECT_NEAR(report.layers[0].area_mm2, std::pow(10 + reach, 2) - std::pow(2 - reach, 2), 1e-3);
+  EXPECT_NEAR(report.layers[0].uncovered_mm2, std::pow(10 - reach, 2) - std::pow(2 + reach, 2), 1.0);
+  EXPECT_EQ(report.layers[0].overfill_mm2, 0.0);
+}
+
 TEST_F(VoidJobTest, RefusesLayersThatDoNotRise) {
   Toolpath program = linesFrom(0, 10, 2);
   program.layers[1].z_mm = program.layers[0].z_mm;

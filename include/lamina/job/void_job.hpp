@@ -15,7 +15,8 @@ namespace lamina {
 
 /// One request: how well does a program fill a part?
 struct VoidJob {
-  std::string part;  ///< path of a mesh file, or the name of a parametric part (`partNames`)
+  std::string part;  ///< path of a mesh file, or the name of a parametric part (`partNames`); empty takes
+                     ///< what the program's outer walls enclose
   JobSettings settings;
   VoidMapSettings map;
   std::optional<Point2> offset;  ///< program_from_part in x and y [mm]; found if it is not given
@@ -32,7 +33,9 @@ struct PlacedContours {
 /// of what is deposited, and the median taken. If the middle of the whole part is then within 0.2 mm of a
 /// multiple of half a millimetre in x and y, where slicers put parts, that is tried too; what leaves less
 /// uncovered and overfilled is taken.
-/// @throws InvalidMesh, FileError; InvalidInput if the program's layers do not rise; Cancelled
+/// Without a part, each contour is what the closed outer walls of its layer enclose.
+/// @throws InvalidMesh, FileError; InvalidInput if the program's layers do not rise, or if there is neither
+/// part nor outer wall; Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 
 /// How well a program fills a part.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "job/part_source.hpp"
+#include "job/wall_contours.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/slicing/planar_slicer.hpp"
@@ -114,6 +115,7 @@ class Placing {
 }  // namespace
 
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress) {
+  if (job.part.empty()) return {wallContours(program), Point2::Zero()};
   const SourcePart source = readPart(job.part, job.settings.input);
   const Box3 box = boundingBox(source.mesh);
   const std::vector<Section> sections =
