@@ -48,11 +48,11 @@ Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
 }
 
 /// Whether all centre lines of the part lie half a bead inside its outlines, but for what these may be
-/// simplified, and the steps in which narrow beads change their width.
+/// simplified, and for narrow beads the steps in which their width changes and the tolerance of their axis.
 bool isInside(const Path& path, const std::vector<Polygon>& borders, const PlanSettings& settings) {
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     const double width = path.bead.at(i == 0 && !path.is_closed ? 1 : i).width_mm;
-    const double step = path.bead.isCommon() ? 0.0 : 0.025 * kWidth;
+    const double step = path.bead.isCommon() ? 0.0 : (0.025 + 0.01) * kWidth;
     const double least = 0.5 * std::min(kWidth, width) - step - 2.0 * settings.simplification_mm - 1e-4;
     const Point2 flat = path.points[i].head<2>();
     if (!contains(borders, flat) || test::distanceToOutline(borders, flat) < least) return false;

@@ -102,6 +102,30 @@ TEST(Walls, FillWhatIsLeftBetweenThemByABead) {
   for (const double width : walls.walls[2].thin[0].width_mm) EXPECT_NEAR(width, 0.3, 0.01);
 }
 
+TEST(Walls, FillADiscOfTheRadiusThatTheLastOneVanishesAt) {
+  // The second centre line would shrink to the middle of the disc.
+  const Walls walls = wallsIn({{test::circle({0, 0}, 0.6, 90), {}}}, wallsOf(2));
+  ASSERT_EQ(walls.walls.size(), 2U);
+  EXPECT_EQ(walls.walls[0].centre_lines.size(), 1U);
+  EXPECT_TRUE(walls.walls[1].centre_lines.empty());
+  EXPECT_EQ(walls.walls[1].thin.size(), 1U);
+}
+
+TEST(Walls, LeaveBeadsAlongNarrowPlacesInsteadOfASolidInfill) {
+  PlanSettings settings = wallsOf(1);
+  settings.infill.density = 1.0;
+  const Regions slot = {{rectangle(0, 0, 20, 1.4), {}}};  // 0.6 mm between the walls
+  const Walls solid = makeWalls(slot, settings, kPitch, WallContact::Fitted);
+  ASSERT_EQ(solid.narrow_infill.size(), 1U);
+  EXPECT_EQ(solid.narrow_infill[0].role, PathRole::GapFill);
+  for (const double width : solid.narrow_infill[0].width_mm) EXPECT_NEAR(width, 0.6, 0.01);
+  EXPECT_LT(area(solid.infill), 0.05);
+  settings.infill.density = 0.5;
+  const Walls sparse = makeWalls(slot, settings, kPitch, WallContact::Fitted);
+  EXPECT_TRUE(sparse.narrow_infill.empty());
+  EXPECT_GT(area(sparse.infill), 19.2 * 0.6);  // it overlaps the wall
+}
+
 TEST(Walls, CountWhatIsTooThinToBePrinted) {
   const Walls walls = wallsIn(dumbbell(0.1), wallsOf(1));
   EXPECT_TRUE(walls.walls[0].thin.empty());

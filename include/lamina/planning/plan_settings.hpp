@@ -79,7 +79,7 @@ struct PlanSettings {
   SeamSettings seam;
   TravelSettings travel;
   FeedSettings feed;
-  double simplification_mm = 0.01;  ///< how far a planned outline may leave the sliced one
+  double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
 };
 
 /// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, seam.*, travel.*,
