@@ -12,6 +12,10 @@
 namespace lamina {
 namespace {
 
+/// Of a cycle, in pitches, left out at its end: its two round ends leave corners open, and come so much
+/// nearer to each other.
+constexpr double kLeftOut = 0.9;
+
 bool isCycle(const Path& path, double pitch) {
   return path.is_closed && path.role == PathRole::Infill && path.deposit == Deposit::Bead &&
          length(path) > 2.0 * pitch;
@@ -80,9 +84,9 @@ class LayerChain {
 
   Path openedTowards(const Path& cycle, double pitch, const std::optional<Point2>& next) const {
     const CyclePlace start = nearestPlace(cycle, nozzle_);
-    Path path = opened(cycle, {start, CycleSense::AsGiven, pitch});
+    Path path = opened(cycle, {start, CycleSense::AsGiven, kLeftOut * pitch});
     if (!next) return path;
-    Path other = opened(cycle, {start, CycleSense::Reversed, pitch});
+    Path other = opened(cycle, {start, CycleSense::Reversed, kLeftOut * pitch});
     const auto distance = [&](const Path& from) { return (from.lastPoint().head<2>() - *next).norm(); };
     return distance(other) < distance(path) ? other : path;
   }

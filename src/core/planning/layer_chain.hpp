@@ -10,9 +10,10 @@
 namespace lamina {
 
 /// Opens the closed infill of each layer at the place nearest to where the nozzle comes from, leaves the last
-/// pitch of it out, and joins the layers: where the layer beneath ended within a pitch, seen from above, a
-/// bead rises from there to the start, as the first motion of the layer's path. With one such cycle per layer
-/// the part becomes one path without travel. Elsewhere, and between the runs of a layer, travels stay.
+/// nine tenths of a pitch out, and joins the layers: where the layer beneath ended within a pitch, seen from
+/// above, a bead rises from there to the start, as the first motion of the layer's path. With one such cycle
+/// per layer the part becomes one path without travel. Elsewhere, and between the runs of a layer, travels
+/// stay.
 ///
 /// Which way round a cycle is run is chosen so that it ends near the cycle above. Cycles shorter than two
 /// pitches stay closed. Travels between layers are not made here.
