@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lamina/geometry/offset.hpp"
 #include "support/drop_lattices.hpp"
 #include "support/shapes.hpp"
@@ -35,6 +38,35 @@ TEST(DropContours, KnowAnIslandInAHole) {
   const Regions regions = {{circle({0, 0}, 20, 120), {reversed(circle({0, 0}, 12, 90))}},
                            {circle({0, 0}, 7, 60), {}}};
   EXPECT_EQ(countBorders(contoursOf(filledLayer("drops_contour", regions, 1.0))), 3U);
+}
+
+/// Drops 1 mm apart on part of a circle about the origin, clockwise.
+std::vector<Point2> arcOfDrops(double radius, double part) {
+  std::vector<Point2> drops;
+  const int count = static_cast<int>(2.0 * M_PI * radius);
+  for (int i = 0; i < part * count; ++i)
+    drops.emplace_back(radius * std::cos(2.0 * M_PI * i / count), -radius * std::sin(2.0 * M_PI * i / count));
+  return drops;
+}
+
+TEST(DropContours, ATornOneAroundAHoleIsNoBorder) {
+  // Half of the second contour around the hole lacks its drops: its outline runs through the hole.
+  DropLayer layer;
+  layer.diameter_mm = 1.0;
+  std::vector<Point2> outer = arcOfDrops(8.0, 1.0);
+  std::reverse(outer.begin(), outer.end());
+  for (const std::vector<Point2>& drops : {outer, arcOfDrops(3.0, 1.0), arcOfDrops(4.0, 0.5)}) {
+    const std::size_t begin = layer.drops.size();
+    layer.drops.insert(layer.drops.end(), drops.begin(), drops.end());
+    layer.chains.push_back({DropRole::Contour, begin, layer.drops.size()});
+  }
+  const std::vector<DropContour> contours = contoursOf(layer);
+  ASSERT_EQ(contours.size(), 3U);
+  EXPECT_TRUE(contours[0].is_border);
+  EXPECT_TRUE(contours[1].is_border);
+  EXPECT_FALSE(contours[2].is_border);
+  EXPECT_FALSE(contains(borders(contours), Point2(0, 0)));
+  EXPECT_TRUE(contains(borders(contours), Point2(5, 0)));
 }
 
 TEST(GuessedChains, FindTheContourOfAnInfill) {

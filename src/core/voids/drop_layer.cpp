@@ -10,6 +10,7 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr double kTorn = 2.5;  // diameters: a contour with such a step lacks drops, and cuts its corners
 
 /// The smallest outline around each, or none.
 std::vector<std::size_t> parentsOf(const std::vector<DropContour>& contours) {
@@ -31,6 +32,32 @@ std::vector<std::size_t> parentsOf(const std::vector<DropContour>& contours) {
     }
   }
   return parents;
+}
+
+double longestStep(const Polygon& outline) {
+  double longest = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    longest = std::max(longest, (outline[(i + 1) % outline.size()] - outline[i]).norm());
+  return longest;
+}
+
+bool overlap(const Box2& a, const Box2& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// What lies in an outline that lacks drops cannot be told: such a contour around a hole, with a whole one of
+/// a hole in its place, is taken for one of those around that.
+void dropTornBorders(std::vector<DropContour>& contours, double diameter) {
+  std::vector<Box2> boxes;
+  std::vector<bool> is_torn;
+  for (const DropContour& contour : contours) {
+    boxes.push_back(boundingBox({contour.outline}));
+    is_torn.push_back(longestStep(contour.outline) > kTorn * diameter);
+  }
+  for (std::size_t i = 0; i < contours.size(); ++i)
+    for (std::size_t j = 0; is_torn[i] && contours[i].is_hole && j < contours.size(); ++j)
+      if (!is_torn[j] && contours[j].is_hole && contours[j].is_border && overlap(boxes[i], boxes[j]))
+        contours[i].is_border = false;
 }
 
 Polygon outlineOf(const std::vector<Point2>& drops, const DropChain& chain) {
@@ -61,6 +88,7 @@ std::vector<DropContour> contoursOf(const DropLayer& layer) {
     parent.is_innermost = false;
     if (parent.is_hole && contours[i].is_hole) parent.is_border = false;
   }
+  dropTornBorders(contours, layer.diameter_mm);
   return contours;
 }
 
