@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/hybrid.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "infill/documented_zigzag.hpp"
 #include "infill/perimeter.hpp"
 #include "infill/raster_direction.hpp"
+#include "infill/section_order.hpp"
 #include "infill/strip_runs.hpp"
 #include "infill/zigzag.hpp"
 #include "lamina/geometry/offset.hpp"
@@ -34,6 +37,27 @@ std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillReque
   return runs;
 }
 
+/// The perimeters, and what follows them, beads of narrow places and zigzags together, in an order of short
+/// travels.
+std::vector<FillPath> orderedInside(std::vector<FillPath> runs, const Point2& start) {
+  const auto inside = std::find_if(runs.begin(), runs.end(),
+                                   [](const FillPath& run) { return run.role != PathRole::OuterWall; });
+  std::vector<RasterSection> sections;
+  for (auto run = inside; run != runs.end(); ++run) {
+    const std::array<Point2, 2> ends = {run->points.front(), lastPoint(*run)};
+    sections.push_back({ends, ends, 1});
+  }
+  const Point2 from = inside == runs.begin() ? start : lastPoint(*(inside - 1));
+  std::vector<FillPath> ordered;
+  for (const SectionVisit& visit : improvedTour(sections, from)) {
+    FillPath& run = *(inside + static_cast<std::ptrdiff_t>(visit.section));
+    const bool is_backwards = static_cast<int>(visit.entry) % 2 != 0;
+    ordered.push_back(is_backwards ? reversed(std::move(run)) : std::move(run));
+  }
+  std::move(ordered.begin(), ordered.end(), inside);
+  return runs;
+}
+
 }  // namespace
 
 std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& request) {
@@ -47,6 +71,8 @@ std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& reques
           : inBestDirection(offset(fill.links, -0.5 * (request.pitch_mm - narrowestBead(request))), inside,
                             rasterRuns);
   for (const FillPath& run : zigzags) fill.runs.push_back(run);
+  if (request.settings.raster.order == SectionOrder::Optimised)
+    return orderedInside(std::move(fill.runs), request.start);
   return std::move(fill.runs);
 }
 
