@@ -71,6 +71,26 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
         self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
 
+    def test_all_voids_of_a_program_are_listed_with_class_area_and_outline(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
+        program = self.path("box.gcode")
+        self.assertEqual(run("slice", box, "-o", program).returncode, 0)
+        listed = self.path("voids.json")
+        told = json.loads(run("voids", program, "--part", box, "-o", listed, "--json").stdout)
+        layers = json.loads(content(listed))["layers"]
+        self.assertEqual(len(layers), told["layers"])
+        voids = [void for layer in layers for void in layer["voids"]]
+        self.assertEqual(len(voids), told["voids"])
+        self.assertGreater(len(voids), 0)  # the infill is sparse
+        for void in voids:
+            self.assertIn(void["class"], told["voids_by_class"])
+            self.assertGreater(void["area_mm2"], 0.0)
+            self.assertGreaterEqual(len(void["outline_mm"]), 3)
+        # The outer walls alone tell the same of a box.
+        alone = json.loads(run("voids", program, "--json").stdout)
+        self.assertAlmostEqual(alone["uncovered_percent_mean"], told["uncovered_percent_mean"], delta=0.5)
+        self.assert_fails_with("InvalidInput", "voids", program, "--part", box, "-o", self.path("voids.txt"))
+
     def slice_drops(self, name):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
         path = self.path(name)
