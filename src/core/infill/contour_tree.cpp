@@ -12,12 +12,15 @@
 #include "infill/parted_area.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/simplify.hpp"
 
 namespace lamina {
 namespace {
 
 /// Loops shorter than this many pitches are points.
 constexpr double kShortest = 1.0;
+/// Contours may be straightened so far from one to the next, in pitches.
+constexpr double kStraight = 0.005;
 constexpr double kMostContours = 1e5;
 /// Cosine of the turn at the sharpest corner that a contour goes round: 60 degrees inside.
 constexpr double kSharpest = -0.5;
@@ -37,6 +40,12 @@ bool hasSharpCorner(const Region& region) {
   for (const Polygon& outline : outlines({region}))
     if (hasSharpCorner(outline)) return true;
   return false;
+}
+
+/// Without the points that offsets leave beside each other; they would add up from contour to contour.
+Region straightened(Region region, double tolerance_mm) {
+  Regions straight = unite(simplify(outlines({region}), tolerance_mm));
+  return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
 }
 
 /// What becomes of the narrow rests.
@@ -74,14 +83,20 @@ class TreeGrower {
   };
 
   void add(Regions centre_lines, std::size_t parent) {
-    for (Region& each : centre_lines) growing_.push_back({std::move(each), parent, std::nullopt});
+    for (Region& each : centre_lines)
+      growing_.push_back({straightened(std::move(each), kStraight * pitch_), parent, std::nullopt});
+  }
+
+  std::optional<Region> shrunk(const Region& centre_lines) const {
+    std::optional<Region> region = shrinkDirectly(centre_lines, pitch_);
+    return region ? std::optional(straightened(std::move(*region), kStraight * pitch_)) : std::nullopt;
   }
 
   void growSolid(const Growing& from, std::size_t node) {
     // What the next contour but one leaves tells whether there is room for the next one everywhere.
-    std::optional<Region> next = from.next ? from.next : shrinkDirectly(from.centre_lines, pitch_);
+    std::optional<Region> next = from.next ? from.next : shrunk(from.centre_lines);
     std::optional<Region> after;
-    if (next) after = shrinkDirectly(*next, pitch_);
+    if (next) after = shrunk(*next);
     if (after && !hasSharpCorner(*after)) {
       growing_.push_back({std::move(*next), node, std::move(after)});
       return;
