@@ -21,6 +21,8 @@ namespace {
 constexpr double kShortest = 1.0;
 /// Contours may be straightened so far from one to the next, in pitches.
 constexpr double kStraight = 0.005;
+/// Spits that are lost from one contour to the next may leave so much open, in squared pitches.
+constexpr double kLostSpit = 0.3;
 constexpr double kMostContours = 1e5;
 /// Cosine of the turn at the sharpest corner that a contour goes round: 60 degrees inside.
 constexpr double kSharpest = -0.5;
@@ -46,6 +48,20 @@ bool hasSharpCorner(const Region& region) {
 Region straightened(Region region, double tolerance_mm) {
   Regions straight = unite(simplify(outlines({region}), tolerance_mm));
   return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
+}
+
+double perimeterOf(const Region& region) {
+  double sum = 0.0;
+  for (const Polygon& outline : outlines({region})) sum += perimeter(outline);
+  return sum;
+}
+
+/// Whether each edge of the one became an edge of the other: together they then sweep a stripe along the
+/// border. A spit too narrow for that sweeps less.
+bool sweepsStripe(const Region& from, const Region& to, double distance_mm) {
+  if (from.holes.size() != to.holes.size()) return false;
+  const double stripe = 0.5 * distance_mm * (perimeterOf(from) + perimeterOf(to));
+  return std::abs(area({from}) - area({to}) - stripe) < kLostSpit * distance_mm * distance_mm;
 }
 
 /// What becomes of the narrow rests.
@@ -87,9 +103,13 @@ class TreeGrower {
       growing_.push_back({straightened(std::move(each), kStraight * pitch_), parent, std::nullopt});
   }
 
+  /// The next contour, if it follows all of this one.
   std::optional<Region> shrunk(const Region& centre_lines) const {
-    std::optional<Region> region = shrinkDirectly(centre_lines, pitch_);
-    return region ? std::optional(straightened(std::move(*region), kStraight * pitch_)) : std::nullopt;
+    std::optional<Region> direct = shrinkDirectly(centre_lines, pitch_);
+    if (direct) return straightened(std::move(*direct), kStraight * pitch_);
+    Regions clipped = offset({centre_lines}, -pitch_);
+    if (clipped.size() != 1 || !sweepsStripe(centre_lines, clipped.front(), pitch_)) return std::nullopt;
+    return straightened(std::move(clipped.front()), kStraight * pitch_);
   }
 
   void growSolid(const Growing& from, std::size_t node) {

@@ -19,10 +19,11 @@ constexpr double kHair = 0.1;
 PartedArea partByWidth(const Regions& area, double pitch_mm) {
   const Regions core = offset(area, -kWide * pitch_mm);
   if (core.empty()) return {{}, area};
-  Regions wide = intersection(offset(core, kWide * pitch_mm), area);
+  const Regions grown = offset(core, kWide * pitch_mm);
   // Rounding leaves hairs along the border: they are cleared away.
-  const Regions narrow = offset(difference(area, wide), -kHair * pitch_mm);
-  return {std::move(wide), offset(narrow, kHair * pitch_mm)};
+  const Regions narrow = offset(difference(area, grown), -kHair * pitch_mm);
+  if (narrow.empty()) return {area, {}};
+  return {intersection(grown, area), offset(narrow, kHair * pitch_mm)};
 }
 
 }  // namespace lamina
