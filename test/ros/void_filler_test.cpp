@@ -5,8 +5,10 @@
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/slice_job.hpp"
@@ -118,8 +120,55 @@ TEST_F(VoidFiller, LaysRunsIntoTheVoidsOfAProgramOfBeads) {
   EXPECT_GT(summary.runs_added, summary.layers);
   EXPECT_EQ(summary.drops_added, 0U);
   EXPECT_LT(summary.uncovered_after, 0.5 * summary.uncovered_before);
-  EXPECT_TRUE(response.voids.empty());
   EXPECT_GT(std::filesystem::file_size(output_), std::filesystem::file_size(folder_.file("box.gcode")));
+}
+
+double areaWithin(const std::vector<geometry_msgs::Point>& outline) {
+  double doubled = 0.0;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
+    doubled += outline[j].x * outline[i].y - outline[i].x * outline[j].y;
+  return 0.5 * doubled;
+}
+
+TEST_F(VoidFiller, TellsEachVoidBetweenBeads) {
+  const auto response = call(slicedBox(), "box");
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  ASSERT_EQ(response.voids.size(), response.summary.voids);
+  std::map<std::string, std::uint32_t> classes;
+  double uncovered = 0.0;
+  for (const auto& each : response.voids) {
+    EXPECT_LT(each.layer, response.summary.layers);
+    ++classes[each.kind];
+    uncovered += each.uncovered_before;
+    EXPECT_TRUE(std::isnan(each.uncovered_after) && std::isnan(each.greatest_clearance));
+    EXPECT_TRUE(each.drops.empty());
+    ASSERT_GE(each.outline.size(), 3U);
+    EXPECT_GT(areaWithin(each.outline), 0.0);
+    EXPECT_NEAR(each.outline.front().z, 0.4e-3 * (each.layer + 1), 1e-9) << "the top of its layer";
+  }
+  for (const auto& counted : response.summary.voids_by_class)
+    EXPECT_EQ(classes[counted.kind], counted.count) << counted.kind;
+  EXPECT_LE(uncovered, response.summary.uncovered_before * (1.0 + 1e-9));
+  EXPECT_GT(uncovered, 0.9 * response.summary.uncovered_before) << "all but the smallest are listed";
+}
+
+TEST_F(VoidFiller, DrawsLinesRoundTheVoidsBetweenBeads) {
+  const auto response = call(slicedBox(), "box");
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  const auto markers = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
+      lamina::names::kVoidMarkers, node_, ros::Duration(kPatience));
+  ASSERT_TRUE(markers);
+  ASSERT_EQ(markers->markers.size(), 1 + response.summary.voids_by_class.size());
+  std::size_t sides = 0;
+  for (const auto& each : response.voids) sides += each.outline.size();
+  std::size_t points = 0;
+  for (std::size_t i = 1; i < markers->markers.size(); ++i) {
+    const auto& marker = markers->markers[i];
+    EXPECT_EQ(marker.header.frame_id, lamina::names::kBedFrame);
+    EXPECT_EQ(marker.type, visualization_msgs::Marker::LINE_LIST + 0);
+    points += marker.points.size();
+  }
+  EXPECT_GE(points, 2 * sides) << "a line per side, and those of holes";
 }
 
 TEST_F(VoidFiller, OverridesItsSettingsForOneRequestOnly) {

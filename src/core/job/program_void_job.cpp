@@ -5,11 +5,12 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
 
 namespace lamina {
 namespace {
 
-VoidFillingReport fillBeads(const ProgramVoidJob& job, Progress& progress) {
+BeadVoidReport fillBeads(const std::string& text, const ProgramVoidJob& job, Progress& progress) {
   if (job.part.empty())
     throw InvalidInput("no part is given for '" + job.program +
                        "'; voids between beads are those of a part, which must be named");
@@ -18,7 +19,11 @@ VoidFillingReport fillBeads(const ProgramVoidJob& job, Progress& progress) {
   filling.output = job.output;
   filling.map.part = job.part;
   filling.map.settings = job.settings;
-  return runVoidFillingJob(filling, progress);
+  const Toolpath program = toolpathFromGcode(text, job.settings.program, job.program);
+  BeadVoidReport report;
+  report.found = runVoidJob(program, filling.map, progress).layers;
+  report.filling = runVoidFillingJob(filling, progress);
+  return report;
 }
 
 DropVoidReport fillDrops(std::string text, const ProgramVoidJob& job, Progress& progress) {
@@ -35,7 +40,7 @@ ProgramVoidReport runProgramVoidJob(const ProgramVoidJob& job, Progress& progres
   requireOtherFile(job.output, job.program);
   std::string text = readFile(job.program);
   if (isDropProgram(text, job.settings.program.drops)) return fillDrops(std::move(text), job, progress);
-  return fillBeads(job, progress);
+  return fillBeads(text, job, progress);
 }
 
 }  // namespace lamina

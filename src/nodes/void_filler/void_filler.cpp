@@ -45,10 +45,8 @@ lamina_msgs::FillVoids::Response VoidFiller::fill(const lamina_msgs::FillVoids::
   const ProgramVoidReport report = runProgramVoidJob(job, progress);
   lamina_msgs::FillVoids::Response response;
   response.summary = toMessage(report);
-  if (const auto* drops = std::get_if<DropVoidReport>(&report)) {
-    response.voids = toMessages(*drops);
-    markers_.publish(voidMarkers(*drops, names::kBedFrame));
-  }
+  response.voids = toMessages(report);
+  markers_.publish(voidMarkers(report, names::kBedFrame));
   return response;
 }
 

@@ -14,7 +14,8 @@ namespace lamina {
 /// Fills the voids of programs between slicing and streaming.
 ///
 /// Services    fill_voids (lamina/FillVoids)
-/// Publishes   void_markers (visualization_msgs/MarkerArray, latched): the new drops of the last program
+/// Publishes   void_markers (visualization_msgs/MarkerArray, latched): of the last program, its new drops or
+///             its voids between beads
 ///
 /// One program at a time: a request during another one is answered with REJECTED. A request that fails
 /// publishes and writes nothing.

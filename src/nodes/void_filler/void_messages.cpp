@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "void_messages.hpp"
 
+#include <limits>
+
 #include "conversions.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 
@@ -21,7 +23,8 @@ std::vector<lamina_msgs::VoidCount> toMessages(const std::map<VoidClass, std::si
   return messages;
 }
 
-lamina_msgs::VoidFillingSummary toMessage(const VoidFillingReport& report) {
+lamina_msgs::VoidFillingSummary toMessage(const BeadVoidReport& found_and_filled) {
+  const VoidFillingReport& report = found_and_filled.filling;
   lamina_msgs::VoidFillingSummary summary;
   summary.layers = static_cast<std::uint32_t>(report.before.layers);
   summary.layers_filled = static_cast<std::uint32_t>(report.layers);
@@ -54,12 +57,11 @@ lamina_msgs::VoidFillingSummary toMessage(const DropVoidReport& report) {
   return summary;
 }
 
-Point3 at(const Point2& drop, double height_mm) { return {drop.x(), drop.y(), height_mm}; }
+/// Of the lines round voids between beads [mm].
+constexpr double kLineWidth = 0.1;
 
-}  // namespace
-
-lamina_msgs::VoidFillingSummary toMessage(const ProgramVoidReport& report) {
-  return std::visit([](const auto& each) { return toMessage(each); }, report);
+geometry_msgs::Point at(const Point2& point, double height_mm) {
+  return lamina::toMessage(Point3(point.x(), point.y(), height_mm));
 }
 
 std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report) {
@@ -72,33 +74,89 @@ std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report) {
       message.greatest_clearance = toMetres(each.greatest_clearance_mm);
       message.uncovered_before = toSquareMetres(each.uncovered_before_mm2);
       message.uncovered_after = toSquareMetres(each.uncovered_after_mm2);
-      for (const Point2& drop : each.drops)
-        message.drops.push_back(toMessage(at(drop, report.heights_mm[layer])));
+      for (const Point2& drop : each.drops) message.drops.push_back(at(drop, report.heights_mm[layer]));
       messages.push_back(std::move(message));
     }
   return messages;
 }
 
-visualization_msgs::MarkerArray voidMarkers(const DropVoidReport& report, const std::string& frame) {
-  using visualization_msgs::Marker;
+std::vector<lamina_msgs::FilledVoid> toMessages(const BeadVoidReport& report) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<lamina_msgs::FilledVoid> messages;
+  for (std::size_t layer = 0; layer < report.found.size(); ++layer)
+    for (const Void& each : report.found[layer].voids) {
+      lamina_msgs::FilledVoid message;
+      message.layer = static_cast<std::uint32_t>(layer);
+      message.kind = toString(each.kind);
+      message.greatest_clearance = message.uncovered_after = kUnknown;
+      message.uncovered_before = toSquareMetres(each.area_mm2);
+      for (const Point2& point : each.outline.outer)
+        message.outline.push_back(at(point, report.found[layer].z_mm));
+      messages.push_back(std::move(message));
+    }
+  return messages;
+}
+
+using visualization_msgs::Marker;
+
+Marker markerOf(VoidClass kind, const Colour& colour) {
+  Marker marker;
+  marker.ns = toString(kind);
+  marker.pose.orientation.w = 1.0;
+  marker.color.r = static_cast<float>(colour.red);
+  marker.color.g = static_cast<float>(colour.green);
+  marker.color.b = static_cast<float>(colour.blue);
+  marker.color.a = 1.0F;
+  return marker;
+}
+
+Marker markerOf(const DropVoidReport& report, VoidClass kind) {
+  Marker marker = markerOf(kind, roleColour(PathRole::GapFill));
+  marker.type = Marker::SPHERE_LIST;
+  marker.scale.x = marker.scale.y = marker.scale.z = toMetres(report.diameter_mm);
+  for (std::size_t layer = 0; layer < report.voids.size(); ++layer)
+    for (const DropVoid& each : report.voids[layer])
+      for (const Point2& drop : each.drops)
+        if (each.kind == kind) marker.points.push_back(at(drop, report.heights_mm[layer]));
+  return marker;
+}
+
+void addLoop(const Polygon& loop, double height_mm, Marker& marker) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    marker.points.push_back(at(loop[i], height_mm));
+    marker.points.push_back(at(loop[(i + 1) % loop.size()], height_mm));
+  }
+}
+
+Marker markerOf(const BeadVoidReport& report, VoidClass kind) {
+  Marker marker = markerOf(kind, roleColour(PathRole::GapFill));
+  marker.type = Marker::LINE_LIST;
+  marker.scale.x = toMetres(kLineWidth);
+  for (const LayerVoids& layer : report.found)
+    for (const Void& each : layer.voids) {
+      if (each.kind != kind) continue;
+      addLoop(each.outline.outer, layer.z_mm, marker);
+      for (const Polygon& hole : each.outline.holes) addLoop(hole, layer.z_mm, marker);
+    }
+  return marker;
+}
+
+}  // namespace
+
+lamina_msgs::VoidFillingSummary toMessage(const ProgramVoidReport& report) {
+  return std::visit([](const auto& each) { return toMessage(each); }, report);
+}
+
+std::vector<lamina_msgs::FilledVoid> toMessages(const ProgramVoidReport& report) {
+  return std::visit([](const auto& each) { return toMessages(each); }, report);
+}
+
+visualization_msgs::MarkerArray voidMarkers(const ProgramVoidReport& report, const std::string& frame) {
   visualization_msgs::MarkerArray array;
   array.markers.emplace_back();
   array.markers.back().action = Marker::DELETEALL;
   for (const VoidClass kind : kVoidClasses) {
-    Marker marker;
-    marker.ns = toString(kind);
-    marker.type = Marker::SPHERE_LIST;
-    marker.pose.orientation.w = 1.0;
-    marker.scale.x = marker.scale.y = marker.scale.z = toMetres(report.diameter_mm);
-    const Colour drawn = roleColour(PathRole::GapFill);
-    marker.color.r = static_cast<float>(drawn.red);
-    marker.color.g = static_cast<float>(drawn.green);
-    marker.color.b = static_cast<float>(drawn.blue);
-    marker.color.a = 1.0F;
-    for (std::size_t layer = 0; layer < report.voids.size(); ++layer)
-      for (const DropVoid& each : report.voids[layer])
-        for (const Point2& drop : each.drops)
-          if (each.kind == kind) marker.points.push_back(toMessage(at(drop, report.heights_mm[layer])));
+    Marker marker = std::visit([kind](const auto& each) { return markerOf(each, kind); }, report);
     if (!marker.points.empty()) array.markers.push_back(std::move(marker));
   }
   for (Marker& marker : array.markers) marker.header.frame_id = frame;

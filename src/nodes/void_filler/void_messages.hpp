@@ -15,10 +15,10 @@ namespace lamina {
 lamina_msgs::VoidFillingSummary toMessage(const ProgramVoidReport& report);
 
 /// Each void of each layer.
-std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report);
+std::vector<lamina_msgs::FilledVoid> toMessages(const ProgramVoidReport& report);
 
-/// The new drops as spheres, one namespace per class of void. The first marker deletes those of an earlier
-/// program.
-visualization_msgs::MarkerArray voidMarkers(const DropVoidReport& report, const std::string& frame);
+/// Of drops the new ones as spheres, of beads lines round the voids that were found; one namespace per class
+/// of void. The first marker deletes those of an earlier program.
+visualization_msgs::MarkerArray voidMarkers(const ProgramVoidReport& report, const std::string& frame);
 
 }  // namespace lamina
