@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "infill/trail_beads.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "support/shapes.hpp"
@@ -164,6 +165,39 @@ TEST(MedialLoops, GoRoundAllArmsOfACrossAtOnce) {
 TEST(MedialLoops, OfARingAreOneOutsideAndOneInside) {
   const Region ring = {circle({0, 0}, 5.3, 90), {test::reversed(circle({0, 0}, 4.7, 90))}};
   EXPECT_EQ(medialLoops({ring}, pitchOf(0.4)).size(), 2U);
+}
+
+/// Squares, discs and stars of so many pitches.
+Regions randomPlace(Random& random, double pitches) {
+  const double size = 0.4 * pitches;
+  switch (static_cast<int>(random.uniform(0.0, 3.0))) {
+    case 0:
+      return {{rectangle(0, 0, size, size), {}}};
+    case 1:
+      return {{circle({0, 0}, 0.5 * size, 48), {}}};
+    default:
+      return unite({test::star(random, {0, 0}, 0.2 * size, 0.5 * size, 11)});
+  }
+}
+
+TEST(MedialBeads, AreNowhereWiderThanTheWidest) {
+  EXPECT_TRUE(rc::check("places of any size", [] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    const Regions place = randomPlace(random, random.uniform(1.0, 50.0));
+    for (const FillPath& run : medialBeads(place, pitchOf(0.4)))
+      for (const double width : run.width_mm) RC_ASSERT(width <= 1.6 * 0.4 + 1e-9);
+  }));
+}
+
+TEST(MedialBeads, GoRoundTheMiddleOfWhatIsTooWideForABeadButNoLonger) {
+  for (const double radius : {0.5, 2.0}) {
+    double filled = 0.0;
+    for (const FillPath& run : trailBeads({{{{1, 2}, radius}}}, pitchOf(0.4))) {
+      for (const double width : run.width_mm) EXPECT_LE(width, 1.6 * 0.4);
+      filled += filledArea(run);
+    }
+    EXPECT_NEAR(filled, M_PI * radius * radius, 0.05 * M_PI * radius * radius);
+  }
 }
 
 TEST(MedialRuns, StayInsideTheRegion) {

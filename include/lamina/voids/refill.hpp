@@ -16,8 +16,9 @@ struct RefillSettings {
   double least_width = 0.25;  ///< in pitches: no bead is laid where a void is narrower
 };
 
-/// Runs of role GapFill along the medial axes of a layer's voids, as wide as the voids are. A void that is
-/// too small, or nowhere wide enough, stays.
+/// Runs of role GapFill along the medial axes of a layer's voids, as wide as the voids are; a void with room
+/// for several beads side by side gets loops parallel to its border. A void that is too small, or nowhere
+/// wide enough, stays.
 /// @throws InvalidInput if a setting is negative
 std::vector<FillPath> refill(const LayerVoids& layer, const RefillSettings& settings);
 

@@ -21,6 +21,11 @@ constexpr double kShortestStart = 0.05;
 constexpr double kDotReach = 0.25;
 constexpr double kDotWidth = 1.5;
 constexpr double kSteepestMitre = 1.5;
+/// A short section of a trail may take the number of lanes beside it while the lanes stay within this part of
+/// the widest bead; they are then no wider than that bead all the same.
+constexpr double kTolerated = 1.25;
+/// Corners of a round loop.
+constexpr int kRoundCorners = 12;
 
 double lengthOf(const std::vector<AxisPoint>& points) {
   double sum = 0.0;
@@ -71,6 +76,27 @@ std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step
   return result;
 }
 
+FillPath roundLoop(const Point2& centre, double radius, double width) {
+  FillPath run;
+  run.role = PathRole::GapFill;
+  run.is_closed = true;
+  for (int k = 0; k < kRoundCorners; ++k) {
+    const double angle = 2.0 * M_PI * k / kRoundCorners;
+    run.points.push_back(centre + radius * Point2(std::cos(angle), std::sin(angle)));
+  }
+  run.width_mm.assign(run.points.size(), width);
+  return run;
+}
+
+/// What is about as long as wide and too wide for one bead: loops round its middle.
+std::vector<FillPath> roundLoops(const AxisPoint& middle, double pitch) {
+  const int count = std::max(1, static_cast<int>(std::round(middle.radius_mm / pitch)));
+  const double width = middle.radius_mm / count;
+  std::vector<FillPath> loops;
+  for (int k = count; k-- > 0;) loops.push_back(roundLoop(middle.point, (k + 0.5) * width, width));
+  return loops;
+}
+
 FillPath dot(const AxisPoint& at) {
   FillPath run;
   run.role = PathRole::GapFill;
@@ -84,7 +110,9 @@ FillPath dot(const AxisPoint& at) {
 class Lanes {
  public:
   Lanes(std::vector<AxisPoint> points, const AxisTrail& trail, const MedialBeadSettings& settings)
-      : points_(std::move(points)), is_closed_(trail.is_closed) {
+      : points_(std::move(points)),
+        is_closed_(trail.is_closed),
+        widest_(settings.widest_bead * settings.pitch_mm) {
     if (is_closed_) points_.push_back(points_.front());
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
       const double thickness = points_[i].radius_mm + points_[i + 1].radius_mm;
@@ -119,13 +147,20 @@ class Lanes {
       double length = 0.0;
       while (end < count_.size() && count_[end] == count_[begin]) length += segmentLength(end++);
       const bool is_short = length < 2.0 * points_[begin].radius_mm && end - begin < count_.size();
-      if (is_short) {
-        const int neighbour = begin > 0 ? count_[begin - 1] : count_[end];
+      const int neighbour = begin > 0 ? count_[begin - 1] : end < count_.size() ? count_[end] : count_[begin];
+      if (is_short && hasRoom(begin, end, neighbour)) {
         std::fill(count_.begin() + static_cast<std::ptrdiff_t>(begin),
                   count_.begin() + static_cast<std::ptrdiff_t>(end), neighbour);
       }
       begin = end;
     }
+  }
+
+  /// Whether so many lanes are not too wide for these segments.
+  bool hasRoom(std::size_t begin, std::size_t end, int lanes) const {
+    for (std::size_t i = begin; i < end; ++i)
+      if (points_[i].radius_mm + points_[i + 1].radius_mm > kTolerated * widest_ * lanes) return false;
+    return true;
   }
 
   /// Narrower beads end nearer to the border than the axis does.
@@ -160,7 +195,7 @@ class Lanes {
     FillPath run;
     run.role = PathRole::GapFill;
     for (std::size_t i = first; i < end; ++i) {
-      const double width = (points_[i].radius_mm + points_[i + 1].radius_mm) / count_[i];
+      const double width = std::min(widest_, (points_[i].radius_mm + points_[i + 1].radius_mm) / count_[i]);
       for (const std::size_t vertex : {i, i + 1}) {
         const Point2 point = lanePoint(vertex, i, k);
         if (!run.points.empty() && (run.points.back() - point).norm() < 1e-6) continue;
@@ -225,6 +260,7 @@ class Lanes {
 
   std::vector<AxisPoint> points_;
   bool is_closed_;
+  double widest_;  ///< [mm]
   std::vector<int> count_;
   std::vector<Point2> normals_;  ///< point by point, as long as neighbouring lines need it
 };
@@ -240,7 +276,10 @@ std::vector<FillPath> trailBeads(const AxisTrail& trail, const MedialBeadSetting
   const AxisPoint widest =
       *std::max_element(points.begin(), points.end(),
                         [](const AxisPoint& a, const AxisPoint& b) { return a.radius_mm < b.radius_mm; });
-  if (!trail.is_closed && lengthOf(points) < 2.0 * kDotReach * widest.radius_mm) return {dot(widest)};
+  if (!trail.is_closed && lengthOf(points) < 2.0 * kDotReach * widest.radius_mm) {
+    const bool is_dot = kDotWidth * widest.radius_mm <= settings.widest_bead * settings.pitch_mm;
+    return is_dot ? std::vector<FillPath>{dot(widest)} : roundLoops(widest, settings.pitch_mm);
+  }
   if (trail.is_closed) points.push_back(points.front());
   points = inSteps(points, kWidthStep * settings.pitch_mm);
   if (trail.is_closed) points.pop_back();

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "infill/medial_beads.hpp"
+#include "infill/solid_beads.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -31,7 +31,7 @@ std::vector<FillPath> refill(const LayerVoids& layer, const RefillSettings& sett
   beads.pitch_mm = layer.pitch_mm;
   beads.least_width = settings.least_width;
   // The outline of a void is as coarse as the rows it was found on, and may touch itself.
-  return medialBeads(unite(outlines(filled)), beads);
+  return solidBeads(unite(outlines(filled)), beads, settings.least_area);
 }
 
 }  // namespace lamina
