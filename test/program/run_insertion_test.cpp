@@ -49,6 +49,19 @@ TEST(RunInsertion, KeepsEveryLineOfTheProgram) {
   EXPECT_EQ(withoutBlocks(filled), kAbsolute);
 }
 
+TEST(RunInsertion, TellsTheHeightOfTheRunAndThatOfTheBeadsAfterIt) {
+  const std::string program =
+      "M83\n;LAYER:0\n;HEIGHT:0.2\n;TYPE:outer_wall\nG0 X0 Y0 Z0.2 F6000\nG1 X10 E0.5 F1800\n;HEIGHT:0.1\n"
+      "G1 Y10 E0.5\n;LAYER:1\nG1 Z0.4\nG1 X20 E0.5\n";
+  const Toolpath after = read(insertRuns(program, read(program), {{bead(0.2)}, {}}, {}));
+  for (const Path& path : after.layers[0].paths) {
+    if (path.role != PathRole::GapFill) continue;
+    EXPECT_NEAR(path.bead.at(1).height_mm, 0.2, 1e-9);
+    EXPECT_NEAR(depositedVolume(path), depositedVolume(bead(0.2)), 1e-4);
+  }
+  EXPECT_NEAR(after.layers[1].paths.back().bead.at(1).height_mm, 0.1, 1e-9);
+}
+
 TEST(RunInsertion, AddsTheRunToItsLayerAndNoOther) {
   const Toolpath before = read(kAbsolute);
   const Toolpath after = read(insertRuns(kAbsolute, before, {{bead(0.2)}, {}}, {}));

@@ -19,11 +19,12 @@ struct GcodeMotion {
   Point3 end = Point3::Zero();    ///< [mm]; equal to the start for a motion of the filament alone
   double extrusion_mm = 0.0;      ///< filament pushed forth; negative pulls back
   double feed_mm_s = 0.0;
-  std::size_t line = 0;             ///< 1 based
-  std::optional<int> layer;         ///< as the slicer's comments tell; none before the first layer
-  std::optional<PathRole> role;     ///< as the slicer's comments tell
-  std::optional<double> height_mm;  ///< of the bead, as the slicer's comments tell
-  std::size_t section = 0;          ///< changes wherever a comment opens a layer or a path
+  std::size_t line = 0;                   ///< 1 based
+  std::optional<int> layer;               ///< as the slicer's comments tell; none before the first layer
+  std::optional<PathRole> role;           ///< as the slicer's comments tell
+  std::optional<double> height_mm;        ///< of the bead, as the slicer's comments tell
+  std::optional<double> layer_height_mm;  ///< told first in the layer
+  std::size_t section = 0;                ///< changes wherever a comment opens a layer or a path
 };
 
 /// Called for what a program does, in its order. Empty functions discard.

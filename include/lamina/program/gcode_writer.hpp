@@ -14,10 +14,11 @@ namespace lamina {
 ///
 /// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer
 /// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only
-/// words that change are written. `;TYPE:role` opens a deposition path where the role changes or nothing else
-/// would tell it from the path before. Positions have 3 decimals [mm], extrusion 5 [mm of filament], feeds 3
-/// [mm/min]; the remainder of each rounding of E is carried on, so that the sum of all E is that of the
-/// toolpath within half a unit of the last decimal.
+/// words that change are written. `;HEIGHT:` stands again
+/// wherever the height of the beads changes, within a path too, with 5 decimals. `;TYPE:role` opens a
+/// deposition path where the role changes or nothing else would tell it from the path before. Positions have
+/// 3 decimals [mm], extrusion 5 [mm of filament], feeds 3 [mm/min]; the remainder of each rounding of E is
+/// carried on, so that the sum of all E is that of the toolpath within half a unit of the last decimal.
 ///
 /// A toolpath of drops is written in the dialect `settings.drops`: a header of `;key=value`, a comment with
 /// its role before each run of drops, and for each drop a motion and the command that lets it go. It holds no

@@ -20,9 +20,9 @@ namespace lamina {
 /// a comment opens a path or layer, and at retractions; deposition that ends where it started is closed.
 /// Layers are those of the slicer's comments, and what comes before the first and after the last of them is
 /// left out; without comments a layer begins wherever material is laid at another height. Bead height is that
-/// of the comments, or of the layer; bead width is that of the stadium which holds the volume laid per
-/// length. Where one width explains a path within the rounding of a program (1e-5 mm of filament, 1e-3 mm of
-/// length) the path has one width.
+/// of the comments, motion by motion, or of the layer; bead width is that of the stadium which holds the
+/// volume laid per length. Where one width explains a path within the rounding of a program (1e-5 mm of
+/// filament, 1e-3 mm of length) the path has one width.
 class ToolpathBuilder {
  public:
   /// Of the settings, filament diameter and flow are used.

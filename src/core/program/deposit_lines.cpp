@@ -18,6 +18,7 @@ struct Deposition {
   std::size_t line = 0;
   Point3 end = Point3::Zero();
   double feed_mm_s = 0.0;
+  std::optional<double> height_mm;
   bool is_in_layer = false;
 };
 
@@ -28,7 +29,7 @@ std::vector<Deposition> depositionsOf(std::string_view program) {
   const auto take = [&](const GcodeMotion& motion) {
     has_layers |= motion.layer.has_value();
     if (motion.extrusion_mm > 0.0 && motion.start != motion.end)
-      all.push_back({motion.line, motion.end, motion.feed_mm_s, motion.layer.has_value()});
+      all.push_back({motion.line, motion.end, motion.feed_mm_s, motion.height_mm, motion.layer.has_value()});
   };
   GcodeReader reader({}, {take, {}, {}});
   reader.read(program);
@@ -111,6 +112,7 @@ std::vector<LayerEnd> layerEnds(std::string_view program, const Toolpath& toolpa
     ends[i].line = depositions[laid - 1].line;
     ends[i].nozzle = depositions[laid - 1].end;
     ends[i].feed_mm_s = depositions[laid - 1].feed_mm_s;
+    ends[i].height_mm = depositions[laid - 1].height_mm;
   }
   GcodeLineParser parser;
   ModalState state;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct LayerEnd {
   double feed_mm_s = 0.0;
   double filament_mm = 0.0;          ///< as an absolute E counts it
   bool is_filament_absolute = true;  ///< M82
+  std::optional<double> height_mm;   ///< of the beads, if a comment told it
   std::string_view type;             ///< the comment that told the role last: ";TYPE:infill"; empty if none
 };
 

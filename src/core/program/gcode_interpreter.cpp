@@ -225,6 +225,7 @@ void GcodeInterpreter::emit(const Point3& end, double extrusion_mm) {
     motion.layer = context_.layer;
     motion.role = context_.role;
     motion.height_mm = context_.height_mm;
+    motion.layer_height_mm = context_.layer_height_mm;
     motion.section = context_.section;
     handlers_.motion(motion);
   }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPositionScale = 1e3;     // 3 decimals
 constexpr double kFilamentScale = 1e5;     // 5 decimals
+constexpr double kHeightScale = 1e5;       // 5 decimals: a bead that rises from nothing starts thin
 constexpr double kFeedScale = 60.0 * 1e3;  // mm/s to mm/min with 3 decimals
 constexpr std::size_t kLongestLine = 128;
 
@@ -24,9 +25,10 @@ char* writeChanged(char* out, char letter, std::int64_t units, std::int64_t& mod
   return writeFixed<3>(out, units);
 }
 
-void writeComment(const char* key, double value_mm, std::string& text) {
+template <int decimals>
+void writeComment(const char* key, std::int64_t units, std::string& text) {
   char line[kLongestLine];
-  char* end = writeFixed<3>(line, toUnits(value_mm, kPositionScale));
+  char* end = writeFixed<decimals>(line, units);
   *end++ = '\n';
   text.append(key).append(line, end);
 }
@@ -47,16 +49,15 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
   text.append(lays_drops ? ";" + drops_.layer_mark : ";LAYER:")
       .append(std::to_string(start.index))
       .append("\n");
-  writeComment(";Z:", layer.z_mm + translation_.z(), text);
-  writeComment(";HEIGHT:", layer.height_mm, text);
+  writeComment<3>(";Z:", toUnits(layer.z_mm + translation_.z(), kPositionScale), text);
   Modal modal;
+  writeHeight(layer.height_mm, modal, text);
   modal.filament_mm = start.filament_mm;
   modal.filament = toUnits(start.filament_mm, kFilamentScale);
 
   bool is_retracted = start.is_retracted;
   const Path* previous = nullptr;  // deposition path that ends where the next one starts
   PathRole role = PathRole::Travel;
-  std::int64_t bead_height = toUnits(layer.height_mm, kPositionScale);
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     const bool next_is_retracted =
@@ -70,9 +71,6 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
       if (path.role != role || previous != nullptr)
         text.append(";TYPE:").append(toString(path.role)).append("\n");
       role = path.role;
-      const double height_mm = path.bead.at(0).height_mm;
-      if (toUnits(height_mm, kPositionScale) != bead_height) writeComment(";HEIGHT:", height_mm, text);
-      bead_height = toUnits(height_mm, kPositionScale);
     }
     previous = path.role == PathRole::Travel ? nullptr : &path;
     writePath(path, modal, text);
@@ -99,8 +97,16 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
     modal.filament_mm += laid_mm;
     // Too little to be written: without E it would read as a travel. The next motion takes it along.
     if (laid_mm > 0.0 && toUnits(modal.filament_mm, kFilamentScale) == modal.filament) continue;
+    if (path.role != PathRole::Travel) writeHeight(path.bead.at(end).height_mm, modal, text);
     writeMotion(path.points[end], path.feed_mm_s.at(end), modal, text);
   }
+}
+
+void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text) {
+  const std::int64_t height = toUnits(height_mm, kHeightScale);
+  if (height == modal.height) return;
+  modal.height = height;
+  writeComment<5>(";HEIGHT:", height, text);
 }
 
 void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {

@@ -35,12 +35,14 @@ class LayerWriter {
   /// Words that hold until they are written again, in units of their last decimal.
   struct Modal {
     std::int64_t x = kUnknown, y = kUnknown, z = kUnknown, feed = kUnknown;
-    std::int64_t filament = 0;  ///< sum of all E so far
-    double filament_mm = 0.0;   ///< the same before rounding
+    std::int64_t height = kUnknown;  ///< of the beads
+    std::int64_t filament = 0;       ///< sum of all E so far
+    double filament_mm = 0.0;        ///< the same before rounding
   };
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
   void writePath(const Path& path, Modal& modal, std::string& text) const;
+  static void writeHeight(double height_mm, Modal& modal, std::string& text);
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
 

@@ -44,7 +44,7 @@ PathBuilder::PathBuilder(const GcodeMotion& motion, bool is_retracted)
     : deposits_(lamina::deposits(motion)),
       is_retracted_(is_retracted && !deposits_),
       role_(motion.role),
-      height_mm_(motion.height_mm),
+      layer_height_mm_(motion.layer_height_mm),
       section_(motion.section),
       points_{motion.start} {
   add(motion);
@@ -53,33 +53,36 @@ PathBuilder::PathBuilder(const GcodeMotion& motion, bool is_retracted)
 bool PathBuilder::accepts(const GcodeMotion& motion, bool is_retracted) const {
   if (lamina::deposits(motion) != deposits_ || motion.start != points_.back()) return false;
   if (!deposits_) return is_retracted == is_retracted_;
-  return motion.section == section_ && motion.role == role_ && motion.height_mm == height_mm_;
+  return motion.section == section_ && motion.role == role_;
 }
 
 void PathBuilder::add(const GcodeMotion& motion) {
   points_.push_back(motion.end);
   filament_mm_.push_back(motion.extrusion_mm);
   feed_mm_s_.push_back(motion.feed_mm_s);
+  height_mm_.push_back(motion.height_mm);
 }
 
 bool PathBuilder::isClosed() const {
   return deposits_ && points_.size() > 2 && (points_.back() - points_.front()).norm() < kSamePoint;
 }
 
-AlongPath<Bead> PathBuilder::beads(double height_mm, double volume_per_filament) const {
+AlongPath<Bead> PathBuilder::beads(double layer_height_mm, double volume_per_filament) const {
   std::vector<double> lengths(filament_mm_.size());
   for (std::size_t m = 0; m < lengths.size(); ++m) lengths[m] = (points_[m + 1] - points_[m]).norm();
   const double mean = std::accumulate(filament_mm_.begin(), filament_mm_.end(), 0.0) /
                       std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  const auto bead = [&](double filament_per_length) {
+  const auto bead = [&](double filament_per_length, std::size_t motion) {
+    const double height_mm = height_mm_[motion].value_or(layer_height_mm);
     return Bead{beadWidth(filament_per_length * volume_per_filament, height_mm), height_mm};
   };
   bool is_common = true;
   for (std::size_t m = 0; m < lengths.size(); ++m)
-    is_common &= std::abs(filament_mm_[m] - mean * lengths[m]) <= kFilamentRounding + mean * kLengthRounding;
-  if (is_common) return bead(mean);
+    is_common &= height_mm_[m] == height_mm_.front() &&
+                 std::abs(filament_mm_[m] - mean * lengths[m]) <= kFilamentRounding + mean * kLengthRounding;
+  if (is_common) return bead(mean, 0);
   std::vector<Bead> each(lengths.size());
-  for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m]);
+  for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m], m);
   return perWaypoint(each, isClosed());
 }
 
@@ -91,7 +94,7 @@ Path PathBuilder::build(double layer_height_mm, double volume_per_filament) cons
   path.points = points_;
   if (path.is_closed) path.points.pop_back();
   path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed);
-  if (deposits_) path.bead = beads(height_mm_.value_or(layer_height_mm), volume_per_filament);
+  if (deposits_) path.bead = beads(layer_height_mm, volume_per_filament);
   return path;
 }
 

@@ -21,8 +21,8 @@ class PathBuilder {
   bool accepts(const GcodeMotion& motion, bool is_retracted) const;
   void add(const GcodeMotion& motion);
 
-  /// Bead height the comments told, if they did.
-  std::optional<double> height() const { return height_mm_; }
+  /// Layer height the comments told where the run begins, if they did.
+  std::optional<double> layerHeight() const { return layer_height_mm_; }
   double lastZ() const { return points_.back().z(); }
 
   /// @param layer_height_mm  bead height where no comment told another
@@ -31,16 +31,17 @@ class PathBuilder {
 
  private:
   bool isClosed() const;
-  AlongPath<Bead> beads(double height_mm, double volume_per_filament) const;
+  AlongPath<Bead> beads(double layer_height_mm, double volume_per_filament) const;
 
   bool deposits_;
   bool is_retracted_;
   std::optional<PathRole> role_;
-  std::optional<double> height_mm_;
+  std::optional<double> layer_height_mm_;
   std::size_t section_;
   std::vector<Point3> points_;
-  std::vector<double> filament_mm_;  ///< of each motion
-  std::vector<double> feed_mm_s_;    ///< of each motion
+  std::vector<double> filament_mm_;               ///< of each motion
+  std::vector<double> feed_mm_s_;                 ///< of each motion
+  std::vector<std::optional<double>> height_mm_;  ///< of each motion
 };
 
 }  // namespace lamina

@@ -27,7 +27,7 @@ std::string fixed5(double value) {
 class BlockWriter {
  public:
   BlockWriter(const LayerEnd& end, const InsertionSettings& settings)
-      : end_(end), settings_(settings), nozzle_(end.nozzle) {
+      : end_(end), settings_(settings), nozzle_(end.nozzle), height_mm_(end.height_mm) {
     text_ = ";void fill\n;TYPE:gap_fill\n";
     if (end.is_filament_absolute) text_ += "M83\n";
   }
@@ -38,6 +38,7 @@ class BlockWriter {
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
       const std::size_t end = path.motionEnd(m);
       const Point3& to = path.points[end];
+      if (height_mm_) writeHeight(path.bead.at(end).height_mm);
       text_ += "G1 X" + fixed3(to.x()) + " Y" + fixed3(to.y()) + " E" +
                fixed5(extrusion.along((to - path.points[m]).norm(), end)) + " F" +
                fixed3(60.0 * path.feed_mm_s.at(end)) + "\n";
@@ -49,11 +50,18 @@ class BlockWriter {
     travelTo(end_.nozzle);
     if (end_.is_filament_absolute) text_ += "M82\nG92 E" + fixed5(end_.filament_mm) + "\n";
     text_ += "G1 F" + fixed3(60.0 * end_.feed_mm_s) + "\n";
+    if (height_mm_) writeHeight(*end_.height_mm);
     if (!end_.type.empty()) text_.append(end_.type).append("\n");
     return text_ + ";end of void fill\n";
   }
 
  private:
+  void writeHeight(double height_mm) {
+    if (fixed5(height_mm) == fixed5(*height_mm_)) return;
+    height_mm_ = height_mm;
+    text_ += ";HEIGHT:" + fixed5(height_mm) + "\n";
+  }
+
   void travelTo(const Point3& to) {
     const bool is_retracted = (to - nozzle_).norm() > settings_.retraction_threshold_mm &&
                               settings_.program.retraction_length_mm > 0.0;
@@ -71,6 +79,7 @@ class BlockWriter {
   const LayerEnd& end_;
   const InsertionSettings& settings_;
   Point3 nozzle_;
+  std::optional<double> height_mm_;  ///< that holds, if the program tells heights
   std::string text_;
 };
 

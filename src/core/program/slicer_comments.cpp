@@ -71,12 +71,16 @@ std::optional<Number> number(std::string_view text) {
 void openLayer(std::optional<int> layer, SlicerContext& context) {
   if (!layer) return;
   context.layer = layer;
+  context.is_layer_height_open = true;
   ++context.section;
 }
 
 void setHeight(std::string_view text, SlicerContext& context) {
   const auto height_mm = number<double>(text);
-  if (height_mm && *height_mm > 0.0 && *height_mm < 1e3) context.height_mm = height_mm;
+  if (!height_mm || !(*height_mm > 0.0 && *height_mm < 1e3)) return;
+  context.height_mm = height_mm;
+  if (context.is_layer_height_open) context.layer_height_mm = height_mm;
+  context.is_layer_height_open = false;
 }
 
 }  // namespace

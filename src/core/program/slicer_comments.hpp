@@ -15,7 +15,9 @@ struct SlicerContext {
   std::optional<int> layer;         ///< as numbered by the slicer; none before the first and after the part
   std::optional<PathRole> role;     ///< none if not told, or of a kind Lamina has no name for
   std::optional<double> height_mm;  ///< of the beads
-  std::size_t section = 0;          ///< counts the comments that open a layer or a path
+  std::optional<double> layer_height_mm;  ///< the first height told since the layer opened, or that before
+  bool is_layer_height_open = true;       ///< the next height is the layer's
+  std::size_t section = 0;                ///< counts the comments that open a layer or a path
 };
 
 /// Updates the context; other comments change nothing.

@@ -96,7 +96,8 @@ class ToolpathBuilder::State {
       if (runs_[i].deposits()) layer.z_mm = runs_[i].lastZ();
     const double below_mm = toolpath_.layers.empty() ? 0.0 : toolpath_.layers.back().z_mm;
     const double step_mm = layer.z_mm - below_mm;
-    layer.height_mm = runs_.front().height().value_or(step_mm > kSameHeight ? step_mm : fallback_height_mm_);
+    layer.height_mm =
+        runs_.front().layerHeight().value_or(step_mm > kSameHeight ? step_mm : fallback_height_mm_);
     fallback_height_mm_ = layer.height_mm;
     layer.paths.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
