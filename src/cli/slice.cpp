@@ -90,6 +90,7 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"fill_travel_best_mm", s.starts.best_travel_mm},
       {"deposited_mm3", s.deposited_mm3},
       {"unprinted_mm3", s.unprinted_mm3},
+      {"empty_layers", s.empty_layers},
       {"refill_runs", s.refilling.runs},
       {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
@@ -117,7 +118,8 @@ void printText(const SliceSummary& s, const std::string& output) {
   if (s.starts.runs > 0) printFill(s);
   std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
   if (s.unprinted_mm3 > 0.0)
-    std::printf("unprinted   %.3f mm3, thinner than the narrowest bead\n", s.unprinted_mm3);
+    std::printf("unprinted   %.3f mm3, too small or too thin for the fill\n", s.unprinted_mm3);
+  if (s.empty_layers > 0) std::printf("in the air  %zu layers are empty beneath others\n", s.empty_layers);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);

@@ -130,6 +130,7 @@ TEST(Walls, CountWhatIsTooThinToBePrinted) {
   const Walls walls = wallsIn(dumbbell(0.1), wallsOf(1));
   EXPECT_TRUE(walls.walls[0].thin.empty());
   EXPECT_NEAR(walls.unprinted_mm2, 10 * 0.1, 0.05);
+  EXPECT_NEAR(wallsIn(dumbbell(0.1), wallsOf(0)).unprinted_mm2, 10 * 0.1, 0.05);
 }
 
 TEST(Walls, RunAroundHolesToo) {

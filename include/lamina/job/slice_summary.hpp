@@ -26,7 +26,8 @@ struct SliceSummary {
   double deposition_mm = 0.0;
   double travel_mm = 0.0;
   double deposited_mm3 = 0.0;
-  double unprinted_mm3 = 0.0;  ///< of what is thinner than the narrowest bead
+  double unprinted_mm3 = 0.0;    ///< of what gets no bead or drop
+  std::size_t empty_layers = 0;  ///< in which nothing is laid, beneath others in which something is
   Refilling refilling;
   double estimated_time_s = 0.0;
   std::vector<std::string> repairs;  ///< what was changed on the mesh and where

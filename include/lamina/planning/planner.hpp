@@ -25,7 +25,7 @@ struct Plan {
   Toolpath toolpath;
   Refilling refilling;
   FillStarts starts;           ///< of all layers
-  double unprinted_mm3 = 0.0;  ///< of what is too thin for the narrowest bead, `walls.narrowest`
+  double unprinted_mm3 = 0.0;  ///< of what gets no bead or drop: too thin, or left out whole by a solid fill
 };
 
 /// The plan of a part, as `planToolpath` makes it.

@@ -66,6 +66,21 @@ void addSections(SliceSummary& summary, const std::vector<Layer>& layers) {
   }
 }
 
+bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
+
+bool buildsPart(const ToolpathLayer& layer) {
+  return std::any_of(layer.paths.begin(), layer.paths.end(),
+                     [](const Path& path) { return buildsPart(path); });
+}
+
+/// Layers in which nothing is laid, but in one above.
+std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
+  const auto last = std::find_if(layers.rbegin(), layers.rend(),
+                                 [](const ToolpathLayer& layer) { return buildsPart(layer); });
+  return static_cast<std::size_t>(
+      std::count_if(last, layers.rend(), [](const ToolpathLayer& layer) { return !buildsPart(layer); }));
+}
+
 void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLimits& limits) {
   const ToolpathTotals sums = totals(toolpath);
   summary.deposition_runs = sums.deposition_runs;
@@ -73,15 +88,14 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.travel_mm = sums.travel_mm;
   summary.deposited_mm3 = sums.deposited_mm3;
   summary.repositions = countRepositions(toolpath);
+  summary.empty_layers = countEmptyLayers(toolpath.layers);
   summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
-
-bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
 
 /// A part that is thinner than any bead everywhere would leave nothing but its skirt.
 void requireDeposition(const Toolpath& toolpath, double narrowest) {
   for (const ToolpathLayer& layer : toolpath.layers)
-    if (std::any_of(layer.paths.begin(), layer.paths.end(), buildsPart)) return;
+    if (buildsPart(layer)) return;
   throw InvalidInput("no bead of part '" + toolpath.part_name + "' is laid in any of " +
                      std::to_string(toolpath.layers.size()) +
                      " layers: it is narrower than walls.narrowest, " + std::to_string(narrowest) +

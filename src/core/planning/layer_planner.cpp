@@ -58,7 +58,12 @@ class LayerPlanner {
       const Polygon outline = seam_.placed(island.outer);
       islands.push_back({outline.front(), outline.front()});
     }
-    for (const OrderedRun& next : orderRuns(islands, nozzle_)) addIsland(material[next.run]);
+    for (const OrderedRun& next : orderRuns(islands, nozzle_)) {
+      const Region& island = material[next.run];
+      const std::size_t before = result_.paths.size();
+      const double unprinted = addIsland(island);
+      unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
+    }
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
     return {std::move(result_), unprinted_mm2_, refilling_, starts_};
   }
@@ -68,10 +73,13 @@ class LayerPlanner {
   /// A vase is hollow.
   bool isFilledByBeads() const { return !laysDrops() && context_.strategy.link != LayerLink::Rising; }
 
-  void addIsland(const Region& island) {
-    if (laysDrops()) return addInfill(settings_.infill.density > 0.0 ? Regions{island} : Regions{});
+  /// @return area [mm²] that gets no bead
+  double addIsland(const Region& island) {
+    if (laysDrops()) {
+      addInfill(settings_.infill.density > 0.0 ? Regions{island} : Regions{});
+      return 0.0;
+    }
     Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
-    unprinted_mm2_ += walls.unprinted_mm2;
     const std::size_t count = walls.walls.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
@@ -84,6 +92,25 @@ class LayerPlanner {
     addShortest(std::move(walls.narrow_infill), {});
     if (settings_.infill.density < 1.0)
       sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
+    return walls.unprinted_mm2 + (settings_.infill.density < 1.0 ? 0.0 : areaMissed(walls.infill, before));
+  }
+
+  /// Area [mm²] of those regions into which none of the paths goes that were laid since there were so many.
+  double areaMissed(const Regions& regions, std::size_t before) const {
+    if (regions.size() == 1 && result_.paths.size() > before) return 0.0;
+    double missed = 0.0;
+    for (const Region& region : regions) {
+      const std::vector<Polygon> borders = outlines({region});
+      const auto goesInside = [&](const Path& path) {
+        return path.role != PathRole::Travel &&
+               std::any_of(path.points.begin(), path.points.end(),
+                           [&](const Point3& point) { return contains(borders, point.head<2>()); });
+      };
+      if (std::none_of(result_.paths.begin() + static_cast<std::ptrdiff_t>(before), result_.paths.end(),
+                       goesInside))
+        missed += area({region});
+    }
+    return missed;
   }
 
   /// Ends of the runs of infill laid since there were so many paths.

@@ -22,7 +22,7 @@ struct PlanContext {
 /// The paths of one layer.
 struct PlannedLayer {
   ToolpathLayer layer;
-  double unprinted_mm2 = 0.0;  ///< of what is too thin for any bead
+  double unprinted_mm2 = 0.0;  ///< of what gets no bead or drop
   Refilling refilling;
   FillStarts starts;
 };

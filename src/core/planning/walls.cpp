@@ -35,7 +35,10 @@ class WallMaker {
       walls = {};
       addOneByOne(walls);
     }
-    if (settings_.walls.count == 0) walls.infill = offset(material_, -beyond_);
+    if (settings_.walls.count == 0) {
+      walls.infill = offset(material_, -beyond_);
+      walls.unprinted_mm2 = areaThinnerThan(material_, leastThickness());
+    }
     return walls;
   }
 
@@ -67,8 +70,7 @@ class WallMaker {
   }
 
   void addOneByOne(Walls& walls) const {
-    const double least = settings_.walls.narrowest * pitch_ + 2.0 * beyond_;
-    walls.unprinted_mm2 = areaThinnerThan(material_, least);
+    walls.unprinted_mm2 = areaThinnerThan(material_, leastThickness());
     Regions left = offset(material_, -beyond_);
     for (int k = 0; k < settings_.walls.count && !left.empty(); ++k) {
       const Regions inner = offset(left, -pitch_);
@@ -80,6 +82,8 @@ class WallMaker {
     }
     walls.infill = overlap_ > 0.0 ? offset(left, overlap_) : std::move(left);
   }
+
+  double leastThickness() const { return settings_.walls.narrowest * pitch_ + 2.0 * beyond_; }
 
   std::vector<FillPath> beadsAlong(const Regions& narrow, PathRole role) const {
     MedialBeadSettings beads;

@@ -66,7 +66,7 @@ std::string summaryText(const PrintReport& report) {
             fixed(slicing.deposited_volume * kCubicCentimetresPerCubicMetre, 2), " cm³");
   if (slicing.unprinted_volume > 0.0)
     lines.add("unprinted", fixed(slicing.unprinted_volume * kCubicCentimetresPerCubicMetre, 4),
-              " cm³, thinner than the narrowest bead");
+              " cm³, too small or too thin for the fill");
   lines.add("travel", fixed(slicing.travel, 2), " m");
   lines.add("lines streamed", report.streaming.lines_acknowledged);
   lines.add("resends", report.streaming.resends);

@@ -62,7 +62,7 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
     if (given.summary.unprinted_volume > 0.0)
       ROS_WARN_STREAM("not printed of '" << request.part << "': "
                                          << given.summary.unprinted_volume * kCubicMillimetresPerCubicMetre
-                                         << " mm^3 thinner than the narrowest bead, walls.narrowest");
+                                         << " mm^3, too small or too thin for the fill");
     return given;
   } catch (...) {
     const Failure failure = currentFailure();
