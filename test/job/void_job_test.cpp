@@ -70,6 +70,15 @@ TEST_F(VoidJobTest, FindsWhereAProgramHasPutThePart) {
   EXPECT_NEAR(report.part.offset.y(), 0.0, 0.02);
 }
 
+TEST_F(VoidJobTest, FindsThePlaceOfAPartWhoseOutermostFinIsNotPrinted) {
+  const Mesh fin = test::boxBetween({12, 0, 0}, {12.1, 10, 2});
+  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 2}), fin));
+  const VoidReport report = run(linesFrom(20, 10, 4));
+  EXPECT_NEAR(report.part.offset.x(), 20.0, 0.06);
+  EXPECT_NEAR(report.part.offset.y(), 0.0, 0.06);
+  EXPECT_NEAR(report.layers[1].uncovered_mm2, 1.0, 0.1);  // the fin
+}
+
 TEST_F(VoidJobTest, FindsTheLineThatIsMissing) {
   Toolpath program = linesFrom(0, 10, 4);
   program.layers[2].paths.erase(program.layers[2].paths.begin() + 4);

@@ -29,11 +29,12 @@ struct PlacedContours {
 };
 
 /// The part cut at half the height of each layer of the program, its bottom at that of the first layer, and
-/// moved to where the program deposits: layer by layer the middle of the contours' box is compared with that
-/// of what is deposited, and the median taken. If the middle of the whole part is then within 0.2 mm of a
-/// multiple of half a millimetre in x and y, where slicers put parts, that is tried too; what leaves less
-/// uncovered and overfilled is taken.
-/// Without a part, each contour is what the closed outer walls of its layer enclose.
+/// moved to where the program deposits. Tried are the place that slicing with the job's settings would
+/// choose, the part's own origin, and those where the boxes of layers and deposit agree, by their middle or
+/// by either side, or where their centroids do; places near which the middle of the part is on multiples of
+/// half a millimetre, where slicers put parts, are tried there as well. Of all these the one is taken that
+/// leaves least uncovered and overfilled on some layers. Without a part, each contour is what the closed
+/// outer walls of its layer enclose.
 /// @throws InvalidMesh, FileError; InvalidInput if the program's layers do not rise, or if there is neither
 /// part nor outer wall; Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
