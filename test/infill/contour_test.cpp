@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "infill/contour_tree.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "support/fill_requests.hpp"
@@ -79,6 +82,63 @@ TEST(ContourTree, HasLoopsAPitchApartWithinOnePercent) {
   for (std::size_t i = 0; i < 24; ++i) {
     const double expected = 10.0 - 0.2 - 0.4 * static_cast<double>(i);
     for (const Point2& point : tree.loops[i].points) EXPECT_NEAR(point.norm(), expected, 0.004);
+  }
+}
+
+/// Points along a loop every tenth of a pitch but beside its corners, where parallels run apart: at a turn of
+/// 15 degrees by 0.9 %.
+std::vector<Point2> straightPlaces(const Polygon& loop, double pitch) {
+  constexpr double kCorner = M_PI / 12.0;
+  std::vector<Point2> corners;
+  std::vector<Point2> places;
+  const std::size_t count = loop.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point2 in = loop[i] - loop[(i + count - 1) % count];
+    const Point2 out = loop[(i + 1) % count] - loop[i];
+    if (std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out))) > kCorner)
+      corners.push_back(loop[i]);
+    const int steps = 1 + static_cast<int>(out.norm() / (0.1 * pitch));
+    for (int k = 0; k < steps; ++k) places.emplace_back(loop[i] + out * k / steps);
+  }
+  const auto isBesideCorner = [&](const Point2& place) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Point2& corner) { return (corner - place).norm() < 1.05 * pitch; });
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), isBesideCorner), places.end());
+  return places;
+}
+
+/// The lines that the loops of each node are parallel to: those of its parent, or the border.
+std::vector<std::vector<Polygon>> linesRound(const Region& region, const ContourTree& tree) {
+  std::vector<std::vector<Polygon>> loops(tree.parents.size());
+  loops[0] = outlines({region});
+  for (const ContourLoop& loop : tree.loops) loops[loop.node].push_back(loop.points);
+  std::vector<std::vector<Polygon>> lines;
+  for (const std::size_t parent : tree.parents) lines.push_back(loops[parent]);
+  return lines;
+}
+
+// T5 of the curved paths: never nearer, and farther only where a narrow rest between loops, which is filled
+// by loops of its own, ends beside them.
+TEST(ContourTree, HasLoopsAPitchApartWithinOnePercentRoundIslands) {
+  constexpr double kPitch = 0.4;
+  for (const Region& region : outlinesWithIslands()) {
+    const ContourTree tree = openContourTree(region, solid()).tree;
+    const std::vector<std::vector<Polygon>> lines = linesRound(region, tree);
+    std::size_t places = 0;
+    std::size_t farther = 0;
+    for (const ContourLoop& loop : tree.loops) {
+      const double expected = tree.parents[loop.node] == 0 ? 0.5 * kPitch : kPitch;
+      for (const Point2& place : straightPlaces(loop.points, kPitch)) {
+        const double distance = test::distanceToOutline(lines[loop.node], place);
+        EXPECT_GT(distance, 0.99 * expected) << region.holes.size() << " islands, " << place.transpose();
+        ++places;
+        if (distance > 1.01 * expected) ++farther;
+      }
+    }
+    // Loops together are as long as the area is large, by the pitch.
+    EXPECT_GT(static_cast<double>(places), 0.7 * area({region}) / (kPitch * 0.1 * kPitch));
+    EXPECT_LE(farther, region.holes.size() < 2 ? 0U : places / 200U) << region.holes.size() << " islands";
   }
 }
 

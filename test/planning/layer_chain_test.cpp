@@ -88,9 +88,27 @@ TEST(LayerChain, LaysNoPointOutsideTheOutline) {
     for (std::size_t i = 0; i < part.layers.size(); ++i) {
       const std::vector<Polygon>& outline = part.layers[i].section.contours;
       for (const Path& path : toolpath.layers[i].paths)
-        // The first point is where the layer beneath ended.
+        // The first point is where the layer beneath ended; see below.
         for (std::size_t k = i == 0 ? 0 : 1; k < path.points.size(); ++k)
           ASSERT_TRUE(contains(outline, path.points[k].head<2>())) << part.name << ", layer " << i;
+    }
+  }
+}
+
+// T4 of the curved paths.
+TEST(LayerChain, BeginsEachLayerWhereTheOneBeneathEnded) {
+  for (const NamedPart& part : parts()) {
+    const Toolpath toolpath = plan(part.layers, contoursOnly());
+    for (std::size_t i = 1; i < part.layers.size(); ++i) {
+      ASSERT_EQ(toolpath.layers[i].paths.size(), 1U) << part.name << ", layer " << i;
+      const Path& path = toolpath.layers[i].paths.front();
+      EXPECT_EQ(path.firstPoint(), toolpath.layers[i - 1].paths.back().lastPoint())
+          << part.name << ", layer " << i;
+      EXPECT_TRUE(contains(part.layers[i - 1].section.contours, path.firstPoint().head<2>()))
+          << part.name << ", layer " << i;
+      EXPECT_LE((path.points[1] - path.points[0]).head<2>().norm(), kPitch)
+          << part.name << ": the way up to layer " << i;
+      EXPECT_NEAR(path.points[1].z() - path.points[0].z(), kHeight, 1e-9) << part.name << ", layer " << i;
     }
   }
 }

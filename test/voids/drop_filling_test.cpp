@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "lamina/base/error.hpp"
 #include "lamina/voids/overlap_meter.hpp"
 #include "support/drop_lattices.hpp"
@@ -149,8 +152,46 @@ TEST(DropFilling, FillsASlitAsWideAsItsOverlapAllows) {  // T11
   };
   for (const double overlap : {0.1, 0.2}) {
     EXPECT_EQ(addedTo(slit(1.0 - 2.0 * overlap - 0.01), overlap), 0U);
-    EXPECT_GT(addedTo(slit(1.0 - 2.0 * overlap + 0.01), overlap), 5U);
+    const double free_width = 1.0 - 2.0 * overlap + 0.01;
+    const std::vector<DropVoid> voids = fillDropVoids(slit(free_width), allowing(overlap));
+    ASSERT_EQ(voids.size(), 1U);
+    EXPECT_NEAR(voids[0].greatest_clearance_mm, 0.5 * (free_width + 1.0), 1e-5);
+    EXPECT_GT(voids[0].drops.size(), 5U);
+    for (const Point2& drop : voids[0].drops) EXPECT_NEAR(drop.y(), 0.5 * (free_width + 1.0), 1e-6);
   }
+}
+
+TEST(DropFilling, PutsOneDropBetweenTheTipsOfContours) {  // T13
+  // Two contours a diameter apart as nearly continuous lines, their tips at 60 degrees 2 diameters apart.
+  // The place clear of both is 1 / (1 + sin 30) from the tip of the outer one's legs and of the inner tip.
+  constexpr double kClearance = 2.0 / 3.0;
+  constexpr double kLeg = 6.0;
+  DropLayer layer;
+  layer.diameter_mm = 1.0;
+  for (const double tip : {0.0, 2.0}) {
+    const std::size_t begin = layer.drops.size();
+    const Point2 apex(tip, 0.0);
+    const Point2 corners[] = {apex, apex + (kLeg - tip) * Point2(1.0, -std::sqrt(1.0 / 3.0)),
+                              apex + (kLeg - tip) * Point2(1.0, std::sqrt(1.0 / 3.0))};
+    for (int side = 0; side < 3; ++side)
+      for (int i = 0; i < 2000; ++i)
+        layer.drops.emplace_back(corners[side] + i / 2000.0 * (corners[(side + 1) % 3] - corners[side]));
+    layer.chains.push_back({DropRole::Contour, begin, layer.drops.size()});
+  }
+  const auto betweenTips = [&](double overlap) {
+    DropVoidSettings settings = allowing(overlap);
+    settings.passes = VoidPasses::UntilFull;
+    std::vector<Point2> drops = newDrops(fillDropVoids(layer, settings));
+    drops.erase(std::remove_if(drops.begin(), drops.end(),
+                               [](const Point2& drop) { return drop.x() > 2.0 || std::abs(drop.y()) > 0.1; }),
+                drops.end());
+    return drops;
+  };
+  EXPECT_TRUE(betweenTips(1.0 - kClearance - 0.01).empty());
+  const std::vector<Point2> drops = betweenTips(1.0 - kClearance + 0.01);
+  ASSERT_EQ(drops.size(), 1U);
+  EXPECT_NEAR(drops[0].x(), 2.0 * kClearance, 0.02 + 1e-6) << "where the legs leave 0.01 less room";
+  EXPECT_NEAR(drops[0].y(), 0.0, 0.01);
 }
 
 TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {  // T12
@@ -241,6 +282,36 @@ TEST(DropFilling, LaysNothingWithoutAContour) {  // T22
   EXPECT_TRUE(fillDropVoids(layer, {}).empty());
   layer.chains = {{DropRole::Contour, 0, 2}, {DropRole::Infill, 2, 5}};
   EXPECT_TRUE(fillDropVoids(layer, {}).empty()) << "two drops enclose nothing";
+}
+
+TEST(DropFilling, LaysNothingIntoContoursThatEncloseNothing) {  // T22
+  const std::vector<std::vector<Point2>> contours = {
+      {{1, 1}},                              // one drop
+      {{1, 1}, {4, 5}},                      // two
+      {{0, 0}, {3, 0}, {6, 0}, {9, 0}},      // in a line
+      {{0, 0}, {3, 3}, {6, 6}, {3, 3}},      // there and back
+      std::vector<Point2>(6, Point2(3, 3)),  // one place over and over
+      {{0, 0}, {0, 0}, {5, 0}, {5, 0}}};     // two places
+  for (const std::vector<Point2>& drops : contours)
+    for (const VoidDetector detector : {VoidDetector::Voronoi, VoidDetector::Neighbours})
+      for (const VoidPasses passes : {VoidPasses::Single, VoidPasses::UntilFull}) {
+        DropLayer layer;
+        layer.diameter_mm = 1.0;
+        layer.drops = drops;
+        layer.chains = {{DropRole::Contour, 0, drops.size()}};
+        DropVoidSettings settings = allowing(0.2, detector);
+        settings.passes = passes;
+        EXPECT_TRUE(newDrops(fillDropVoids(layer, settings)).empty()) << drops.size() << " drops";
+      }
+}
+
+TEST(DropFilling, FillsALatticeWhoseDropsAreDoubledAsIfTheyWereNot) {  // T22
+  DropLayer layer = squareWithout({{1, 1}});
+  layer.drops.insert(layer.drops.end(), layer.drops.begin(), layer.drops.end());
+  layer.chains.push_back({DropRole::Infill, layer.drops.size() / 2, layer.drops.size()});
+  const std::vector<DropVoid> voids = fillDropVoids(layer, allowing(0.2));
+  ASSERT_EQ(voids.size(), 1U);
+  expectDropsAt(voids[0].drops, {{1, 1}});
 }
 
 TEST(DropFilling, RefusesDropsWithoutSize) { EXPECT_THROW(fillDropVoids(DropLayer{}, {}), InvalidInput); }

@@ -65,15 +65,24 @@ TEST_P(DropInvariants, FilledUntilFullThereIsNothingLeftToFill) {
 }
 
 TEST_P(DropInvariants, AScanOfTheInsideFindsNoPlaceLeft) {
-  // A contour whose drops touch encloses it: no place can lie on the border itself.
-  const Regions square = {{rectangle(0, 0, 14, 11), {}}};
-  const DropLayer layer = filledLayer(GetParam().strategy, square, 1.0, 0.3);
+  // A plate with a round hole, and an island. What its contours of drops enclose is its inside.
+  const Regions part = {{rectangle(0, 0, 14, 11), {reversed(circle({8, 5.5}, 2.3, 60))}},
+                        {rectangle(17, 2, 24, 8.5), {}}};
+  const DropLayer layer = filledLayer(GetParam().strategy, part, 1.0, 0.3);
+  const std::vector<Polygon> inside = borders(contoursOf(layer));
   PointGrid drops(boundingBox({layer.drops}), 1.0);
   for (const Point2& drop : layer.drops) drops.insert(drop);
   for (const Point2& drop : newDrops(fillDropVoids(layer, settings()))) drops.insert(drop);
   const double least = 1.0 - GetParam().overlap + 1e-5;
+  std::size_t places = 0;
   for (double y = 0.5; y <= 10.5; y += 0.05)
-    for (double x = 0.5; x <= 13.5; x += 0.05) ASSERT_TRUE(drops.hasNearer({x, y}, least)) << x << ", " << y;
+    for (double x = 0.5; x <= 23.5; x += 0.05) {
+      if (!contains(inside, {x, y})) continue;
+      ++places;
+      EXPECT_TRUE(drops.hasNearer({x, y}, least)) << x << ", " << y;
+    }
+  // Within half a drop of the borders: 13 x 10 less a hole of radius 2.8, and 6 x 5.5.
+  EXPECT_NEAR(static_cast<double>(places) * 0.05 * 0.05, 130.0 - 2.8 * 2.8 * M_PI + 33.0, 2.0);
 }
 
 std::vector<Filling> fillings() {
