@@ -7,7 +7,6 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/drop_void_sweep.hpp"
-#include "lamina/job/output_writer.hpp"
 #include "terminal_progress.hpp"
 
 namespace lamina::cli {
@@ -133,9 +132,6 @@ std::vector<SettingText> overridesOf(const DropFillArguments& arguments) {
 }
 
 void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format) {
-  requireOtherFile(files.output, files.program);
-  requireOtherFile(files.sweep, files.program);
-  requireOtherFile(files.sweep, files.output);
   const DropDialect& dialect = settings.program.drops;
   const DropProgram program = parseDropProgram(readFile(files.program), dialect);
   FilledDropProgram filled;

@@ -7,6 +7,7 @@
 #include "fill_drop_voids.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/void_filling.hpp"
 #include "lamina/program/drop_program.hpp"
 #include "subcommand.hpp"
@@ -80,6 +81,10 @@ void printText(const VoidFillingReport& report, const FillVoidsArguments& argume
 void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
   if (arguments.output.empty() && arguments.drops.sweep.empty())
     throw InvalidInput("no output is given; expected a program to write (-o), or a table (--sweep)");
+  requireSuffix(arguments.output, {".gcode"});
+  requireSuffix(arguments.drops.sweep, {".csv"});
+  requireApart({arguments.output, arguments.drops.sweep},
+               {arguments.program, arguments.part, arguments.config});
   const JobSettings settings = settingsFrom(arguments);
   if (isDropProgram(readFile(arguments.program), settings.program.drops))
     return fillDropVoids({arguments.program, arguments.output, arguments.drops.sweep}, settings, format);

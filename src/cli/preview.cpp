@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "lamina/program/csv_reader.hpp"
@@ -85,8 +86,9 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
 }
 
 void preview(const PreviewArguments& arguments, OutputFormat format) {
-  if (!endsWith(arguments.output, ".png"))
-    throw InvalidInput("output is '" + arguments.output + "'; its suffix must be .png");
+  if (arguments.output.empty()) throw InvalidInput("output has no name; expected a picture to write (.png)");
+  requireSuffix(arguments.output, {".png"});
+  requireApart({arguments.output}, {arguments.input, arguments.part, arguments.config});
   if (!arguments.part.empty() && !arguments.layer)
     throw InvalidInput("--part is '" + arguments.part + "' without --layer; voids are drawn in one layer");
   const Toolpath toolpath = toolpathOf(arguments);

@@ -7,7 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
-#include "lamina/job/output_writer.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
@@ -131,7 +131,7 @@ void printText(const SliceSummary& s, const std::string& output) {
 void slice(const SliceArguments& arguments, OutputFormat format) {
   if (arguments.prints_config) return printConfig(format);
   const SliceJob job = jobFrom(arguments);
-  requireOtherFile(job.output, arguments.config);
+  requireApart({job.output}, {job.part, arguments.config});
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
   SliceSummary summary;

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lamina/base/error.hpp"
-#include "lamina/job/output_writer.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/void_job.hpp"
 #include "lamina/job/void_report_csv.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
@@ -99,24 +99,20 @@ void requireLayer(const VoidArguments& arguments, std::size_t layers) {
                        arguments.program + "' has " + std::to_string(layers) + " layers, the first is 0");
 }
 
-std::string suffixOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
-
-void requireSuffix(const std::string& output) {
-  if (output.empty() || suffixOf(output) == ".csv" || suffixOf(output) == ".json") return;
-  throw InvalidInput("output is '" + output + "'; its suffix must be .csv or .json");
+void requireOutputs(const VoidArguments& arguments) {
+  requireSuffix(arguments.output, {".csv", ".json"});
+  requireSuffix(arguments.picture, {".png"});
+  requireApart({arguments.output, arguments.picture}, {arguments.program, arguments.part, arguments.config});
 }
 
 void write(const std::vector<LayerVoids>& layers, const std::string& output) {
-  if (suffixOf(output) == ".csv") writeVoidCsv(output, layers);
-  if (suffixOf(output) == ".json") writeVoidJson(output, layers);
+  const std::string suffix = std::filesystem::path(output).extension().string();
+  if (suffix == ".csv") writeVoidCsv(output, layers);
+  if (suffix == ".json") writeVoidJson(output, layers);
 }
 
 void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
-  for (const std::string& output : {arguments.output, arguments.picture}) {
-    requireOtherFile(output, arguments.program);
-    requireOtherFile(output, arguments.part);
-  }
-  requireSuffix(arguments.output);
+  requireOutputs(arguments);
   const VoidJob job = jobFrom(arguments);
   const Toolpath program = toolpathFromGcodeFile(arguments.program, job.settings.program);
   requireLayer(arguments, program.layers.size());

@@ -146,6 +146,46 @@ class CommandLine(unittest.TestCase):
         self.assert_fails_with("InvalidInput", "slice", "box", "--config", trap, "-o", trap)
         self.assertEqual(content(trap), b"walls: {count: 1}\n")
 
+    def assert_keeps_inputs(self, *arguments):
+        names = sorted(os.listdir(self.folder.name))
+        before = [content(self.path(name)) for name in names]
+        told = self.assert_fails_with("InvalidInput", *arguments)
+        self.assertEqual(sorted(os.listdir(self.folder.name)), names, arguments)
+        self.assertEqual([content(self.path(name)) for name in names], before, arguments)
+        return told["error"]["message"]
+
+    def write_config(self, name):
+        with open(self.path(name), "w") as file:
+            file.write("walls: {count: 1}\n")
+        return self.path(name)
+
+    def test_no_output_overwrites_what_is_read(self):
+        drops = self.slice_drops("drops.gcode")
+        box = self.path("box.stl")
+        beads = self.path("beads.gcode")
+        self.assertEqual(run("slice", box, "-o", beads).returncode, 0)
+        os.symlink(beads, self.path("link.gcode"))
+        for suffix in ("gcode", "csv", "json", "png"):
+            self.write_config("c." + suffix)
+        for arguments in (["fill-voids", drops, "-o", self.path("c.gcode"), "--config", self.path("c.gcode")],
+                          ["fill-voids", drops, "--sweep", self.path("c.csv"), "--config", self.path("c.csv")],
+                          ["fill-voids", beads, "--part", box, "-o", self.path("link.gcode")],
+                          ["voids", beads, "-o", self.path("c.json"), "--config", self.path("c.json")],
+                          ["voids", beads, "--picture", self.path("c.png"), "--config", self.path("c.png")],
+                          ["preview", beads, "-o", self.path("c.png"), "--config", self.path("c.png")],
+                          ["preview", beads, "-o", self.path("c.png"), "--layer", "0", "--part", self.path("c.png")]):
+            self.assertIn("is the file that is read", self.assert_keeps_inputs(*arguments))
+
+    def test_an_output_has_the_suffix_of_what_it_holds(self):
+        drops = self.slice_drops("drops.gcode")
+        yaml = self.write_config("c.yaml")
+        for arguments in (["fill-voids", drops, "-o", self.path("out.csv")],
+                          ["fill-voids", drops, "-o", yaml, "--config", yaml],
+                          ["fill-voids", drops, "--sweep", yaml, "--config", yaml],
+                          ["voids", drops, "-o", self.path("v.csv"), "--picture", self.path("v.csv")],
+                          ["preview", drops, "-o", self.path("p.gcode")]):
+            self.assertIn("suffix must be", self.assert_keeps_inputs(*arguments))
+
     def test_a_part_is_written_as_stl_only(self):
         self.assert_fails_with("InvalidConfig", "part", "box", "-o", self.path("box.obj"))
         self.assertEqual(os.listdir(self.folder.name), [])

@@ -30,9 +30,6 @@ std::vector<std::string> outputSuffixes();
 /// @throws InvalidInput if there is none, naming those there are
 OutputWriter outputWriterFor(const std::string& path);
 
-/// @throws InvalidInput if both name the same file; a name of no file is that of no other
-void requireOtherFile(const std::string& output, const std::string& input);
-
 /// Writes the file whole or not at all.
 /// @throws InvalidInput as above, or from the writer; FileError
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings);

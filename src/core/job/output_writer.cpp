@@ -41,12 +41,6 @@ OutputWriter outputWriterFor(const std::string& path) {
                      listed(outputSuffixes()));
 }
 
-void requireOtherFile(const std::string& output, const std::string& input) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(output, input, missing))
-    throw InvalidInput("output '" + output + "' is the file that is read; expected another one");
-}
-
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings) {
   const OutputWriter write = outputWriterFor(path);
   AtomicFile file(path);

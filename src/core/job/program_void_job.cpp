@@ -4,7 +4,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/job/output_writer.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 
 namespace lamina {
@@ -37,7 +37,8 @@ DropVoidReport fillDrops(std::string text, const ProgramVoidJob& job, Progress& 
 }  // namespace
 
 ProgramVoidReport runProgramVoidJob(const ProgramVoidJob& job, Progress& progress) {
-  requireOtherFile(job.output, job.program);
+  requireSuffix(job.output, {".gcode"});
+  requireApart({job.output}, {job.program, job.part});
   std::string text = readFile(job.program);
   if (isDropProgram(text, job.settings.program.drops)) return fillDrops(std::move(text), job, progress);
   return fillBeads(text, job, progress);

@@ -12,6 +12,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/drop_void_job.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/kinematics/machine.hpp"
 #include "lamina/planning/planner.hpp"
@@ -141,7 +142,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
-  requireOtherFile(job.output, job.part);
+  requireApart({job.output}, {job.part});
   const Machine machine = machineByName(job.settings.machine.name);
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);

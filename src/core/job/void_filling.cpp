@@ -6,7 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/parallel.hpp"
-#include "lamina/job/output_writer.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/program/run_insertion.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "planning/ordering.hpp"
@@ -52,8 +52,8 @@ InsertionSettings insertionSettings(const JobSettings& settings) {
 }  // namespace
 
 VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress) {
-  requireOtherFile(job.output, job.program);
-  requireOtherFile(job.output, job.map.part);
+  requireSuffix(job.output, {".gcode"});
+  requireApart({job.output}, {job.program, job.map.part});
   const JobSettings& settings = job.map.settings;
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
