@@ -3,27 +3,13 @@
 #include "infill/lattice_tours.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <boost/pending/disjoint_sets.hpp>
 #include <utility>
 
 namespace lamina {
 namespace {
 
 using Index = std::uint32_t;
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  Index rootOf(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index a, Index b) { parent_[rootOf(b)] = rootOf(a); }
-
- private:
-  std::vector<Index> parent_;
-};
 
 /// Two steps of tours that face each other across a square of the lattice.
 struct Flip {
@@ -76,7 +62,7 @@ class TourBuilder {
       tours_.neighbours[right] = {far, low};
       tours_.neighbours[far] = {up, right};
       tours_.neighbours[up] = {low, far};
-      for (const Index cell : {right, up, far}) sets_.join(low, cell);
+      for (const Index cell : {right, up, far}) sets_.union_set(low, cell);
     });
   }
 
@@ -96,10 +82,10 @@ class TourBuilder {
     replace(b, a, d);
     replace(c, d, a);
     replace(d, c, b);
-    sets_.join(a, c);
+    sets_.union_set(a, c);
   }
 
-  bool areOfTwoTours(Index a, Index b) { return sets_.rootOf(a) != sets_.rootOf(b); }
+  bool areOfTwoTours(Index a, Index b) { return sets_.find_set(a) != sets_.find_set(b); }
 
   bool tryFlip(Index low) {
     const Index right = low + 1, up = low + stride_, far = up + 1;
@@ -151,8 +137,8 @@ class TourBuilder {
     replace(b, a, d);
     tours_.neighbours[c] = {a, d};
     tours_.neighbours[d] = {c, b};
-    sets_.join(a, c);
-    sets_.join(a, d);
+    sets_.union_set(a, c);
+    sets_.union_set(a, d);
     return true;
   }
 
@@ -171,7 +157,7 @@ class TourBuilder {
   int columns_;
   int rows_;
   Index stride_;
-  DisjointSets sets_;
+  boost::disjoint_sets_with_storage<> sets_;
   LatticeTours tours_;
 };
 

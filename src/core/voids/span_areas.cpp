@@ -3,8 +3,9 @@
 #include "voids/span_areas.hpp"
 
 #include <algorithm>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "lamina/geometry/simplify.hpp"
@@ -17,24 +18,6 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 struct Cell {
   std::size_t row = 0;
   Span span;
-};
-
-/// Sets of cells that hang together; the lowest cell stands for its set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
 };
 
 /// Walks round an area of cells. Side 2 i is the left side of cell i and side 2 i + 1 its right side.
@@ -135,9 +118,9 @@ std::vector<Cell> cellsOf(const std::vector<Spans>& spans) {
   return cells;
 }
 
-/// Joins cells of neighbouring rows that overlap.
-DisjointSets connect(const std::vector<Cell>& cells) {
-  DisjointSets sets(cells.size());
+/// Cells of neighbouring rows that overlap hang together: of each cell, the first one of its area.
+std::vector<std::size_t> firstOfArea(const std::vector<Cell>& cells) {
+  boost::disjoint_sets_with_storage<> sets(cells.size());
   std::size_t below = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto isPassed = [&](const Cell& cell) {
@@ -147,10 +130,14 @@ DisjointSets connect(const std::vector<Cell>& cells) {
     while (below < i && isPassed(cells[below])) ++below;
     for (std::size_t k = below; k < i && cells[k].row + 1 == cells[i].row; ++k) {
       if (cells[k].span.low >= cells[i].span.high) break;
-      sets.join(k, i);
+      sets.union_set(k, i);
     }
   }
-  return sets;
+  const boost::counting_iterator<std::size_t> begin(0);
+  const boost::counting_iterator<std::size_t> end(cells.size());
+  sets.compress_sets(begin, end);
+  sets.normalize_sets(begin, end);
+  return sets.parents();
 }
 
 }  // namespace
@@ -158,13 +145,12 @@ DisjointSets connect(const std::vector<Cell>& cells) {
 std::vector<SpanArea> connectedAreas(const std::vector<Spans>& spans, const ScanRows& rows,
                                      double least_mm2) {
   const std::vector<Cell> cells = cellsOf(spans);
-  DisjointSets sets = connect(cells);
+  const std::vector<std::size_t> first = firstOfArea(cells);
   std::vector<double> area(cells.size(), 0.0);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    area[sets.find(i)] += cells[i].span.length() * rows.spacing_mm;
+  for (std::size_t i = 0; i < cells.size(); ++i) area[first[i]] += cells[i].span.length() * rows.spacing_mm;
   std::vector<std::vector<Cell>> members(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (area[sets.find(i)] >= least_mm2) members[sets.find(i)].push_back(cells[i]);
+    if (area[first[i]] >= least_mm2) members[first[i]].push_back(cells[i]);
   std::vector<SpanArea> areas;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!members[i].empty()) areas.push_back({OutlineWalk(members[i], rows).region(), area[i]});
