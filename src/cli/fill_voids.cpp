@@ -7,6 +7,7 @@
 #include "fill_drop_voids.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/void_filling.hpp"
 #include "lamina/program/drop_program.hpp"
@@ -26,7 +27,23 @@ struct FillVoidsArguments {
   std::vector<double> offset;
   RefillSettings refill;
   DropFillArguments drops;
+  std::vector<std::string> for_beads;  ///< options given that programs of drops do not follow
+  std::vector<std::string> for_drops;  ///< options given that programs of beads do not follow
 };
+
+/// Those of the options that stand on the command line.
+std::vector<std::string> givenOf(const CLI::App& subcommand, const std::vector<std::string>& options) {
+  std::vector<std::string> given;
+  for (const std::string& option : options)
+    if (subcommand.count(option) > 0) given.push_back(option);
+  return given;
+}
+
+void requireNone(const std::vector<std::string>& given, const std::string& program, const std::string& lays) {
+  if (given.empty()) return;
+  throw InvalidInput("'" + program + "' lays " + lays + "; expected none of the options " + listed(given) +
+                     ", which do not apply to such a program");
+}
 
 JobSettings settingsFrom(const FillVoidsArguments& arguments) {
   std::vector<SettingText> overrides = overridesOf(arguments.drops);
@@ -86,10 +103,11 @@ void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
   requireApart({arguments.output, arguments.drops.sweep},
                {arguments.program, arguments.part, arguments.config});
   const JobSettings settings = settingsFrom(arguments);
-  if (isDropProgram(readFile(arguments.program), settings.program.drops))
+  if (isDropProgram(readFile(arguments.program), settings.program.drops)) {
+    requireNone(arguments.for_beads, arguments.program, "drops");
     return fillDropVoids({arguments.program, arguments.output, arguments.drops.sweep}, settings, format);
-  if (!arguments.drops.sweep.empty())
-    throw InvalidInput("'" + arguments.program + "' lays beads; --sweep is for programs of drops");
+  }
+  requireNone(arguments.for_drops, arguments.program, "beads");
   VoidFillingReport report;
   {
     TerminalProgress progress;
@@ -107,8 +125,9 @@ void addFillVoids(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
   subcommand->add_option("-o,--output", arguments->output,
                          "Program to write (.gcode); needed unless --sweep is given");
-  subcommand->add_option("--part", arguments->part,
-                         "Mesh file or name of a parametric part; needed unless the program is of drops");
+  subcommand->add_option(
+      "--part", arguments->part,
+      "Mesh file or name of a parametric part; needed for a program of beads, and for that only");
   subcommand
       ->add_option("--least-area", arguments->refill.least_area,
                    "Smaller voids stay, in squared widths of a bead")
@@ -129,8 +148,12 @@ void addFillVoids(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
       ->allow_extra_args(false);
   addJsonFlag(*subcommand, chosen);
-  subcommand->callback(
-      [arguments, &chosen] { chosen.run = [arguments, &chosen] { fillVoids(*arguments, chosen.format); }; });
+  subcommand->callback([arguments, subcommand, &chosen] {
+    arguments->for_beads = givenOf(*subcommand, {"--part", "--offset", "--least-area", "--least-width"});
+    arguments->for_drops =
+        givenOf(*subcommand, {"--overlap", "--definition", "--detector", "--iterate", "--sweep"});
+    chosen.run = [arguments, &chosen] { fillVoids(*arguments, chosen.format); };
+  });
 }
 
 }  // namespace lamina::cli

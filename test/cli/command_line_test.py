@@ -128,6 +128,25 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(told["uncovered_percent_mean"], 9.3)
         self.assertLess(told["uncovered_percent_mean"], 25.0)
 
+    def test_options_that_do_not_apply_are_refused(self):
+        drops = self.slice_drops("drops.gcode")
+        box = self.path("box.stl")
+        beads = self.path("beads.gcode")
+        self.assertEqual(run("slice", box, "-o", beads).returncode, 0)
+        filled = ["-o", self.path("filled.gcode")]
+        for option in (["--part", box], ["--offset", "1,2"], ["--least-area", "0.25"], ["--least-width", "1"]):
+            self.assertIn(option[0], self.assert_keeps_inputs("fill-voids", drops, *filled, *option))
+        for option in (["--overlap", "0.1"], ["--definition", "area"], ["--detector", "voronoi"], ["--iterate"],
+                       ["--sweep", self.path("s.csv")]):
+            self.assertIn(option[0], self.assert_keeps_inputs("fill-voids", beads, "--part", box, *filled, *option))
+
+    def test_a_part_too_narrow_for_a_drop_is_told_of_drops(self):
+        box = self.make_part("box", "--set", "x_mm=2", "--set", "y_mm=2", "--set", "z_mm=1")
+        told = self.assert_fails_with("InvalidInput", "slice", box, "--set", "infill.strategy=drops_dense", "--set",
+                                      "drops.diameter_mm=3", "--set", "drops.pitch_mm=3")
+        self.assertIn("no drop", told["error"]["message"])
+        self.assertIn("drops.diameter_mm", told["error"]["message"])
+
     def test_filling_without_a_file_to_write_is_refused(self):
         self.assert_fails_with("InvalidInput", "fill-voids", self.slice_drops("drops.gcode"))
 

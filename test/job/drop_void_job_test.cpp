@@ -149,7 +149,11 @@ TEST(DropVoidJob, AsAStepOfSlicingFillsAsTheCommandDoes) {
 }
 
 TEST(DropVoidJob, LeavesBeadsAlone) {
-  EXPECT_EQ(toolpathId(slicedBox("zigzag", true).toolpath), toolpathId(slicedBox("zigzag", false).toolpath));
+  const Toolpath beads = slicedBox("zigzag", false).toolpath;
+  DropVoidSettings settings;
+  settings.is_on = true;
+  NoProgress progress;
+  EXPECT_EQ(toolpathId(withDropVoidsFilled(beads, settings, 100.0, progress)), toolpathId(beads));
 }
 
 }  // namespace

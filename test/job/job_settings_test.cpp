@@ -40,6 +40,16 @@ TEST(JobSettings, TheShippedFileHoldsEveryKeyAndTheDefaults) {
   EXPECT_EQ(textsOf(loadJobSettings(path, {})), textsOf({}));
 }
 
+TEST(JobSettings, RefusesToFillVoidsBetweenDropsWhereBeadsAreLaid) {
+  JobSettings settings;
+  settings.drop_voids.is_on = true;
+  EXPECT_THROW(validate(settings), InvalidConfig);
+  settings.planning.infill.strategy = "drops_dense";
+  EXPECT_NO_THROW(validate(settings));
+  settings.planning.infill.density = 0.5;
+  EXPECT_THROW(validate(settings), InvalidConfig);
+}
+
 TEST(JobSettings, OverridesWinOverTheFile) {
   const test::ScratchFolder folder;
   std::ofstream(folder.file("a.yaml")) << "slicing: {layer_height_mm: 0.3}\nwalls:\n  count: 5\n";

@@ -52,7 +52,9 @@ void describe(SettingsSchema& schema, JobSettings& settings);
 /// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);
 
-/// @throws InvalidConfig naming key, value and bound, whatever way the values came there
+/// Checks what a part is sliced by, whatever way the values came there.
+/// @throws InvalidConfig naming key, value and bound; also if settings contradict the strategy
+///   (`requireConsistent`), or if drop_voids.fill is set for beads
 void validate(const JobSettings& settings);
 
 }  // namespace lamina

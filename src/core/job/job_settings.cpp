@@ -3,7 +3,10 @@
 #include "lamina/job/job_settings.hpp"
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "lamina/planning/plan_consistency.hpp"
 
 namespace lamina {
 namespace {
@@ -49,6 +52,12 @@ void validate(const JobSettings& settings) {
   SettingsSchema schema;
   describe(schema, checked);
   schema.validate();
+  requireConsistent(settings.planning);
+  const std::string& strategy = settings.planning.infill.strategy;
+  if (settings.drop_voids.is_on && infillStrategy(strategy).deposit != Deposit::Drops)
+    throw InvalidConfig(
+        "drop_voids.fill is true with infill.strategy '" + strategy +
+        "', which lays beads; expected false: voids between beads are filled by voids.refill");
 }
 
 }  // namespace lamina

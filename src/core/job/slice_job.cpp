@@ -11,6 +11,7 @@
 #include "job/part_source.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
@@ -93,13 +94,17 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
 
-/// A part that is thinner than any bead everywhere would leave nothing but its skirt.
-void requireDeposition(const Toolpath& toolpath, double narrowest) {
+/// A part that is thinner than any bead, or drop, everywhere would leave nothing but its skirt.
+void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
   for (const ToolpathLayer& layer : toolpath.layers)
     if (buildsPart(layer)) return;
-  throw InvalidInput("no bead of part '" + toolpath.part_name + "' is laid in any of " +
-                     std::to_string(toolpath.layers.size()) +
-                     " layers: it is narrower than walls.narrowest, " + std::to_string(narrowest) +
+  const std::string part =
+      "of part '" + toolpath.part_name + "' is laid in any of " + std::to_string(toolpath.layers.size());
+  if (infillStrategy(settings.infill.strategy).deposit == Deposit::Drops)
+    throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
+                       std::to_string(settings.fill.drops.diameter_mm) + " mm, everywhere");
+  throw InvalidInput("no bead " + part + " layers: it is narrower than walls.narrowest, " +
+                     std::to_string(settings.walls.narrowest) +
                      " pitches, everywhere, or walls.count and infill.density are both 0");
 }
 
@@ -157,7 +162,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   if (job.settings.drop_voids.is_on)
     sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,
                                           job.settings.planning.travel.feed_mm_s, progress);
-  requireDeposition(sliced.toolpath, job.settings.planning.walls.narrowest);
+  requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);

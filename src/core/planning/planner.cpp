@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lamina/base/parallel.hpp"
+#include "lamina/planning/plan_consistency.hpp"
 #include "planning/layer_chain.hpp"
 #include "planning/layer_planner.hpp"
 #include "planning/rising_wall.hpp"
@@ -20,6 +21,7 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   SettingsSchema schema;
   describe(schema, context.settings);
   schema.validate();
+  requireConsistent(settings);
   for (const Layer& layer : layers) {
     const Box2 box = boundingBox(layer.section.contours);
     if (box.isEmpty()) continue;

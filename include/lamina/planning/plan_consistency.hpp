@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/planning/plan_settings.hpp"
+
+namespace lamina {
+
+/// Refuses settings that contradict the strategy: what it does not follow, and would be ignored.
+///
+/// With drops: infill.density, unless it is 1 or the default; walls.count and skirt.count, unless they are 0
+/// or the default; voids.refill. Drops of a line and lines of drops must be no nearer than drops.most_overlap
+/// allows: every other drop would be left out.
+/// @throws InvalidConfig naming key, value and what was expected; if there is no such strategy
+void requireConsistent(const PlanSettings& settings);
+
+}  // namespace lamina

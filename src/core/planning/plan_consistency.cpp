@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/plan_consistency.hpp"
+
+#include <cstdio>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRounding = 1e-6;  // of a distance
+
+std::string text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", value);
+  return digits;
+}
+
+[[noreturn]] void refuse(const std::string& what, const PlanSettings& settings, const std::string& expected) {
+  throw InvalidConfig(what + " with infill.strategy '" + settings.infill.strategy +
+                      "', which lays drops; expected " + expected);
+}
+
+void requireNoCount(const std::string& key, int count, int usual, const PlanSettings& settings) {
+  if (count == 0 || count == usual) return;
+  refuse(key + " is " + std::to_string(count), settings,
+         "0 or the default " + std::to_string(usual) +
+             ": there are no walls and no skirt of beads beside drops, only drops.contours");
+}
+
+void requireDistance(const std::string& key, double distance_mm, const DropSettings& drops) {
+  const double least_mm = (1.0 - drops.most_overlap) * drops.diameter_mm;
+  if (distance_mm >= least_mm * (1.0 - kRounding)) return;
+  throw InvalidConfig(key + " is " + text(distance_mm) + " mm; must be at least " + text(least_mm) +
+                      " mm, (1 - drops.most_overlap) times drops.diameter_mm: nearer drops are left out");
+}
+
+}  // namespace
+
+void requireConsistent(const PlanSettings& settings) {
+  if (infillStrategy(settings.infill.strategy).deposit != Deposit::Drops) return;
+  const PlanSettings usual;
+  const double density = settings.infill.density;
+  if (density != 1.0 && density != usual.infill.density)
+    refuse("infill.density is " + text(density), settings,
+           "1 or the default " + text(usual.infill.density) +
+               ": drops cover the whole section, as densely as drops.pitch_mm tells");
+  requireNoCount("walls.count", settings.walls.count, usual.walls.count, settings);
+  requireNoCount("skirt.count", settings.skirt.count, usual.skirt.count, settings);
+  if (settings.voids.refill != VoidRefill::None)
+    refuse("voids.refill is 'beads'", settings, "'none': voids between drops are filled by drop_voids.fill");
+  const DropSettings& drops = settings.fill.drops;
+  requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
+  requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);
+}
+
+}  // namespace lamina

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/plan_consistency.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+/// What the settings, as `key=value`, are refused for; empty if they are not.
+std::string refusalOf(const std::string& strategy, const std::vector<std::string>& assignments) {
+  PlanSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  schema.set("infill.strategy", strategy);
+  for (const std::string& assignment : assignments) {
+    const SettingText setting = settingFromAssignment(assignment);
+    schema.set(setting.key, setting.text);
+  }
+  try {
+    requireConsistent(settings);
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class DropConsistency : public testing::TestWithParam<const char*> {};
+
+TEST_P(DropConsistency, TakesTheDefaultsAndWhatAgreesWithThem) {
+  EXPECT_EQ(refusalOf(GetParam(), {}), "");
+  EXPECT_EQ(refusalOf(GetParam(), {"infill.density=1", "walls.count=0", "skirt.count=0", "drops.contours=3"}),
+            "");
+}
+
+TEST_P(DropConsistency, RefusesWhatDropsDoNotFollow) {
+  for (const char* assignment :
+       {"infill.density=0.5", "infill.density=0", "walls.count=3", "skirt.count=2", "voids.refill=beads"}) {
+    const SettingText setting = settingFromAssignment(assignment);
+    const std::string refusal = refusalOf(GetParam(), {assignment});
+    for (const std::string& told : {setting.key, setting.text, std::string("expected")})
+      EXPECT_NE(refusal.find(told), std::string::npos) << assignment << ": " << refusal;
+    EXPECT_EQ(refusalOf("zigzag", {assignment}), "");
+  }
+}
+
+TEST_P(DropConsistency, RefusesDropsNearerThanTheirOverlapAllows) {
+  // 0.8 x 0.5 mm
+  const std::vector<std::string> drops = {"drops.diameter_mm=0.5", "drops.most_overlap=0.2"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = drops;
+    all.insert(all.end(), more.begin(), more.end());
+    return refusalOf(GetParam(), all);
+  };
+  EXPECT_EQ(with({"drops.pitch_mm=0.4"}), "");
+  EXPECT_EQ(with({"drops.pitch_mm=0.5", "drops.line_spacing_mm=0.4"}), "");
+  EXPECT_NE(with({"drops.pitch_mm=0.39"}).find("drops.pitch_mm is 0.39 mm; must be at least 0.4 mm"),
+            std::string::npos);
+  EXPECT_NE(with({"drops.pitch_mm=0.5", "drops.line_spacing_mm=0.39"}).find("drops.line_spacing_mm is 0.39"),
+            std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, DropConsistency,
+                         testing::Values("drops_contour", "drops_dense", "drops_raster"));
+
+}  // namespace
+}  // namespace lamina
