@@ -66,8 +66,8 @@ void printShare(const char* name, const AreaShare& share) {
 }
 
 void printJson(const VoidReport& report, const VoidArguments& arguments) {
-  const VoidTotals sums = totals(report.layers);
-  nlohmann::ordered_json json = {{"layers", sums.layers}};
+  const VoidTotals sums = totals(report);
+  nlohmann::ordered_json json = {{"layers", sums.layers}, {"layers_missing", report.part.missing.size()}};
   addShare(json, "uncovered", sums.uncovered);
   addShare(json, "overfill", sums.overfill);
   json.update({{"material_percent", sums.material_percent},
@@ -82,8 +82,10 @@ void printJson(const VoidReport& report, const VoidArguments& arguments) {
 }
 
 void printText(const VoidReport& report, const VoidArguments& arguments) {
-  const VoidTotals sums = totals(report.layers);
+  const VoidTotals sums = totals(report);
   std::printf("layers      %zu, %.1f runs each\n", sums.layers, sums.runs_per_layer_mean);
+  if (!report.part.missing.empty())
+    std::printf("missing     %zu layers of the part, counted as uncovered\n", report.part.missing.size());
   printShare("uncovered", sums.uncovered);
   printShare("overfill", sums.overfill);
   std::printf("material    %.2f %% of what fills the layers\n", sums.material_percent);

@@ -4,10 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
 
 namespace lamina {
 namespace {
@@ -66,6 +72,53 @@ TEST_F(VoidFillingTest, CoversMoreAndTellsWhatTheNewProgramDeposits) {
   const VoidTotals read = totals(runVoidJob(result, job_.map, progress).layers);
   EXPECT_NEAR(read.uncovered.mean_percent, filled.after.uncovered.mean_percent, 1e-9);
   EXPECT_NEAR(read.runs_per_layer_mean, filled.after.runs_per_layer_mean, 1e-9);
+}
+
+TEST_F(VoidFillingTest, RefusesAPartThatTheProgramDoesNotPrint) {
+  slice(job_.program, VoidRefill::None);
+  for (const char* part : {"box", "cone", "through_hole_plate", "flat_wall"}) {
+    job_.map.part = part;
+    EXPECT_THROW(fill(), InvalidInput) << part;
+  }
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(VoidFillingTest, RefusesAPartThatIsMuchLarger) {
+  slice(job_.program, VoidRefill::None);
+  job_.map.part = folder_.file("large.stl");
+  writeStl(job_.map.part, test::boxBetween({-30, -30, 0}, {30, 30, 10}));
+  EXPECT_THROW(fill(), InvalidInput);
+}
+
+TEST_F(VoidFillingTest, RefusesAnOffsetThatIsWrongOrNotANumber) {
+  slice(job_.program, VoidRefill::None);
+  NoProgress progress;
+  const Toolpath program = toolpathFromGcodeFile(job_.program, settings_.program);
+  const Point2 right = placeContours(program, job_.map, progress).offset;
+  for (const Point2& wrong : {Point2(5, 0), Point2(-300, 20), Point2(std::nan(""), 0)}) {
+    job_.map.offset = right + wrong;
+    EXPECT_THROW(fill(), InvalidInput) << wrong.transpose();
+  }
+  job_.map.offset = right;
+  EXPECT_GT(fill().runs, 0U);
+}
+
+TEST_F(VoidFillingTest, RefusesAProgramThatEndsBeforeItsPart) {
+  slice(job_.program, VoidRefill::None);
+  const std::string whole = readFile(job_.program);
+  const std::size_t cut = whole.find(";LAYER:3\n");
+  ASSERT_NE(cut, std::string::npos);
+  job_.program = folder_.file("cut.gcode");
+  writeFile(job_.program, whole.substr(0, cut));
+  try {
+    fill();
+    FAIL() << "nothing is thrown";
+  } catch (const InvalidInput& error) {
+    const std::size_t layers = toolpathFromGcode(whole, settings_.program, "tube").layers.size();
+    EXPECT_NE(std::string(error.what()).find("lacks " + std::to_string(layers - 3) + " layers"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(VoidFillingTest, RefusesToWriteOverItsProgram) {

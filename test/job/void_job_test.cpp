@@ -99,6 +99,35 @@ TEST_F(VoidJobTest, TakesALayerBeyondThePartForOverfill) {
   EXPECT_NEAR(report.layers[4].overfill_mm2, 10 * kWidth * (10.0 + M_PI / 4.0 * kWidth), 0.1);
 }
 
+TEST_F(VoidJobTest, CountsLayersThatAProgramLacksAsUncovered) {
+  job_.offset = Point2(20, 0);
+  const VoidReport whole = run(linesFrom(20, 10, 4));
+  EXPECT_TRUE(whole.part.missing.empty());
+  const VoidReport half = run(linesFrom(20, 10, 2));
+  ASSERT_EQ(half.part.missing.size(), 2U);
+  EXPECT_NEAR(half.part.missing[1].z_mm, 2.0, 1e-9);
+  const VoidTotals sums = totals(half);
+  EXPECT_EQ(sums.layers, 2U);
+  EXPECT_NEAR(sums.uncovered.mean_percent, 50.0, 0.01);
+  EXPECT_NEAR(sums.uncovered.total_percent, 50.0, 0.01);
+  EXPECT_NEAR(sums.uncovered.worst_percent, 100.0, 1e-9);
+  EXPECT_NEAR(sums.runs_per_layer_mean, 10.0, 1e-9);
+}
+
+TEST_F(VoidJobTest, FindsLayersThatAreMissingBetweenOthers) {
+  Toolpath program = linesFrom(20, 10, 4);
+  program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);
+  EXPECT_EQ(run(program).part.missing.size(), 2U);
+}
+
+TEST_F(VoidJobTest, MissesNoLayerWhereThePartHasNoMaterial) {
+  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
+                                   test::boxBetween({0, 0, 1.5}, {10, 10, 2})));
+  Toolpath program = linesFrom(20, 10, 4);
+  program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);
+  EXPECT_TRUE(run(program).part.missing.empty());
+}
+
 TEST_F(VoidJobTest, WithoutAPartTakesWhatTheOuterWallsEnclose) {
   Toolpath program = linesFrom(0, 10, 1);
   const auto loop = [&](double low, double high) {

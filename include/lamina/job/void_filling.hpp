@@ -29,8 +29,11 @@ struct VoidFillingReport {
 
 /// Adds runs along the voids of each layer at its end; see `insertRuns`. They are laid as `feed.infill_mm_s`,
 /// `travel.*` and `program.*` of the settings say.
-/// @throws FileError, InvalidProgram, InvalidMesh, InvalidInput if output and input are the same file;
-/// Cancelled
+/// @throws FileError, InvalidProgram, InvalidMesh; InvalidInput if output and input are the same file, if the
+/// program lacks layers of the part, or if
+/// the part does not belong to the program or not there: more than a fifth of the deposit lies outside of it,
+/// or its layers are much larger than their deposit, or hardly covered along their border; Unreachable if a
+/// new run leaves both the machine's reach and what the program reaches; Cancelled
 VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress);
 
 }  // namespace lamina

@@ -10,6 +10,7 @@
 #include "lamina/job/job_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/void_map.hpp"
+#include "lamina/voids/void_totals.hpp"
 
 namespace lamina {
 
@@ -26,6 +27,8 @@ struct VoidJob {
 struct PlacedContours {
   std::vector<Regions> contours;   ///< layer by layer [mm, frame of the program]
   Point2 offset = Point2::Zero();  ///< program_from_part [mm]
+  /// Layers of the part that the program lacks, above its last one or between others: all uncovered.
+  std::vector<LayerVoids> missing;
 };
 
 /// The part cut at half the height of each layer of the program, its bottom at that of the first layer, and
@@ -35,15 +38,19 @@ struct PlacedContours {
 /// half a millimetre, where slicers put parts, are tried there as well. Of all these the one is taken that
 /// leaves least uncovered and overfilled on some layers. Without a part, each contour is what the closed
 /// outer walls of its layer enclose.
-/// @throws InvalidMesh, FileError; InvalidInput if the program's layers do not rise, or if there is neither
-/// part nor outer wall; Cancelled
+/// @throws InvalidMesh, FileError; InvalidInput if the offset is not finite, the program's layers do not
+/// rise, or if there is neither part nor outer wall; Cancelled
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress);
 
 /// How well a program fills a part.
 struct VoidReport {
   PlacedContours part;
-  std::vector<LayerVoids> layers;
+  std::vector<LayerVoids> layers;  ///< of the program
 };
+
+/// Sums over the layers of the program and, behind these, those that it lacks, which count as layers that
+/// nothing covers. `layers` and `runs_per_layer_mean` are the program's.
+VoidTotals totals(const VoidReport& report);
 
 /// @param program  as read from a file
 /// @throws as above

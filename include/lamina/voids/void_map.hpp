@@ -41,6 +41,7 @@ struct LayerVoids {
   double deposited_mm2 = 0.0;  ///< volume over height of the layer
   double uncovered_mm2 = 0.0;
   double overfill_mm2 = 0.0;
+  double outside_mm2 = 0.0;       ///< of the overfill, what beads fill outside of the contour
   std::size_t runs = 0;           ///< that deposit
   std::vector<Void> voids;        ///< from bottom to top, at least `least_void` large
   std::vector<Region> overfills;  ///< where overfill is, as large at least

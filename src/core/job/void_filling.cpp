@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/void_filling.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "job/plausible_part.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/kinematics/machine.hpp"
 #include "lamina/program/run_insertion.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "planning/ordering.hpp"
@@ -49,6 +53,32 @@ InsertionSettings insertionSettings(const JobSettings& settings) {
   return insertion;
 }
 
+void requireWhole(const VoidReport& found, const VoidFillingJob& job) {
+  if (found.part.missing.empty()) return;
+  throw InvalidInput("'" + job.program + "' lacks " + std::to_string(found.part.missing.size()) +
+                     " layers of part '" + job.map.part + "', the lowest with its top at " +
+                     std::to_string(found.part.missing.front().z_mm) + " mm; it has " +
+                     std::to_string(found.layers.size()) + ", expected all");
+}
+
+/// What the program reaches, its machine does.
+void requireReachable(const std::vector<std::vector<Path>>& runs, const Toolpath& program,
+                      const Machine& machine) {
+  const Box3 reached = depositionBox(program);
+  const auto isReached = [&](const Point3& point) {
+    return (point.array() >= reached.low.array()).all() && (point.array() <= reached.high.array()).all();
+  };
+  Toolpath beyond;
+  beyond.part_name = program.part_name;
+  for (const std::vector<Path>& layer : runs) {
+    beyond.layers.emplace_back();
+    for (const Path& path : layer)
+      if (!std::all_of(path.points.begin(), path.points.end(), isReached))
+        beyond.layers.back().paths.push_back(path);
+  }
+  requireReachable(beyond, Eigen::Isometry3d::Identity(), machine);
+}
+
 }  // namespace
 
 VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress) {
@@ -57,7 +87,10 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   const JobSettings& settings = job.map.settings;
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
+  const Machine machine = machineByName(settings.machine.name);
   const VoidReport found = runVoidJob(program, job.map, progress);
+  requirePlausible(program, found, job.map);
+  requireWhole(found, job);
   std::vector<std::vector<Path>> runs(program.layers.size());
   parallelFor(
       runs.size(),
@@ -66,6 +99,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
                           settings.planning.feed.infill_mm_s);
       },
       progress, "fill");
+  requireReachable(runs, program, machine);
   const std::string filled = insertRuns(text, program, runs, insertionSettings(settings));
   VoidFillingReport report;
   for (const std::vector<Path>& layer : runs) {

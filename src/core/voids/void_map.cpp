@@ -132,6 +132,7 @@ class LayerAccount {
     std::vector<std::vector<BeadSpan>> plans = beadSpans(layer_, rows_, BeadMeasure::Plan);
     std::vector<Spans> over(rows_.count);
     double sum = 0.0;
+    double sum_outside = 0.0;
     for (std::size_t row = 0; row < rows_.count; ++row) {
       Spans filled;
       for (const PassCounter::Piece& piece : counter.count(std::move(plans[row]))) {
@@ -140,11 +141,12 @@ class LayerAccount {
         if (piece.passes > 1) over[row].push_back(piece);
       }
       const Spans outside = difference(filled, inside_[row]);
-      for (const Span& span : outside) sum += span.length();
+      for (const Span& span : outside) sum_outside += span.length();
       over[row].insert(over[row].end(), outside.begin(), outside.end());
       over[row] = united(std::move(over[row]));
     }
-    result_.overfill_mm2 = sum * rows_.spacing_mm;
+    result_.outside_mm2 = sum_outside * rows_.spacing_mm;
+    result_.overfill_mm2 = sum * rows_.spacing_mm + result_.outside_mm2;
     for (SpanArea& found : connectedAreas(over, rows_, least_mm2_))
       result_.overfills.push_back(std::move(found.outline));
   }
