@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
+
+#include "geometry/chain_splitting.hpp"
 
 namespace lamina {
 namespace {
@@ -46,23 +49,15 @@ std::size_t farthestFrom(const Polygon& polygon, const Point2& point) {
   return farthest;
 }
 
-/// Marks the points of an open chain that stay. Keeps its own stack: recursion would go as deep as the chain
-/// is long.
-class Chain {
+/// The points of an outline that stay. Chains of it may run past its end: indices wrap round.
+class Simplification {
  public:
-  Chain(const Polygon& points, double tolerance)
-      : points_(points), squared_tolerance_(tolerance * tolerance) {}
+  Simplification(const Polygon& points, double tolerance)
+      : points_(points), squared_tolerance_(tolerance * tolerance), is_kept_(points.size(), false) {}
 
-  /// `last` may run past the end of the polygon: indices wrap round.
-  void keep(std::size_t first, std::size_t last) {
-    is_kept_.resize(points_.size(), false);
-    is_kept_[first % points_.size()] = is_kept_[last % points_.size()] = true;
-    stack_.emplace_back(first, last);
-    while (!stack_.empty()) {
-      const auto [from, to] = stack_.back();
-      stack_.pop_back();
-      split(from, to);
-    }
+  void keepChain(std::size_t first, std::size_t last) {
+    const auto split = [this](std::size_t from, std::size_t to) { return splitBetween(from, to); };
+    for (const std::size_t i : keptOfChain(first, last, split)) is_kept_[i % points_.size()] = true;
   }
 
   Polygon kept() const {
@@ -75,8 +70,7 @@ class Chain {
  private:
   const Point2& at(std::size_t i) const { return points_[i < points_.size() ? i : i - points_.size()]; }
 
-  void split(std::size_t from, std::size_t to) {
-    if (to - from < 2) return;
+  std::size_t splitBetween(std::size_t from, std::size_t to) const {
     const SegmentDistance segment(at(from), at(to));
     double worst = segment.scaled(squared_tolerance_);
     std::size_t at_worst = from;
@@ -84,16 +78,12 @@ class Chain {
       const double distance = segment.scaledTo(at(i));
       if (distance > worst) worst = distance, at_worst = i;
     }
-    if (at_worst == from) return;
-    is_kept_[at_worst % points_.size()] = true;
-    stack_.emplace_back(from, at_worst);
-    stack_.emplace_back(at_worst, to);
+    return at_worst;
   }
 
   const Polygon& points_;
   double squared_tolerance_;
   std::vector<bool> is_kept_;
-  std::vector<std::pair<std::size_t, std::size_t>> stack_;
 };
 
 }  // namespace
@@ -105,10 +95,10 @@ Polygon simplify(const Polygon& polygon, double tolerance_mm) {
   const std::size_t second = farthestFrom(polygon, polygon[first]);
   const auto [low, high] = std::minmax(first, second);
   if (low == high) return {};
-  Chain chain(polygon, tolerance_mm);
-  chain.keep(low, high);
-  chain.keep(high, low + polygon.size());
-  Polygon result = chain.kept();
+  Simplification simplification(polygon, tolerance_mm);
+  simplification.keepChain(low, high);
+  simplification.keepChain(high, low + polygon.size());
+  Polygon result = simplification.kept();
   if (result.size() < 3) result.clear();
   return result;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/axis_graph.hpp"
+#include "geometry/chain_splitting.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -27,52 +28,19 @@ AxisPoint between(const AxisPoint& a, const AxisPoint& b, double radius) {
   return {a.point + t * (b.point - a.point), radius};
 }
 
-/// Points out of the way between first and last are left out (Douglas and Peucker), the radius a coordinate
-/// like the others.
-class Straightening {
- public:
-  explicit Straightening(const std::vector<AxisPoint>& points) : points_(points), is_kept_(points.size()) {}
-
-  std::vector<AxisPoint> within(double tolerance) {
-    is_kept_.front() = is_kept_.back() = true;
-    std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, points_.size() - 1}};
-    while (!spans.empty()) {
-      const auto [first, last] = spans.back();
-      spans.pop_back();
-      const std::size_t worst = farthest(first, last, tolerance);
-      if (worst == first) continue;
-      is_kept_[worst] = true;
-      spans.emplace_back(first, worst);
-      spans.emplace_back(worst, last);
-    }
-    std::vector<AxisPoint> kept;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (is_kept_[i]) kept.push_back(points_[i]);
-    return kept;
-  }
-
- private:
-  Point3 at(std::size_t i) const {
-    return {points_[i].point.x(), points_[i].point.y(), points_[i].radius_mm};
-  }
-
-  std::size_t farthest(std::size_t first, std::size_t last, double tolerance) const {
-    const Point3 along = at(last) - at(first);
-    const double squared = along.squaredNorm();
-    double most = tolerance;
-    std::size_t worst = first;
-    for (std::size_t i = first + 1; i < last; ++i) {
-      const Point3 offset = at(i) - at(first);
-      const double t = squared > 0.0 ? std::min(1.0, std::max(0.0, offset.dot(along) / squared)) : 0.0;
-      const double distance = (offset - t * along).norm();
-      if (distance > most) most = distance, worst = i;
-    }
-    return worst;
-  }
-
-  const std::vector<AxisPoint>& points_;
-  std::vector<bool> is_kept_;
-};
+/// Without points that are out of the way between their neighbours by less than the tolerance, the radius a
+/// coordinate like the others.
+std::vector<AxisPoint> straightened(const std::vector<AxisPoint>& points, double tolerance) {
+  const auto at = [&](std::size_t i) {
+    return Point3(points[i].point.x(), points[i].point.y(), points[i].radius_mm);
+  };
+  std::vector<AxisPoint> kept;
+  for (const std::size_t i : keptOfChain(0, points.size() - 1, [&](std::size_t from, std::size_t to) {
+         return farthestBetween(from, to, tolerance, at);
+       }))
+    kept.push_back(points[i]);
+  return kept;
+}
 
 /// Takes the axis over as far as it is thick enough.
 class ThickParts {
@@ -102,7 +70,7 @@ class ThickParts {
   }
 
   void add(std::size_t from, std::size_t to, std::vector<AxisPoint>& part) {
-    graph_.add(from, to, Straightening(part).within(tolerance_));
+    graph_.add(from, to, straightened(part, tolerance_));
     part.clear();
   }
 

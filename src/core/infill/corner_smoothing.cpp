@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/chain_splitting.hpp"
+
 namespace lamina {
 namespace {
 
@@ -195,49 +197,43 @@ class Smoothing {
   FillPath result_;
 };
 
-/// Douglas and Peucker on a run whose widths are a coordinate like the others.
+/// A run without the points that are out of the way by less than the tolerance; it keeps its widths.
 class Simplification {
  public:
-  Simplification(const FillPath& run, double tolerance)
-      : run_(run), tolerance_(tolerance), is_kept_(run.points.size() + (run.is_closed ? 1 : 0)) {}
+  Simplification(const FillPath& run, double tolerance) : run_(run), tolerance_(tolerance) {}
 
-  FillPath simplify() && {
-    const std::size_t last = is_kept_.size() - 1;
-    is_kept_.front() = is_kept_[last] = true;
-    std::vector<std::pair<std::size_t, std::size_t>> spans = {{0, last}};
-    if (run_.is_closed) {
-      is_kept_[last / 3] = is_kept_[2 * last / 3] = true;
-      spans = {{0, last / 3}, {last / 3, 2 * last / 3}, {2 * last / 3, last}};
+  FillPath simplify() const {
+    FillPath path = run_;
+    path.points.clear();
+    path.width_mm.clear();
+    for (const std::size_t i : kept()) {
+      path.points.push_back(run_.points[i]);
+      if (!run_.width_mm.empty()) path.width_mm.push_back(run_.width_mm[i]);
     }
-    while (!spans.empty()) {
-      const auto [from, to] = spans.back();
-      spans.pop_back();
-      const std::size_t worst = worstBetween(from, to);
-      if (worst == from) continue;
-      is_kept_[worst] = true;
-      spans.emplace_back(from, worst);
-      spans.emplace_back(worst, to);
-    }
-    return kept();
+    return path;
   }
 
  private:
-  std::size_t wrapped(std::size_t i) const { return i < run_.points.size() ? i : 0; }
-  const Point2& at(std::size_t i) const { return run_.points[wrapped(i)]; }
-
-  std::size_t worstBetween(std::size_t from, std::size_t to) const {
-    const Point2 along = at(to) - at(from);
-    const double squared = along.squaredNorm();
-    double most = tolerance_;
-    std::size_t worst = from;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const Point2 offset = at(i) - at(from);
-      const double t = squared > 0.0 ? std::clamp(offset.dot(along) / squared, 0.0, 1.0) : 0.0;
-      const double distance = (offset - t * along).norm();
-      if (distance > most) most = distance, worst = i;
+  /// Of a closed run three points stay in any case, so that the chains between them have a direction.
+  std::vector<std::size_t> kept() const {
+    const auto split = [this](std::size_t from, std::size_t to) { return splitBetween(from, to); };
+    const std::size_t count = run_.points.size();
+    if (!run_.is_closed) return keptOfChain(0, count - 1, split);
+    const std::size_t stops[] = {0, count / 3, 2 * count / 3, count};
+    std::vector<std::size_t> all;
+    for (int i = 0; i < 3; ++i) {
+      const std::vector<std::size_t> third = keptOfChain(stops[i], stops[i + 1], split);
+      all.insert(all.end(), third.begin(), third.end() - 1);
     }
-    if (worst == from) worst = changeOfWidth(from, to);
-    return worst;
+    return all;
+  }
+
+  std::size_t wrapped(std::size_t i) const { return i < run_.points.size() ? i : 0; }
+
+  std::size_t splitBetween(std::size_t from, std::size_t to) const {
+    const std::size_t farthest =
+        farthestBetween(from, to, tolerance_, [this](std::size_t i) { return run_.points[wrapped(i)]; });
+    return farthest != from ? farthest : changeOfWidth(from, to);
   }
 
   /// Where the width changes by more than a hundredth, if it does.
@@ -249,21 +245,8 @@ class Simplification {
     return from;
   }
 
-  FillPath kept() const {
-    FillPath path = run_;
-    path.points.clear();
-    path.width_mm.clear();
-    for (std::size_t i = 0; i < run_.points.size(); ++i) {
-      if (!is_kept_[i]) continue;
-      path.points.push_back(run_.points[i]);
-      if (!run_.width_mm.empty()) path.width_mm.push_back(run_.width_mm[i]);
-    }
-    return path;
-  }
-
   const FillPath& run_;
   double tolerance_;
-  std::vector<bool> is_kept_;  ///< point by point, the first once more at the end if closed
 };
 
 }  // namespace
