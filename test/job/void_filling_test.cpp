@@ -121,6 +121,19 @@ TEST_F(VoidFillingTest, RefusesAProgramThatEndsBeforeItsPart) {
   }
 }
 
+TEST_F(VoidFillingTest, LaysTheFirstLayerNoFasterThanThePlannerDoes) {
+  slice(job_.program, VoidRefill::None);
+  fill();
+  const Toolpath result = toolpathFromGcodeFile(job_.output, settings_.program);
+  const FeedSettings& feed = settings_.planning.feed;
+  ASSERT_LT(feed.first_layer_mm_s, feed.infill_mm_s);
+  for (const std::size_t layer : {0, 1})
+    for (const Path& path : result.layers[layer].paths) {
+      if (path.role != PathRole::GapFill) continue;
+      EXPECT_NEAR(path.feed_mm_s.at(1), layer == 0 ? feed.first_layer_mm_s : feed.infill_mm_s, 1e-3);
+    }
+}
+
 TEST_F(VoidFillingTest, RefusesToWriteOverItsProgram) {
   slice(job_.program, VoidRefill::None);
   job_.output = job_.program;

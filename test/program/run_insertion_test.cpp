@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "lamina/base/error.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 
@@ -92,6 +95,24 @@ TEST(RunInsertion, LeavesRelativeFilamentRelative) {
   const std::string filled = insertRuns(relative, read(relative), {{bead(0.2)}, {}}, {});
   EXPECT_EQ(filled.find("G92 E1"), std::string::npos);
   EXPECT_NEAR(volume(read(filled)) - volume(read(relative)), depositedVolume(bead(0.2)), 1e-4);
+}
+
+TEST(RunInsertion, HopsOnLongTravelsAndOnThoseAlone) {
+  InsertionSettings settings;
+  settings.hop_mm = 0.3;
+  Path beside = bead(0.2);  // begins a millimetre from where the first run ends
+  beside.points = {{6, 3, 0.2}, {2, 3, 0.2}};
+  const Toolpath after = read(insertRuns(kAbsolute, read(kAbsolute), {{bead(0.2), beside}, {}}, settings));
+  std::vector<double> tops;
+  for (const Path& path : after.layers[0].paths) {
+    if (path.role != PathRole::Travel) continue;
+    tops.push_back(0.0);
+    for (const Point3& point : path.points) tops.back() = std::max(tops.back(), point.z());
+  }
+  ASSERT_GE(tops.size(), 3U);
+  EXPECT_NEAR(tops[tops.size() - 3], 0.5, 1e-9);
+  EXPECT_NEAR(tops[tops.size() - 2], 0.2, 1e-9);
+  EXPECT_NEAR(tops[tops.size() - 1], 0.5, 1e-9);
 }
 
 TEST(RunInsertion, GoesBackToWhereTheProgramLeftOff) {

@@ -15,7 +15,8 @@ namespace lamina {
 struct InsertionSettings {
   ProgramSettings program;
   double travel_feed_mm_s = 150.0;
-  double retraction_threshold_mm = 2.0;  ///< longer travels pull back
+  double retraction_threshold_mm = 2.0;  ///< longer travels pull back and hop
+  double hop_mm = 0.0;                   ///< lift during such a travel
 };
 
 /// The program with runs added at the end of its layers, right after the last line that deposits there. Every

@@ -45,10 +45,16 @@ std::vector<Path> ordered(std::vector<FillPath> runs, const ToolpathLayer& layer
   return paths;
 }
 
+/// As the planner lays infill.
+double feedOf(std::size_t layer, const FeedSettings& feed) {
+  return layer == 0 ? std::min(feed.infill_mm_s, feed.first_layer_mm_s) : feed.infill_mm_s;
+}
+
 InsertionSettings insertionSettings(const JobSettings& settings) {
   InsertionSettings insertion;
   insertion.program = settings.program;
   insertion.travel_feed_mm_s = settings.planning.travel.feed_mm_s;
+  insertion.hop_mm = settings.planning.travel.hop_mm;
   insertion.retraction_threshold_mm = settings.planning.travel.retraction_threshold_mm;
   return insertion;
 }
@@ -96,7 +102,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
       runs.size(),
       [&](std::size_t i) {
         runs[i] = ordered(refill(found.layers[i], job.refill), program.layers[i],
-                          settings.planning.feed.infill_mm_s);
+                          feedOf(i, settings.planning.feed));
       },
       progress, "fill");
   requireReachable(runs, program, machine);

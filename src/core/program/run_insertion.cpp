@@ -63,11 +63,14 @@ class BlockWriter {
   }
 
   void travelTo(const Point3& to) {
-    const bool is_retracted = (to - nozzle_).norm() > settings_.retraction_threshold_mm &&
-                              settings_.program.retraction_length_mm > 0.0;
+    const bool is_long = (to - nozzle_).norm() > settings_.retraction_threshold_mm;
+    const bool is_retracted = is_long && settings_.program.retraction_length_mm > 0.0;
+    const double over = std::max(nozzle_.z(), to.z()) + (is_long ? settings_.hop_mm : 0.0);
     if (is_retracted) retract(-settings_.program.retraction_length_mm);
-    text_ += "G0 X" + fixed3(to.x()) + " Y" + fixed3(to.y()) + " Z" + fixed3(to.z()) + " F" +
-             fixed3(60.0 * settings_.travel_feed_mm_s) + "\n";
+    const std::string feed = " F" + fixed3(60.0 * settings_.travel_feed_mm_s) + "\n";
+    if (over > nozzle_.z()) text_ += "G0 Z" + fixed3(over) + feed;
+    text_ += "G0 X" + fixed3(to.x()) + " Y" + fixed3(to.y()) + " Z" + fixed3(over) + feed;
+    if (over > to.z()) text_ += "G0 Z" + fixed3(to.z()) + feed;
     if (is_retracted) retract(settings_.program.retraction_length_mm);
     nozzle_ = to;
   }
