@@ -114,7 +114,7 @@ void addPreview(CLI::App& app, Chosen& chosen) {
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
   subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, kMostLayers));
   subcommand->add_option("--part", arguments->part,
                          "Draw what the layer leaves open or overfills of this mesh file or named part");
   subcommand->add_option("--view", arguments->view, "Where the part is seen from")

@@ -25,6 +25,9 @@ struct Chosen {
   Counts counts;  ///< told beside the error if `run` fails
 };
 
+/// No layer asked for has a greater index: more are in no program.
+inline constexpr int kMostLayers = 1000000000;
+
 /// Adds the flag `--json` to a subcommand.
 void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 

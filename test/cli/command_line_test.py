@@ -51,6 +51,11 @@ class CommandLine(unittest.TestCase):
                           ["emulate", "--tcp", "99999999"], ["preview", "box", "--layer", "-1"]):
             self.assert_fails_with("InvalidConfig", *arguments)
 
+    def test_the_bound_of_a_layer_can_be_read(self):
+        for subcommand in ("voids", "preview"):
+            told = self.assert_fails_with("InvalidConfig", subcommand, "box", "--layer", "-1")
+            self.assertLess(len(told["error"]["message"]), 100)
+
     def test_help_is_no_failure(self):
         for subcommand in ("part", "info", "slice", "preview", "emulate", "stream"):
             done = run(subcommand, "--help")

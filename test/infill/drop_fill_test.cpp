@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "support/fill_requests.hpp"
 #include "support/shapes.hpp"
@@ -106,6 +107,15 @@ TEST(DropStrategies, KeepHalfADropFromTheBorder) {
 TEST(DropStrategies, LayASingleRowIntoAWallNotTwoDropsWide) {
   for (const Point2& drop : dropsOf("drops_contour", {{rectangle(0, 0, 20, 1.2), {}}}, 1.0))
     EXPECT_NEAR(drop.y(), 0.6, 0.1 + 1e-9);
+}
+
+TEST(DropCount, IsAtMostFiveMillionInALayer) {
+  DropSettings settings;
+  settings.pitch_mm = 0.1;
+  const Regions room = {{{{0, 0}, {200, 0}, {200, 200}, {0, 200}}, {}}};
+  EXPECT_NO_THROW(requireFewDrops(room, settings)) << "4 million";
+  settings.pitch_mm = 0.08;
+  EXPECT_THROW(requireFewDrops(room, settings), InvalidInput) << "6.25 million";
 }
 
 }  // namespace

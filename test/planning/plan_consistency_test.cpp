@@ -62,6 +62,15 @@ TEST_P(DropConsistency, RefusesDropsNearerThanTheirOverlapAllows) {
             std::string::npos);
 }
 
+TEST(PitchConsistency, IsHalfToTwiceTheWidthThatABeadFills) {
+  // Of a bead of 0.4 x 0.2 mm: 0.4 - (1 - pi / 4) 0.2 = 0.35708 mm.
+  EXPECT_NO_THROW(requireSensiblePitch({0.4, 0.0}, 0.2));
+  EXPECT_NO_THROW(requireSensiblePitch({0.4, 0.18}, 0.2));
+  EXPECT_NO_THROW(requireSensiblePitch({0.4, 0.71}, 0.2));
+  for (const double pitch_mm : {0.01, 0.17, 0.72, 50.0})
+    EXPECT_THROW(requireSensiblePitch({0.4, pitch_mm}, 0.2), InvalidConfig) << pitch_mm;
+}
+
 INSTANTIATE_TEST_SUITE_P(Strategies, DropConsistency,
                          testing::Values("drops_contour", "drops_dense", "drops_raster"));
 

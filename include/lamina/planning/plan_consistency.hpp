@@ -14,4 +14,8 @@ namespace lamina {
 /// @throws InvalidConfig naming key, value and what was expected; if there is no such strategy
 void requireConsistent(const PlanSettings& settings);
 
+/// @throws InvalidConfig if bead.pitch_mm is given and less than half or more than twice the plan width of a
+///   bead in a layer of this height [mm]
+void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm);
+
 }  // namespace lamina

@@ -19,6 +19,7 @@ struct BeadSettings {
 
 enum class WallOrder { OutsideIn, InsideOut };
 
+/// Closed loops along each outline.
 struct WallSettings {
   int count = 2;
   WallOrder order = WallOrder::InsideOut;
@@ -26,6 +27,7 @@ struct WallSettings {
       0.3;  ///< bead of a place too narrow for a loop, in pitches; thinner material is not printed
 };
 
+/// How what the walls leave is filled.
 struct InfillSettings {
   std::string strategy = "zigzag";
   double density = 0.2;  ///< 1 is solid, 0 is none

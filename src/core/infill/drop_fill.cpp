@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCorner = 50.0 * M_PI / 180.0;
 constexpr double kRounding = 1e-6;  // of a pitch: an outline exactly n pitches long has room for n
-constexpr double kMostDrops = 1e9;  // in a region's box
+constexpr double kMostDrops = 5e6;  // of a layer
 constexpr double kWidest = 1.25;    // pitches, from drop to drop along the border
 
 double positive(double value, const char* key) {
@@ -23,15 +23,11 @@ double positive(double value, const char* key) {
   return value;
 }
 
-DropSettings checked(const DropSettings& settings, const Box2& box) {
+DropSettings checked(const DropSettings& settings, const Regions& regions) {
   positive(settings.diameter_mm, "drops.diameter_mm");
   positive(settings.pitch_mm, "drops.pitch_mm");
   positive(lineSpacing(settings), "drops.line_spacing_mm");
-  const Point2 size = box.size();
-  if (size.x() / settings.pitch_mm * (size.y() / lineSpacing(settings)) > kMostDrops)
-    throw InvalidInput("drops.pitch_mm is " + std::to_string(settings.pitch_mm) +
-                       " mm; too small for a region " + std::to_string(size.x()) + " mm by " +
-                       std::to_string(size.y()) + " mm");
+  requireFewDrops(regions, settings);
   return settings;
 }
 
@@ -155,13 +151,22 @@ class LineRuns {
 
 }  // namespace
 
+void requireFewDrops(const Regions& regions, const DropSettings& settings) {
+  const double covered_mm2 = area(regions);
+  const double drops = covered_mm2 / (settings.pitch_mm * lineSpacing(settings));
+  if (!(drops > kMostDrops)) return;
+  throw InvalidInput("drops.pitch_mm is " + std::to_string(settings.pitch_mm) + " mm: a layer of " +
+                     std::to_string(covered_mm2) + " mm2 takes " + std::to_string(std::llround(drops)) +
+                     " drops; must be at most " + std::to_string(std::llround(kMostDrops)));
+}
+
 Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm) {
   if (outline.size() < 3) return {};
   return OutlineWalk(outline, pitch_mm, least_mm).drops();
 }
 
 DropFill::DropFill(const Regions& regions, const DropSettings& settings)
-    : settings_(checked(settings, boundingBox(outlines(regions)))),
+    : settings_(checked(settings, regions)),
       least_distance_((1.0 - settings.most_overlap - kRounding) * settings.diameter_mm),
       laid_(boundingBox(outlines(regions)), settings.diameter_mm) {}
 

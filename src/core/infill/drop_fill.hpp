@@ -17,6 +17,9 @@ namespace lamina {
 /// quarter of the pitch too far apart there is one more, if `least_mm` is kept then.
 Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm);
 
+/// @throws InvalidInput if these regions of a layer have room for more than 5 million drops
+void requireFewDrops(const Regions& regions, const DropSettings& settings);
+
 /// Drops of one line of a raster, from left to right [raster frame].
 using DropLine = std::function<std::vector<double>(std::int64_t line, double left, double right)>;
 

@@ -8,6 +8,7 @@
 
 #include "geometry/inside.hpp"
 #include "infill/corner_smoothing.hpp"
+#include "infill/drop_fill.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
 #include "lamina/voids/refill.hpp"
@@ -53,6 +54,7 @@ class LayerPlanner {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
     if (index_ == 0 && !laysDrops())
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
+    if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<RunEnds> islands;
     for (const Region& island : material) {
       const Polygon outline = seam_.placed(island.outer);

@@ -7,11 +7,14 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a distance
+constexpr double kRounding = 1e-6;   // of a distance
+constexpr double kLeastPitch = 0.5;  // plan widths
+constexpr double kMostPitch = 2.0;   // plan widths
 
 std::string text(double value) {
   char digits[32];
@@ -55,6 +58,17 @@ void requireConsistent(const PlanSettings& settings) {
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);
+}
+
+void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {
+  if (bead.pitch_mm == 0.0) return;
+  const double width_mm = planWidth({bead.width_mm, layer_height_mm});
+  const double least_mm = kLeastPitch * width_mm;
+  const double most_mm = kMostPitch * width_mm;
+  if (bead.pitch_mm >= least_mm && bead.pitch_mm <= most_mm) return;
+  throw InvalidConfig("bead.pitch_mm is " + text(bead.pitch_mm) + " mm; must be 0 or in [" + text(least_mm) +
+                      ", " + text(most_mm) + "] mm, half to twice the width that a bead of " +
+                      text(bead.width_mm) + " mm fills in a layer of " + text(layer_height_mm) + " mm");
 }
 
 }  // namespace lamina

@@ -22,6 +22,8 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   describe(schema, context.settings);
   schema.validate();
   requireConsistent(settings);
+  if (context.strategy.deposit == Deposit::Bead)
+    for (const Layer& layer : layers) requireSensiblePitch(settings.bead, layer.slab.height());
   for (const Layer& layer : layers) {
     const Box2 box = boundingBox(layer.section.contours);
     if (box.isEmpty()) continue;

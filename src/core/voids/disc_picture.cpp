@@ -104,11 +104,13 @@ DiscPicture::DiscPicture(const std::vector<Point2>& prior, const std::vector<Poi
 
 UncoveredArea DiscPicture::around(const std::vector<VoidPoint>& points) const {
   Box2 box;
+  double greatest_mm = 0.0;
   for (const VoidPoint& point : points) {
+    greatest_mm = std::max(greatest_mm, point.clearance_mm);
     box.include(point.position - Point2::Constant(point.clearance_mm));
     box.include(point.position + Point2::Constant(point.clearance_mm));
   }
-  PixelWindow window(box, kPixel * diameter_, kMostPixels);
+  PixelWindow window(box, std::max(kPixel * diameter_, kVoidPixel * greatest_mm), kMostPixels);
   window.paintInside(borders_, kMaterial);
   for (const VoidPoint& point : points)
     window.paintDisc(point.position, point.clearance_mm, kMaterial, kNear);

@@ -55,6 +55,10 @@ inline constexpr double kDrawnRadius = 0.5 * (1.0 + 1e-3);  // diameters
 /// pixels.
 inline constexpr double kPixel = 1.0 / 53.0;  // diameters
 
+/// No pixel is smaller than this part of a void's greatest clearance: drops so small beside a void fill
+/// little.
+inline constexpr double kVoidPixel = 1.0 / 100.0;
+
 /// What drops leave uncovered of a void.
 struct UncoveredArea {
   double before_mm2 = 0.0;
