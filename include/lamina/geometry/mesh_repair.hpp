@@ -21,6 +21,7 @@ struct RepairChange {
 /// "8 degenerate triangles dropped near (1.5, 2, 0.3) mm"
 std::string toText(const RepairChange& change);
 
+/// How far a repair may change a mesh.
 struct RepairSettings {
   /// Border vertices nearer than this become one [mm]; at most 1e-4 of the mesh's diagonal is used.
   double stitch_tolerance_mm = 0.01;

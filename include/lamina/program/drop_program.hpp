@@ -34,6 +34,7 @@ struct InsertionPoint {
   bool is_shift_known = false;
 };
 
+/// The drops of one layer in the order of the program, and where new ones are put.
 struct DropProgramLayer {
   std::vector<ProgramDrop> drops;
   std::optional<double> height_mm;  ///< as comments tell
