@@ -49,10 +49,11 @@ std::vector<FillPath> documentedZigzag(const Regions& perimeters, const InfillRe
       for (Point2& point : outline) point = frame.intoRaster(point);
     std::vector<GridSection> grid = gridSections(perimeter, request.spacing_mm,
                                                  frame.intoRaster({settings.grid_x_mm, settings.grid_y_mm}));
-    const PerimeterApproach approach(std::move(perimeter), request.spacing_mm, settings);
+    const PerimeterApproach approach(perimeter, request.spacing_mm, settings);
     adaptLongitudinally(grid, approach);
     adaptTransversally(grid, approach);
     std::vector<RasterSection> sections;
+    sections.reserve(grid.size());
     for (const GridSection& section : grid) sections.push_back(endsOf(section));
     for (const SectionVisit& visit :
          tourOf(sections, frame.intoRaster(next.start), request.settings.raster.order)) {

@@ -40,7 +40,7 @@ Point2 middleOf(const Polyline& pass) { return 0.5 * (pass.front() + pass.back()
 
 }  // namespace
 
-PerimeterApproach::PerimeterApproach(std::vector<Polygon> perimeter, double distance_mm,
+PerimeterApproach::PerimeterApproach(const std::vector<Polygon>& perimeter, double distance_mm,
                                      const HybridSettings& settings)
     : settings_(settings),
       spacing_(distance_mm),

@@ -13,7 +13,8 @@ namespace lamina {
 class PerimeterApproach {
  public:
   /// @param distance_mm  between passes: d of the documents
-  PerimeterApproach(std::vector<Polygon> perimeter, double distance_mm, const HybridSettings& settings);
+  PerimeterApproach(const std::vector<Polygon>& perimeter, double distance_mm,
+                    const HybridSettings& settings);
 
   double spacing() const { return spacing_; }
   const HybridSettings& settings() const { return settings_; }

@@ -22,7 +22,9 @@ class TourImprover {
 
   SectionTour improve() && {
     for (int pass = 0; pass < kMostPasses; ++pass) {
-      const bool is_better = reenter() | turnStretches() | moveSections();
+      bool is_better = reenter();
+      is_better = turnStretches() || is_better;
+      is_better = moveSections() || is_better;
       if (!is_better) break;
     }
     return std::move(tour_);

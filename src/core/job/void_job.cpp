@@ -45,6 +45,7 @@ std::vector<LayerVoids> missingLayers(const Toolpath& program, const SourcePart&
   const std::vector<ToolpathLayer> lacking = layersBetween(program, box.size().z());
   const double rise_mm = riseOf(program, box.low.z());
   std::vector<double> heights;
+  heights.reserve(lacking.size());
   for (const ToolpathLayer& layer : lacking) heights.push_back(rise_mm + layer.z_mm - 0.5 * layer.height_mm);
   const std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
   std::vector<LayerVoids> missing;

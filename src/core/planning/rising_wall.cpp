@@ -149,8 +149,10 @@ class WallRaiser {
     std::vector<Path> paths;
     Path loop;
     for (Path& path : layer.paths) {
-      if (isLoop(path)) loop = std::move(path);
-      if (path.role == PathRole::Skirt) add(std::move(path), paths);
+      if (isLoop(path))
+        loop = std::move(path);
+      else if (path.role == PathRole::Skirt)
+        add(std::move(path), paths);
     }
     const Point2 start = nozzle_ ? Point2(nozzle_->head<2>()) : Point2(loop.firstPoint().head<2>());
     Path own = opened(loop, {nearestPlace(loop, start), CycleSense::AsGiven, 0.0});
