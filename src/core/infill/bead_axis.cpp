@@ -23,7 +23,7 @@ constexpr double kWidestCorner = 75.0 * M_PI / 180.0;
 /// Wider ones are bends of the border.
 constexpr double kBend = 120.0 * M_PI / 180.0;
 
-AxisPoint between(const AxisPoint& a, const AxisPoint& b, double radius) {
+AxisPoint whereRadiusIs(const AxisPoint& a, const AxisPoint& b, double radius) {
   const double t = (radius - a.radius_mm) / (b.radius_mm - a.radius_mm);
   return {a.point + t * (b.point - a.point), radius};
 }
@@ -61,7 +61,7 @@ class ThickParts {
     for (std::size_t i = 0; i < branch.points.size(); ++i) {
       const AxisPoint& point = branch.points[i];
       const bool crosses = i > 0 && isThick(branch.points[i - 1]) != isThick(point);
-      if (crosses) part.push_back(between(branch.points[i - 1], point, least_radius_));
+      if (crosses) part.push_back(whereRadiusIs(branch.points[i - 1], point, least_radius_));
       if (crosses && !isThick(point)) add(from, graph_.addVertex(), part);
       if (crosses && isThick(point)) from = graph_.addVertex();
       if (isThick(point)) part.push_back(point);
@@ -86,7 +86,7 @@ bool isPoint(const MedialAxis& axis) {
 /// Where one branch is all, its ends cost no run: they are kept. What is about as long as wide has nothing
 /// but ends: two of them are.
 MedialAxis withoutWorthlessEnds(const MedialAxis& axis, double pitch) {
-  const MedialAxis unbent = pruned(axis, {0.0, kBend});
+  MedialAxis unbent = pruned(axis, {0.0, kBend});
   if (isPoint(unbent)) return farthestWay(axis);
   if (unbent.branches.size() == 1) return unbent;
   MedialAxis rest = pruned(unbent, {kLeastReach * pitch, kWidestCorner});

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "infill/axis_loops.hpp"
+#include "infill/axis_steps.hpp"
 #include "infill/bead_axis.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -27,22 +28,6 @@ constexpr double kShortest = 1.0;
 constexpr double kLeastRadius = 0.6;
 /// How much of a region's area a loop along its border may lay.
 constexpr double kMostFilled = 1.06;
-
-std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step) {
-  std::vector<AxisPoint> result = {points.front()};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const AxisPoint& from = points[i - 1];
-    const AxisPoint& to = points[i];
-    const int count =
-        std::max(1, static_cast<int>(std::ceil(std::abs(to.radius_mm - from.radius_mm) / step)));
-    for (int k = 1; k <= count; ++k) {
-      const double t = static_cast<double>(k) / count;
-      result.push_back(
-          {from.point + t * (to.point - from.point), from.radius_mm + t * (to.radius_mm - from.radius_mm)});
-    }
-  }
-  return result;
-}
 
 double largestRadius(const MedialAxis& axis) {
   double largest = 0.0;
@@ -74,7 +59,8 @@ std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
   const double radius = largestRadius(axis);
   if (radius > kLeastRadius * pitch_mm)
     if (std::optional<ContourLoop> loop = borderLoop(region, radius)) return {std::move(*loop)};
-  for (AxisBranch& branch : axis.branches) branch.points = inSteps(branch.points, kWidthStep * pitch_mm);
+  for (AxisBranch& branch : axis.branches)
+    branch.points = inRadiusSteps(branch.points, kWidthStep * pitch_mm);
   std::vector<ContourLoop> loops;
   for (FillPath& path : axisLoops(axis, region)) {
     if (perimeter(path.points) < kShortest * pitch_mm) continue;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "infill/axis_steps.hpp"
+
 namespace lamina {
 namespace {
 
@@ -33,10 +35,6 @@ double lengthOf(const std::vector<AxisPoint>& points) {
   return sum;
 }
 
-AxisPoint between(const AxisPoint& a, const AxisPoint& b, double t) {
-  return {a.point + t * (b.point - a.point), a.radius_mm + t * (b.radius_mm - a.radius_mm)};
-}
-
 /// The line from where it first leaves the disc round its start.
 std::vector<AxisPoint> withoutStart(std::vector<AxisPoint> points, double radius) {
   const Point2 centre = points.front().point;
@@ -58,22 +56,13 @@ std::vector<AxisPoint> withoutBranchEnds(const AxisTrail& trail) {
   if (trail.is_closed) return points;
   const bool cuts[2] = {trail.start == TrailEnd::Branch, trail.end == TrailEnd::Branch};
   for (const bool is_cut : cuts) {
-    if (is_cut && !points.empty())
-      points = withoutStart(std::move(points), kBesideBranch * points.front().radius_mm);
+    if (is_cut && !points.empty()) {
+      const double radius = kBesideBranch * points.front().radius_mm;
+      points = withoutStart(std::move(points), radius);
+    }
     std::reverse(points.begin(), points.end());
   }
   return points;
-}
-
-std::vector<AxisPoint> inSteps(const std::vector<AxisPoint>& points, double step) {
-  std::vector<AxisPoint> result = {points.front()};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double change = 2.0 * std::abs(points[i].radius_mm - points[i - 1].radius_mm);
-    const int count = std::max(1, static_cast<int>(std::ceil(change / step)));
-    for (int k = 1; k <= count; ++k)
-      result.push_back(between(points[i - 1], points[i], static_cast<double>(k) / count));
-  }
-  return result;
 }
 
 FillPath roundLoop(const Point2& centre, double radius, double width) {
@@ -281,7 +270,7 @@ std::vector<FillPath> trailBeads(const AxisTrail& trail, const MedialBeadSetting
     return is_dot ? std::vector<FillPath>{dot(widest)} : roundLoops(widest, settings.pitch_mm);
   }
   if (trail.is_closed) points.push_back(points.front());
-  points = inSteps(points, kWidthStep * settings.pitch_mm);
+  points = inRadiusSteps(points, 0.5 * kWidthStep * settings.pitch_mm);
   if (trail.is_closed) points.pop_back();
   return Lanes(std::move(points), trail, settings).runs();
 }
