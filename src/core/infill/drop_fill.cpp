@@ -229,4 +229,15 @@ void DropFill::add(const Polyline& drops, PathRole role) {
   if (!path.points.empty()) paths_.push_back(std::move(path));
 }
 
+std::vector<FillPath> contoursAndLines(const Regions& regions, const InfillRequest& request, double row_mm,
+                                       const DropLine& line) {
+  const DropSettings& drops = request.settings.drops;
+  const auto contours = static_cast<std::size_t>(drops.contours);
+  const RasterFrame frame(request.angle_rad);
+  DropFill fill(regions, drops);
+  fill.addContours(regions, contours);
+  fill.addLines(rasterise(fill.inside(regions, contours), row_mm, frame), frame, line);
+  return std::move(fill).take();
+}
+
 }  // namespace lamina

@@ -55,4 +55,8 @@ class DropFill {
   std::vector<FillPath> paths_;
 };
 
+/// A layer of drops: contours (`drops.contours`), then lines `row_mm` apart at the request's angle.
+std::vector<FillPath> contoursAndLines(const Regions& regions, const InfillRequest& request, double row_mm,
+                                       const DropLine& line);
+
 }  // namespace lamina

@@ -23,16 +23,11 @@ std::vector<double> latticePlaces(std::int64_t row, double left, double right, d
 }  // namespace
 
 std::vector<FillPath> dropsDense(const Regions& regions, const InfillRequest& request) {
-  const DropSettings& drops = request.settings.drops;
-  const auto contours = static_cast<std::size_t>(drops.contours);
-  const RasterFrame frame(request.angle_rad);
-  DropFill fill(regions, drops);
-  fill.addContours(regions, contours);
-  fill.addLines(rasterise(fill.inside(regions, contours), kRowPerPitch * drops.pitch_mm, frame), frame,
-                [&](std::int64_t row, double left, double right) {
-                  return latticePlaces(row, left, right, drops.pitch_mm);
-                });
-  return std::move(fill).take();
+  const double pitch = request.settings.drops.pitch_mm;
+  return contoursAndLines(regions, request, kRowPerPitch * pitch,
+                          [pitch](std::int64_t row, double left, double right) {
+                            return latticePlaces(row, left, right, pitch);
+                          });
 }
 
 }  // namespace lamina

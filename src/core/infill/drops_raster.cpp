@@ -20,13 +20,10 @@ std::vector<double> evenly(double left, double right, double pitch) {
 
 std::vector<FillPath> dropsRaster(const Regions& regions, const InfillRequest& request) {
   const DropSettings& drops = request.settings.drops;
-  const auto contours = static_cast<std::size_t>(drops.contours);
-  const RasterFrame frame(request.angle_rad);
-  DropFill fill(regions, drops);
-  fill.addContours(regions, contours);
-  fill.addLines(rasterise(fill.inside(regions, contours), lineSpacing(drops), frame), frame,
-                [&](std::int64_t, double left, double right) { return evenly(left, right, drops.pitch_mm); });
-  return std::move(fill).take();
+  return contoursAndLines(regions, request, lineSpacing(drops),
+                          [pitch = drops.pitch_mm](std::int64_t, double left, double right) {
+                            return evenly(left, right, pitch);
+                          });
 }
 
 }  // namespace lamina
