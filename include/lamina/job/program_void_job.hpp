@@ -4,7 +4,6 @@
 
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/void_filling.hpp"
@@ -19,14 +18,8 @@ struct ProgramVoidJob {
   JobSettings settings;
 };
 
-/// What filling did to a program of beads, and what there was to fill.
-struct BeadVoidReport {
-  VoidFillingReport filling;
-  std::vector<LayerVoids> found;  ///< layer by layer, before filling [frame of the program]
-};
-
 /// What filling did, by the kind of the program.
-using ProgramVoidReport = std::variant<BeadVoidReport, DropVoidReport>;
+using ProgramVoidReport = std::variant<VoidFillingReport, DropVoidReport>;
 
 /// Fills the voids of a program of drops (`isDropProgram`) as `fillDropProgram`, those of another as
 /// `runVoidFillingJob`, and writes it.

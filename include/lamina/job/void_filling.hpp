@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lamina/job/void_job.hpp"
 #include "lamina/voids/refill.hpp"
@@ -20,9 +21,10 @@ struct VoidFillingJob {
 
 /// What filling voids gave.
 struct VoidFillingReport {
-  std::size_t runs = 0;        ///< that were added
-  std::size_t layers = 0;      ///< to which they were added
-  double deposited_mm3 = 0.0;  ///< by them
+  std::size_t runs = 0;           ///< that were added
+  std::size_t layers = 0;         ///< to which they were added
+  double deposited_mm3 = 0.0;     ///< by them
+  std::vector<LayerVoids> found;  ///< before, layer by layer
   VoidTotals before;
   VoidTotals after;  ///< as read from the new program
 };
@@ -30,10 +32,10 @@ struct VoidFillingReport {
 /// Adds runs along the voids of each layer at its end; see `insertRuns`. They are laid as `feed.infill_mm_s`
 /// (the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*` of the settings say.
 /// @throws FileError, InvalidProgram, InvalidMesh; InvalidInput if output and input are the same file, if the
-/// program lacks layers of the part, or if
-/// the part does not belong to the program or not there: more than a fifth of the deposit lies outside of it,
-/// or its layers are much larger than their deposit, or hardly covered along their border; Unreachable if a
-/// new run leaves both the machine's reach and what the program reaches; Cancelled
+/// program lacks layers of the part, or if the part does not belong to the program or not there: more than a
+/// fifth of the deposit lies outside of it, or its layers are much larger than their deposit, or hardly
+/// covered along their border; Unreachable if a new run leaves both the machine's reach and what the program
+/// reaches; Cancelled
 VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progress);
 
 }  // namespace lamina

@@ -5,12 +5,11 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
 
 namespace lamina {
 namespace {
 
-BeadVoidReport fillBeads(const std::string& text, const ProgramVoidJob& job, Progress& progress) {
+VoidFillingReport fillBeads(const ProgramVoidJob& job, Progress& progress) {
   if (job.part.empty())
     throw InvalidInput("no part is given for '" + job.program +
                        "'; voids between beads are those of a part, which must be named");
@@ -19,11 +18,7 @@ BeadVoidReport fillBeads(const std::string& text, const ProgramVoidJob& job, Pro
   filling.output = job.output;
   filling.map.part = job.part;
   filling.map.settings = job.settings;
-  const Toolpath program = toolpathFromGcode(text, job.settings.program, job.program);
-  BeadVoidReport report;
-  report.found = runVoidJob(program, filling.map, progress).layers;
-  report.filling = runVoidFillingJob(filling, progress);
-  return report;
+  return runVoidFillingJob(filling, progress);
 }
 
 DropVoidReport fillDrops(std::string text, const ProgramVoidJob& job, Progress& progress) {
@@ -41,7 +36,7 @@ ProgramVoidReport runProgramVoidJob(const ProgramVoidJob& job, Progress& progres
   requireApart({job.output}, {job.program, job.part});
   std::string text = readFile(job.program);
   if (isDropProgram(text, job.settings.program.drops)) return fillDrops(std::move(text), job, progress);
-  return fillBeads(text, job, progress);
+  return fillBeads(job, progress);
 }
 
 }  // namespace lamina

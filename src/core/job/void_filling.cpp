@@ -14,33 +14,24 @@
 #include "lamina/program/run_insertion.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "planning/ordering.hpp"
+#include "planning/run_path.hpp"
 
 namespace lamina {
 namespace {
 
-Path toPath(const FillPath& run, const ToolpathLayer& layer, double feed_mm_s) {
-  Path path;
-  path.role = run.role;
-  path.is_closed = run.is_closed;
-  for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), layer.z_mm);
-  std::vector<Bead> beads;
-  for (const double width : run.width_mm)
-    beads.push_back(beadOfArea(width * layer.height_mm, layer.height_mm));
-  path.bead = AlongPath<Bead>(std::move(beads));
-  path.feed_mm_s = feed_mm_s;
-  return path;
-}
-
 /// In the order of the shortest travel from where the layer ends.
 std::vector<Path> ordered(std::vector<FillPath> runs, const ToolpathLayer& layer, double feed_mm_s) {
   std::vector<RunEnds> ends;
+  ends.reserve(runs.size());
   for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
   const Point2 start =
       layer.paths.empty() ? Point2(Point2::Zero()) : Point2(layer.paths.back().lastPoint().head<2>());
   std::vector<Path> paths;
   for (const OrderedRun& next : orderRuns(ends, start)) {
     FillPath run = std::move(runs[next.run]);
-    paths.push_back(toPath(next.is_reversed ? reversed(std::move(run)) : run, layer, feed_mm_s));
+    if (next.is_reversed) run = reversed(std::move(run));
+    paths.push_back(
+        pathAlong(run, beadsOf(run.width_mm, layer.height_mm, layer.height_mm), layer.z_mm, feed_mm_s));
   }
   return paths;
 }
@@ -94,7 +85,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
   const Machine machine = machineByName(settings.machine.name);
-  const VoidReport found = runVoidJob(program, job.map, progress);
+  VoidReport found = runVoidJob(program, job.map, progress);
   requirePlausible(program, found, job.map);
   requireWhole(found, job);
   std::vector<std::vector<Path>> runs(program.layers.size());
@@ -116,6 +107,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   report.before = totals(found.layers);
   const Toolpath result = toolpathFromGcode(filled, settings.program, job.program);
   report.after = totals(findVoids(found.part.contours, result, job.map.map, progress));
+  report.found = std::move(found.layers);
   if (!job.output.empty()) writeFile(job.output, filled);
   return report;
 }

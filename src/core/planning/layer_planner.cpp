@@ -13,6 +13,7 @@
 #include "lamina/geometry/simplify.hpp"
 #include "lamina/voids/refill.hpp"
 #include "planning/ordering.hpp"
+#include "planning/run_path.hpp"
 #include "planning/seam.hpp"
 #include "planning/skirt.hpp"
 #include "planning/start_count.hpp"
@@ -199,29 +200,18 @@ class LayerPlanner {
   }
 
   void addRun(const FillPath& run, TravelOver over) {
-    Path path;
-    path.role = run.role;
-    path.is_closed = run.is_closed;
-    path.deposit = run.deposit;
-    path.points.reserve(run.points.size());
-    for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), top_);
-    path.bead = beadsOf(run);
     const double feed = feedOf(run.role, settings_.feed);
-    path.feed_mm_s = index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed;
+    Path path = pathAlong(run, beadOf(run), top_,
+                          index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed);
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
   }
 
-  AlongPath<Bead> beadsOf(const FillPath& run) const {
+  AlongPath<Bead> beadOf(const FillPath& run) const {
     if (run.deposit == Deposit::Drops) return Bead{settings_.fill.drops.diameter_mm, result_.height_mm};
     if (run.width_mm.empty()) return bead_;
-    const double area_per_width = crossSection(bead_) / pitch_;
-    std::vector<Bead> beads;
-    beads.reserve(run.width_mm.size());
-    for (const double width : run.width_mm)
-      beads.push_back(beadOfArea(width * area_per_width, result_.height_mm));
-    return AlongPath<Bead>(std::move(beads));
+    return beadsOf(run.width_mm, crossSection(bead_) / pitch_, result_.height_mm);
   }
 
   void addTravelTo(const Point3& point, TravelOver over) {

@@ -23,8 +23,7 @@ std::vector<lamina_msgs::VoidCount> toMessages(const std::map<VoidClass, std::si
   return messages;
 }
 
-lamina_msgs::VoidFillingSummary toMessage(const BeadVoidReport& found_and_filled) {
-  const VoidFillingReport& report = found_and_filled.filling;
+lamina_msgs::VoidFillingSummary toMessage(const VoidFillingReport& report) {
   lamina_msgs::VoidFillingSummary summary;
   summary.layers = static_cast<std::uint32_t>(report.before.layers);
   summary.layers_filled = static_cast<std::uint32_t>(report.layers);
@@ -80,7 +79,7 @@ std::vector<lamina_msgs::FilledVoid> toMessages(const DropVoidReport& report) {
   return messages;
 }
 
-std::vector<lamina_msgs::FilledVoid> toMessages(const BeadVoidReport& report) {
+std::vector<lamina_msgs::FilledVoid> toMessages(const VoidFillingReport& report) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   std::vector<lamina_msgs::FilledVoid> messages;
   for (std::size_t layer = 0; layer < report.found.size(); ++layer)
@@ -128,7 +127,7 @@ void addLoop(const Polygon& loop, double height_mm, Marker& marker) {
   }
 }
 
-Marker markerOf(const BeadVoidReport& report, VoidClass kind) {
+Marker markerOf(const VoidFillingReport& report, VoidClass kind) {
   Marker marker = markerOf(kind, roleColour(PathRole::GapFill));
   marker.type = Marker::LINE_LIST;
   marker.scale.x = toMetres(kLineWidth);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/infill/fill_path.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The beads of a run by its plan widths [mm], one per waypoint.
+/// @param area_per_width  cross-section of a bead by its plan width [mm]; the layer height, unless
+///                        `bead.pitch_mm` says that beads are no stadiums
+AlongPath<Bead> beadsOf(const std::vector<double>& width_mm, double area_per_width, double height_mm);
+
+/// The path along a run at the height of the nozzle tip [mm], at that feed [mm/s].
+Path pathAlong(const FillPath& run, AlongPath<Bead> bead, double z_mm, double feed_mm_s);
+
+}  // namespace lamina
