@@ -5,26 +5,20 @@
 #include <gtest/gtest.h>
 
 #include "lamina/geometry/offset.hpp"
-#include "lamina/planning/planner.hpp"
+#include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
 namespace {
 
 using test::circle;
+using test::layersOf;
+using test::plan;
 using test::rectangle;
 using test::reversed;
 
-constexpr double kHeight = 0.2;
-constexpr double kPitch = 0.2 + 0.05 * M_PI;  // of a bead of 0.4 x 0.2 mm
-
-/// A part by its section at each layer.
-template <class Contours>
-std::vector<Layer> layersOf(int count, Contours contours) {
-  std::vector<Layer> layers;
-  for (int i = 0; i < count; ++i) layers.push_back({{kHeight * i, kHeight * (i + 1)}, {contours(i), {}}});
-  return layers;
-}
+constexpr double kHeight = test::kLayerHeight;
+constexpr double kPitch = test::kLayerPitch;
 
 struct NamedPart {
   std::string name;
@@ -63,13 +57,6 @@ PlanSettings contoursOnly() {
   settings.walls.count = 0;
   settings.skirt.count = 0;
   return settings;
-}
-
-Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
-  NoProgress progress;
-  Toolpath toolpath = planToolpath("part", layers, settings, progress);
-  validate(toolpath);
-  return toolpath;
 }
 
 // T4 of the curved paths.

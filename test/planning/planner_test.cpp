@@ -6,33 +6,26 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
 namespace {
 
 using test::circle;
+using test::plan;
 using test::rectangle;
 using test::reversed;
 
 /// Layers of the same section, 0.2 mm high.
 std::vector<Layer> prism(const std::vector<Polygon>& contours, int count) {
-  std::vector<Layer> layers;
-  for (int i = 0; i < count; ++i) layers.push_back({{0.2 * i, 0.2 * (i + 1)}, {contours, {}}});
-  return layers;
+  return test::layersOf(count, [&](int) { return contours; });
 }
 
 PlanSettings plainSettings() {
   PlanSettings settings;
   settings.skirt.count = 0;
   return settings;
-}
-
-Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
-  NoProgress progress;
-  Toolpath toolpath = planToolpath("part", layers, settings, progress);
-  validate(toolpath);
-  return toolpath;
 }
 
 double lengthOf(const Toolpath& toolpath, PathRole role) {

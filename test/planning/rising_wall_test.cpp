@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
-#include "lamina/planning/planner.hpp"
 #include "lamina/program/gcode_writer.hpp"
+#include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
@@ -18,15 +18,13 @@ using test::circle;
 using test::rectangle;
 using test::reversed;
 
-constexpr double kHeight = 0.2;
-constexpr double kPitch = 0.2 + 0.05 * M_PI;  // of a bead of 0.4 x 0.2 mm
+constexpr double kHeight = test::kLayerHeight;
+constexpr double kPitch = test::kLayerPitch;
 constexpr int kLayers = 20;
 
 template <class Contours>
 std::vector<Layer> layersOf(Contours contours) {
-  std::vector<Layer> layers;
-  for (int i = 0; i < kLayers; ++i) layers.push_back({{kHeight * i, kHeight * (i + 1)}, {contours(i), {}}});
-  return layers;
+  return test::layersOf(kLayers, contours);
 }
 
 std::vector<Layer> box() {
