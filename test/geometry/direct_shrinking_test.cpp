@@ -49,6 +49,18 @@ TEST(DirectShrinking, DropsARoundedCornerSmallerThanTheDistance) {
   EXPECT_NEAR(signedArea(shrunk->outer), 64.0, 1e-9);
 }
 
+TEST(DirectShrinking, DropsAnEdgeBesideAReflexCornerWhereItsNeighboursMeet) {
+  // Turns by 45 degrees to the left and by 26.6 to the right, 0.1 mm from each other.
+  const Polygon outline = {{0, 0}, {10, 0}, {10.1, 0.1}, {10.4, 0.2}, {16.4, 2.2}, {16.4, 12}, {0, 12}};
+  const auto shrunk = shrinkDirectly({outline, {}}, 1.0);
+  ASSERT_TRUE(shrunk);
+  // The lines y = 1 and (x - 10.1) / 3 + 0.1 + sqrt(10) / 3 = y meet.
+  const Point2 meeting(10.1 + 3.0 * (0.9 - std::sqrt(10.0) / 3.0), 1.0);
+  EXPECT_LT(test::distanceToOutline({shrunk->outer}, meeting), 1e-9);
+  EXPECT_LT(area(difference({*shrunk}, shrunkByClipping({outline, {}}, 1.0))), 1e-3);
+  EXPECT_LT(area(difference(shrunkByClipping({outline, {}}, 1.0), {*shrunk})), 1e-3);
+}
+
 TEST(DirectShrinking, GrowsHoles) {
   const auto shrunk = shrinkDirectly({rectangle(0, 0, 10, 10), {reversed(rectangle(4, 4, 6, 6))}}, 1.0);
   ASSERT_TRUE(shrunk);

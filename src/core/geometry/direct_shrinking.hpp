@@ -16,7 +16,8 @@ namespace lamina {
 /// arrives, and all cells are wound as the region is. So the moved outlines wind round a point once less than
 /// the region for each cell that covers it: exactly the points of the region in no cell are wound round once,
 /// and they bound a region if they are simple, do not meet, and nest. An edge that vanishes between two
-/// others has a triangle to where those meet for its cell, which must lie at least `distance_mm` from it.
+/// others has a triangle to where those meet for its cell, which must lie at least `distance_mm` from it; or
+/// nearer, if one of the two turns away from it: then it vanishes behind what that one sweeps.
 ///
 /// @param region  winds round each point once or not at all, as all functions of `offset.hpp` return them
 std::optional<Region> shrinkDirectly(const Region& region, double distance_mm);
