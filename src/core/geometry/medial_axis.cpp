@@ -4,12 +4,14 @@
 
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "geometry/axis_arc.hpp"
 #include "geometry/axis_graph.hpp"
 #include "geometry/border_segments.hpp"
+#include "geometry/convex_axis.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -127,6 +129,7 @@ MedialAxis medialAxis(const Region& region, double tolerance_mm) {
                        " mm; must be positive");
   const BorderSegments border = borderSegments(region);
   if (border.segments.size() < 3) return {};
+  if (std::optional<MedialAxis> convex = convexAxis(region)) return std::move(*convex);
   Diagram diagram;
   boost::polygon::construct_voronoi(border.segments.begin(), border.segments.end(), &diagram);
   const InsideEdges inside(border, diagram);
