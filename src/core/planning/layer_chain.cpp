@@ -83,12 +83,14 @@ class LayerChain {
   }
 
   Path openedTowards(const Path& cycle, double pitch, const std::optional<Point2>& next) const {
-    const CyclePlace start = nearestPlace(cycle, nozzle_);
-    Path path = opened(cycle, {start, CycleSense::AsGiven, kLeftOut * pitch});
-    if (!next) return path;
-    Path other = opened(cycle, {start, CycleSense::Reversed, kLeftOut * pitch});
-    const auto distance = [&](const Path& from) { return (from.lastPoint().head<2>() - *next).norm(); };
-    return distance(other) < distance(path) ? other : path;
+    const CycleOpening as_given = {nearestPlace(cycle, nozzle_), CycleSense::AsGiven, kLeftOut * pitch};
+    if (!next) return opened(cycle, as_given);
+    CycleOpening reversed = as_given;
+    reversed.sense = CycleSense::Reversed;
+    const auto distance = [&](const CycleOpening& opening) {
+      return (endOfOpened(cycle, opening).head<2>() - *next).norm();
+    };
+    return opened(cycle, distance(reversed) < distance(as_given) ? reversed : as_given);
   }
 
   /// The path with a bead from that point to its start put first.

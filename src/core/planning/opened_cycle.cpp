@@ -40,6 +40,11 @@ struct Waypoints {
   }
 };
 
+Point3 startOf(const Path& cycle, const CyclePlace& place) {
+  const Point3& from = cycle.points[place.motion];
+  return from + place.part * (cycle.points[cycle.motionEnd(place.motion)] - from);
+}
+
 template <class Value>
 AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::size_t>& from) {
   if (quantity.isCommon()) return quantity;
@@ -72,8 +77,7 @@ Path opened(const Path& cycle, const CycleOpening& opening) {
   const std::size_t count = cycle.points.size();
   const std::size_t motion = opening.start.motion;
   const std::size_t end = cycle.motionEnd(motion);
-  const Point3& from = cycle.points[motion];
-  const Point3 start = from + opening.start.part * (cycle.points[end] - from);
+  const Point3 start = startOf(cycle, opening.start);
   Waypoints waypoints;
   waypoints.add(start, end);
   for (std::size_t i = 0; i < count; ++i) {
@@ -92,6 +96,23 @@ Path opened(const Path& cycle, const CycleOpening& opening) {
   path.feed_mm_s = taken(cycle.feed_mm_s, waypoints.from);
   path.orientation = taken(cycle.orientation, waypoints.from);
   return path;
+}
+
+Point3 endOfOpened(const Path& cycle, const CycleOpening& opening) {
+  const std::size_t count = cycle.points.size();
+  const std::size_t motion = opening.start.motion;
+  Point3 end = startOf(cycle, opening.start);
+  double left_out = opening.left_out_mm;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = opening.sense == CycleSense::AsGiven ? (motion + count - i) % count
+                                                                  : (cycle.motionEnd(motion) + i) % count;
+    const Point3 back = cycle.points[next] - end;
+    const double length = back.norm();
+    if (length > left_out) return length > 0.0 ? Point3(end + left_out / length * back) : end;
+    left_out -= length;
+    end = cycle.points[next];
+  }
+  return end;
 }
 
 }  // namespace lamina

@@ -31,4 +31,7 @@ struct CycleOpening {
 /// The closed path as an open one. What is left out must be shorter than the path.
 Path opened(const Path& cycle, const CycleOpening& opening);
 
+/// Where that path ends.
+Point3 endOfOpened(const Path& cycle, const CycleOpening& opening);
+
 }  // namespace lamina
