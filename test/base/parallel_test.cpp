@@ -93,6 +93,21 @@ TEST(ParallelFor, GivesTheSameOnOneThread) {
   for (std::size_t i = 0; i < squares.size(); ++i) EXPECT_EQ(squares[i], i * i);
 }
 
+TEST(InParallel, RunsBoth) {
+  int first = 0;
+  int second = 0;
+  inParallel([&] { first = 1; }, [&] { second = 2; });
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 2);
+}
+
+TEST(InParallel, PassesOnWhatOneThrows) {
+  const auto nothing = [] {};
+  const auto refuses = [] { throw InvalidInput("no"); };
+  EXPECT_THROW(inParallel(nothing, refuses), InvalidInput);
+  EXPECT_THROW(inParallel(refuses, nothing), InvalidInput);
+}
+
 TEST(ThrowIfCancelled, ThrowsOnlyIfCancelled) {
   EXPECT_NO_THROW(throwIfCancelled(Watcher(1), "slice"));
   EXPECT_THROW(throwIfCancelled(Watcher(0), "slice"), Cancelled);

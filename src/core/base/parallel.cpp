@@ -4,6 +4,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -21,6 +22,10 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
     if (done % report_every == 0)
       progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
   });
+}
+
+void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
+  tbb::parallel_invoke(first, second);
 }
 
 struct ThreadLimit::Control {

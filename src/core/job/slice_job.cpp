@@ -11,6 +11,7 @@
 #include "job/part_source.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/output_files.hpp"
@@ -83,7 +84,7 @@ std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
       std::count_if(last, layers.rend(), [](const ToolpathLayer& layer) { return !buildsPart(layer); }));
 }
 
-void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLimits& limits) {
+void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
   const ToolpathTotals sums = totals(toolpath);
   summary.deposition_runs = sums.deposition_runs;
   summary.deposition_mm = sums.deposition_mm;
@@ -91,7 +92,6 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath, const MotionLi
   summary.deposited_mm3 = sums.deposited_mm3;
   summary.repositions = countRepositions(toolpath);
   summary.empty_layers = countEmptyLayers(toolpath.layers);
-  summary.estimated_time_s = estimateTime(toolpath, limits).total_s;
 }
 
 /// A part that is thinner than any bead, or drop, everywhere would leave nothing but its skirt.
@@ -141,6 +141,13 @@ std::vector<Layer> layersOf(const SliceJob& job, const Machine& machine, SlicedP
   return layers;
 }
 
+void write(const SliceJob& job, const SlicedPart& sliced) {
+  if (job.output.empty()) return;
+  ProgramSettings program = job.settings.program;
+  program.strategy = job.settings.planning.infill.strategy;
+  writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, program);
+}
+
 }  // namespace
 
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
@@ -164,16 +171,15 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
                                           job.settings.planning.travel.feed_mm_s, progress);
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
-  addToolpath(sliced.summary, sliced.toolpath, job.settings.motion);
+  addToolpath(sliced.summary, sliced.toolpath);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   sliced.summary.plan_s = laps.lap();
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
-  if (!job.output.empty()) {
-    ProgramSettings program = job.settings.program;
-    program.strategy = job.settings.planning.infill.strategy;
-    writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, program);
-  }
+  // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
+  inParallel(
+      [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
+      [&] { write(job, sliced); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();
