@@ -10,6 +10,7 @@
 #include "geometry/direct_shrinking.hpp"
 #include "infill/narrow_loops.hpp"
 #include "infill/parted_area.hpp"
+#include "infill/sharp_tips.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
@@ -24,29 +25,13 @@ constexpr double kStraight = 0.005;
 /// Spits that are lost from one contour to the next may leave so much open, in squared pitches.
 constexpr double kLostSpit = 0.3;
 constexpr double kMostContours = 1e5;
-/// Cosine of the turn at the sharpest corner that a contour goes round: 60 degrees inside.
-constexpr double kSharpest = -0.5;
-
-bool hasSharpCorner(const Polygon& outline) {
-  const std::size_t count = outline.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point2 in = outline[i] - outline[i > 0 ? i - 1 : count - 1];
-    const Point2 out = outline[i + 1 < count ? i + 1 : 0] - outline[i];
-    const bool is_convex = in.x() * out.y() - in.y() * out.x() > 0.0;
-    if (is_convex && in.dot(out) < kSharpest * in.norm() * out.norm()) return true;
-  }
-  return false;
-}
-
-bool hasSharpCorner(const Region& region) {
-  for (const Polygon& outline : outlines({region}))
-    if (hasSharpCorner(outline)) return true;
-  return false;
-}
 
 /// Without the points that offsets leave beside each other; they would add up from contour to contour.
 Region straightened(Region region, double tolerance_mm) {
-  Regions straight = unite(simplify(outlines({region}), tolerance_mm));
+  const std::vector<Polygon> whole = outlines({region});
+  const std::vector<Polygon> simple = simplify(whole, tolerance_mm);
+  if (simple == whole) return region;
+  Regions straight = unite(simple);
   return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
 }
 
@@ -77,7 +62,7 @@ class TreeGrower {
   OpenContourTree grow(const Region& region) && {
     const bool is_solid = std::abs(spacing_ / pitch_ - 1.0) < 1e-6;
     if (is_solid)
-      part(region, 0);
+      take(partByWidth({region}, pitch_), 0);
     else
       add(offset({region}, -0.5 * pitch_), 0);
     for (std::size_t i = 0; i < growing_.size(); ++i) {
@@ -106,7 +91,7 @@ class TreeGrower {
   /// The next contour, if it follows all of this one.
   std::optional<Region> shrunk(const Region& centre_lines) const {
     std::optional<Region> direct = shrinkDirectly(centre_lines, pitch_);
-    if (direct) return straightened(std::move(*direct), kStraight * pitch_);
+    if (direct) return direct;
     Regions clipped = offset({centre_lines}, -pitch_);
     if (clipped.size() != 1 || !sweepsStripe(centre_lines, clipped.front(), pitch_)) return std::nullopt;
     return straightened(std::move(clipped.front()), kStraight * pitch_);
@@ -121,11 +106,16 @@ class TreeGrower {
       growing_.push_back({std::move(*next), node, std::move(after)});
       return;
     }
-    for (const Region& left : offset({from.centre_lines}, -0.5 * pitch_)) part(left, node);
+    const Regions left = offset({from.centre_lines}, -0.5 * pitch_);
+    std::optional<PartedArea> parts;
+    if (after && left.size() == 1) parts = partByTips(left.front(), *after, pitch_);
+    if (parts)
+      take(*parts, node);
+    else
+      for (const Region& each : left) take(partByWidth({each}, pitch_), node);
   }
 
-  void part(const Region& area, std::size_t parent) {
-    const PartedArea parts = partByWidth({area}, pitch_);
+  void take(const PartedArea& parts, std::size_t parent) {
     add(offset(parts.wide, -0.5 * pitch_), parent);
     for (const Region& narrow : parts.narrow) {
       if (rest_fill_ == RestFill::Loops)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -11,12 +12,15 @@
 #include "infill/axis_steps.hpp"
 #include "infill/bead_axis.hpp"
 #include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/simplify.hpp"
 
 namespace lamina {
 namespace {
 
 /// Thickness below which nothing is laid, in pitches.
 constexpr double kLeastWidth = 0.3;
+/// So far the border may be straightened before its axis is sought, in pitches.
+constexpr double kStraight = 0.03;
 /// By how much the radius may change within one motion, in pitches.
 constexpr double kWidthStep = 0.05;
 /// Smaller regions are left out, in squared pitches.
@@ -28,6 +32,14 @@ constexpr double kShortest = 1.0;
 constexpr double kLeastRadius = 0.6;
 /// How much of a region's area a loop along its border may lay.
 constexpr double kMostFilled = 1.06;
+
+Region straightened(const Region& region, double tolerance_mm) {
+  std::vector<Polygon> straight = simplify(outlines({region}), tolerance_mm);
+  if (straight.size() != 1 + region.holes.size()) return region;
+  Region result{std::move(straight.front()), {}};
+  result.holes.assign(std::make_move_iterator(straight.begin() + 1), std::make_move_iterator(straight.end()));
+  return result;
+}
 
 double largestRadius(const MedialAxis& axis) {
   double largest = 0.0;
@@ -55,7 +67,7 @@ std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
   MedialBeadSettings settings;
   settings.pitch_mm = pitch_mm;
   settings.least_width = kLeastWidth;
-  MedialAxis axis = beadAxis(region, settings);
+  MedialAxis axis = beadAxis(straightened(region, kStraight * pitch_mm), settings);
   const double radius = largestRadius(axis);
   if (radius > kLeastRadius * pitch_mm)
     if (std::optional<ContourLoop> loop = borderLoop(region, radius)) return {std::move(*loop)};

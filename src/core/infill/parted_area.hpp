@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "lamina/geometry/polygon.hpp"
 
 namespace lamina {
@@ -14,5 +16,12 @@ struct PartedArea {
 
 /// Parts an area that the functions of `offset.hpp` returned.
 PartedArea partByWidth(const Regions& area, double pitch_mm);
+
+/// How much narrower than an area its core is on each side, in pitches: where there is core, it is wide.
+constexpr double kCoreDepth = 1.5;
+
+/// Parts an area that shrinks as a whole to `core`, `kCoreDepth` pitches from its border: nothing of it is
+/// narrow then but the tips of sharp corners. Nothing where they are not that simple to cut.
+std::optional<PartedArea> partByTips(const Region& area, const Region& core, double pitch_mm);
 
 }  // namespace lamina
