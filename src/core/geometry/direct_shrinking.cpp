@@ -8,6 +8,7 @@
 
 #include "geometry/nesting.hpp"
 #include "geometry/outline_crossings.hpp"
+#include "geometry/vanishing_chain.hpp"
 
 namespace lamina {
 namespace {
@@ -120,36 +121,11 @@ class MovingOutline {
   }
 
   bool cellsAreSound(std::uint32_t first, std::uint32_t last) const {
-    return after(after(first)) == last && isBesideReflex(after(first)) ? cellBesideReflexIsSound(after(first))
-                                                                       : fanIsSound(first, last);
-  }
-
-  /// Edges between two that meet must point between them and lie far enough from where they meet: so do they
-  /// then from all that the two leave.
-  bool fanIsSound(std::uint32_t first, std::uint32_t last) const {
-    const Edge& a = edges_[first];
-    const Edge& b = edges_[last];
-    for (std::uint32_t i = after(first); i != last; i = after(i)) {
-      const Point2& direction = edges_[i].direction;
-      if (cross(a.direction, direction) < 0.0 || cross(direction, b.direction) < 0.0) return false;
-      if (cross(direction, b.start - points_[i]) < distance_ - kTolerance) return false;
+    VanishingChain chain(edges_[first].direction);
+    for (std::uint32_t i = after(first);; i = after(i)) {
+      chain.add(points_[i], edges_[i].direction);
+      if (i == last) return chain.vanishesWithin(distance_);
     }
-    return true;
-  }
-
-  bool isBesideReflex(std::uint32_t i) const {
-    return cross(edges_[before(i)].direction, edges_[i].direction) < 0.0 ||
-           cross(edges_[i].direction, edges_[after(i)].direction) < 0.0;
-  }
-
-  /// Where one neighbour turns away, the edge vanishes behind what that neighbour sweeps. The other one
-  /// sweeps all that lies behind its line only up to its own end.
-  bool cellBesideReflexIsSound(std::uint32_t i) const {
-    const Point2& in = edges_[before(i)].direction;
-    const Point2& out = edges_[after(i)].direction;
-    const Point2& meeting = edges_[after(i)].start;
-    if (cross(edges_[i].direction, out) < 0.0) return in.dot(meeting - points_[i]) <= 0.0;
-    return out.dot(meeting - points_[after(i)]) >= 0.0;
   }
 
   const Polygon& points_;
