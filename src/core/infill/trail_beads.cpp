@@ -188,8 +188,10 @@ class Lanes {
       for (const std::size_t vertex : {i, i + 1}) {
         const Point2 point = lanePoint(vertex, i, k);
         if (!run.points.empty() && (run.points.back() - point).norm() < 1e-6) continue;
+        // On the way across, where the number of lanes changes, the bead is no wider than on either side.
+        const bool crosses = vertex == i && !run.points.empty();
         run.points.push_back(point);
-        run.width_mm.push_back(width);
+        run.width_mm.push_back(crosses ? std::min(width, run.width_mm.back()) : width);
       }
     }
     return run;
