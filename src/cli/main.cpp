@@ -39,6 +39,7 @@ int runCommandLine(int argc, char** argv) {
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   addEmulate(app, chosen);
   addFillVoids(app, chosen);
+  addIncline(app, chosen);
   addInfo(app, chosen);
   addPart(app, chosen);
   addPreview(app, chosen);

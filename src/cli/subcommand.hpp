@@ -35,6 +35,7 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 // `chosen` must outlive the parsing.
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
+void addIncline(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);

@@ -17,12 +17,13 @@ ARROWS = {
     "voids": ["infill"],
     "planning": ["slicing", "infill", "voids", "toolpath"],
     "program": ["toolpath"],
+    "transform": ["program"],
     "kinematics": ["toolpath"],
     "streaming": ["program"],
     "deposition": ["toolpath"],
     "monitoring": ["toolpath"],
     "picture": ["toolpath"],
-    "job": ["planning", "voids", "program", "kinematics", "streaming", "deposition", "monitoring", "picture"],
+    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

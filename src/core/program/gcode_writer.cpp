@@ -200,7 +200,7 @@ void writeGcode(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part
        (drops != nullptr ? dropHeader(*drops, settings) : "") +
        ";LAYER_COUNT:" + std::to_string(toolpath.layers.size()) + "\n" + start_code +
        (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
-  sink(approach(bed_from_part * first.firstPoint(), approachFeed(toolpath)));
+  sink("; start of the part\n" + approach(bed_from_part * first.firstPoint(), approachFeed(toolpath)));
   ProgramSettings written = settings;
   if (drops != nullptr) written.retraction_length_mm = 0.0;  // there is no filament to pull back
   const LayerWriter writer(bed_from_part, written);

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/transform/program_transform.hpp"
+
+namespace lamina {
+
+/// A program, where it goes and how.
+struct InclineJob {
+  std::string program;
+  std::string output;  ///< empty for <program without .gcode>_rotate.gcode beside it
+  std::shared_ptr<const SpaceMap> map;
+  std::shared_ptr<const SpaceMap> axes;  ///< nullptr for a machine that takes places over the bed
+  std::string machine;  ///< name of the machine whose limits hold; empty for those of the settings
+  TransformSettings settings;
+};
+
+/// Where the output goes if the job does not say: part.gcode to part_rotate.gcode.
+std::string inclinedName(const std::string& program);
+
+/// The room of the large gantry the method was made for: 1300 x 2500 x 1000 mm from the origin.
+Box3 largeGantryRoom();
+
+/// Room of a machine's nozzle over its bed.
+/// @throws InvalidConfig if there is no machine of that name
+Box3 machineRoom(const std::string& name);
+
+/// Transforms the program.
+/// @throws InvalidInput if program or output do not end in .gcode, the output is the program, or there is no
+///   map
+/// @throws as `transformProgram`
+TransformReport runInclineJob(const InclineJob& job, Progress& progress);
+
+}  // namespace lamina

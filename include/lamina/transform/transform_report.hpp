@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// What a transform did.
+struct TransformReport {
+  std::string slicer;           ///< as the comments tell; empty if they do not
+  std::size_t lines = 0;        ///< of the source
+  std::size_t layers = 0;       ///< told by the comments
+  std::size_t motions = 0;      ///< of the part, rewritten
+  std::size_t depositions = 0;  ///< of these, those that deposit the part
+  std::size_t arcs = 0;         ///< of these, those made chords of
+  std::size_t deferred = 0;     ///< motions left out because not all coordinates were known yet
+  std::size_t homings_annulled = 0;
+  std::size_t aids_dropped = 0;   ///< motions of skirt, brim, raft, support and priming tower left out
+  double layer_height_mm = 0.0;   ///< 0 if none was needed
+  Point3 shift = Point3::Zero();  ///< after the map [mm]
+  Box3 part;                      ///< of the deposition ends over the bed [mm]
+  Box3 nozzle;                    ///< of all places the nozzle goes to in the part, over the bed [mm]
+};
+
+}  // namespace lamina

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/incline_job.hpp"
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/kinematics/machine.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::string_view kSuffix = ".gcode";
+
+}  // namespace
+
+std::string inclinedName(const std::string& program) {
+  requireSuffix(program, {std::string(kSuffix)});
+  return program.substr(0, program.size() - kSuffix.size()) + "_rotate" + std::string(kSuffix);
+}
+
+Box3 largeGantryRoom() { return {Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)}; }
+
+Box3 machineRoom(const std::string& name) {
+  Box3 room = workspace(machineByName(name));
+  room.low.z() = std::max(room.low.z(), 0.0);  // beneath is the bed, however far the axis goes
+  return room;
+}
+
+TransformReport runInclineJob(const InclineJob& job, Progress& progress) {
+  if (!job.map) throw InvalidInput("no map of space is given; expected a rotation or another one");
+  requireSuffix(job.program, {std::string(kSuffix)});
+  const std::string output = job.output.empty() ? inclinedName(job.program) : job.output;
+  requireSuffix(output, {std::string(kSuffix)});
+  requireApart({output}, {job.program});
+  TransformSettings settings = job.settings;
+  if (!job.machine.empty()) settings.limits_mm = machineRoom(job.machine);
+  return transformProgram({job.program, output}, {*job.map, job.axes.get()}, settings, progress);
+}
+
+}  // namespace lamina

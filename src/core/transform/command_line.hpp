@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace lamina {
+
+/// A letter, its number and where both stand in the line.
+struct PlacedWord {
+  char letter = 0;  ///< upper case
+  bool has_value = false;
+  double value = 0.0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// What a line begins with.
+enum class LineStart {
+  Blank,
+  Comment,
+  G,
+  M,
+  Coordinate,  ///< a word of a motion without its command
+  Other,
+};
+
+/// A line taken apart in place: cheap enough for files of many millions of lines. Words are read of the
+/// commands that move or set positions (G0 to G3, G10, G28, G92); of others only letter and number.
+class CommandLine {
+ public:
+  /// @param line  without its line feed; must outlive the next calls
+  /// @throws InvalidProgram naming the line if a word of such a command is malformed, stands twice, or the
+  ///   line has a checksum, which could not stand after the line is rewritten
+  LineStart read(std::string_view line, std::size_t number);
+
+  LineStart start() const { return start_; }
+  std::string_view text() const { return text_; }
+  std::size_t number() const { return number_; }
+  int code() const { return code_; }  ///< of G or M; -1 if it has no number or a fraction
+  /// What follows the first semicolon of a comment line, or of a line whose words are read.
+  std::string_view comment() const { return comment_; }
+  std::size_t wordsEnd() const { return words_end_; }  ///< one past the last word
+
+  const PlacedWord* begin() const { return words_.data(); }
+  const PlacedWord* end() const { return words_.data() + count_; }
+  /// The word of a letter, nothing if there is none.
+  const PlacedWord* find(char letter) const {
+    const std::int8_t index = index_[static_cast<std::size_t>(letter - 'A')];
+    return index < 0 ? nullptr : &words_[static_cast<std::size_t>(index)];
+  }
+  bool hasAny(std::string_view letters) const;
+
+ private:
+  std::size_t readCode(std::size_t at);
+  void readWords(std::size_t at);
+  std::size_t readWord(std::size_t at);
+  [[noreturn]] void refuse(std::string_view what, std::size_t at) const;
+
+  static constexpr std::size_t kMostWords = 26;
+  std::string_view text_;
+  std::string_view comment_;
+  std::size_t number_ = 0;
+  LineStart start_ = LineStart::Blank;
+  int code_ = -1;
+  std::size_t words_end_ = 0;
+  std::size_t count_ = 0;
+  std::array<PlacedWord, kMostWords> words_;
+  std::array<std::int8_t, 26> index_{};
+};
+
+}  // namespace lamina

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/transform/program_transform.hpp"
+
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "transform/closing_code.hpp"
+#include "transform/line_reader.hpp"
+#include "transform/listing_rewriter.hpp"
+#include "transform/part_placement.hpp"
+#include "transform/program_rewriter.hpp"
+#include "transform/survey.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kBetweenReports = 1U << 16U;  // lines
+constexpr std::size_t kWritten = 1U << 18U;         // bytes gathered before they are written
+
+/// Calls `each` with every line of the file and its number.
+/// @return how many bytes there were
+template <class Each>
+std::size_t forEachLine(const std::string& path, const std::string& stage, Progress& progress, Each each) {
+  LineReader reader(path);
+  while (const auto line = reader.next()) {
+    each(*line, reader.number());
+    if (reader.number() % kBetweenReports != 0) continue;
+    throwIfCancelled(progress, stage);
+    progress.report(stage, reader.size() == 0 ? 0.0
+                                              : static_cast<double>(reader.bytesRead()) /
+                                                    static_cast<double>(reader.size()));
+  }
+  throwIfCancelled(progress, stage);
+  progress.report(stage, 1.0);
+  return reader.bytesRead();
+}
+
+struct Measured {
+  Survey survey;
+  std::size_t bytes = 0;
+};
+
+template <class Reader>
+Measured measure(const std::string& path, Reader& surveyor, Progress& progress) {
+  const std::size_t bytes =
+      forEachLine(path, "measure", progress,
+                  [&](std::string_view line, std::size_t number) { surveyor.read(line, number); });
+  return {surveyor.finish(), bytes};
+}
+
+template <class Reader, class Finish>
+void rewrite(const ProgramFiles& files, std::size_t bytes_before, Reader& rewriter, Progress& progress,
+             Finish appendEnd) {
+  AtomicFile output(files.output);
+  std::string text;
+  text.reserve(2 * kWritten);
+  const std::size_t bytes =
+      forEachLine(files.input, "write", progress, [&](std::string_view line, std::size_t number) {
+        rewriter.read(line, number, text);
+        if (text.size() < kWritten) return;
+        output.write(text);
+        text.clear();
+      });
+  if (bytes != bytes_before)
+    throw FileError("'" + files.input + "' has changed from " + std::to_string(bytes_before) + " to " +
+                    std::to_string(bytes) + " bytes while it was read; expected it to stay as it is");
+  appendEnd(text);
+  output.write(text);
+  output.commit();
+}
+
+TransformReport reportOf(const Survey& survey, const Point3& shift) {
+  TransformReport report;
+  report.slicer = survey.slicer;
+  report.lines = survey.lines;
+  report.layers = survey.totals.layers;
+  report.motions = survey.totals.motions;
+  report.depositions = survey.totals.depositions;
+  report.arcs = survey.totals.arcs;
+  report.shift = shift;
+  for (const auto& [from, to] : {std::pair<const Box3&, Box3&>{survey.totals.part.box, report.part},
+                                 {survey.totals.nozzle.box, report.nozzle}}) {
+    to = from;
+    to.low += shift;
+    to.high += shift;
+  }
+  return report;
+}
+
+TransformReport transformCorrected(const ProgramFiles& files, PointTransform transform,
+                                   const TransformSettings& settings, Progress& progress) {
+  Surveyor surveyor(transform, settings);
+  const Measured measured = measure(files.input, surveyor, progress);
+  transform.shift = shiftOf(measured.survey, settings);
+  requireReachable(measured.survey, transform.shift, settings);
+  ProgramRewriter rewriter(transform, measured.survey, settings);
+  rewrite(files, measured.bytes, rewriter, progress, [&](std::string& out) {
+    requireWithinLimits(rewriter.nozzle(), settings);
+    rewriter.finish(out);
+  });
+  TransformReport report = reportOf(measured.survey, transform.shift);
+  report.nozzle = rewriter.nozzle().box;
+  report.deferred = rewriter.counts().deferred;
+  report.homings_annulled = rewriter.counts().homings_annulled;
+  report.aids_dropped = rewriter.counts().aids_dropped;
+  return report;
+}
+
+TransformReport transformAsListing(const ProgramFiles& files, PointTransform transform,
+                                   const TransformSettings& settings, Progress& progress) {
+  if (!settings.begin_code.empty() || !settings.end_code.empty() || settings.final_position_mm)
+    throw InvalidConfig(
+        "begin code, end code and final position are not those of the listing; expected the corrected mode");
+  ListingSurveyor surveyor(transform);
+  const Measured measured = measure(files.input, surveyor, progress);
+  transform.shift = shiftOf(measured.survey, settings);
+  if (settings.limits_mm) requireReachable(measured.survey, transform.shift, settings);
+  ListingRewriter rewriter(transform, decimalsOf(settings));
+  rewrite(files, measured.bytes, rewriter, progress, [](std::string&) {});
+  TransformReport report = reportOf(measured.survey, transform.shift);
+  report.homings_annulled = rewriter.homingsAnnulled();
+  return report;
+}
+
+}  // namespace
+
+TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
+                                 const TransformSettings& settings, Progress& progress) {
+  validate(settings);
+  std::error_code missing;
+  if (std::filesystem::equivalent(files.input, files.output, missing))
+    throw InvalidInput("output '" + files.output + "' is the file that is read; expected another one");
+  const PointTransform transform{maps.map, maps.axes, Point3::Zero()};
+  const bool as_listing = settings.mode == RewriteMode::Listing;
+  if (as_listing && !transform.keepsLengths())
+    throw InvalidConfig("the listing rotates only; expected the corrected mode for other maps");
+  return as_listing ? transformAsListing(files, transform, settings, progress)
+                    : transformCorrected(files, transform, settings, progress);
+}
+
+}  // namespace lamina
