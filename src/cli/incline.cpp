@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "incline_arguments.hpp"
-#include "lamina/base/text.hpp"
 #include "lamina/job/incline_job.hpp"
+#include "lamina/job/output_files.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -65,6 +65,7 @@ void printText(const TransformReport& report, const std::string& output, double 
 void incline(const InclineArguments& arguments, OutputFormat format) {
   InclineJob job = jobFrom(arguments);
   if (job.output.empty()) job.output = inclinedName(job.program);
+  requireApart({job.output}, {arguments.program, arguments.begin_code, arguments.end_code});
   TransformReport report;
   const auto begin = std::chrono::steady_clock::now();
   {
