@@ -14,7 +14,11 @@ namespace {
 template <class Enum>
 void addChoice(CLI::App& subcommand, const std::string& name, Enum& field,
                const std::map<std::string, Enum>& choices, const std::string& meaning) {
-  subcommand.add_option(name, field, meaning)->transform(CLI::CheckedTransformer(choices))->option_text("");
+  std::vector<std::string> names;
+  names.reserve(choices.size());
+  for (const auto& choice : choices) names.push_back(choice.first);
+  const auto choose = [&field, choices](const std::string& chosen) { field = choices.at(chosen); };
+  subcommand.add_option_function<std::string>(name, choose, meaning)->check(CLI::IsMember(names));
 }
 
 CLI::Option* addNumbers(CLI::App& subcommand, const std::string& name, std::vector<double>& field,
@@ -69,13 +73,15 @@ AffineMap mapOf(const InclineArguments& arguments) {
         "--map is " + map +
         (is_given ? "; " + option + " is for " + of + " only" : "; expected " + option + " beside it"));
   };
+  if (map != "rotation" && (arguments.angle_deg || !arguments.axis.empty()))
+    throw InvalidConfig("--map is " + map + "; --angle-deg and --axis are for rotation only");
   require("scale", "--factors", !arguments.factors.empty());
   require("shear", "--shear", !arguments.shear.empty());
   require("matrix", "--matrix", !arguments.matrix.empty());
   if (map == "scale") return scaling(pointOf(arguments.factors));
   if (map == "shear") return shearOf(arguments.shear);
   if (map == "matrix") return matrixOf(arguments.matrix);
-  return rotation(axisOf(arguments.axis), arguments.angle_deg);
+  return rotation(axisOf(arguments.axis.empty() ? "x" : arguments.axis), arguments.angle_deg.value_or(45.0));
 }
 
 /// In the listing nothing is checked against a machine unless one is named.
@@ -94,11 +100,10 @@ void addMapOptions(CLI::App& subcommand, InclineArguments& arguments) {
       ->check(CLI::IsMember({"rotation", "shear", "scale", "matrix"}))
       ->capture_default_str()
       ->group(group);
-  CLI::Option* angle =
-      subcommand.add_option("--angle-deg", arguments.angle_deg, "Angle of the rotation, right-handed");
-  angle->check(CLI::Range(-360.0, 360.0))->capture_default_str()->group(group);
-  subcommand.add_option("--axis", arguments.axis, "Axis of the rotation: x, y, z or ux,uy,uz")
-      ->capture_default_str()
+  subcommand.add_option("--angle-deg", arguments.angle_deg, "Angle of the rotation, right-handed: 45")
+      ->check(CLI::Range(-360.0, 360.0))
+      ->group(group);
+  subcommand.add_option("--axis", arguments.axis, "Axis of the rotation, x, y, z or ux,uy,uz: x")
       ->group(group);
   subcommand.add_option("--shear", arguments.shear, "Axis moved, axis along, factor: y,z,1.0 for y += 1.0 z")
       ->group(group);
@@ -127,7 +132,7 @@ void addPlaceOptions(CLI::App& subcommand, InclineArguments& arguments) {
       ->group(group);
   addChoice<Lift>(subcommand, "--lift", arguments.settings.lift,
                   {{"layer", Lift::ToFirstLayer}, {"none", Lift::None}},
-                  "layer: put the lowest deposition one layer above the bed; none: leave the height");
+                  "Put the lowest deposition one layer above the bed (default), or leave the height");
   CLI::Option* machine = subcommand.add_option("--machine", arguments.machine, "Machine whose limits hold");
   machine->group(group);
   addNumbers(subcommand, "--limits", arguments.limits,
@@ -160,18 +165,19 @@ void addReadingOptions(CLI::App& subcommand, InclineArguments& arguments) {
   TransformSettings& settings = arguments.settings;
   addChoice<RewriteMode>(subcommand, "--mode", settings.mode,
                          {{"corrected", RewriteMode::Corrected}, {"listing", RewriteMode::Listing}},
-                         "corrected, or as the published listing: {corrected, listing}");
+                         "corrected (default), or as the published listing");
   addChoice<Homing>(subcommand, "--homing", settings.homing,
                     {{"annul", Homing::Annulled}, {"keep", Homing::Kept}},
-                    "What becomes of G28: {annul, keep}");
-  addChoice<BuildAids>(subcommand, "--build-aids", settings.build_aids,
-                       {{"keep", BuildAids::Kept}, {"drop", BuildAids::Dropped}},
-                       "What becomes of skirt, brim, raft, support and priming tower: {keep, drop}");
+                    "What becomes of G28: annulled (default) or kept");
+  addChoice<BuildAids>(
+      subcommand, "--build-aids", settings.build_aids,
+      {{"keep", BuildAids::Kept}, {"drop", BuildAids::Dropped}},
+      "What becomes of skirt, brim, raft, support and priming tower: kept (default) or dropped");
   addChoice<ExtrusionRule>(subcommand, "--extrusion-rule", settings.extrusion_rule,
                            {{"volume", ExtrusionRule::ByVolume},
                             {"length", ExtrusionRule::ByLength},
                             {"keep", ExtrusionRule::Kept}},
-                           "What E follows where lengths change: {volume, length, keep}");
+                           "What E follows where lengths change: volume (default), length, or nothing");
   subcommand.add_option("--extrusion", arguments.extrusion, "absolute or relative E, until M82 or M83 tells")
       ->check(CLI::IsMember({"absolute", "relative"}));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,8 @@ struct InclineArguments {
   std::string program;
   std::string output;
   std::string map = "rotation";
-  double angle_deg = 45.0;
-  std::string axis = "x";
+  std::optional<double> angle_deg;
+  std::string axis;
   std::vector<double> factors;
   std::vector<double> matrix;
   std::string shear;
