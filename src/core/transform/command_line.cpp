@@ -62,26 +62,23 @@ LineStart CommandLine::read(std::string_view line, std::size_t number) {
   }
   const char letter = upper(line[at]);
   const std::size_t value = skipSpace(line, at + 1);
-  const bool has_number = readDecimal(line.substr(value)).length > 0;
+  const DecimalNumber number_after = readDecimal(line.substr(value));
   start_ = LineStart::Other;
-  if (!has_number) return start_;
+  if (number_after.length == 0) return start_;
   if (letter == 'G' || letter == 'M') {
     start_ = letter == 'G' ? LineStart::G : LineStart::M;
-    const std::size_t after = readCode(value);
-    if (letter == 'G' && movesOrSets(code_)) readWords(after);
+    setCode(number_after.value);
+    words_end_ = value + number_after.length;
+    if (letter == 'G' && movesOrSets(code_)) readWords(words_end_);
   } else if (std::string_view("XYZEFIJKR").find(letter) != std::string_view::npos) {
     start_ = LineStart::Coordinate;
   }
   return start_;
 }
 
-std::size_t CommandLine::readCode(std::size_t at) {
-  const DecimalNumber number = readDecimal(text_.substr(at));
-  const bool is_whole =
-      number.value >= 0.0 && number.value <= 9999.0 && number.value == std::floor(number.value);
-  code_ = is_whole ? static_cast<int>(number.value) : -1;
-  words_end_ = at + number.length;
-  return words_end_;
+void CommandLine::setCode(double number) {
+  const int whole = number >= 0.0 && number <= 9999.0 ? static_cast<int>(number) : -1;
+  code_ = static_cast<double>(whole) == number ? whole : -1;
 }
 
 void CommandLine::readWords(std::size_t at) {

@@ -55,7 +55,7 @@ class CommandLine {
   bool hasAny(std::string_view letters) const;
 
  private:
-  std::size_t readCode(std::size_t at);
+  void setCode(double number);
   void readWords(std::size_t at);
   std::size_t readWord(std::size_t at);
   [[noreturn]] void refuse(std::string_view what, std::size_t at) const;

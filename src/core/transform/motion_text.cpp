@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "transform/motion_text.hpp"
 
+#include <string_view>
+
 #include "transform/decimal_number.hpp"
 
 namespace lamina {
@@ -11,58 +13,88 @@ bool isCoordinate(const PlacedWord& word) { return word.letter >= 'X' && word.le
 
 bool isSpace(char c) { return c == ' ' || c == '\t'; }
 
-/// Appends what stands between two words; where the word after it goes, so does the space before it.
-void appendGap(std::string& out, std::string_view gap, bool is_followed) {
-  while (!is_followed && !gap.empty() && isSpace(gap.back())) gap.remove_suffix(1);
-  out.append(gap);
-}
+/// Writes at the end of a text into room made once.
+class TextTail {
+ public:
+  TextTail(std::string& text, std::size_t room) : text_(text) {
+    const std::size_t size = text.size();
+    text.resize(size + room);
+    begin_ = at_ = text.data() + size;
+  }
+  ~TextTail() { text_.resize(static_cast<std::size_t>(at_ - text_.data())); }
+  TextTail(const TextTail&) = delete;
+  TextTail& operator=(const TextTail&) = delete;
 
-void appendWord(std::string& out, char letter, double value, int decimals) {
-  out.push_back(letter);
-  appendFixed(out, value, decimals);
+  void put(char c) { *at_++ = c; }
+  void put(std::string_view piece) {
+    for (const char c : piece) *at_++ = c;
+  }
+  void put(char letter, double value, int decimals) {
+    *at_++ = letter;
+    at_ = writeFixed(at_, value, decimals);
+  }
+  void put(const Point3& point, int decimals) {
+    put('X', point.x(), decimals);
+    put(' ');
+    put('Y', point.y(), decimals);
+    put(' ');
+    put('Z', point.z(), decimals);
+  }
+  void separate() {
+    if (at_ != begin_ && !isSpace(at_[-1])) put(' ');
+  }
+
+ private:
+  std::string& text_;
+  char* begin_;
+  char* at_;
+};
+
+constexpr std::size_t kMostNewWords = 5 * (kMostFixed + 2);
+
+/// What stands between two words; where the word after it goes, so does the space before it.
+std::string_view gapBefore(std::string_view gap, bool is_followed) {
+  while (!is_followed && !gap.empty() && isSpace(gap.back())) gap.remove_suffix(1);
+  return gap;
 }
 
 }  // namespace
 
 void appendCoordinates(std::string& out, const Point3& point, int decimals) {
-  appendWord(out, 'X', point.x(), decimals);
-  out.push_back(' ');
-  appendWord(out, 'Y', point.y(), decimals);
-  out.push_back(' ');
-  appendWord(out, 'Z', point.z(), decimals);
+  TextTail(out, 3 * (kMostFixed + 2)).put(point, decimals);
 }
 
 void appendRewritten(std::string& out, const CommandLine& command, const NewWords& words, int decimals) {
   const std::string_view text = command.text();
+  TextTail tail(out, text.size() + kMostNewWords);
   std::size_t copied = 0;
   const Point3* coordinates = words.coordinates;
   bool joins_next = false;  // coordinates were written, and nothing between them and the next word
   for (const PlacedWord& word : command) {
     const bool goes = isCoordinate(word) && words.coordinates != nullptr;
-    const std::string_view gap = text.substr(copied, word.begin - copied);
-    appendGap(out, gap, !goes || coordinates != nullptr);
+    tail.put(gapBefore(text.substr(copied, word.begin - copied), !goes || coordinates != nullptr));
     if (goes && coordinates != nullptr) {
-      if (!out.empty() && !isSpace(out.back())) out.push_back(' ');
-      appendCoordinates(out, *coordinates, decimals);
+      tail.separate();
+      tail.put(*coordinates, decimals);
       coordinates = nullptr;
       joins_next = true;
     } else if (!goes) {
-      if (joins_next && !isSpace(out.back())) out.push_back(' ');
+      if (joins_next) tail.separate();
       joins_next = false;
       if (word.letter == 'E' && words.extrusion)
-        appendWord(out, 'E', *words.extrusion, kExtrusionDecimals);
+        tail.put('E', *words.extrusion, kExtrusionDecimals);
       else if (word.letter == 'F' && words.feed)
-        appendWord(out, 'F', *words.feed, kFeedDecimals);
+        tail.put('F', *words.feed, kFeedDecimals);
       else
-        out.append(text.substr(word.begin, word.end - word.begin));
+        tail.put(text.substr(word.begin, word.end - word.begin));
     }
     copied = word.end;
   }
   if (words.feed && command.find('F') == nullptr) {
-    out.push_back(' ');
-    appendWord(out, 'F', *words.feed, kFeedDecimals);
+    tail.put(' ');
+    tail.put('F', *words.feed, kFeedDecimals);
   }
-  out.append(text.substr(copied));
+  tail.put(text.substr(copied));
 }
 
 void appendWithoutCoordinates(std::string& out, const CommandLine& command) {
@@ -75,7 +107,7 @@ void appendWithoutCoordinates(std::string& out, const CommandLine& command) {
   const std::string_view text = command.text();
   std::size_t copied = 0;
   for (const PlacedWord& word : command) {
-    appendGap(out, text.substr(copied, word.begin - copied), !isCoordinate(word));
+    out.append(gapBefore(text.substr(copied, word.begin - copied), !isCoordinate(word)));
     if (!isCoordinate(word)) out.append(text.substr(word.begin, word.end - word.begin));
     copied = word.end;
   }
