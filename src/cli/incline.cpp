@@ -19,6 +19,15 @@ nlohmann::ordered_json toJson(const Box3& box) {
           {"high_mm", {box.high.x(), box.high.y(), box.high.z()}}};
 }
 
+/// Whether the part is far wider than what touches the bed: so it comes out if the mesh was not tilted.
+bool standsOnEdge(const TransformReport& report) {
+  constexpr double kNarrow = 0.1;
+  if (report.footprint.isEmpty()) return false;
+  const Point3 base = report.footprint.size();
+  const Point3 part = report.part.size();
+  return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
+}
+
 void printJson(const TransformReport& report, const std::string& output, double seconds) {
   const nlohmann::ordered_json json = {{"slicer", report.slicer},
                                        {"lines", report.lines},
@@ -30,7 +39,10 @@ void printJson(const TransformReport& report, const std::string& output, double 
                                        {"homings_annulled", report.homings_annulled},
                                        {"aids_dropped", report.aids_dropped},
                                        {"shift_mm", {report.shift.x(), report.shift.y(), report.shift.z()}},
+                                       {"layer_height_mm", report.layer_height_mm},
                                        {"part", toJson(report.part)},
+                                       {"footprint", toJson(report.footprint)},
+                                       {"stands_on_edge", standsOnEdge(report)},
                                        {"nozzle", toJson(report.nozzle)},
                                        {"seconds", seconds},
                                        {"lines_per_s", static_cast<double>(report.lines) / seconds},
@@ -56,7 +68,12 @@ void printText(const TransformReport& report, const std::string& output, double 
   std::printf("moved by    x %.3f, y %.3f, z %.3f mm\n", report.shift.x(), report.shift.y(),
               report.shift.z());
   printBox("part      ", report.part);
+  if (!report.footprint.isEmpty()) printBox("stands on ", report.footprint);
   printBox("nozzle    ", report.nozzle);
+  if (standsOnEdge(report))
+    std::printf(
+        "notice      the part stands on an edge: was the mesh tilted by the opposite angle before "
+        "slicing?\n");
   std::printf("computed in %.3f s, %.1f million lines per second\n", seconds,
               1e-6 * static_cast<double>(report.lines) / seconds);
   std::printf("written to  %s\n", output.c_str());

@@ -51,6 +51,18 @@ TEST(CubeOnAnEdge, ComesOutUprightAtItsSize) {
   EXPECT_NEAR(part.high.z(), 351.5, 1e-4);
 }
 
+TEST(CubeOnAnEdge, StandsOnItsWholeFace) {
+  const Box3 footprint = transformed(cubeOnAnEdge(), test::withHeight(1.5)).report.footprint;
+  EXPECT_NEAR(footprint.size().x(), kEdge, 1e-6);
+  EXPECT_NEAR(footprint.size().y(), kEdge, 3.0);  // the slicer's layers end within a layer of the edge
+}
+
+TEST(CubeOnAnEdge, StandsOnThatEdgeWhereItIsNotTurned) {
+  const Box3 footprint =
+      transformed(cubeOnAnEdge(), test::withHeight(1.5), rotation(Point3::UnitX(), 0.0)).report.footprint;
+  EXPECT_LT(footprint.size().y(), 7.0);
+}
+
 TEST(CubeOnAnEdge, MustBeMovedOntoTheBed) {
   TransformSettings settings = onTheLargeGantry();
   try {

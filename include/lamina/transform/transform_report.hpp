@@ -20,10 +20,13 @@ struct TransformReport {
   std::size_t deferred = 0;     ///< motions left out because not all coordinates were known yet
   std::size_t homings_annulled = 0;
   std::size_t aids_dropped = 0;   ///< motions of skirt, brim, raft, support and priming tower left out
-  double layer_height_mm = 0.0;   ///< 0 if none was needed
+  double layer_height_mm = 0.0;   ///< 0 if neither set nor told
   Point3 shift = Point3::Zero();  ///< after the map [mm]
-  Box3 part;                      ///< of the deposition ends over the bed [mm]
-  Box3 nozzle;                    ///< of all places the nozzle goes to in the part, over the bed [mm]
+  /// Of the deposition ends no higher than a layer above the lowest: what the part stands on. An edge only,
+  /// if the mesh was not tilted before it was sliced.
+  Box3 footprint;
+  Box3 part;    ///< of the deposition ends over the bed [mm]
+  Box3 nozzle;  ///< of all places the nozzle goes to in the part, over the bed [mm]
 };
 
 }  // namespace lamina

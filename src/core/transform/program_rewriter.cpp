@@ -24,6 +24,14 @@ double pathLength(const Point3& start, const std::vector<Point3>& ends) {
   return length;
 }
 
+/// A layer above the lowest deposition.
+double footprintTop(const Survey& survey, const PointTransform& transform,
+                    const TransformSettings& settings) {
+  constexpr double kRounding = 1e-6;  // mm
+  const auto height = settings.layer_height_mm ? settings.layer_height_mm : survey.layer_height_mm;
+  return survey.totals.part.box.low.z() + transform.shift.z() + height.value_or(0.0) + kRounding;
+}
+
 }  // namespace
 
 ProgramRewriter::ProgramRewriter(const PointTransform& transform, const Survey& survey,
@@ -35,7 +43,8 @@ ProgramRewriter::ProgramRewriter(const PointTransform& transform, const Survey& 
       tracker_(settings),
       filament_(transform, settings.extrusion_rule),
       closing_(settings, clearHeight(survey, transform), decimals_),
-      begin_code_(wholeLines(settings.begin_code)) {}
+      begin_code_(wholeLines(settings.begin_code)),
+      footprint_top_(footprintTop(survey, transform, settings)) {}
 
 void ProgramRewriter::read(std::string_view line, std::size_t number, std::string& out) {
   if (number == survey_.end_line) leavePart(out);
@@ -174,6 +183,8 @@ void ProgramRewriter::appendFeed(const Chord& chord, const Point3& end, std::str
 Point3 ProgramRewriter::place(const Point3& point) {
   const Point3 over_bed = transform_.overBed(point);
   nozzle_.include(over_bed, tracker_.command().number());
+  if (over_bed.z() <= footprint_top_ && tracker_.motion().deposits() && !tracker_.marks().isBuildAid())
+    footprint_.include(over_bed);
   return transform_.coordinates(over_bed);
 }
 

@@ -29,7 +29,8 @@ class ProgramRewriter {
   void read(std::string_view line, std::size_t number, std::string& out);
   void finish(std::string& out);
   const RewriteCounts& counts() const { return counts_; }
-  const Extremes& nozzle() const { return nozzle_; }  ///< places it goes to in the part, over the bed [mm]
+  const Box3& footprint() const { return footprint_; }  ///< as in the report [mm]
+  const Extremes& nozzle() const { return nozzle_; }    ///< places it goes to in the part, over the bed [mm]
 
  private:
   /// One of the chords that follow a motion.
@@ -68,6 +69,8 @@ class ProgramRewriter {
   std::string begin_code_;
   RewriteCounts counts_;
   Extremes nozzle_;
+  Box3 footprint_;
+  double footprint_top_;
   bool is_elsewhere_ = false;        ///< motions were dropped since the nozzle moved last
   bool is_filament_behind_ = false;  ///< deposits were dropped since E was told last
 };

@@ -71,7 +71,7 @@ void rewrite(const ProgramFiles& files, std::size_t bytes_before, Reader& rewrit
   output.commit();
 }
 
-TransformReport reportOf(const Survey& survey, const Point3& shift) {
+TransformReport reportOf(const Survey& survey, const Point3& shift, const TransformSettings& settings) {
   TransformReport report;
   report.slicer = survey.slicer;
   report.lines = survey.lines;
@@ -80,6 +80,7 @@ TransformReport reportOf(const Survey& survey, const Point3& shift) {
   report.depositions = survey.totals.depositions;
   report.arcs = survey.totals.arcs;
   report.shift = shift;
+  report.layer_height_mm = settings.layer_height_mm.value_or(survey.layer_height_mm.value_or(0.0));
   for (const auto& [from, to] : {std::pair<const Box3&, Box3&>{survey.totals.part.box, report.part},
                                  {survey.totals.nozzle.box, report.nozzle}}) {
     to = from;
@@ -100,8 +101,9 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
     requireWithinLimits(rewriter.nozzle(), settings);
     rewriter.finish(out);
   });
-  TransformReport report = reportOf(measured.survey, transform.shift);
+  TransformReport report = reportOf(measured.survey, transform.shift, settings);
   report.nozzle = rewriter.nozzle().box;
+  report.footprint = rewriter.footprint();
   report.deferred = rewriter.counts().deferred;
   report.homings_annulled = rewriter.counts().homings_annulled;
   report.aids_dropped = rewriter.counts().aids_dropped;
@@ -119,7 +121,7 @@ TransformReport transformAsListing(const ProgramFiles& files, PointTransform tra
   if (settings.limits_mm) requireReachable(measured.survey, transform.shift, settings);
   ListingRewriter rewriter(transform, decimalsOf(settings));
   rewrite(files, measured.bytes, rewriter, progress, [](std::string&) {});
-  TransformReport report = reportOf(measured.survey, transform.shift);
+  TransformReport report = reportOf(measured.survey, transform.shift, settings);
   report.homings_annulled = rewriter.homingsAnnulled();
   return report;
 }
