@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -38,6 +39,12 @@ TEST(DecimalNumber, IsTheNearestDoubleHoweverManyDigits) {
     RC_ASSERT(number.value == std::strtod(text.c_str(), nullptr));
     RC_ASSERT(number.length == text.size());
   }));
+}
+
+TEST(DecimalNumber, BeyondAllDoublesIsInfiniteOrNothing) {
+  EXPECT_TRUE(std::isinf(readDecimal(std::string(400, '9')).value));
+  EXPECT_TRUE(std::isinf(readDecimal("-" + std::string(400, '9') + ".5").value));
+  EXPECT_EQ(readDecimal("0." + std::string(400, '0') + "1").value, 0.0);
 }
 
 TEST(DecimalNumber, IsWrittenAsCPrintsIt) {

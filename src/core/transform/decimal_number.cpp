@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace lamina {
 namespace {
@@ -25,8 +26,10 @@ DecimalNumber readLongDecimal(std::string_view text) {
   const std::size_t first = text[0] == '-' || text[0] == '+' ? 1 : 0;
   double value = 0.0;
   const char* end = text.data() + text.size();
-  const char* read = std::from_chars(text.data() + first, end, value, std::chars_format::fixed).ptr;
-  return {text[0] == '-' ? -value : value, static_cast<std::size_t>(read - text.data())};
+  const auto read = std::from_chars(text.data() + first, end, value, std::chars_format::fixed);
+  const bool is_huge = read.ec != std::errc{} && text.find_first_of("123456789") < text.find('.');
+  if (is_huge) value = std::numeric_limits<double>::infinity();
+  return {text[0] == '-' ? -value : value, static_cast<std::size_t>(read.ptr - text.data())};
 }
 
 char* writeFixed(char* out, double value, int decimals) {

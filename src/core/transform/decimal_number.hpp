@@ -19,7 +19,7 @@ struct DecimalNumber {
 inline constexpr std::array<double, 16> kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-/// Reads [+-]digits[.digits], or .digits, of any length; nearest double.
+/// Reads [+-]digits[.digits], or .digits, of any length; nearest double, infinite beyond the greatest.
 DecimalNumber readLongDecimal(std::string_view text);
 
 /// Reads [+-]digits[.digits], or .digits; nearest double. No exponent: E is a letter of its own.
