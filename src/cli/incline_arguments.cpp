@@ -59,9 +59,8 @@ AffineMap shearOf(const std::string& text) {
 
 AffineMap matrixOf(const std::vector<double>& numbers) {
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column)
-      matrix(row, column) = numbers[static_cast<std::size_t>(4 * row + column)];
+  for (std::size_t i = 0; i < 12; ++i)
+    matrix(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = numbers[i];
   return AffineMap(matrix);
 }
 

@@ -46,7 +46,7 @@ LineStart CommandLine::read(std::string_view line, std::size_t number) {
   comment_ = {};
   code_ = -1;
   count_ = 0;
-  index_.fill(-1);
+  index_.fill(kNoWord);
   std::size_t at = skipSpace(line, 0);
   words_end_ = at;
   if (at == line.size()) return start_ = LineStart::Blank;
@@ -101,9 +101,9 @@ void CommandLine::readWords(std::size_t at) {
 
 std::size_t CommandLine::readWord(std::size_t at) {
   const char letter = upper(text_[at]);
-  std::int8_t& index = index_[static_cast<std::size_t>(letter - 'A')];
+  std::uint8_t& index = index_[static_cast<std::size_t>(letter - 'A')];
   if (letter == 'G' || letter == 'M') refuse("two commands in one line", at);
-  if (index >= 0) refuse("a word stands twice", at);
+  if (index != kNoWord) refuse("a word stands twice", at);
   const std::size_t from = skipSpace(text_, at + 1);
   const DecimalNumber number = readDecimal(text_.substr(from));
   PlacedWord& word = words_[count_];
@@ -116,7 +116,7 @@ std::size_t CommandLine::readWord(std::size_t at) {
   const bool goes_on =
       word.end < text_.size() && (text_[word.end] == '.' || text_[word.end] == '-' || text_[word.end] == '+');
   if (goes_on) refuse("bad number", at);
-  index = static_cast<std::int8_t>(count_++);
+  index = static_cast<std::uint8_t>(count_++);
   words_end_ = word.end;
   return word.end;
 }

@@ -49,8 +49,8 @@ class CommandLine {
   const PlacedWord* end() const { return words_.data() + count_; }
   /// The word of a letter, nothing if there is none.
   const PlacedWord* find(char letter) const {
-    const std::int8_t index = index_[static_cast<std::size_t>(letter - 'A')];
-    return index < 0 ? nullptr : &words_[static_cast<std::size_t>(index)];
+    const std::uint8_t index = index_[static_cast<std::size_t>(letter - 'A')];
+    return index == kNoWord ? nullptr : &words_[index];
   }
   bool hasAny(std::string_view letters) const;
 
@@ -60,7 +60,8 @@ class CommandLine {
   std::size_t readWord(std::size_t at);
   [[noreturn]] void refuse(std::string_view what, std::size_t at) const;
 
-  static constexpr std::size_t kMostWords = 26;
+  static constexpr std::size_t kMostWords = 26;  // no letter stands twice
+  static constexpr std::uint8_t kNoWord = 255;
   std::string_view text_;
   std::string_view comment_;
   std::size_t number_ = 0;
@@ -69,7 +70,7 @@ class CommandLine {
   std::size_t words_end_ = 0;
   std::size_t count_ = 0;
   std::array<PlacedWord, kMostWords> words_;
-  std::array<std::int8_t, 26> index_{};
+  std::array<std::uint8_t, 26> index_{};
 };
 
 }  // namespace lamina

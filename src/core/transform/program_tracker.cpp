@@ -178,12 +178,18 @@ double ProgramTracker::takeExtrusion() {
   return pushed;
 }
 
-LineRole ProgramTracker::move() {
+void ProgramTracker::requireKnownWords() const {
+  const std::string_view known = command_.code() >= 2 ? "XYZEFIJKR" : "XYZEFS";
   for (const PlacedWord& word : command_) {
     if (!word.has_value) refuse(std::string(1, word.letter) + " has no value");
-    if (std::string_view("ABCUVW").find(word.letter) != std::string_view::npos)
-      refuse(std::string(1, word.letter) + " is a rotary or second axis, which cannot be transformed");
+    if (section_ == ProgramSection::Part && known.find(word.letter) == std::string_view::npos)
+      refuse(std::string("a motion with ") + word.letter + " cannot be transformed; expected " +
+             std::string(known) + " only");
   }
+}
+
+LineRole ProgramTracker::move() {
+  requireKnownWords();
   motion_.extrusion_mm = takeExtrusion();
   if (const PlacedWord* feed = command_.find('F')) feed_ = feed->value * unit_mm_;
   const bool is_arc = command_.code() >= 2;
@@ -222,9 +228,6 @@ void ProgramTracker::moveTo(const std::array<bool, 3>& known_before) {
 }
 
 void ProgramTracker::addArc() {
-  for (const PlacedWord& word : command_)
-    if (std::string_view("XYZIJKREF").find(word.letter) == std::string_view::npos)
-      refuse(std::string("an arc with ") + word.letter + " cannot be transformed");
   Arc arc{motion_.start, position_, motion_.start, arc_axis_,
           command_.code() == 3 ? ArcDirection::CounterClockwise : ArcDirection::Clockwise};
   if (const PlacedWord* radius = command_.find('R')) {

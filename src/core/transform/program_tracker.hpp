@@ -75,6 +75,7 @@ class ProgramTracker {
   double takeExtrusion();
   void moveTo(const std::array<bool, 3>& known_before);
   void addArc();
+  void requireKnownWords() const;
   void requireSupported() const;
   void requireFixedOrigin() const;
   [[noreturn]] void refuse(const std::string& what) const;

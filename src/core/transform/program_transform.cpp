@@ -37,21 +37,35 @@ std::size_t forEachLine(const std::string& path, const std::string& stage, Progr
   return reader.bytesRead();
 }
 
+/// What the first pass found, of which file.
 struct Measured {
   Survey survey;
   std::size_t bytes = 0;
+  std::filesystem::file_time_type written_at;
 };
+
+std::filesystem::file_time_type lastWritten(const std::string& path) {
+  std::error_code missing;  // opening the file tells better
+  return std::filesystem::last_write_time(path, missing);
+}
 
 template <class Reader>
 Measured measure(const std::string& path, Reader& surveyor, Progress& progress) {
+  const auto written_at = lastWritten(path);
   const std::size_t bytes =
       forEachLine(path, "measure", progress,
                   [&](std::string_view line, std::size_t number) { surveyor.read(line, number); });
-  return {surveyor.finish(), bytes};
+  return {surveyor.finish(), bytes, written_at};
+}
+
+void requireUnchanged(const std::string& path, const Measured& before, std::size_t bytes) {
+  if (bytes == before.bytes && lastWritten(path) == before.written_at) return;
+  throw FileError("'" + path + "' has been written to while it was read (" + std::to_string(before.bytes) +
+                  " bytes before, " + std::to_string(bytes) + " after); expected it to stay as it is");
 }
 
 template <class Reader, class Finish>
-void rewrite(const ProgramFiles& files, std::size_t bytes_before, Reader& rewriter, Progress& progress,
+void rewrite(const ProgramFiles& files, const Measured& before, Reader& rewriter, Progress& progress,
              Finish appendEnd) {
   AtomicFile output(files.output);
   std::string text;
@@ -63,9 +77,7 @@ void rewrite(const ProgramFiles& files, std::size_t bytes_before, Reader& rewrit
         output.write(text);
         text.clear();
       });
-  if (bytes != bytes_before)
-    throw FileError("'" + files.input + "' has changed from " + std::to_string(bytes_before) + " to " +
-                    std::to_string(bytes) + " bytes while it was read; expected it to stay as it is");
+  requireUnchanged(files.input, before, bytes);
   appendEnd(text);
   output.write(text);
   output.commit();
@@ -97,7 +109,7 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
   transform.shift = shiftOf(measured.survey, settings);
   requireReachable(measured.survey, transform.shift, settings);
   ProgramRewriter rewriter(transform, measured.survey, settings);
-  rewrite(files, measured.bytes, rewriter, progress, [&](std::string& out) {
+  rewrite(files, measured, rewriter, progress, [&](std::string& out) {
     requireWithinLimits(rewriter.nozzle(), settings);
     rewriter.finish(out);
   });
@@ -120,7 +132,7 @@ TransformReport transformAsListing(const ProgramFiles& files, PointTransform tra
   transform.shift = shiftOf(measured.survey, settings);
   if (settings.limits_mm) requireReachable(measured.survey, transform.shift, settings);
   ListingRewriter rewriter(transform, decimalsOf(settings));
-  rewrite(files, measured.bytes, rewriter, progress, [](std::string&) {});
+  rewrite(files, measured, rewriter, progress, [](std::string&) {});
   TransformReport report = reportOf(measured.survey, transform.shift, settings);
   report.homings_annulled = rewriter.homingsAnnulled();
   return report;
