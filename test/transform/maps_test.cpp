@@ -56,6 +56,13 @@ TEST(Maps, ABeltPrinterGetsTheCoordinatesOfItsAxes) {
   EXPECT_TRUE(contains(text, "G1 X10.000 Y10.000 Z0.000 E1\n")) << text;
 }
 
+TEST(Maps, ABeltPrintersFinalPositionIsNotGuessed) {
+  TransformSettings settings = test::asSliced();
+  settings.final_position_mm = Point3(1.0, 2.0, 3.0);
+  const AffineMap belt = beltAxes(45.0);
+  EXPECT_THROW(transformed(kLayer, settings, test::aboutX45(), &belt), InvalidConfig);
+}
+
 /// Layers become hills: z rises with x and y.
 class Hill final : public SpaceMap {
  public:

@@ -147,6 +147,11 @@ TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
   if (std::filesystem::equivalent(files.input, files.output, missing))
     throw InvalidInput("output '" + files.output + "' is the file that is read; expected another one");
   const PointTransform transform{maps.map, maps.axes, Point3::Zero()};
+  if (maps.axes != nullptr && settings.final_position_mm)
+    throw InvalidConfig(
+        "a final position is one over the bed, and this machine takes other coordinates; expected it in the "
+        "end "
+        "code instead");
   const bool as_listing = settings.mode == RewriteMode::Listing;
   if (as_listing && !transform.keepsLengths())
     throw InvalidConfig("the listing rotates only; expected the corrected mode for other maps");
