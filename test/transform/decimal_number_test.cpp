@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lamina/base/error.hpp"
+
 namespace lamina {
 namespace {
 
@@ -56,6 +58,12 @@ TEST(DecimalNumber, IsWrittenAsCPrintsIt) {
     const bool is_zero = std::string(expected).find_first_not_of("-0.") == std::string::npos;
     RC_ASSERT(fixed(value, decimals) == (is_zero && expected[0] == '-' ? expected + 1 : expected));
   }));
+}
+
+TEST(DecimalNumber, ThatIsTooLargeIsNotWritten) {
+  EXPECT_EQ(fixed(999999999.0, 6), "999999999.000000");
+  for (const double bad : {1e9, -1e9, 1e300, HUGE_VAL, std::nan("")})
+    EXPECT_THROW(fixed(bad, 6), InvalidInput) << bad;
 }
 
 TEST(DecimalNumber, IsNeverMinusZero) {

@@ -56,6 +56,17 @@ TEST(Maps, ABeltPrinterGetsTheCoordinatesOfItsAxes) {
   EXPECT_TRUE(contains(text, "G1 X10.000 Y10.000 Z0.000 E1\n")) << text;
 }
 
+TEST(Maps, WhatComesFurtherThanCanBeWrittenNamesItsLine) {
+  Eigen::Affine3d far = Eigen::Affine3d::Identity();
+  far.translation().x() = 1e13;
+  try {
+    transformed(kLayer, test::asSliced(), AffineMap(far));
+    FAIL();
+  } catch (const InvalidProgram& error) {
+    EXPECT_TRUE(contains(error.what(), "line 3: ")) << error.what();
+  }
+}
+
 TEST(Maps, ABeltPrintersFinalPositionIsNotGuessed) {
   TransformSettings settings = test::asSliced();
   settings.final_position_mm = Point3(1.0, 2.0, 3.0);

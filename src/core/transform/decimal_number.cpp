@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
+
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kNearTie = 1e-4;  // of the last decimal; far above the rounding of products below 1e10
+constexpr std::size_t kDigits = 24;
+constexpr double kMostUnits = 1e15;  // of the last decimal: what a double still counts one by one
+constexpr double kNearTie = 1e-4;    // of the last decimal; far above the rounding of products up to
+constexpr double kRoundedFinely = 1e10;
 
 /// By the exact digits of the double, ties to even, as C and Python print.
 char* writeExactly(char* out, double value, int decimals) {
@@ -34,14 +40,17 @@ DecimalNumber readLongDecimal(std::string_view text) {
 
 char* writeFixed(char* out, double value, int decimals) {
   const double scaled = std::abs(value) * kPowersOfTen[static_cast<std::size_t>(decimals)];
+  if (!(scaled < kMostUnits))
+    throw InvalidInput("a coordinate, E or F comes to " + std::to_string(value) +
+                       ", which is too much to be written; expected less than 1e9");
   auto units = static_cast<std::uint64_t>(scaled);
   const double rest = scaled - static_cast<double>(units);
   // The product is rounded itself: whether a value is above a tie only its exact digits tell.
-  if (std::abs(rest - 0.5) < kNearTie) return writeExactly(out, value, decimals);
+  if (std::abs(rest - 0.5) < kNearTie || scaled > kRoundedFinely) return writeExactly(out, value, decimals);
   units += rest > 0.5 ? 1 : 0;
   if (value < 0.0 && units != 0) *out++ = '-';
-  std::array<char, 24> digits;
-  char* const end = digits.data() + digits.size();
+  std::array<char, 2 * kDigits> digits;
+  char* const end = digits.data() + kDigits;
   char* at = end;
   for (int i = 0; i < decimals; ++i, units /= 10) *--at = static_cast<char>('0' + units % 10);
   if (decimals > 0) *--at = '.';
@@ -49,7 +58,8 @@ char* writeFixed(char* out, double value, int decimals) {
     *--at = static_cast<char>('0' + units % 10);
     units /= 10;
   } while (units != 0);
-  return std::copy(at, end, out);
+  std::memcpy(out, at, kDigits);  // a fixed length is one move, and there is room
+  return out + (end - at);
 }
 
 void appendFixed(std::string& out, double value, int decimals) {

@@ -56,11 +56,12 @@ inline DecimalNumber readDecimal(std::string_view text) {
 }
 
 /// Characters that `writeFixed` needs room for.
-inline constexpr std::size_t kMostFixed = 64;
+inline constexpr std::size_t kMostFixed = 32;
 
 /// Writes the number with exactly so many decimals, rounded to nearest by its exact digits, never as -0.
-/// @param decimals  0 to 6; the value must be below 1e12
+/// @param decimals  0 to 6
 /// @return one past the last character written
+/// @throws InvalidInput if it has more than 15 digits, or is no number
 char* writeFixed(char* out, double value, int decimals);
 
 /// As `writeFixed`.

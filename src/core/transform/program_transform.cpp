@@ -25,7 +25,12 @@ template <class Each>
 std::size_t forEachLine(const std::string& path, const std::string& stage, Progress& progress, Each each) {
   LineReader reader(path);
   while (const auto line = reader.next()) {
-    each(*line, reader.number());
+    try {
+      each(*line, reader.number());
+    } catch (const InvalidInput& error) {
+      if (error.code() != ErrorCode::InvalidInput) throw;  // names its line
+      throw InvalidProgram("line " + std::to_string(reader.number()) + ": " + error.what());
+    }
     if (reader.number() % kBetweenReports != 0) continue;
     throwIfCancelled(progress, stage);
     progress.report(stage, reader.size() == 0 ? 0.0
