@@ -45,5 +45,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   } catch (const lamina::Unreachable&) {
     if (::access(files[1].c_str(), F_OK) == 0) std::abort();
   }
+  for (const std::string& file : files) ::unlink(file.c_str());
   return 0;
 }

@@ -14,9 +14,9 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kDigits = 24;
-constexpr double kMostUnits = 1e15;  // of the last decimal: what a double still counts one by one
-constexpr double kNearTie = 1e-4;    // of the last decimal; far above the rounding of products up to
-constexpr double kRoundedFinely = 1e10;
+constexpr double kMostUnits = 1e15;      // of the last decimal: what a double still counts one by one
+constexpr double kNearTie = 1e-4;        // of the last decimal; far above the rounding of products
+constexpr double kRoundedFinely = 1e10;  // that are no greater than this
 
 /// By the exact digits of the double, ties to even, as C and Python print.
 char* writeExactly(char* out, double value, int decimals) {
