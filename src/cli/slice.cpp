@@ -91,6 +91,8 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"deposited_mm3", s.deposited_mm3},
       {"unprinted_mm3", s.unprinted_mm3},
       {"empty_layers", s.empty_layers},
+      {"moved_starts", s.anchored.moved},
+      {"starts_in_air", s.anchored.in_air},
       {"refill_runs", s.refilling.runs},
       {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
@@ -120,6 +122,9 @@ void printText(const SliceSummary& s, const std::string& output) {
   if (s.unprinted_mm3 > 0.0)
     std::printf("unprinted   %.3f mm3, too small or too thin for the fill\n", s.unprinted_mm3);
   if (s.empty_layers > 0) std::printf("in the air  %zu layers are empty beneath others\n", s.empty_layers);
+  if (s.anchored.moved + s.anchored.in_air > 0)
+    std::printf("anchored    %zu starts of runs moved onto bed or material, %zu remain in the air\n",
+                s.anchored.moved, s.anchored.in_air);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);

@@ -181,6 +181,7 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   message.id = placed.id;
   message.part_name = placed.toolpath.part_name;
   message.bed_from_part = toMessage(placed.bed_from_part);
+  message.part_from_layers = toMessage(placed.toolpath.part_from_layers);
   message.machine = placed.machine;
   message.layers.reserve(placed.toolpath.layers.size());
   for (const ToolpathLayer& layer : placed.toolpath.layers) message.layers.push_back(toMessage(layer));
@@ -200,6 +201,7 @@ MachineToolpath fromMessage(const lamina_msgs::Toolpath& message) {
   placed.machine = message.machine;
   placed.bed_from_part = fromMessage(message.bed_from_part);
   placed.toolpath.part_name = message.part_name;
+  placed.toolpath.part_from_layers = fromMessage(message.part_from_layers);
   placed.toolpath.layers.reserve(message.layers.size());
   for (const auto& layer : message.layers) placed.toolpath.layers.push_back(fromMessage(layer));
   validate(placed.toolpath);

@@ -14,6 +14,13 @@
 namespace lamina {
 namespace {
 
+/// Of the machines whose sensor looks straight down: its place over the nozzle.
+const std::vector<std::pair<std::string, Point3>> kSensors = {{"cartesian_gantry", {25, 0, 60}},
+                                                              {"drop_printer", {25, 0, 60}},
+                                                              {"gantry_45", {25, 0, 60}},
+                                                              {"large_gantry_45", {150, 0, 250}},
+                                                              {"large_gantry_45_reverse", {150, 0, 250}}};
+
 /// A toolpath of one travel through these points, nozzle straight down.
 Toolpath through(const std::vector<Point3>& points) {
   Path path;
@@ -58,6 +65,20 @@ TEST(Machine, HeadOf45DegreesPointsDownAndBack) {
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30)));
 }
 
+TEST(Machine, LargeGantriesReachOverTheirBedWithANozzleTiltedEitherWay) {
+  for (const auto& [name, back] : {std::pair<std::string, double>{"large_gantry_45", 1.0},
+                                   std::pair<std::string, double>{"large_gantry_45_reverse", -1.0}}) {
+    const Machine machine = machineByName(name);
+    EXPECT_TRUE(workspace(machine).low.isZero(1e-9)) << name;
+    EXPECT_TRUE(workspace(machine).high.isApprox(Point3(1300, 2500, 1000))) << name;
+    const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine, {100, 200, 300});
+    EXPECT_TRUE(bed_from_nozzle.translation().isApprox(Point3(100, 200, 300))) << name;
+    EXPECT_TRUE(bed_from_nozzle.linear().col(2).isApprox(Point3(0, back * M_SQRT1_2, -M_SQRT1_2), 1e-9))
+        << name;
+    EXPECT_TRUE(programFromBed(machine).matrix().isIdentity(0.0)) << name;
+  }
+}
+
 TEST(Machine, TableOfTheDropPrinterMovesBeneathItsNozzle) {
   const Machine machine = machineByName("drop_printer");
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30), 1e-9));
@@ -68,10 +89,10 @@ TEST(Machine, TableOfTheDropPrinterMovesBeneathItsNozzle) {
 }
 
 TEST(Machine, SensorLooksDownBesideTheNozzle) {
-  for (const std::string& name : machineNames()) {
+  for (const auto& [name, place] : kSensors) {
     const Machine machine = machineByName(name);
     const Eigen::Isometry3d bed_from_sensor = bedFromNozzle(machine, {0, 0, 0}) * machine.nozzle_from_sensor;
-    EXPECT_TRUE(bed_from_sensor.translation().isApprox(Point3(25, 0, 60), 1e-9)) << name;
+    EXPECT_TRUE(bed_from_sensor.translation().isApprox(place, 1e-9)) << name;
     EXPECT_TRUE(bed_from_sensor.linear().col(2).isApprox(-Point3::UnitZ(), 1e-9)) << name;
   }
 }
@@ -135,8 +156,8 @@ TEST(Machine, RefusesAnUnknownNameAndListsTheKnown) {
     FAIL() << "an unknown machine was found";
   } catch (const InvalidConfig& error) {
     EXPECT_STREQ(error.what(),
-                 "machine.name is 'delta'; must be one of cartesian_gantry, drop_printer, "
-                 "gantry_45");
+                 "machine.name is 'delta'; must be one of belt_45, cartesian_gantry, drop_printer, "
+                 "gantry_45, large_gantry_45, large_gantry_45_reverse");
   }
 }
 
@@ -152,10 +173,10 @@ TEST(Machine, DescriptionIsTheFileOfItsName) {
     EXPECT_EQ(machineByName(name).urdf, readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/" + name + ".urdf"));
 }
 
-TEST(Machine, TheSensorOfEachMachineLooks25MillimetresBesideTheNozzle) {
-  for (const std::string& name : machineNames()) {
+TEST(Machine, TheSensorMeetsTheLevelOfTheNozzleStraightBeneathItself) {
+  for (const auto& [name, place] : kSensors) {
     const Point2 offset = sensorOffset(machineByName(name));
-    EXPECT_NEAR(offset.x(), 25.0, 1e-6) << name;
+    EXPECT_NEAR(offset.x(), place.x(), 1e-6) << name;
     EXPECT_NEAR(offset.y(), 0.0, 1e-6) << name;
   }
 }

@@ -46,6 +46,7 @@ MachineToolpath machineToolpath() {
   MachineToolpath placed;
   placed.toolpath.part_name = "wall";
   placed.toolpath.layers = {{0.3, 0.3, {wall, travel, fill, drop}}, {0.6, 0.3, {}}};
+  placed.toolpath.part_from_layers = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Point3::UnitX()));
   placed.id = toolpathId(placed.toolpath);
   placed.machine = "gantry";
   placed.bed_from_part = Eigen::Translation3d(100.0, 90.0, 0.0) * Eigen::AngleAxisd(0.5, Point3::UnitZ());
@@ -84,6 +85,7 @@ TEST(Conversions, CarryAToolpathThereAndBack) {
   EXPECT_EQ(back.machine, there.machine);
   EXPECT_EQ(back.toolpath.part_name, there.toolpath.part_name);
   EXPECT_TRUE(back.bed_from_part.isApprox(there.bed_from_part, kRelative));
+  EXPECT_EQ(back.toolpath.part_from_layers.coeffs(), there.toolpath.part_from_layers.coeffs());
   ASSERT_EQ(back.toolpath.layers.size(), there.toolpath.layers.size());
   ASSERT_EQ(back.toolpath.layers[0].paths.size(), there.toolpath.layers[0].paths.size());
   for (std::size_t p = 0; p < there.toolpath.layers[0].paths.size(); ++p) {

@@ -56,7 +56,7 @@ DropVoidReport reportDropVoids(const DropProgram& program, const DropVoidSetting
 
 /// A toolpath with its voids between drops filled: behind each layer a run of drops, to which and from which
 /// it travels. Paths of beads stay as they are.
-/// @throws Cancelled
+/// @throws InvalidInput if the layers are inclined; Cancelled
 Toolpath withDropVoidsFilled(Toolpath toolpath, const DropVoidSettings& settings, double travel_feed_mm_s,
                              Progress& progress);
 

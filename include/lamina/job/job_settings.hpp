@@ -54,7 +54,8 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
 
 /// Checks what a part is sliced by, whatever way the values came there.
 /// @throws InvalidConfig naming key, value and bound; also if settings contradict the strategy
-///   (`requireConsistent`), or if drop_voids.fill is set for beads
+///   (`requireConsistent`), if drop_voids.fill is set for beads, or if scans or skirts are asked for on
+///   inclined layers
 void validate(const JobSettings& settings);
 
 }  // namespace lamina

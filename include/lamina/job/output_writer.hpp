@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/program/text_sink.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
-/// What becomes a file: a toolpath and where its part stands on the bed.
+/// What becomes a file: a toolpath, where its part stands, and the axes that a program speaks of.
 struct PlacedToolpath {
   const Toolpath& toolpath;
-  const Eigen::Isometry3d& bed_from_part;
+  ProgramFrame frame;
 };
 
 /// Writes a toolpath in one format.

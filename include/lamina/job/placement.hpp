@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/machine.hpp"
 
 namespace lamina {
 
@@ -16,5 +17,9 @@ enum class Placement {
 
 /// bed_from_part [mm] of a part with this box. Turns nothing.
 Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placement placement);
+
+/// The same on a machine: over the middle of its reach. Along an endless axis, a belt, the part begins where
+/// the axis does: every point of its box is at the low end or beyond it.
+Eigen::Isometry3d placePart(const Box3& part, const Machine& machine, Placement placement);
 
 }  // namespace lamina

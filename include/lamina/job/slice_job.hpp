@@ -19,7 +19,7 @@ struct SliceJob {
   JobSettings settings;
 };
 
-/// A part ready to print. The toolpath keeps the coordinates of the part's file.
+/// A part ready to print. The toolpath keeps the coordinates of the part's file, inclined layers too.
 struct SlicedPart {
   Toolpath toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/fill_starts.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/toolpath/repositions.hpp"
@@ -21,6 +22,7 @@ struct SliceSummary {
   std::size_t deposition_runs = 0;
   Repositions repositions;
   FillStarts starts;
+  AnchoredStarts anchored;
   double mesh_volume_mm3 = 0.0;    ///< of the repaired mesh
   double sliced_volume_mm3 = 0.0;  ///< signed area of the contours times layer height
   double deposition_mm = 0.0;

@@ -21,6 +21,9 @@ struct MachineAxis {
   double max_speed_mm_s = 0.0;
 };
 
+/// Whether the axis goes on without end, as that of a belt: its range is 1 km or more.
+bool isEndless(const MachineAxis& axis);
+
 /// Values of the machine's axes in the order of `Machine::axes` [mm].
 using AxisValues = Eigen::Vector3d;
 
@@ -56,6 +59,15 @@ Eigen::Isometry3d bedFromNozzle(const Machine& machine, const AxisValues& values
 /// Axis values that bring the nozzle tip to a position. The limits are not looked at.
 /// @param position  [mm, bed frame]
 AxisValues axisValues(const Machine& machine, const Point3& position);
+
+/// Axis values of positions of the nozzle tip [mm, bed frame]. On a belt printer inclined by a it is a shear:
+/// z / sin a goes up the incline, and the belt goes by -y + z cot a, the same for a whole layer.
+Eigen::Affine3d axesFromBed(const Machine& machine);
+
+/// What programs for the machine speak: coordinates of the bed (the identity, to the last bit) where the axes
+/// stand at right angles, as firmware counts them whichever of bed and nozzle moves; axis values where they
+/// do not, as firmware of belt printers does.
+Eigen::Affine3d programFromBed(const Machine& machine);
 
 /// Axis values that bring the nozzle to a pose. The turn about the jet is free.
 /// @throws Unreachable if the jet is another than the machine's by more than 0.01 deg (gives the angle), or

@@ -17,6 +17,7 @@ class LayerClock {
  public:
   /// @param bed_from_part  turned about z at most: layers stay level; translation [mm]
   /// @param clearance_mm   that the scan passes were planned with
+  /// @throws InvalidInput if the layers are inclined
   LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, double clearance_mm);
 
   /// The layer being scanned while the nozzle is at that height [mm, bed frame], if one is: its scan height

@@ -6,6 +6,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/infill/fill_settings.hpp"
+#include "lamina/planning/anchoring.hpp"
 
 namespace lamina {
 
@@ -77,15 +78,16 @@ struct PlanSettings {
   InfillSettings infill;
   FillSettings fill;
   VoidSettings voids;
-  SkirtSettings skirt;
+  SkirtSettings skirt;  ///< of level layers
+  AnchorSettings anchoring;
   SeamSettings seam;
   TravelSettings travel;
   FeedSettings feed;
   double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
 };
 
-/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, seam.*, travel.*,
-/// feed.* and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, anchoring.*,
+/// seam.*, travel.*, feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/fill_starts.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/layer.hpp"
@@ -25,6 +26,7 @@ struct Plan {
   Toolpath toolpath;
   Refilling refilling;
   FillStarts starts;           ///< of all layers
+  AnchoredStarts anchored;     ///< of all layers
   double unprinted_mm3 = 0.0;  ///< of what gets no bead or drop: too thin, or left out whole by a solid fill
 };
 
@@ -32,6 +34,13 @@ struct Plan {
 /// @throws as it does
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               Progress& progress);
+
+/// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
+/// bed, and with the starts of runs as `anchoring.strategy` says.
+/// @param bed  beneath the layers, in their frame
+/// @throws as `planToolpath`
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const BedPlane& bed, Progress& progress);
 
 /// The toolpath of a part cut into planar layers: skirt, walls and infill of each layer, ordered to shorten
 /// travel and joined by travel paths. The nozzle points down; its tip runs at the top of each layer. Layers

@@ -28,7 +28,8 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 ///
 /// @param toolpath       planar layers; satisfies `validate`, and so does the result
 /// @param sensor_offset  of the line's middle from the nozzle, in the part's x and y [mm]
-/// @throws InvalidConfig if the swath is not longer than 0
+/// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned that are
+/// inclined
 Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);
 
 }  // namespace lamina

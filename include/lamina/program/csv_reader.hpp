@@ -10,8 +10,8 @@
 namespace lamina {
 
 /// The toolpath that `writeCsv` wrote. What the rows do not hold is taken thus: a layer lies at the height of
-/// its highest deposited waypoint and is as high as its first deposited bead; layers whose number is skipped
-/// have no paths; nothing is retracted.
+/// its highest deposited waypoint (along its normal) and is as high as its first deposited bead; layers whose
+/// number is skipped have no paths; nothing is retracted.
 ///
 /// @throws InvalidProgram if the header differs, a row has another number of fields or one that is no number,
 /// the rows'

@@ -32,7 +32,8 @@ struct GcodeHandlers {
   std::function<void(const GcodeMotion&)> motion;
   std::function<void(std::size_t line, double seconds)> dwell;  ///< G4
   std::function<void(std::size_t line, std::string_view command)>
-      other;  ///< heaters, fans, tools, homing, unknown
+      other;                                           ///< heaters, fans, tools, homing, unknown
+  std::function<void(std::string_view)> comment = {};  ///< without its semicolon or brackets
 };
 
 struct GcodeReaderSettings {

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Geometry>
-
+#include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/program/text_sink.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
-/// Writes the toolpath as G-code (Marlin flavour), in bed coordinates.
+/// Writes the toolpath as G-code (Marlin flavour), in the coordinates that the frame's axes give: those of
+/// the bed as a rule.
 ///
 /// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer
 /// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only
@@ -24,18 +24,23 @@ namespace lamina {
 /// its role before each run of drops, and for each drop a motion and the command that lets it go. It holds no
 /// extrusion and no retraction.
 ///
+/// Inclined layers, another nozzle than one that points straight down, and axes askew to the bed are told in
+/// the header (`frameComments`); `;Z:` is the height of a layer along its normal. Each waypoint has its own
+/// Z. Extrusion follows from lengths over the bed whatever the axes, and feeds are those at which the axes
+/// move when the nozzle has its own over the bed.
+///
 /// The nozzle travels to the first waypoint height first, then across. Material is pulled back and pushed
 /// forth at retracted paths; consecutive retracted paths share one retraction. Layers are written by all
 /// threads in bounded memory; the bytes are the same whatever their number.
 ///
-/// @param bed_from_part  where the part stands on the bed [mm]
+/// @param frame  where the part stands on the bed [mm]
 /// @throws InvalidInput if the toolpath holds no motion, both beads and drops, or drops of several diameters,
 /// a number is not finite or beyond 10 km, a feed is not
-///   positive, or the nozzle does not point straight down in the bed frame; names layer, path and waypoint.
+///   positive, or the nozzle would have to turn; names layer, path and waypoint.
 ///   All of it is checked before the first piece is written.
 /// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c} and
 ///   {bed_temperature_c}. A line whose placeholder stands for 0 °C is left out.
-void writeGcode(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                const ProgramSettings& settings, const TextSink& sink);
+void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                const TextSink& sink);
 
 }  // namespace lamina

@@ -26,7 +26,7 @@ struct InsertionSettings {
 /// without runs is left alone; without any run the result is the program.
 ///
 /// @param runs  layer by layer as in `toolpathFromGcode`, which `toolpath` is the result of; in its frame
-/// @throws InvalidInput if there are not as many layers
+/// @throws InvalidInput if there are not as many layers, or they are inclined
 /// @throws InvalidProgram if the program uses inches, relative positions while it deposits, or moves its
 /// origin
 std::string insertRuns(std::string_view program, const Toolpath& toolpath,

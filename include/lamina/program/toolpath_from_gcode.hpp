@@ -13,7 +13,8 @@
 
 namespace lamina {
 
-/// Builds the toolpath that a program prints, in machine coordinates, from its motions.
+/// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. These are those of
+/// the program unless its comments tell another frame.
 ///
 /// A motion that pushes filament forth deposits; every other is travel, which is retracted from where
 /// filament is pulled back alone until it is pushed forth alone. A path ends where kind or role change, where
@@ -29,6 +30,8 @@ class ToolpathBuilder {
   explicit ToolpathBuilder(const ProgramSettings& settings);
   ~ToolpathBuilder();
 
+  /// Takes in a comment that may tell the program's frame (`readFrameComment`); stands before the motions.
+  void tell(std::string_view comment);
   void add(const GcodeMotion& motion);
   /// The toolpath so far; the builder is empty afterwards.
   Toolpath finish(const std::string& part_name);

@@ -6,8 +6,22 @@
 
 namespace lamina {
 
+/// How the nozzle is held over inclined layers.
+enum class Jet {
+  Normal,  ///< along the layers' normal
+  Down,    ///< straight down, by a head that cannot tilt
+};
+
+/// How the layers lie: turned by `angle_deg` about a horizontal axis (`partFromLayers`).
+struct PlaneSettings {
+  double angle_deg = 0.0;
+  double axis_heading_deg = 0.0;  ///< of that axis, from x towards y: 0 is x, 90 is y
+  Jet jet = Jet::Normal;
+};
+
 /// How a part is cut into layers.
 struct SlicingSettings {
+  PlaneSettings plane;
   double layer_height_mm = 0.2;
   double first_layer_height_mm = 0.2;
 };

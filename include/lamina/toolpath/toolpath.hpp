@@ -96,7 +96,7 @@ struct Path {
 /// Paths of one layer in the order they are run. Consecutive paths join end to start: where nothing is
 /// deposited in between, a Travel path stands between them.
 struct ToolpathLayer {
-  double z_mm = 0.0;       ///< height of the nozzle tip [part frame]: the top of the layer
+  double z_mm = 0.0;       ///< height of the nozzle tip [frame of the layers]: the top of the layer
   double height_mm = 0.0;  ///< from the layer beneath
   std::vector<Path> paths;
 };
@@ -106,6 +106,9 @@ struct ToolpathLayer {
 struct Toolpath {
   std::string part_name;
   std::vector<ToolpathLayer> layers;
+  /// Turn of the layers about the part's origin: a layer is where the z of this frame is its `z_mm`.
+  /// Waypoints are in the part frame all the same.
+  Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
 };
 
 /// Nozzle pointing straight down: its z (the jet) along -z of the part, its x along x of the part.

@@ -54,7 +54,7 @@ LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const V
 
 /// The same for all layers, side by side.
 /// @param contours  one per layer
-/// @throws InvalidInput if they are not as many; Cancelled
+/// @throws InvalidInput if they are not as many, or the layers are inclined; Cancelled
 std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const Toolpath& toolpath,
                                   const VoidMapSettings& settings, Progress& progress);
 

@@ -6,6 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -178,6 +179,7 @@ FilledDropProgram fillDropProgram(const DropProgram& program, const DropVoidSett
 
 Toolpath withDropVoidsFilled(Toolpath toolpath, const DropVoidSettings& settings, double travel_feed_mm_s,
                              Progress& progress) {
+  requireLevelLayers(toolpath, "filling the voids between drops");
   std::vector<DropLayer> layers;
   for (const ToolpathLayer& layer : toolpath.layers) layers.push_back(layerOf(layer));
   const DropVoidReport found = report(layers, settings, progress);

@@ -20,6 +20,22 @@ void describe(SettingsSchema& schema, InputSettings& input) {
                               "Whether a broken mesh is repaired or refused.");
 }
 
+/// Over inclined layers no line of a sensor lies level, and no loop round them keeps to the bed.
+void requireConsistentPlane(const JobSettings& settings) {
+  const double angle_deg = settings.slicing.plane.angle_deg;
+  if (angle_deg == 0.0) return;
+  const std::string inclined = " with slicing.plane.angle_deg " + std::to_string(angle_deg);
+  if (settings.scan.every_layers != 0)
+    throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + inclined +
+                        "; expected 0: only level layers are scanned");
+  const SkirtSettings usual;
+  const int count = settings.planning.skirt.count;
+  if (count != 0 && count != usual.count)
+    throw InvalidConfig("skirt.count is " + std::to_string(count) + inclined +
+                        "; expected 0 or the default " + std::to_string(usual.count) +
+                        ": only level layers have a skirt");
+}
+
 }  // namespace
 
 void describe(SettingsSchema& schema, JobSettings& settings) {
@@ -53,6 +69,7 @@ void validate(const JobSettings& settings) {
   describe(schema, checked);
   schema.validate();
   requireConsistent(settings.planning);
+  requireConsistentPlane(settings);
   const std::string& strategy = settings.planning.infill.strategy;
   if (settings.drop_voids.is_on && infillStrategy(strategy).deposit != Deposit::Drops)
     throw InvalidConfig(

@@ -18,10 +18,8 @@ std::map<std::string, OutputWriter> registry() {
   return {
       {".csv", [](const PlacedToolpath& placed, const ProgramSettings&,
                   const TextSink& sink) { writeCsv(placed.toolpath, sink); }},
-      {".gcode",
-       [](const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
-         writeGcode(placed.toolpath, placed.bed_from_part, settings, sink);
-       }},
+      {".gcode", [](const PlacedToolpath& placed, const ProgramSettings& settings,
+                    const TextSink& sink) { writeGcode(placed.toolpath, placed.frame, settings, sink); }},
   };
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "job/inclined_layers.hpp"
 #include "job/part_source.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
@@ -19,6 +20,7 @@
 #include "lamina/kinematics/machine.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
+#include "lamina/slicing/layer_plane.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -45,11 +47,14 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-std::vector<Layer> sliceIntoLayers(const SourcePart& source, const Box3& box, const SlicingSettings& settings,
+/// @param source  turned so that the layers are level
+std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettings& settings,
                                    Progress& progress) {
+  const Box3 box = boundingBox(source.mesh);
   const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
   if (slabs.empty())
-    throw InvalidInput("the part is " + std::to_string(box.size().z()) + " mm high; the first layer of " +
+    throw InvalidInput("the part is " + std::to_string(box.size().z()) +
+                       " mm high across its layers; the first layer of " +
                        std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
   std::vector<double> heights;
   heights.reserve(slabs.size());
@@ -121,7 +126,7 @@ void requireFits(const Box3& part, const Box3& bed, const std::string& machine) 
                     sizeText(bed.size()));
 }
 
-/// Reads and slices; the mesh is gone when the layers are planned.
+/// Reads and slices; the mesh is gone when the layers are planned, and is turned in its own memory.
 std::vector<Layer> layersOf(const SliceJob& job, const Machine& machine, SlicedPart& sliced,
                             Progress& progress) {
   Laps laps;
@@ -130,22 +135,35 @@ std::vector<Layer> layersOf(const SliceJob& job, const Machine& machine, SlicedP
   const Box3 box = boundingBox(source.mesh);
   const Box3 bed = workspace(machine);
   requireFits(box, bed, machine.name);
-  sliced.bed_from_part = placePart(box, bed.centre().head<2>(), job.settings.placement);
+  sliced.bed_from_part = placePart(box, machine, job.settings.placement);
   sliced.summary.triangles = source.mesh.triangles.size();
   sliced.summary.mesh_volume_mm3 = volume(source.mesh);
   sliced.summary.repairs = std::move(source.repairs);
   sliced.summary.read_s = laps.lap();
-  std::vector<Layer> layers = sliceIntoLayers(source, box, job.settings.slicing, progress);
+  const PlaneSettings& plane = job.settings.slicing.plane;
+  if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
+  std::vector<Layer> layers = sliceIntoLayers(source, job.settings.slicing, progress);
   addSections(sliced.summary, layers);
   sliced.summary.slice_s = laps.lap();
   return layers;
 }
 
-void write(const SliceJob& job, const SlicedPart& sliced) {
+/// In the frame of the layers.
+Plan planOf(const SliceJob& job, const std::vector<Layer>& layers, const Eigen::Isometry3d& bed_from_part,
+            Progress& progress) {
+  const std::string name = std::filesystem::path(job.part).stem().string();
+  const PlaneSettings& plane = job.settings.slicing.plane;
+  if (plane.angle_deg == 0.0) return planPart(name, layers, job.settings.planning, progress);
+  return planPart(name, layers, job.settings.planning, bedBeneath(plane, bed_from_part), progress);
+}
+
+void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
   if (job.output.empty()) return;
   ProgramSettings program = job.settings.program;
   program.strategy = job.settings.planning.infill.strategy;
-  writeOutput(job.output, {sliced.toolpath, sliced.bed_from_part}, program);
+  ProgramFrame frame(sliced.bed_from_part);
+  frame.program_from_bed = programFromBed(machine);
+  writeOutput(job.output, {sliced.toolpath, frame}, program);
 }
 
 }  // namespace
@@ -156,21 +174,23 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   if (!job.output.empty()) outputWriterFor(job.output);
   requireApart({job.output}, {job.part});
   const Machine machine = machineByName(job.settings.machine.name);
+  requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);
   Laps laps;
-  Plan plan =
-      planPart(std::filesystem::path(job.part).stem().string(), layers, job.settings.planning, progress);
+  Plan plan = planOf(job, layers, sliced.bed_from_part, progress);
   sliced.toolpath = std::move(plan.toolpath);
   sliced.summary.unprinted_mm3 = plan.unprinted_mm3;
   sliced.summary.refilling = plan.refilling;
   sliced.summary.starts = plan.starts;
+  sliced.summary.anchored = plan.anchored;
   layers = {};
   if (job.settings.drop_voids.is_on)
     sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,
                                           job.settings.planning.travel.feed_mm_s, progress);
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
+  sliced.toolpath = inPartFrame(std::move(sliced.toolpath), job.settings.slicing.plane);
   addToolpath(sliced.summary, sliced.toolpath);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   sliced.summary.plan_s = laps.lap();
@@ -179,7 +199,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
   inParallel(
       [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
-      [&] { write(job, sliced); });
+      [&] { write(job, machine, sliced); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

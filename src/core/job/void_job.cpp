@@ -12,6 +12,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 #include "lamina/slicing/planar_slicer.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -63,6 +64,7 @@ std::vector<LayerVoids> missingLayers(const Toolpath& program, const SourcePart&
 
 PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress) {
   if (job.offset) requireFinite(*job.offset);
+  requireLevelLayers(program, "the void map");
   if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}};
   const SourcePart source = readPart(job.part, job.settings.input);
   const Box3 box = boundingBox(source.mesh);

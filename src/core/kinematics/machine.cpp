@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -12,6 +13,8 @@ namespace lamina {
 namespace {
 
 constexpr double kJetTolerance = 0.01 * M_PI / 180.0;  // far beneath what a head is built to
+constexpr double kEndless = 1e6;                       // mm
+constexpr double kRightAngle = 1e-6;                   // rad: digits of a URDF
 constexpr double kLimitTolerance = 1e-6;               // mm: rounding of transforms
 
 Eigen::Matrix3d directions(const Machine& machine) {
@@ -30,7 +33,8 @@ std::string number(double value) {
 std::string limitFault(const Machine& machine, const AxisValues& values) {
   for (int i = 0; i < 3; ++i) {
     const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
-    if (values[i] >= axis.low_mm - kLimitTolerance && values[i] <= axis.high_mm + kLimitTolerance) continue;
+    const double high_mm = isEndless(axis) ? std::numeric_limits<double>::max() : axis.high_mm;
+    if (values[i] >= axis.low_mm - kLimitTolerance && values[i] <= high_mm + kLimitTolerance) continue;
     return "axis " + axis.name + " would be at " + number(values[i]) + " mm; " + machine.name + " reaches " +
            number(axis.low_mm) + " to " + number(axis.high_mm) + " mm";
   }
@@ -81,6 +85,8 @@ std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
 
 }  // namespace
 
+bool isEndless(const MachineAxis& axis) { return axis.high_mm - axis.low_mm >= kEndless; }
+
 Box3 workspace(const Machine& machine) {
   Box3 box;
   for (int corner = 0; corner < 8; ++corner) {
@@ -108,6 +114,19 @@ Point2 sensorOffset(const Machine& machine) {
 
 AxisValues axisValues(const Machine& machine, const Point3& position) {
   return directions(machine).inverse() * (position - machine.bed_from_nozzle_at_zero.translation());
+}
+
+Eigen::Affine3d axesFromBed(const Machine& machine) {
+  Eigen::Affine3d axes = Eigen::Affine3d::Identity();
+  axes.linear() = directions(machine).inverse();
+  axes.translation() = -axes.linear() * machine.bed_from_nozzle_at_zero.translation();
+  return axes;
+}
+
+Eigen::Affine3d programFromBed(const Machine& machine) {
+  const Eigen::Matrix3d columns = directions(machine);
+  const bool has_right_angles = (columns.transpose() * columns).isIdentity(kRightAngle);
+  return has_right_angles ? Eigen::Affine3d::Identity() : axesFromBed(machine);
 }
 
 AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle) {

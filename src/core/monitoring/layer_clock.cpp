@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/scan_height.hpp"
 
 namespace lamina {
@@ -17,6 +18,7 @@ constexpr double kSteady =
 
 LayerClock::LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                        double clearance_mm) {
+  requireLevelLayers(toolpath, "the height monitor");
   const auto onBed = [&bed_from_part](double z) { return (bed_from_part * Point3(0.0, 0.0, z)).z(); };
   for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
     const ToolpathLayer& layer = toolpath.layers[i];

@@ -73,6 +73,10 @@ Projection::Projection(PictureView view) : elevation_(view == PictureView::Top ?
   plane_from_part_.row(1) = std::sin(elevation_) * into_ + std::cos(elevation_) * Point3::UnitZ();
 }
 
+Point3 Projection::towardsViewer() const {
+  return std::sin(elevation_) * Point3::UnitZ() - std::cos(elevation_) * into_;
+}
+
 double Projection::seenHeight(const Bead& bead) const {
   return bead.width_mm * std::sin(elevation_) + bead.height_mm * std::cos(elevation_);
 }

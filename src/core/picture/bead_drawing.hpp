@@ -14,6 +14,7 @@ class Projection {
 
   /// In the plane of the picture [mm].
   Point2 operator()(const Point3& point) const { return plane_from_part_ * point; }
+  Point3 towardsViewer() const;
   /// Height of a bead as it is seen [mm].
   double seenHeight(const Bead& bead) const;
   /// Light on the side of a bead that runs in this direction, about 0.6 to 1.

@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/picture/annotation.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "picture/bead_drawing.hpp"
 
 namespace lamina {
@@ -98,13 +99,26 @@ Box2 seenBox(const Projection& projection, const Toolpath& toolpath, const Box3&
   return seen;
 }
 
+/// The layers as the viewer sees them behind each other, the farthest first.
+std::vector<const ToolpathLayer*> fromFarthest(const Toolpath& toolpath, const Projection& projection) {
+  std::vector<const ToolpathLayer*> layers;
+  for (const ToolpathLayer& layer : toolpath.layers) layers.push_back(&layer);
+  if (layerNormal(toolpath).dot(projection.towardsViewer()) < 0.0) std::reverse(layers.begin(), layers.end());
+  return layers;
+}
+
+/// Inclined layers are told apart by their place in the stack.
 void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                 PictureColour colouring) {
-  const double height = std::max(1e-9, box.size().z());
+  const ToolpathLayer& first = toolpath.layers.front();
+  const bool is_inclined = isInclined(toolpath);
+  const double low = is_inclined ? first.z_mm - first.height_mm : box.low.z();
+  const double height = std::max(1e-9, is_inclined ? toolpath.layers.back().z_mm - low : box.size().z());
   double stripe = 1.0;  // every other layer a little darker where layers are large enough to be told apart
-  for (const ToolpathLayer& layer : toolpath.layers) {
+  for (const ToolpathLayer* each : fromFarthest(toolpath, projection)) {
+    const ToolpathLayer& layer = *each;
     stripe = stripe == 1.0 && layer.height_mm * canvas.pixelsPerMm() > kStripeHeight ? 0.94 : 1.0;
-    const Colour of_height = colourAt(ColourMap::Sequential, (layer.z_mm - box.low.z()) / height);
+    const Colour of_height = colourAt(ColourMap::Sequential, (layer.z_mm - low) / height);
     for (const PathRole role : kDrawingOrder) {
       const Colour colour = shaded(colouring == PictureColour::Role ? roleColour(role) : of_height, stripe);
       for (const Path& path : layer.paths)
@@ -157,6 +171,7 @@ Toolpath layerAlone(const Toolpath& toolpath, std::size_t layer) {
                        " layers, the first is 0");
   Toolpath alone;
   alone.part_name = toolpath.part_name;
+  alone.part_from_layers = toolpath.part_from_layers;
   alone.layers.push_back(toolpath.layers[layer]);
   return alone;
 }
@@ -243,7 +258,7 @@ void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const Toolpa
 
 void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerOverlay& overlay,
                        const ToolpathPictureSettings& settings, const std::string& png_path) {
-  const Toolpath alone = layerAlone(toolpath, layer);
+  const Toolpath alone = inLayerFrame(layerAlone(toolpath, layer));
   const ToolpathLayer& drawn = alone.layers.front();
   const Box3 box = requireDeposition(alone);
 
@@ -263,6 +278,7 @@ void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerO
   std::string subtitle = formatted(
       "top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel", drawn.z_mm,
       drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3, sums.travel_mm / 1e3);
+  if (isInclined(toolpath)) subtitle += formatted("  ·  inclined by %.2f deg", inclinationDeg(toolpath));
   if (!overlay.remark.empty()) subtitle += "  ·  " + overlay.remark;
   drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer), subtitle);
   const double base = flat.height_px - 30.0;

@@ -12,6 +12,9 @@
 #include "lamina/geometry/offset.hpp"
 #include "lamina/geometry/simplify.hpp"
 #include "lamina/voids/refill.hpp"
+#include "planning/anchored_run.hpp"
+#include "planning/bed_side.hpp"
+#include "planning/footing.hpp"
 #include "planning/ordering.hpp"
 #include "planning/run_path.hpp"
 #include "planning/seam.hpp"
@@ -36,15 +39,29 @@ double feedOf(PathRole role, const FeedSettings& feed) {
   }
 }
 
+bool isAnchored(const PlanContext& context) {
+  return context.bed && context.settings.anchoring.strategy == Anchoring::SupportedStart;
+}
+
+/// Where the nozzle begins: an inclined layer at the bed.
+Point2 anchorOf(const Layer& layer, const PlanContext& context) {
+  if (!isAnchored(context)) return context.anchor;
+  return bedSide(layer, *context.bed).value_or(context.anchor);
+}
+
 class LayerPlanner {
  public:
-  LayerPlanner(const Layer& layer, std::size_t index, const PlanContext& context)
+  LayerPlanner(const StackedLayer& stacked, std::size_t index, const PlanContext& context)
       : context_(context),
         settings_(context.settings),
         index_(index),
-        seam_(settings_.seam, context.anchor, index),
-        nozzle_(context.anchor),
-        top_(layer.slab.top_mm) {
+        nozzle_(anchorOf(*stacked.layer, context)),
+        seam_(settings_.seam, nozzle_, index),
+        top_(stacked.layer->slab.top_mm) {
+    const Layer& layer = *stacked.layer;
+    if (isAnchored(context))
+      footing_.emplace(layer, stacked.beneath, *context.bed,
+                       Bead{settings_.bead.width_mm, layer.slab.height()});
     result_.z_mm = layer.slab.top_mm;
     result_.height_mm = layer.slab.height();
     bead_ = {settings_.bead.width_mm, result_.height_mm};
@@ -53,7 +70,7 @@ class LayerPlanner {
 
   PlannedLayer plan(const std::vector<Polygon>& contours) && {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
-    if (index_ == 0 && !laysDrops())
+    if (index_ == 0 && !laysDrops() && !context_.bed)
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
     if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<RunEnds> islands;
@@ -68,7 +85,7 @@ class LayerPlanner {
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
     }
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
-    return {std::move(result_), unprinted_mm2_, refilling_, starts_};
+    return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_};
   }
 
  private:
@@ -200,6 +217,15 @@ class LayerPlanner {
   }
 
   void addRun(const FillPath& run, TravelOver over) {
+    if (!footing_) return layRun(run, over);
+    const std::vector<FillPath> parts =
+        anchored(run, [this](const Point2& point) { return footing_->carries(point); });
+    const bool is_moved = parts.front().points.front() != run.points.front();
+    if (is_moved) ++moved_starts_;
+    for (const FillPath& part : parts) layRun(part, is_moved ? TravelOver::Anything : over);
+  }
+
+  void layRun(const FillPath& run, TravelOver over) {
     const double feed = feedOf(run.role, settings_.feed);
     Path path = pathAlong(run, beadOf(run), top_,
                           index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed);
@@ -222,9 +248,11 @@ class LayerPlanner {
   const PlanContext& context_;
   const PlanSettings& settings_;
   std::size_t index_;
-  Seam seam_;
   Point2 nozzle_;
+  Seam seam_;
   double top_;
+  std::optional<Footing> footing_;  ///< of runs that are to be anchored
+  std::size_t moved_starts_ = 0;
   Bead bead_;           ///< nominal
   double pitch_ = 0.0;  ///< between neighbouring beads [mm]
   double unprinted_mm2_ = 0.0;
@@ -236,8 +264,8 @@ class LayerPlanner {
 
 }  // namespace
 
-PlannedLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context) {
-  return LayerPlanner(layer, index, context).plan(layer.section.contours);
+PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
+  return LayerPlanner(stacked, index, context).plan(stacked.layer->section.contours);
 }
 
 }  // namespace lamina

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "lamina/infill/strategy.hpp"
+#include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
@@ -17,6 +20,13 @@ struct PlanContext {
   PlanSettings settings;
   InfillStrategy strategy;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
+  std::optional<BedPlane> bed;     ///< beneath inclined layers
+};
+
+/// A layer and the one it is laid on, if there is one.
+struct StackedLayer {
+  const Layer* layer = nullptr;
+  const Layer* beneath = nullptr;
 };
 
 /// The paths of one layer.
@@ -25,11 +35,13 @@ struct PlannedLayer {
   double unprinted_mm2 = 0.0;  ///< of what gets no bead or drop
   Refilling refilling;
   FillStarts starts;
+  std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
 };
 
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
-/// layers can be planned side by side.
+/// layers can be planned side by side. An inclined layer is begun at the bed, and its runs are anchored on
+/// the layer before.
 /// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
-PlannedLayer planLayer(const Layer& layer, std::size_t index, const PlanContext& context);
+PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context);
 
 }  // namespace lamina

@@ -47,7 +47,8 @@ void describe(SettingsSchema& schema, VoidSettings& voids) {
 }
 
 void describe(SettingsSchema& schema, SkirtSettings& skirt) {
-  schema.integer("skirt.count", skirt.count, {0, 1000, false}, "Number of loops round the first layer.");
+  schema.integer("skirt.count", skirt.count, {0, 1000, false},
+                 "Number of loops round the first layer; inclined layers have none.");
   schema.number("skirt.distance_mm", skirt.distance_mm, {0.0, 1000.0, false},
                 "Free space between part and skirt.");
 }
@@ -87,6 +88,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.fill);
   describe(schema, settings.voids);
   describe(schema, settings.skirt);
+  describe(schema, settings.anchoring);
   describe(schema, settings.seam);
   describe(schema, settings.travel);
   describe(schema, settings.feed);

@@ -6,8 +6,10 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/plan_consistency.hpp"
+#include "planning/anchored_starts.hpp"
 #include "planning/layer_chain.hpp"
 #include "planning/layer_planner.hpp"
+#include "planning/near_origin.hpp"
 #include "planning/rising_wall.hpp"
 #include "planning/travel.hpp"
 
@@ -77,8 +79,49 @@ Plan inOne(std::vector<PlannedLayer> planned) {
     plan.refilling.runs += each.refilling.runs;
     plan.refilling.deposited_mm3 += each.refilling.deposited_mm3;
     plan.starts += each.starts;
+    plan.anchored.moved += each.moved_starts;
     plan.toolpath.layers.push_back(std::move(each.layer));
   }
+  return plan;
+}
+
+StackedLayer stackedAt(const std::vector<Layer>& layers, std::size_t index) {
+  return {&layers[index], index > 0 ? &layers[index - 1] : nullptr};
+}
+
+/// An inclined layer far out on a belt is planned near the origin.
+PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
+  const Point2 away = context.bed ? distanceFromOrigin(*stacked.layer) : Point2(Point2::Zero());
+  if (away.isZero()) return planLayer(stacked, index, context);
+  const Layer layer = moved(*stacked.layer, -away);
+  const Layer beneath = stacked.beneath != nullptr ? moved(*stacked.beneath, -away) : Layer{};
+  PlanContext near = context;
+  near.anchor -= away;
+  near.bed->level_mm -= near.bed->up.head<2>().dot(away);
+  PlannedLayer planned = planLayer({&layer, stacked.beneath != nullptr ? &beneath : nullptr}, index, near);
+  for (Path& path : planned.layer.paths)
+    for (Point3& point : path.points) point.head<2>() += away;
+  return planned;
+}
+
+Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
+  const PlanContext context = wallContext(of_settings);
+  const std::size_t base_layers = baseLayers(context);
+  const PlanContext base = baseContext(context);
+  std::vector<PlannedLayer> planned(layers.size());
+  parallelFor(
+      layers.size(),
+      [&](std::size_t i) {
+        planned[i] = planAnywhere(stackedAt(layers, i), i, i < base_layers ? base : context);
+      },
+      progress, "plan");
+  Plan plan = inOne(std::move(planned));
+  std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
+  if (context.strategy.link == LayerLink::Chained) chainLayers(paths, of_settings.settings, context.anchor);
+  if (isVase(context)) raiseWall(paths, base_layers, of_settings.settings.travel);
+  joinLayers(paths, of_settings.settings.travel);
+  if (context.bed)
+    plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
   return plan;
 }
 
@@ -86,20 +129,17 @@ Plan inOne(std::vector<PlannedLayer> planned) {
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               Progress& progress) {
-  const PlanContext context = wallContext(contextFor(layers, settings));
-  const std::size_t base_layers = baseLayers(context);
-  const PlanContext base = baseContext(context);
-  std::vector<PlannedLayer> planned(layers.size());
-  parallelFor(
-      layers.size(),
-      [&](std::size_t i) { planned[i] = planLayer(layers[i], i, i < base_layers ? base : context); },
-      progress, "plan");
-  Plan plan = inOne(std::move(planned));
-  std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
+  Plan plan = planInContext(layers, contextFor(layers, settings), progress);
   plan.toolpath.part_name = part_name;
-  if (context.strategy.link == LayerLink::Chained) chainLayers(paths, settings, context.anchor);
-  if (isVase(context)) raiseWall(paths, base_layers, settings.travel);
-  joinLayers(paths, settings.travel);
+  return plan;
+}
+
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const BedPlane& bed, Progress& progress) {
+  PlanContext context = contextFor(layers, settings);
+  context.bed = bed;
+  Plan plan = planInContext(layers, context, progress);
+  plan.toolpath.part_name = part_name;
   return plan;
 }
 

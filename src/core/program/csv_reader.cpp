@@ -9,6 +9,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/csv_writer.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -44,11 +46,16 @@ class Rows {
     throw InvalidProgram("CSV line " + std::to_string(line_) + ": " + what);
   }
 
-  void readHeader() {
-    const std::string_view header = nextLine();
+  ToldFrame readHeader() {
+    ToldFrame told;
+    std::string_view header = nextLine();
+    for (; !header.empty() && header.front() == '#'; header = nextLine()) {
+      if (!readFrameComment(header.substr(1), told)) refuse("a comment tells no frame");
+    }
     if (header == kDropCsvHeader) fields_ = kDropFields;
     if (header != kCsvHeader && header != kDropCsvHeader)
       refuse(std::string("the header must be ") + kCsvHeader + ", or end in ,deposit");
+    return told;
   }
 
   bool isAtEnd() const { return rest_.empty(); }
@@ -151,12 +158,13 @@ Path pathOf(std::vector<Row> rows, const Rows& source) {
   return path;
 }
 
-void placeLayer(ToolpathLayer& layer) {
+/// @param normal  of the layers
+void placeLayer(ToolpathLayer& layer, const Point3& normal) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const Path& path : layer.paths) {
     if (path.role == PathRole::Travel) continue;
     if (std::isinf(highest)) layer.height_mm = path.bead.at(path.points.size() - 1).height_mm;
-    for (const Point3& point : path.points) highest = std::max(highest, point.z());
+    for (const Point3& point : path.points) highest = std::max(highest, normal.dot(point));
   }
   if (std::isfinite(highest)) layer.z_mm = highest;
 }
@@ -176,7 +184,7 @@ Toolpath readCsv(std::string_view text, const std::string& part_name) {
   Toolpath toolpath;
   toolpath.part_name = part_name;
   Rows source(text);
-  source.readHeader();
+  toolpath.part_from_layers = source.readHeader().bed_from_layers;
   std::vector<Row> rows;
   while (!source.isAtEnd()) {
     const Row row = source.next();
@@ -189,7 +197,7 @@ Toolpath readCsv(std::string_view text, const std::string& part_name) {
     rows.push_back(row);
   }
   if (!rows.empty()) addPath(toolpath, rows.front(), pathOf(rows, source), source);
-  for (ToolpathLayer& layer : toolpath.layers) placeLayer(layer);
+  for (ToolpathLayer& layer : toolpath.layers) placeLayer(layer, layerNormal(toolpath));
   validate(toolpath);
   return toolpath;
 }

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <string>
 
+#include "lamina/program/program_frame.hpp"
 #include "program/layer_batches.hpp"
 
 namespace lamina {
@@ -96,11 +97,21 @@ class PathRows {
   std::string end_;
 };
 
+/// Empty for level layers.
+std::string frameComment(const Toolpath& toolpath) {
+  ToldFrame told;
+  told.bed_from_layers = toolpath.part_from_layers;
+  std::string comment = frameComments(told);
+  if (!comment.empty()) comment.front() = '#';
+  return comment;
+}
+
 }  // namespace
 
 void writeCsv(const Toolpath& toolpath, const TextSink& sink) {
   validate(toolpath);
   const DepositColumn column = laysDrops(toolpath) ? DepositColumn::Yes : DepositColumn::No;
+  sink(frameComment(toolpath));
   sink(std::string(column == DepositColumn::Yes ? kDropCsvHeader : kCsvHeader) + "\n");
   const auto append = [&toolpath, column](std::size_t l, std::string& text) {
     const auto& paths = toolpath.layers[l].paths;

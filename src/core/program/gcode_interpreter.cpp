@@ -52,7 +52,10 @@ void GcodeInterpreter::refuse(const std::string& what) const {
 void GcodeInterpreter::readLine(std::string_view text, std::size_t number) {
   line_ = number;
   const GcodeLine& line = parser_.parse(text, number);
-  for (const std::string_view comment : line.comments) readComment(comment, context_);
+  for (const std::string_view comment : line.comments) {
+    readComment(comment, context_);
+    if (handlers_.comment) handlers_.comment(comment);
+  }
   if (line.is_other && handlers_.other) handlers_.other(number, line.command);
   if (line.words.empty()) return;
   const WordTable words(line);

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "program/extrusion.hpp"
 #include "program/fixed_point.hpp"
 #include "program/layer_batches.hpp"
@@ -17,8 +18,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kLargest = 1e7;        // mm and mm/s: 10 km, far inside what the counts of units can hold
-constexpr double kStraightDown = 1e-6;  // rad: what rounding leaves of a rotation
+constexpr double kLargest = 1e7;   // mm and mm/s: 10 km, far inside what the counts of units can hold
+constexpr double kSameJet = 1e-6;  // rad: what rounding leaves of a rotation
 
 [[noreturn]] void refuse(const Path& path, std::size_t waypoint, const std::string& what) {
   throw InvalidInput(std::string(toString(path.role)) + " path, waypoint " + std::to_string(waypoint) + ": " +
@@ -43,25 +44,27 @@ void requireWritable(const Path& path) {
       refuse(path, i, "bead width and height must be finite and not negative");
 }
 
-void requireStraightDown(const Path& path, const Eigen::Isometry3d& bed_from_part) {
+/// @param jet  of the head, in the part frame
+void requireJet(const Path& path, const Point3& jet) {
   const auto& orientations = path.orientation.values();
   for (std::size_t i = 0; i < orientations.size(); ++i) {
-    const Point3 jet = bed_from_part.linear() * (orientations[i] * Point3::UnitZ());
-    const double tilt = std::atan2(jet.head<2>().norm(), -jet.z());
-    if (!(tilt <= kStraightDown))
+    const Point3 wanted = orientations[i] * Point3::UnitZ();
+    const double turn = std::atan2(jet.cross(wanted).norm(), jet.dot(wanted));
+    if (!(turn <= kSameJet))
       refuse(path, i,
-             "the nozzle is tilted by " + std::to_string(tilt * 180.0 / M_PI) +
-                 " deg from straight down; a three-axis program needs 0");
+             "the nozzle would have to turn by " + std::to_string(turn * 180.0 / M_PI) +
+                 " deg; a three-axis program holds it as at the first waypoint");
   }
 }
 
+Point3 jetOf(const Path& path) { return path.orientation.at(0) * Point3::UnitZ(); }
+
 /// @return filament the layer lays [mm]
-double checkLayer(const ToolpathLayer& layer, const Eigen::Isometry3d& bed_from_part,
-                  double filament_per_volume) {
+double checkLayer(const ToolpathLayer& layer, const Point3& jet, double filament_per_volume) {
   double sum = 0.0;
   for (const Path& path : layer.paths) {
     requireWritable(path);
-    requireStraightDown(path, bed_from_part);
+    requireJet(path, jet);
     if (path.deposit == Deposit::Drops) continue;
     const PathExtrusion extrusion(path, filament_per_volume);
     const std::size_t motions = path.motionCount();
@@ -73,14 +76,14 @@ double checkLayer(const ToolpathLayer& layer, const Eigen::Isometry3d& bed_from_
   return sum;
 }
 
-std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Point3& jet,
                                     const ProgramSettings& settings) {
   const double filament_per_volume = filamentPerVolume(settings);
   std::vector<double> filament_mm(toolpath.layers.size());
   NoProgress nobody;
   const auto check = [&](std::size_t l) {
     try {
-      filament_mm[l] = checkLayer(toolpath.layers[l], bed_from_part, filament_per_volume);
+      filament_mm[l] = checkLayer(toolpath.layers[l], jet, filament_per_volume);
     } catch (const InvalidInput& error) {
       throw InvalidInput("toolpath layer " + std::to_string(l) + ", " + error.what());
     }
@@ -176,6 +179,17 @@ std::string dropHeader(const Path& drops, const ProgramSettings& settings) {
          oneLine(settings.strategy) + "\n;" + dialect.units_key + "=mm\n";
 }
 
+ToldFrame toldFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
+  const Eigen::Quaterniond bed_from_part(frame.bed_from_part.linear());
+  ToldFrame told;
+  told.bed_from_layers = bed_from_part * toolpath.part_from_layers;
+  const Point3 jet = bed_from_part * jetOf(firstPath(toolpath));
+  // The turn about the jet is free: none where it points straight down.
+  told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), jet) * nozzleDown();
+  told.bed_from_program = frame.program_from_bed.inverse();
+  return told;
+}
+
 /// Feed of the first travel, or of the first path if there is no travel.
 double approachFeed(const Toolpath& toolpath) {
   for (const ToolpathLayer& layer : toolpath.layers)
@@ -187,23 +201,24 @@ double approachFeed(const Toolpath& toolpath) {
 
 }  // namespace
 
-void writeGcode(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                const ProgramSettings& settings, const TextSink& sink) {
+void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
-  std::vector<LayerStart> starts = checkLayers(toolpath, bed_from_part, settings);
+  std::vector<LayerStart> starts = checkLayers(toolpath, jetOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings);
   const std::string end_code = expandCode("program.end_code", settings.end_code, settings);
 
   sink("; generated by Lamina\n; part: " + oneLine(toolpath.part_name) + "\n" +
-       (drops != nullptr ? dropHeader(*drops, settings) : "") +
-       ";LAYER_COUNT:" + std::to_string(toolpath.layers.size()) + "\n" + start_code +
-       (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
-  sink("; start of the part\n" + approach(bed_from_part * first.firstPoint(), approachFeed(toolpath)));
+       (drops != nullptr ? dropHeader(*drops, settings) : "") + ";LAYER_COUNT:" +
+       std::to_string(toolpath.layers.size()) + "\n" + frameComments(toldFrame(toolpath, frame)) +
+       start_code + (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
+  sink("; start of the part\n" +
+       approach(frame.program_from_bed * (frame.bed_from_part * first.firstPoint()), approachFeed(toolpath)));
   ProgramSettings written = settings;
   if (drops != nullptr) written.retraction_length_mm = 0.0;  // there is no filament to pull back
-  const LayerWriter writer(bed_from_part, written);
+  const LayerWriter writer(frame, layerNormal(toolpath), written);
   writeLayers(
       toolpath, [&](std::size_t l, std::string& text) { writer.write(toolpath.layers[l], starts[l], text); },
       sink);

@@ -35,9 +35,12 @@ void writeComment(const char* key, std::int64_t units, std::string& text) {
 
 }  // namespace
 
-LayerWriter::LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSettings& settings)
-    : rotation_(bed_from_part.linear()),
-      translation_(bed_from_part.translation()),
+LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
+                         const ProgramSettings& settings)
+    : linear_(frame.program_from_bed.linear() * frame.bed_from_part.linear()),
+      translation_(frame.program_from_bed * frame.bed_from_part.translation()),
+      is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
+      rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
       filament_per_volume_(filamentPerVolume(settings)),
       retraction_length_mm_(settings.retraction_length_mm),
       retraction_feed_mm_s_(settings.retraction_feed_mm_s),
@@ -49,7 +52,7 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
   text.append(lays_drops ? ";" + drops_.layer_mark : ";LAYER:")
       .append(std::to_string(start.index))
       .append("\n");
-  writeComment<3>(";Z:", toUnits(layer.z_mm + translation_.z(), kPositionScale), text);
+  writeComment<3>(";Z:", toUnits(layer.z_mm + rise_mm_, kPositionScale), text);
   Modal modal;
   writeHeight(layer.height_mm, modal, text);
   modal.filament_mm = start.filament_mm;
@@ -82,7 +85,8 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
 void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) const {
   text.append(";").append(drops_.role_mark).append(roleName(path.role, drops_)).append("\n");
   for (std::size_t i = 0; i < path.points.size(); ++i) {
-    writeMotion(path.points[i], path.feed_mm_s.at(i), modal, text);
+    const double factor = i > 0 ? feedFactor(path.points[i - 1], path.points[i]) : 1.0;
+    writeMotion(path.points[i], path.feed_mm_s.at(i) * factor, modal, text);
     text.append(drops_.discharge).append("\n");
   }
 }
@@ -98,8 +102,14 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
     // Too little to be written: without E it would read as a travel. The next motion takes it along.
     if (laid_mm > 0.0 && toUnits(modal.filament_mm, kFilamentScale) == modal.filament) continue;
     if (path.role != PathRole::Travel) writeHeight(path.bead.at(end).height_mm, modal, text);
-    writeMotion(path.points[end], path.feed_mm_s.at(end), modal, text);
+    writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
+                modal, text);
   }
+}
+
+double LayerWriter::feedFactor(const Point3& start, const Point3& end) const {
+  const Point3 way = end - start;
+  return is_askew_ && !way.isZero() ? (linear_ * way).norm() / way.norm() : 1.0;
 }
 
 void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text) {
@@ -110,7 +120,7 @@ void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text)
 }
 
 void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {
-  const Point3 target = rotation_ * end + translation_;
+  const Point3 target = linear_ * end + translation_;
   char line[kLongestLine];
   char* out = line + 2;
   out = writeChanged(out, 'X', toUnits(target.x(), kPositionScale), modal.x);

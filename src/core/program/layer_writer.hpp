@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -24,7 +25,8 @@ struct LayerStart {
 /// order.
 class LayerWriter {
  public:
-  LayerWriter(const Eigen::Isometry3d& bed_from_part, const ProgramSettings& settings);
+  /// @param layer_normal  of unit length [part frame]
+  LayerWriter(const ProgramFrame& frame, const Point3& layer_normal, const ProgramSettings& settings);
 
   /// Appends the layer to `text`.
   void write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const;
@@ -46,8 +48,13 @@ class LayerWriter {
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
 
-  Eigen::Matrix3d rotation_;
+  /// Of the axes over that of the nozzle.
+  double feedFactor(const Point3& start, const Point3& end) const;
+
+  Eigen::Matrix3d linear_;  ///< program_from_part
   Point3 translation_;
+  bool is_askew_;   ///< lengths along the axes differ from those over the bed
+  double rise_mm_;  ///< of the part along the layers' normal
   double filament_per_volume_;
   double retraction_length_mm_;
   double retraction_feed_mm_s_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "program/deposit_lines.hpp"
 #include "program/extrusion.hpp"
 #include "program/fixed_point.hpp"
@@ -96,6 +97,7 @@ std::string blockOf(const std::vector<Path>& runs, const LayerEnd& end, const In
 
 std::string insertRuns(std::string_view program, const Toolpath& toolpath,
                        const std::vector<std::vector<Path>>& runs, const InsertionSettings& settings) {
+  requireLevelLayers(toolpath, "adding runs to a program");
   if (runs.size() != toolpath.layers.size())
     throw InvalidInput("runs are given for " + std::to_string(runs.size()) + " layers; the program has " +
                        std::to_string(toolpath.layers.size()));

@@ -8,6 +8,8 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/drop_program.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "program/extrusion.hpp"
 #include "program/path_builder.hpp"
 
@@ -20,6 +22,7 @@ constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
 GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
   GcodeHandlers handlers;
   handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
+  handlers.comment = [&builder](std::string_view comment) { builder.tell(comment); };
   handlers.other = [&settings, &has_drops](std::size_t, std::string_view command) {
     has_drops |= isDischarge(command, settings.drops);
   };
@@ -33,6 +36,13 @@ bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.
 class ToolpathBuilder::State {
  public:
   explicit State(const ProgramSettings& settings) : volume_per_filament_(1.0 / filamentPerVolume(settings)) {}
+
+  void tell(std::string_view comment) {
+    if (!readFrameComment(comment, told_)) return;
+    layers_from_program_ = told_.bed_from_layers.conjugate() * told_.bed_from_program;
+  }
+
+  void addTold(const GcodeMotion& motion) { layers_from_program_ ? add(inLayers(motion)) : add(motion); }
 
   void add(const GcodeMotion& motion) {
     if (motion.layer != layer_) changeLayer(motion.layer);
@@ -55,10 +65,20 @@ class ToolpathBuilder::State {
   Toolpath finish(const std::string& part_name) {
     closeLayer(runs_.size());
     toolpath_.part_name = part_name;
-    return std::move(toolpath_);
+    if (!layers_from_program_) return std::move(toolpath_);
+    return withNozzle(turned(std::move(toolpath_), told_.bed_from_layers), told_.bed_from_nozzle);
   }
 
  private:
+  /// In the frame in which the layers are level.
+  GcodeMotion inLayers(GcodeMotion motion) const {
+    const double told_mm = (motion.end - motion.start).norm();
+    motion.start = *layers_from_program_ * motion.start;
+    motion.end = *layers_from_program_ * motion.end;
+    if (told_mm > 0.0) motion.feed_mm_s *= (motion.end - motion.start).norm() / told_mm;
+    return motion;
+  }
+
   void begin(const GcodeMotion& motion) {
     // Homing, and what is left out between the part's layers, move the nozzle without a motion of their own.
     if (reached_ && *reached_ != motion.start) {
@@ -107,6 +127,8 @@ class ToolpathBuilder::State {
   }
 
   double volume_per_filament_;
+  ToldFrame told_;
+  std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that tells its frame
   std::optional<int> layer_;
   bool has_comments_ = false;
   std::optional<Point3> reached_;  ///< by the motions that are kept
@@ -120,7 +142,8 @@ class ToolpathBuilder::State {
 ToolpathBuilder::ToolpathBuilder(const ProgramSettings& settings)
     : state_(std::make_unique<State>(settings)) {}
 ToolpathBuilder::~ToolpathBuilder() = default;
-void ToolpathBuilder::add(const GcodeMotion& motion) { state_->add(motion); }
+void ToolpathBuilder::tell(std::string_view comment) { state_->tell(comment); }
+void ToolpathBuilder::add(const GcodeMotion& motion) { state_->addTold(motion); }
 Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->finish(part_name); }
 
 Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -55,6 +56,7 @@ std::string toolpathId(const Toolpath& toolpath) {
   fingerprint.add(static_cast<std::uint64_t>(toolpath.part_name.size()));
   for (const char c : toolpath.part_name)
     fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  if (isInclined(toolpath)) fingerprint.add(toolpath.part_from_layers);
   for (const ToolpathLayer& layer : toolpath.layers) {
     fingerprint.add(layer.z_mm);
     fingerprint.add(layer.height_mm);

@@ -43,6 +43,8 @@ std::string firstFault(const Path& path) {
 }  // namespace
 
 void validate(const Toolpath& toolpath) {
+  if (!(std::abs(toolpath.part_from_layers.norm() - 1.0) < 1e-6))
+    throw InvalidInput("toolpath: the turn of the layers is no unit quaternion");
   const Path* previous = nullptr;
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l) {
     const auto& paths = toolpath.layers[l].paths;

@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "voids/bead_spans.hpp"
 #include "voids/pass_counting.hpp"
 #include "voids/span_areas.hpp"
@@ -169,6 +170,7 @@ LayerVoids findVoids(const Regions& contour, const ToolpathLayer& layer, const V
 
 std::vector<LayerVoids> findVoids(const std::vector<Regions>& contours, const Toolpath& toolpath,
                                   const VoidMapSettings& settings, Progress& progress) {
+  requireLevelLayers(toolpath, "the void map");
   if (contours.size() != toolpath.layers.size())
     throw InvalidInput("the toolpath has " + std::to_string(toolpath.layers.size()) +
                        " layers and the part " + std::to_string(contours.size()) +

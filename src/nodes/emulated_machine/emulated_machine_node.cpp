@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "conversions.hpp"
+#include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 
@@ -19,6 +20,10 @@ constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber 
 constexpr double kMarginMm = 10.0;
 
 HeightMap bareBed(const Machine& machine, double cell_mm) {
+  for (const MachineAxis& axis : machine.axes)
+    if (isEndless(axis))
+      throw InvalidConfig("machine " + machine.name + " has a belt, axis " + axis.name +
+                          "; the emulated machine shows beds that end");
   const Box3 reach = workspace(machine);
   const Point2 margin = Point2::Constant(kMarginMm);
   const Box2 area{reach.low.head<2>() - margin, reach.high.head<2>() + margin};

@@ -22,6 +22,7 @@ constexpr double kFeedbackPeriod = 0.1;  // s
 GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings)
     : settings_(settings),
       machine_(machineByName(settings.machine_name)),
+      bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),
       resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
@@ -108,8 +109,9 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   const MachineToolpath placed = fromMessage(*message);
   requireRunsOn(placed, machine_);
   std::string text;
-  writeGcode(placed.toolpath, placed.bed_from_part, settings_.program,
-             [&](std::string_view piece) { text += piece; });
+  ProgramFrame frame(placed.bed_from_part);
+  frame.program_from_bed = programFromBed(machine_);
+  writeGcode(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
   return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream.max_line_bytes);
 }
 
@@ -192,8 +194,8 @@ void GcodeStreamer::publishState(const StreamStatus& status) {
 }
 
 void GcodeStreamer::publishPosition(const MarlinPosition& position) {
-  sensor_msgs::JointState message =
-      jointState(machine_, axisValues(machine_, Point3(position.x, position.y, position.z)));
+  const Point3 on_bed = bed_from_program_ * Point3(position.x, position.y, position.z);
+  sensor_msgs::JointState message = jointState(machine_, axisValues(machine_, on_bed));
   message.header.stamp = ros::Time::now();
   position_.publish(message);
 }

@@ -49,6 +49,7 @@ class GcodeStreamer {
 
   GcodeStreamerSettings settings_;
   Machine machine_;
+  Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
   ros::Publisher position_;
   ros::Subscriber toolpath_subscriber_;

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <string_view>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Where the part of a program stands, and what coordinates the program speaks.
+struct ProgramFrame {
+  ProgramFrame() = default;
+  ProgramFrame(const Eigen::Isometry3d& placed)  // NOLINT: a place on the bed is a frame of most programs
+      : bed_from_part(placed) {}
+
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  /// Axis values of the machine from coordinates of the bed: the identity unless its axes stand askew, as
+  /// those of a belt printer.
+  Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();
+};
+
+/// What a program's header tells of layers, nozzle and axes that are other than usual.
+struct ToldFrame {
+  Eigen::Quaterniond bed_from_layers = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond bed_from_nozzle = nozzleDown();
+  Eigen::Affine3d bed_from_program = Eigen::Affine3d::Identity();
+};
+
+/// Comment lines that tell the frame, with 17 digits: `;LAYER_FRAME:` (bed_from_layers) and `;NOZZLE_FRAME:`
+/// (bed_from_nozzle) as w x y z, `;BED_FROM_AXES:` as the rows of a 3 x 4 matrix. What is as usual is not
+/// told: level layers, a nozzle that points straight down, axes that are those of the bed.
+std::string frameComments(const ToldFrame& told);
+
+/// Takes in a comment without its semicolon.
+/// @return whether it is one of these; others change nothing
+/// @throws InvalidProgram if it is one of these and its numbers are no rotation, or no map that can be undone
+bool readFrameComment(std::string_view comment, ToldFrame& told);
+
+}  // namespace lamina

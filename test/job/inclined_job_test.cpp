@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/random.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRadians = M_PI / 180.0;
+constexpr double kSamePoint = 1e-9;  // mm
+
+/// Layers at that angle and heading, for a head that points straight down: every machine has a place for
+/// them.
+SliceJob upright(const std::string& part, double angle_deg, double heading_deg) {
+  SliceJob job;
+  job.part = part;
+  job.settings.slicing.plane = {angle_deg, heading_deg, Jet::Down};
+  return job;
+}
+
+SlicedPart run(const SliceJob& job) {
+  NoProgress nobody;
+  return runSliceJob(job, nobody);
+}
+
+template <class Failure>
+std::string failureOf(const SliceJob& job) {
+  try {
+    run(job);
+    return "";
+  } catch (const Failure& error) {
+    return error.what();
+  }
+}
+
+/// With all digits, which STL does not hold.
+std::string objOf(const Mesh& mesh) {
+  std::string text;
+  char line[128];
+  for (const Point3& vertex : mesh.vertices) {
+    std::snprintf(line, sizeof line, "v %.17g %.17g %.17g\n", vertex.x(), vertex.y(), vertex.z());
+    text += line;
+  }
+  for (const Triangle& t : mesh.triangles) {
+    std::snprintf(line, sizeof line, "f %u %u %u\n", t[0] + 1, t[1] + 1, t[2] + 1);
+    text += line;
+  }
+  return text;
+}
+
+/// The documented rotation, written out for an axis of that heading.
+Eigen::Matrix3d documentedRotation(double angle_deg, double heading_deg) {
+  const double c = std::cos(angle_deg * kRadians);
+  const double s = std::sin(angle_deg * kRadians);
+  const double v = 1.0 - c;
+  const double nx = std::cos(heading_deg * kRadians);
+  const double ny = std::sin(heading_deg * kRadians);
+  Eigen::Matrix3d matrix;
+  matrix << c + nx * nx * v, nx * ny * v, ny * s, ny * nx * v, c + ny * ny * v, -nx * s, -ny * s, nx * s, c;
+  return matrix;
+}
+
+double largestDifference(const Toolpath& a, const Toolpath& b, const Eigen::Matrix3d& a_from_b) {
+  double largest = 0.0;
+  EXPECT_EQ(a.layers.size(), b.layers.size());
+  for (std::size_t l = 0; l < a.layers.size(); ++l) {
+    EXPECT_EQ(a.layers[l].paths.size(), b.layers[l].paths.size()) << l;
+    for (std::size_t p = 0; p < a.layers[l].paths.size(); ++p) {
+      const std::vector<Point3>& ones = a.layers[l].paths[p].points;
+      const std::vector<Point3>& others = b.layers[l].paths[p].points;
+      EXPECT_EQ(ones.size(), others.size()) << l << " " << p;
+      for (std::size_t i = 0; i < std::min(ones.size(), others.size()); ++i)
+        largest = std::max(largest, (ones[i] - a_from_b * others[i]).norm());
+    }
+  }
+  return largest;
+}
+
+TEST(InclinedJob, DirectSlicingIsPlanarSlicingOfTheTurnedMeshTurnedBack) {
+  const test::ScratchFolder folder;
+  const Mesh mesh =
+      test::joined(test::boxBetween({0, 0, 0}, {20, 15, 10}), test::boxBetween({30, 2, 0}, {41, 9, 25}));
+  for (const auto& [angle, heading] : {std::pair{45.0, 0.0}, {30.0, 90.0}, {60.0, 217.0}}) {
+    const Eigen::Matrix3d rotation = documentedRotation(angle, heading);
+    Mesh turned_mesh = mesh;
+    for (Point3& vertex : turned_mesh.vertices) vertex = rotation.transpose() * vertex;
+    writeFile(folder.file("upright.obj"), objOf(mesh));
+    writeFile(folder.file("turned.obj"), objOf(turned_mesh));
+    SliceJob direct = upright(folder.file("upright.obj"), angle, heading);
+    direct.settings.planning.anchoring.strategy = Anchoring::None;
+    direct.settings.planning.skirt.count = 0;
+    SliceJob planar = direct;
+    planar.part = folder.file("turned.obj");
+    planar.settings.slicing.plane = {};
+    const Toolpath inclined = run(direct).toolpath;
+    EXPECT_GT(totals(inclined).waypoints, 1000U);
+    EXPECT_LT(largestDifference(inclined, run(planar).toolpath, rotation), kSamePoint) << angle;
+  }
+}
+
+TEST(InclinedJob, EveryWaypointLiesInItsPlaneAndOverTheBed) {
+  const test::ScratchFolder folder;
+  EXPECT_TRUE(rc::check("any angle, any heading", [&](std::uint64_t seed) {
+    Random random(seed);
+    const double angle = random.uniform(1.0, 75.0);
+    SliceJob job = upright("tube", angle, random.uniform(0.0, 360.0));
+    job.settings.slicing.layer_height_mm = 0.4;
+    job.settings.slicing.first_layer_height_mm = 0.4;
+    const SlicedPart sliced = run(job);
+    const Point3 normal = layerNormal(sliced.toolpath);
+    // Beads lie half a layer above where their contour meets the bed.
+    const double lowest = 0.5 * 0.4 * std::cos(angle * kRadians) - job.settings.planning.simplification_mm;
+    for (const ToolpathLayer& layer : sliced.toolpath.layers)
+      for (const Path& path : layer.paths)
+        for (const Point3& point : path.points) {
+          const double height = normal.dot(point) - layer.z_mm;
+          RC_ASSERT(path.role == PathRole::Travel || std::abs(height) < kSamePoint);
+          RC_ASSERT((sliced.bed_from_part * point).z() > lowest);
+        }
+  }));
+}
+
+TEST(InclinedJob, DepositsTheVolumeOfTheMeshAtAnyAngle) {
+  EXPECT_TRUE(rc::check("solid, any angle and heading", [](std::uint64_t seed) {
+    Random random(seed);
+    SliceJob job = upright("box", random.uniform(5.0, 75.0), random.uniform(0.0, 360.0));
+    job.settings.planning.infill.density = 1.0;
+    const SliceSummary summary = run(job).summary;
+    RC_ASSERT(std::abs(summary.sliced_volume_mm3 / 8000.0 - 1.0) < 1e-3);
+    RC_ASSERT(std::abs(summary.deposited_mm3 / 8000.0 - 1.0) < 0.03);
+  }));
+}
+
+TEST(InclinedJob, TheFirstWaypointIsALayerHeightOverTheEdgeAlongTheNormal) {
+  // A cube of 20 mm round the origin: its edge at y = 10 is the first to be met; layer 0 lies h / cos a above
+  // it.
+  for (const double angle : {30.0, 45.0, 60.0}) {
+    SliceJob job = upright("box", angle, 0.0);
+    job.settings.slicing.first_layer_height_mm = 0.4;
+    const SlicedPart sliced = run(job);
+    const Point3 normal = layerNormal(sliced.toolpath);
+    const double edge = -std::sin(angle * kRadians) * 10.0;
+    const double vertical = (sliced.toolpath.layers[0].z_mm - edge) / normal.z();
+    EXPECT_NEAR(vertical, 0.4 / std::cos(angle * kRadians), 1e-9) << angle;
+  }
+}
+
+TEST(InclinedJob, RunsBeginOnBedOrMaterialWhereTheyCan) {
+  SliceJob job = upright("box", 60.0, 0.0);
+  job.settings.planning.anchoring.strategy = Anchoring::None;
+  const AnchoredStarts as_laid = run(job).summary.anchored;
+  EXPECT_EQ(as_laid.moved, 0U);
+  EXPECT_GT(as_laid.in_air, 0U);
+  job.settings.planning.anchoring.strategy = Anchoring::SupportedStart;
+  EXPECT_EQ(run(job).summary.anchored.in_air, 0U);
+}
+
+TEST(InclinedJob, AHeadAt45DegreesLaysItsOwnLayersAndNoOthers) {
+  SliceJob job;
+  job.part = "box";
+  job.settings.machine.name = "gantry_45";
+  job.settings.slicing.plane.angle_deg = 45.0;
+  EXPECT_NO_THROW(run(job));
+  job.settings.slicing.plane.angle_deg = 30.0;
+  EXPECT_EQ(
+      failureOf<Unreachable>(job),
+      "slicing.plane of 30 deg about 0 deg needs the jet along (0.000, 0.500, -0.866); the head of gantry_45 "
+      "holds it along (0.000, 0.707, -0.707), for slicing.plane.angle_deg 45 and "
+      "slicing.plane.axis_heading_deg 0");
+  job.settings.slicing.plane = {45.0, 180.0, Jet::Normal};
+  EXPECT_NE(failureOf<Unreachable>(job), "");
+  job.settings.machine.name = "large_gantry_45_reverse";
+  EXPECT_NO_THROW(run(job));
+}
+
+TEST(InclinedJob, AnUprightHeadLaysInclinedLayersIfTheNozzleStaysUpright) {
+  SliceJob job = upright("box", 20.0, 0.0);
+  EXPECT_NO_THROW(run(job));
+  job.settings.slicing.plane.jet = Jet::Normal;
+  EXPECT_NE(failureOf<Unreachable>(job).find("slicing.plane.jet 'down'"), std::string::npos);
+}
+
+TEST(InclinedJob, RefusesWhatNeedsLevelLayers) {
+  SliceJob job = upright("box", 20.0, 0.0);
+  job.settings.scan.every_layers = 1;
+  EXPECT_NE(failureOf<InvalidConfig>(job).find("scan.every_layers is 1"), std::string::npos);
+  job.settings.scan.every_layers = 0;
+  job.settings.planning.skirt.count = 3;
+  EXPECT_NE(failureOf<InvalidConfig>(job).find("skirt.count is 3"), std::string::npos);
+}
+
+TEST(InclinedJob, ABeltPrintsPartsOfAnyLengthFromItsStart) {
+  const test::ScratchFolder folder;
+  SliceJob job;
+  job.part = folder.file("beam.stl");
+  job.settings.machine.name = "belt_45";
+  job.settings.slicing.plane.angle_deg = 45.0;
+  job.settings.slicing.layer_height_mm = 5.0;
+  job.settings.slicing.first_layer_height_mm = 5.0;
+  job.settings.planning.bead.width_mm = 6.0;
+  writeStl(job.part, test::boxBetween({0, 0, 0}, {50, 20000, 40}));
+  const SlicedPart sliced = run(job);
+  const Machine machine = machineByName("belt_45");
+  double start = 1e9;
+  double end = 0.0;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points) {
+        if (path.role == PathRole::Travel) continue;
+        const AxisValues values = axisValues(machine, sliced.bed_from_part * point);
+        start = std::min(start, values.z());
+        end = std::max(end, values.z());
+        // The belt stands still in a layer: its normal height over the sine of the angle.
+        const Point3 normal = layerNormal(sliced.toolpath);
+        const double offset = normal.dot(sliced.bed_from_part.translation());
+        EXPECT_NEAR(values.z(), (layer.z_mm + offset) * M_SQRT2, 1e-6);
+      }
+  EXPECT_GT(start, 0.0);
+  EXPECT_LT(start, 2.0 * 5.0 * M_SQRT2 + 1e-9);
+  EXPECT_NEAR(end, 20000.0 + 40.0, 2.0 * 5.0 * M_SQRT2);
+}
+
+}  // namespace
+}  // namespace lamina
