@@ -76,6 +76,23 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
         self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
 
+    def test_inclined_layers_are_sliced_and_drawn(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
+        plane = ["--set", "slicing.plane.angle_deg=45", "--set", "machine.name=gantry_45"]
+        program = self.path("inclined.gcode")
+        told = json.loads(run("slice", box, *plane, "-o", program, "--json").stdout)
+        # The box is (10 + 2) / sqrt 2 = 8.49 mm across these layers, which makes 42 of 0.2 mm.
+        self.assertEqual(told["layers"], 42)
+        self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=0)
+        self.assertEqual(told["starts_in_air"], 0)
+        drawn = json.loads(run("preview", program, "-o", self.path("inclined.png"), "--json").stdout)
+        self.assertEqual(drawn["layers"], 42)
+        self.assertAlmostEqual(drawn["deposition_mm"], told["deposition_mm"], delta=1.0)
+        refused = run("slice", box, "--set", "slicing.plane.angle_deg=45", "-o", self.path("none.gcode"))
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn("slicing.plane.jet 'down'", refused.stderr)
+        self.assertFalse(os.path.exists(self.path("none.gcode")))
+
     def test_all_voids_of_a_program_are_listed_with_class_area_and_outline(self):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
         program = self.path("box.gcode")

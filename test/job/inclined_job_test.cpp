@@ -232,5 +232,30 @@ TEST(InclinedJob, ABeltPrintsPartsOfAnyLengthFromItsStart) {
   EXPECT_NEAR(end, 20000.0 + 40.0, 2.0 * 5.0 * M_SQRT2);
 }
 
+TEST(InclinedJob, ABeltAtAnotherAngleIsDescribedByAFileAndLeavesTheBedAlone) {
+  const test::ScratchFolder folder;
+  const std::string text = machineByName("belt_45").urdf;
+  for (const double angle : {15.0, 30.0, 60.0, 75.0}) {
+    const std::string number = "rpy=\"0.785398163397448 0 0\"";
+    char exact[64];
+    std::snprintf(exact, sizeof exact, "rpy=\"%.17g 0 0\"", angle * kRadians);
+    std::string turned = text;
+    turned.replace(turned.find(number), number.size(), exact);
+    writeFile(folder.file("belt.urdf"), turned);
+    SliceJob job;
+    job.part = "box";
+    job.settings.machine.urdf = folder.file("belt.urdf");
+    job.settings.slicing.plane.angle_deg = angle;
+    const SlicedPart sliced = run(job);
+    const Machine machine = machineOf(job.settings.machine);
+    // The nozzle never comes nearer to the belt than half a layer's foot along the incline.
+    const double nearest = 0.1 / std::tan(angle * kRadians) - 0.01;
+    for (const ToolpathLayer& layer : sliced.toolpath.layers)
+      for (const Path& path : layer.paths)
+        for (const Point3& point : path.points)
+          ASSERT_GT(axisValues(machine, sliced.bed_from_part * point).y(), nearest) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

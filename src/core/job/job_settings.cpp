@@ -44,12 +44,18 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
                            {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
                            "Put the part in the middle of the bed, or where its file says.");
   schema.choice("machine.name", settings.machine.name, machineNames(), "Machine that prints the part.");
+  schema.text("machine.urdf", settings.machine.urdf,
+              "File that describes the machine; empty takes the named one.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
   describe(schema, settings.drop_voids);
   describe(schema, settings.scan);
   describe(schema, settings.motion);
   describe(schema, settings.program);
+}
+
+Machine machineOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
 }
 
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides) {

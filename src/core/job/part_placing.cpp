@@ -166,7 +166,7 @@ Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, 
   Candidates candidates(box.centre().head<2>());
   const Placing placing(program, contours, job.map);
   placing.addTold(candidates);
-  const Point2 bed = workspace(machineByName(job.settings.machine.name)).centre().head<2>();
+  const Point2 bed = workspace(machineOf(job.settings.machine)).centre().head<2>();
   candidates.add(placePart(box, bed, job.settings.placement).translation().head<2>());
   candidates.add(Point2::Zero());
   return placing.best(candidates.places());

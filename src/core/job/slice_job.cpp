@@ -172,8 +172,8 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
-  requireApart({job.output}, {job.part});
-  const Machine machine = machineByName(job.settings.machine.name);
+  requireApart({job.output}, {job.part, job.settings.machine.urdf});
+  const Machine machine = machineOf(job.settings.machine);
   requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);

@@ -84,7 +84,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   const JobSettings& settings = job.map.settings;
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
-  const Machine machine = machineByName(settings.machine.name);
+  const Machine machine = machineOf(settings.machine);
   VoidReport found = runVoidJob(program, job.map, progress);
   requirePlausible(program, found, job.map);
   requireWhole(found, job);
