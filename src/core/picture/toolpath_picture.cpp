@@ -107,18 +107,29 @@ std::vector<const ToolpathLayer*> fromFarthest(const Toolpath& toolpath, const P
   return layers;
 }
 
-/// Inclined layers are told apart by their place in the stack.
+/// What the colours of heights tell.
+struct HeightRange {
+  double low_mm = 0.0;
+  double extent_mm = 0.0;
+};
+
+/// Over the bed, or of inclined layers along their normal.
+HeightRange heightsOf(const Toolpath& toolpath, const Box3& box) {
+  if (!isInclined(toolpath)) return {box.low.z(), box.size().z()};
+  const ToolpathLayer& first = toolpath.layers.front();
+  const double low = first.z_mm - first.height_mm;
+  return {low, toolpath.layers.back().z_mm - low};
+}
+
 void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                 PictureColour colouring) {
-  const ToolpathLayer& first = toolpath.layers.front();
-  const bool is_inclined = isInclined(toolpath);
-  const double low = is_inclined ? first.z_mm - first.height_mm : box.low.z();
-  const double height = std::max(1e-9, is_inclined ? toolpath.layers.back().z_mm - low : box.size().z());
+  const HeightRange heights = heightsOf(toolpath, box);
   double stripe = 1.0;  // every other layer a little darker where layers are large enough to be told apart
   for (const ToolpathLayer* each : fromFarthest(toolpath, projection)) {
     const ToolpathLayer& layer = *each;
     stripe = stripe == 1.0 && layer.height_mm * canvas.pixelsPerMm() > kStripeHeight ? 0.94 : 1.0;
-    const Colour of_height = colourAt(ColourMap::Sequential, (layer.z_mm - low) / height);
+    const Colour of_height =
+        colourAt(ColourMap::Sequential, (layer.z_mm - heights.low_mm) / std::max(1e-9, heights.extent_mm));
     for (const PathRole role : kDrawingOrder) {
       const Colour colour = shaded(colouring == PictureColour::Role ? roleColour(role) : of_height, stripe);
       for (const Path& path : layer.paths)
@@ -138,7 +149,9 @@ void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box,
   Box2 bar;
   bar.include({settings.width_px - kBarWidth, kTitleHeight + 60.0});
   bar.include({settings.width_px - kBarWidth + 22.0, settings.height_px - kFooterHeight - 60.0});
-  drawColourBar(canvas, bar, {ColourMap::Sequential, 0.0, box.size().z(), "height [mm]"});
+  drawColourBar(canvas, bar,
+                {ColourMap::Sequential, 0.0, heightsOf(toolpath, box).extent_mm,
+                 isInclined(toolpath) ? "along normal [mm]" : "height [mm]"});
 }
 
 Box3 requireDeposition(const Toolpath& toolpath) {
