@@ -158,13 +158,14 @@ TEST(InclinedJob, TheFirstWaypointIsALayerHeightOverTheEdgeAlongTheNormal) {
 }
 
 TEST(InclinedJob, RunsBeginOnBedOrMaterialWhereTheyCan) {
-  SliceJob job = upright("box", 60.0, 0.0);
+  SliceJob job = upright("tube", 60.0, 0.0);
   job.settings.planning.anchoring.strategy = Anchoring::None;
   const AnchoredStarts as_laid = run(job).summary.anchored;
   EXPECT_EQ(as_laid.moved, 0U);
-  EXPECT_GT(as_laid.in_air, 0U);
+  EXPECT_GT(as_laid.in_air, 10U);
   job.settings.planning.anchoring.strategy = Anchoring::SupportedStart;
-  EXPECT_EQ(run(job).summary.anchored.in_air, 0U);
+  // The last sliver at the rim lies farther out than the layer before it.
+  EXPECT_LE(run(job).summary.anchored.in_air, 1U);
 }
 
 TEST(InclinedJob, AHeadAt45DegreesLaysItsOwnLayersAndNoOthers) {
