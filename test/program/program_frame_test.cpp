@@ -116,6 +116,16 @@ TEST(ProgramFrame, ACsvTellsInclinedLayers) {
   EXPECT_THROW(readCsv("#nothing\n" + text, "square"), InvalidProgram);
 }
 
+TEST(ProgramFrame, DropsOnInclinedLayersAreWrittenAndNotReadBackAsLevel) {
+  Toolpath drops;
+  Path drop = test::straightPath({0, 0, 0.2}, {1, 0, 0.2});
+  drop.deposit = Deposit::Drops;
+  drops.layers.push_back({0.2, 0.2, {drop}});
+  EXPECT_NO_THROW(toolpathFromGcode(written(drops, ProgramFrame()), plainSettings(), "drops"));
+  const std::string inclined = written(turned(drops, aboutX(30)), ProgramFrame());
+  EXPECT_THROW(toolpathFromGcode(inclined, plainSettings(), "drops"), InvalidProgram);
+}
+
 TEST(ProgramFrame, RefusesFramesThatAreNone) {
   ToldFrame told;
   EXPECT_FALSE(readFrameComment("TYPE:infill", told));

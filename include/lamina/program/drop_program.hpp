@@ -57,7 +57,7 @@ bool isDropProgram(std::string_view text, const DropDialect& dialect);
 /// Reads the text as GcodeReader does. Layers are those of the comments, and drops before the first are left
 /// alone; without such comments a layer begins where a drop lies at another height.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter
-///   or height is no positive number or whose unit is not mm
+///   or height is no positive number or whose unit is not mm, or that tells of inclined layers
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 
 /// The text with new drops behind the last of each layer; everything else stays byte for byte. The lines go

@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode_line.hpp"
 #include "lamina/program/gcode_reader.hpp"
+#include "lamina/program/program_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -129,6 +130,8 @@ class DropParser {
   }
 
   void readHeader(std::string_view comment) {
+    if (ToldFrame told; readFrameComment(comment, told))
+      refuse("drops on inclined layers; programs of drops are understood on level ones");
     if (takePrefix(comment, dialect_.diameter_key + "=")) program_.diameter_mm = positive(comment);
     if (takePrefix(comment, dialect_.height_key + "=")) program_.layer_height_mm = positive(comment);
     if (takePrefix(comment, dialect_.strategy_key + "=")) program_.strategy = comment;

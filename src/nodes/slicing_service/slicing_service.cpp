@@ -82,7 +82,7 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   SlicedPart sliced = runSliceJob(job, progress);
   MachineToolpath placed;
   placed.id = toolpathId(sliced.toolpath);
-  placed.machine = job.settings.machine.name;
+  placed.machine = machineOf(job.settings.machine).name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
   publish(placed);
