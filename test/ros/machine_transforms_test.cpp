@@ -47,9 +47,11 @@ Transforms allOf(const MachineTransforms& machine) {
 
 TEST(MachineTransforms, OfEveryMachineBringTheNozzleToItsAxisValuesOverTheBed) {
   for (const std::string& name : lamina::machineNames()) {
-    const Transforms all = allOf(MachineTransforms(lamina::machineByName(name).urdf));
+    const lamina::Machine described = lamina::machineByName(name);
+    const Transforms all = allOf(MachineTransforms(described.urdf));
     const Eigen::Isometry3d bed_from_nozzle = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
-    EXPECT_TRUE(bed_from_nozzle.translation().isApprox(Eigen::Vector3d(0.010, 0.020, 0.030), 1e-9)) << name;
+    const Eigen::Vector3d expected_mm = lamina::bedFromNozzle(described, {10.0, 20.0, 30.0}).translation();
+    EXPECT_TRUE((1e3 * bed_from_nozzle.translation()).isApprox(expected_mm, 1e-9)) << name;
   }
 }
 
