@@ -20,7 +20,7 @@ namespace {
 /// Thickness below which nothing is laid, in pitches.
 constexpr double kLeastWidth = 0.3;
 /// So far the border may be straightened before its axis is sought, in pitches.
-constexpr double kStraight = 0.03;
+constexpr double kStraight = 0.02;
 /// By how much the radius may change within one motion, in pitches.
 constexpr double kWidthStep = 0.05;
 /// Smaller regions are left out, in squared pitches.
