@@ -62,21 +62,20 @@ def rotated(points, angle_deg, layer_height):
     return result
 
 
-def rewritten(line, point):
-    before = ""
-    for letter in "XYZ":
+def beside_first(letters, line, patterns, group):
+    """What stands beside the first of the letters that the line holds."""
+    for letter in letters:
         if letter in line:
-            found = BEFORE[letter].match(line)
-            before = found.group(1) if found else ""
-            break
+            found = patterns[letter].match(line)
+            return found.group(group) if found else ""
+    return ""
+
+
+def rewritten(line, point):
+    before = beside_first("XYZ", line, BEFORE, 1)
     if not before:
         return line
-    after = ""
-    for letter in "ZYX":
-        if letter in line:
-            found = AFTER[letter].match(line)
-            after = found.group(2) if found else ""
-            break
+    after = beside_first("ZYX", line, AFTER, 2)
     return f"{before} X{point[0]:.2f} Y{point[1]:.2f} Z{point[2]:.2f} {after}"
 
 
