@@ -13,7 +13,7 @@ bool beginsWithMotion(std::string_view line) {
   return line.substr(0, 2) == "G0" || line.substr(0, 2) == "G1";
 }
 
-const PlacedWord* firstOf(const CommandLine& command, std::string_view letters) {
+const PlacedWord* firstOf(const GcodeBlock& command, std::string_view letters) {
   for (const char letter : letters)
     if (const PlacedWord* word = command.find(letter)) return word;
   return nullptr;
@@ -92,7 +92,7 @@ void ListingRewriter::read(std::string_view line, std::size_t number, std::strin
     ++homings_annulled_;
     out += ";Anulada: ";
   }
-  const CommandLine& command = tracker_.command();
+  const GcodeBlock& command = tracker_.command();
   const PlacedWord* first = has_point ? firstOf(command, "XYZ") : nullptr;
   if (first == nullptr) {
     out.append(line).push_back('\n');

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lamina/transform/transform_settings.hpp"
-#include "transform/command_line.hpp"
+#include "transform/gcode_block.hpp"
 #include "transform/point_transform.hpp"
 #include "transform/section_marks.hpp"
 #include "transform/survey.hpp"
@@ -24,7 +24,7 @@ class ListingTracker {
 
   bool hasPart() const { return has_part_; }
   const Point3& point() const { return point_; }  ///< [mm, as sliced]
-  const CommandLine& command() const { return command_; }
+  const GcodeBlock& command() const { return command_; }
   const SectionMarks& marks() const { return marks_; }
   SectionMark mark() const { return mark_; }
 
@@ -32,7 +32,7 @@ class ListingTracker {
   void requireTransformable() const;
   [[noreturn]] void refuse(const std::string& what) const;
 
-  CommandLine command_;
+  GcodeBlock command_;
   SectionMarks marks_;
   SectionMark mark_ = SectionMark::None;
   bool has_part_ = false;

@@ -64,7 +64,7 @@ void appendCoordinates(std::string& out, const Point3& point, int decimals) {
   TextTail(out, 3 * (kMostFixed + 2)).put(point, decimals);
 }
 
-void appendRewritten(std::string& out, const CommandLine& command, const NewWords& words, int decimals) {
+void appendRewritten(std::string& out, const GcodeBlock& command, const NewWords& words, int decimals) {
   const std::string_view text = command.text();
   TextTail tail(out, text.size() + kMostNewWords);
   std::size_t copied = 0;
@@ -97,7 +97,7 @@ void appendRewritten(std::string& out, const CommandLine& command, const NewWord
   tail.put(text.substr(copied));
 }
 
-void appendWithoutCoordinates(std::string& out, const CommandLine& command) {
+void appendWithoutCoordinates(std::string& out, const GcodeBlock& command) {
   bool keeps_word = false;
   for (const PlacedWord& word : command) keeps_word |= !isCoordinate(word);
   if (!keeps_word) {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lamina/geometry/vector.hpp"
-#include "transform/command_line.hpp"
+#include "transform/gcode_block.hpp"
 
 namespace lamina {
 
@@ -20,10 +20,10 @@ struct NewWords {
 /// Appends the line with its X, Y and Z, which come together where the first of them stood, and keeps every
 /// other byte.
 /// @param command  must hold one of X, Y, Z at least, if there are new coordinates
-void appendRewritten(std::string& out, const CommandLine& command, const NewWords& words, int decimals);
+void appendRewritten(std::string& out, const GcodeBlock& command, const NewWords& words, int decimals);
 
 /// Appends the line without X, Y and Z; as a comment if nothing is left but the command.
-void appendWithoutCoordinates(std::string& out, const CommandLine& command);
+void appendWithoutCoordinates(std::string& out, const GcodeBlock& command);
 
 /// Appends "X.. Y.. Z..".
 void appendCoordinates(std::string& out, const Point3& point, int decimals);

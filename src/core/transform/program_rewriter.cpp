@@ -83,7 +83,7 @@ void ProgramRewriter::appendBeginCode(std::string& out) {
 }
 
 void ProgramRewriter::copy(std::string_view line, std::string& out) {
-  const CommandLine& command = tracker_.command();
+  const GcodeBlock& command = tracker_.command();
   if (command.start() == LineStart::G && command.code() == 92 && command.find('E') != nullptr) {
     filament_.setFilament(tracker_.filament());
     is_filament_behind_ = false;
@@ -138,7 +138,7 @@ void ProgramRewriter::writeLine(std::string& out) {
 
 void ProgramRewriter::writeChords(const std::vector<Point3>& ends, std::string& out) {
   const TrackedMotion& motion = tracker_.motion();
-  const CommandLine& command = tracker_.command();
+  const GcodeBlock& command = tracker_.command();
   Chord chord;
   chord.from = motion.start;
   chord.length = pathLength(motion.start, ends);

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lamina/transform/transform_settings.hpp"
-#include "transform/command_line.hpp"
 #include "transform/extrusion_mode.hpp"
+#include "transform/gcode_block.hpp"
 #include "transform/section_marks.hpp"
 
 namespace lamina {
@@ -54,7 +54,7 @@ class ProgramTracker {
   ProgramSection section() const { return section_; }
   SectionMark mark() const { return mark_; }  ///< of the line read last
   const SectionMarks& marks() const { return marks_; }
-  const CommandLine& command() const { return command_; }
+  const GcodeBlock& command() const { return command_; }
   const TrackedMotion& motion() const { return motion_; }  ///< after LineRole::Motion
   bool isExtrusionRelative() const { return extrusion_.mode() == ExtrusionMode::Relative; }
   bool isExtrusionStated() const { return extrusion_.isKnown(); }
@@ -84,7 +84,7 @@ class ProgramTracker {
   double chord_tolerance_mm_;
   ExtrusionModeState extrusion_;
   SectionMarks marks_;
-  CommandLine command_;
+  GcodeBlock command_;
   ProgramSection section_ = ProgramSection::Start;
   SectionMark mark_ = SectionMark::None;
   bool is_custom_ = false;

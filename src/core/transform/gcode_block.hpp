@@ -28,9 +28,10 @@ enum class LineStart {
   Other,
 };
 
-/// A line taken apart in place: cheap enough for files of many millions of lines. Words are read of the
-/// commands that move or set positions (G0 to G3, G10, G28, G92); of others only letter and number.
-class CommandLine {
+/// A block, as a line of G-code is called, taken apart in place: cheap enough for files of many millions of
+/// lines. Words are read of the commands that move or set positions (G0 to G3, G10, G28, G92); of others only
+/// letter and number.
+class GcodeBlock {
  public:
   /// @param line  without its line feed; must outlive the next calls
   /// @throws InvalidProgram naming the line if a word of such a command is malformed, stands twice, or the

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "transform/command_line.hpp"
+#include "transform/gcode_block.hpp"
 
 #include <cmath>
 #include <string>
@@ -27,20 +27,20 @@ bool movesOrSets(int code) { return (code >= 0 && code <= 3) || code == 10 || co
 
 }  // namespace
 
-bool CommandLine::hasAny(std::string_view letters) const {
+bool GcodeBlock::hasAny(std::string_view letters) const {
   for (const char letter : letters)
     if (find(letter) != nullptr) return true;
   return false;
 }
 
-void CommandLine::refuse(std::string_view what, std::size_t at) const {
+void GcodeBlock::refuse(std::string_view what, std::size_t at) const {
   std::string shown(text_.substr(at, 40));
   for (char& c : shown)
     if (c < ' ' || c > '~') c = '?';
   throw InvalidProgram("line " + std::to_string(number_) + ": " + std::string(what) + " at '" + shown + "'");
 }
 
-LineStart CommandLine::read(std::string_view line, std::size_t number) {
+LineStart GcodeBlock::read(std::string_view line, std::size_t number) {
   text_ = line;
   number_ = number;
   comment_ = {};
@@ -76,12 +76,12 @@ LineStart CommandLine::read(std::string_view line, std::size_t number) {
   return start_;
 }
 
-void CommandLine::setCode(double number) {
+void GcodeBlock::setCode(double number) {
   const int whole = number >= 0.0 && number <= 9999.0 ? static_cast<int>(number) : -1;
   code_ = static_cast<double>(whole) == number ? whole : -1;
 }
 
-void CommandLine::readWords(std::size_t at) {
+void GcodeBlock::readWords(std::size_t at) {
   while ((at = skipSpace(text_, at)) < text_.size()) {
     if (text_[at] == ';') {
       comment_ = text_.substr(at + 1);
@@ -99,7 +99,7 @@ void CommandLine::readWords(std::size_t at) {
   }
 }
 
-std::size_t CommandLine::readWord(std::size_t at) {
+std::size_t GcodeBlock::readWord(std::size_t at) {
   const char letter = upper(text_[at]);
   std::uint8_t& index = index_[static_cast<std::size_t>(letter - 'A')];
   if (letter == 'G' || letter == 'M') refuse("two commands in one line", at);
