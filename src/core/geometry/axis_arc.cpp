@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -16,7 +18,7 @@ class Parabola {
   Parabola(const ArcSite& line, const Point2& focus)
       : origin_(line.from), along_((line.to - line.from).normalized()) {
     const double side = line.signedDistanceTo(focus);
-    up_ = side < 0.0 ? Point2(along_.y(), -along_.x()) : Point2(-along_.y(), along_.x());
+    up_ = side < 0.0 ? rightOf(along_) : leftOf(along_);
     focus_at_ = along_.dot(focus - origin_);
     focus_height_ = std::abs(side);
   }
@@ -58,9 +60,7 @@ void halve(std::vector<AxisPoint>& points, const AxisPoint& to, const Middle& mi
 
 double ArcSite::signedDistanceTo(const Point2& point) const {
   if (!is_segment) return (point - from).norm();
-  const Point2 along = (to - from).normalized();
-  const Point2 offset = point - from;
-  return along.x() * offset.y() - along.y() * offset.x();
+  return cross((to - from).normalized(), point - from);
 }
 
 double ArcSite::distanceTo(const Point2& point) const { return std::abs(signedDistanceTo(point)); }

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "geometry/axis_graph.hpp"
+#include "geometry/moving_edge.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
@@ -20,8 +22,6 @@ constexpr double kLeastTurn = 1e-4;
 /// Nodes nearer to each other are one [mm].
 constexpr double kSamePlace = 1e-9;
 
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 bool isConvex(const Polygon& outline) {
   double turned = 0.0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -29,25 +29,17 @@ bool isConvex(const Polygon& outline) {
     const Point2 in = corner - outline[i > 0 ? i - 1 : outline.size() - 1];
     const Point2 out = outline[i + 1 < outline.size() ? i + 1 : 0] - corner;
     if (!(cross(in, out) > kLeastTurn * in.norm() * out.norm())) return false;
-    turned += std::atan2(cross(in, out), in.dot(out));
+    turned += turn(in, out);
   }
   return turned < 3.0 * M_PI;  // once round
 }
-
-/// An edge that moves inwards, and the node where its moving start last was.
-struct MovingEdge {
-  Point2 inwards;
-  double distance;  // of its line from the origin, inwards
-  std::size_t start;
-};
 
 class ShrinkingOutline {
  public:
   explicit ShrinkingOutline(const Polygon& outline) : graph_(0) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Point2 along = (outline[i + 1 < outline.size() ? i + 1 : 0] - outline[i]).normalized();
-      const Point2 inwards(-along.y(), along.x());
-      edges_.push_back({inwards, inwards.dot(outline[i]), addNode({outline[i], 0.0})});
+      edges_.push_back({{outline[i], 0.0, along}, addNode({outline[i], 0.0})});
     }
   }
 
@@ -55,33 +47,29 @@ class ShrinkingOutline {
     while (edges_.size() > 3) {
       const std::size_t first = firstToVanish();
       const std::size_t node = nodeAt(first);
-      reach(node, edges_[first].start);
-      reach(node, edges_[after(first)].start);
-      edges_[after(first)].start = node;
+      reach(node, edges_[first].node);
+      Edge& next = edges_[after(first)];
+      reach(node, next.node);
+      next = {{nodes_[node].point, nodes_[node].radius_mm, next.line.direction}, node};
       edges_.erase(edges_.begin() + static_cast<std::ptrdiff_t>(first));
     }
     const std::size_t last = nodeAt(0);
-    for (const MovingEdge& edge : edges_) reach(last, edge.start);
+    for (const Edge& edge : edges_) reach(last, edge.node);
     return std::move(graph_).joined();
   }
 
  private:
+  struct Edge {
+    MovingEdge line;
+    std::size_t node;  ///< at its start
+  };
+
   std::size_t after(std::size_t i) const { return i + 1 < edges_.size() ? i + 1 : 0; }
   std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : edges_.size() - 1; }
 
-  /// Where an edge's ends meet: as far from its neighbours as from itself.
   AxisPoint meeting(std::size_t i) const {
-    const MovingEdge& a = edges_[before(i)];
-    const MovingEdge& b = edges_[i];
-    const MovingEdge& c = edges_[after(i)];
-    const Point2 first = b.inwards - a.inwards;
-    const Point2 second = c.inwards - b.inwards;
-    const double of_first = b.distance - a.distance;
-    const double of_second = c.distance - b.distance;
-    const Point2 point =
-        Point2(of_first * second.y() - of_second * first.y(), of_second * first.x() - of_first * second.x()) /
-        cross(first, second);
-    return {point, b.inwards.dot(point) - b.distance};
+    const Vanishing place = vanishingBetween(edges_[before(i)].line, edges_[i].line, edges_[after(i)].line);
+    return {place.point, place.moved_mm};
   }
 
   std::size_t firstToVanish() const {
@@ -113,7 +101,7 @@ class ShrinkingOutline {
     if (from != node) graph_.add(from, node, {nodes_[from], nodes_[node]});
   }
 
-  std::vector<MovingEdge> edges_;
+  std::vector<Edge> edges_;
   std::vector<AxisPoint> nodes_;
   AxisGraph graph_;
 };

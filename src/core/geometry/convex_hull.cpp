@@ -5,19 +5,15 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
-
-bool isLeftTurn(const Point2& a, const Point2& b, const Point2& c) {
-  const Point2 ab = b - a;
-  const Point2 ac = c - a;
-  return ab.x() * ac.y() - ab.y() * ac.x() > 0.0;
-}
 
 /// Adds a point to a chain that only turns left, of which the first `kept` points stay.
 void extend(Polygon& chain, std::size_t kept, const Point2& point) {
   while (chain.size() >= kept + 1 && chain.size() >= 2 &&
-         !isLeftTurn(chain[chain.size() - 2], chain.back(), point))
+         !(side(chain[chain.size() - 2], chain.back(), point) > 0.0))
     chain.pop_back();
   chain.push_back(point);
 }

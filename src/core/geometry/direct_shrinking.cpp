@@ -8,6 +8,7 @@
 
 #include "geometry/nesting.hpp"
 #include "geometry/outline_crossings.hpp"
+#include "geometry/plane_vectors.hpp"
 #include "geometry/vanishing_chain.hpp"
 
 namespace lamina {
@@ -20,8 +21,6 @@ constexpr double kHalfTurn = 0.01;
 /// Sine of the turn between two edges that meet after those between them have vanished.
 constexpr double kLeastTurn = 0.01;
 constexpr double kTolerance = 1e-9;  // mm
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// One outline whose edges move to their left by the same distance, as a ring from which edges are taken out.
 class MovingOutline {
@@ -54,7 +53,6 @@ class MovingOutline {
 
   std::uint32_t after(std::uint32_t i) const { return i + 1 < count_ ? i + 1 : 0; }
   std::uint32_t before(std::uint32_t i) const { return i > 0 ? i - 1 : count_ - 1; }
-  static Point2 inwards(const Point2& direction) { return {-direction.y(), direction.x()}; }
 
   bool findDirections() {
     for (std::uint32_t i = 0; i < count_; ++i) {
@@ -74,7 +72,7 @@ class MovingOutline {
       const Point2& to = edges_[i].direction;
       const double mitre = 1.0 + from.dot(to);
       if (mitre < (cross(from, to) < 0.0 ? kLongestMitre : kHalfTurn)) return false;
-      edges_[i].start = points_[i] + distance_ / mitre * (inwards(from) + inwards(to));
+      edges_[i].start = points_[i] + distance_ / mitre * (leftOf(from) + leftOf(to));
     }
     return true;
   }
@@ -104,8 +102,8 @@ class MovingOutline {
     Edge& b = edges_[edges_[i].next];
     const double turn = cross(a.direction, b.direction);
     if (--left_ < 3 || turn < kLeastTurn) return false;
-    const Point2 on_a = points_[edges_[i].previous] + distance_ * inwards(a.direction);
-    const Point2 on_b = points_[edges_[i].next] + distance_ * inwards(b.direction);
+    const Point2 on_a = points_[edges_[i].previous] + distance_ * leftOf(a.direction);
+    const Point2 on_b = points_[edges_[i].next] + distance_ * leftOf(b.direction);
     b.start = on_a + cross(on_b - on_a, b.direction) / turn * a.direction;
     edges_[i].is_out = true;
     a.next = edges_[i].next;

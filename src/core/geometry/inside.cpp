@@ -2,25 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/inside.hpp"
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr double kEndTolerance = 1e-4;  // mm
 
-double side(const Point2& a, const Point2& b, const Point2& point) {
-  const Point2 along = b - a;
-  const Point2 offset = point - a;
-  return along.x() * offset.y() - along.y() * offset.x();
-}
-
 struct Line {
   Point2 from;
   Point2 to;
 
-  bool isCrossedBy(const Point2& a, const Point2& b) const {
-    return (side(from, to, a) > 0.0) != (side(from, to, b) > 0.0) &&
-           (side(a, b, from) > 0.0) != (side(a, b, to) > 0.0);
-  }
+  bool isCrossedBy(const Point2& a, const Point2& b) const { return areCrossing(from, to, a, b); }
 
   bool isCrossedBy(const Polygon& outline) const {
     for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -22,12 +24,6 @@ struct Edge {
   std::uint32_t outline;
   std::uint32_t index;
 };
-
-double side(const Point2& a, const Point2& b, const Point2& point) {
-  const Point2 along = b - a;
-  const Point2 offset = point - a;
-  return along.x() * offset.y() - along.y() * offset.x();
-}
 
 /// Whether the line through a and b has c and d clearly on one side.
 bool leavesOnOneSide(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -17,16 +19,13 @@ struct Edge {
   double length;
 };
 
-Point2 rightOf(const Point2& direction) { return {direction.y(), -direction.x()}; }
-
 /// The corner between two edges.
 struct Corner {
   double sine;  // of the turn; positive to the left
   double one_plus_cosine;
 
   Corner(const Edge& in, const Edge& out)
-      : sine(in.direction.x() * out.direction.y() - in.direction.y() * out.direction.x()),
-        one_plus_cosine(1.0 + in.direction.dot(out.direction)) {}
+      : sine(cross(in.direction, out.direction)), one_plus_cosine(1.0 + in.direction.dot(out.direction)) {}
 
   bool opens(double delta) const { return sine * delta >= 0.0; }
   /// By how much both edges become shorter.

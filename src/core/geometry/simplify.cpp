@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/chain_splitting.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
@@ -28,7 +29,7 @@ class SegmentDistance {
     const double projection = offset.dot(along_);
     if (projection <= 0.0) return scaled(offset.squaredNorm());
     if (projection >= squared_length_) return scaled((point - b_).squaredNorm());
-    const double area = along_.x() * offset.y() - along_.y() * offset.x();
+    const double area = cross(along_, offset);
     return area * area;
   }
 

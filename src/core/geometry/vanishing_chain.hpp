@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lamina/geometry/vector.hpp"
+#include "geometry/moving_edge.hpp"
 
 namespace lamina {
 
@@ -24,24 +24,16 @@ class VanishingChain {
   bool vanishesWithin(double distance_mm);
 
  private:
-  /// Where an edge has shrunk to a point, and how far it has moved then.
-  struct Vanishing {
+  /// The inner edge that vanishes next, and where.
+  struct Next {
     std::size_t edge = 0;
-    Point2 point = Point2::Zero();
-    double distance = 0.0;
+    Vanishing vanishing;
   };
 
-  struct Edge {
-    Point2 start;
-    double moved;  ///< how far the edge had moved when it started there
-    Point2 direction;
-  };
+  Next nextAfter(double distance) const;
+  bool isHidden(const Next& next) const;
 
-  Vanishing vanishingOf(std::size_t edge) const;
-  Vanishing nextAfter(double distance) const;
-  bool isHidden(const Vanishing& vanishing) const;
-
-  std::vector<Edge> edges_;
+  std::vector<MovingEdge> edges_;
 };
 
 }  // namespace lamina

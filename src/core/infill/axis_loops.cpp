@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kFarthestCorner = 0.8;
 constexpr double kRoom = 0.97;
 /// Halvings of the way into a corner.
 constexpr int kTrials = 5;
-
-Point2 leftOf(const Point2& along) { return {-along.y(), along.x()}; }
 
 /// By how much the radius grows along the axis.
 double slopeOf(const AxisPoint& from, const AxisPoint& to) {

@@ -11,29 +11,21 @@
 #include "infill/narrow_loops.hpp"
 #include "infill/parted_area.hpp"
 #include "infill/sharp_tips.hpp"
+#include "infill/straightened.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
-#include "lamina/geometry/simplify.hpp"
 
 namespace lamina {
 namespace {
 
 /// Loops shorter than this many pitches are points.
 constexpr double kShortest = 1.0;
-/// Contours may be straightened so far from one to the next, in pitches.
+/// Contours may be straightened so far from one to the next, in pitches: the points that offsets leave beside
+/// each other would add up.
 constexpr double kStraight = 0.005;
 /// Spits that are lost from one contour to the next may leave so much open, in squared pitches.
 constexpr double kLostSpit = 0.3;
 constexpr double kMostContours = 1e5;
-
-/// Without the points that offsets leave beside each other; they would add up from contour to contour.
-Region straightened(Region region, double tolerance_mm) {
-  const std::vector<Polygon> whole = outlines({region});
-  const std::vector<Polygon> simple = simplify(whole, tolerance_mm);
-  if (simple == whole) return region;
-  Regions straight = unite(simple);
-  return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
-}
 
 double perimeterOf(const Region& region) {
   double sum = 0.0;

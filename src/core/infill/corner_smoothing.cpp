@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/chain_splitting.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
@@ -45,7 +46,7 @@ class MeasuredRun {
     if (!run_.is_closed && (point == 0 || point + 1 == count)) return 0.0;
     const Point2 in = run_.points[point] - run_.points[(point + count - 1) % count];
     const Point2 out = run_.points[(point + 1) % count] - run_.points[point];
-    return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
+    return std::abs(turn(in, out));
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/offset.hpp"
 
@@ -69,7 +70,7 @@ class OutlineWalk {
     const std::size_t n = outline_.size();
     const Point2 in = outline_[i] - outline_[(i + n - 1) % n];
     const Point2 out = outline_[(i + 1) % n] - outline_[i];
-    return std::abs(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out))) > kCorner;
+    return std::abs(turn(in, out)) > kCorner;
   }
 
   int countAlong(double length) const {

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "infill/axis_loops.hpp"
 #include "infill/axis_steps.hpp"
 #include "infill/bead_axis.hpp"
+#include "infill/straightened.hpp"
 #include "lamina/geometry/offset.hpp"
-#include "lamina/geometry/simplify.hpp"
 
 namespace lamina {
 namespace {
@@ -32,14 +31,6 @@ constexpr double kShortest = 1.0;
 constexpr double kLeastRadius = 0.6;
 /// How much of a region's area a loop along its border may lay.
 constexpr double kMostFilled = 1.06;
-
-Region straightened(const Region& region, double tolerance_mm) {
-  std::vector<Polygon> straight = simplify(outlines({region}), tolerance_mm);
-  if (straight.size() != 1 + region.holes.size()) return region;
-  Region result{std::move(straight.front()), {}};
-  result.holes.assign(std::make_move_iterator(straight.begin() + 1), std::make_move_iterator(straight.end()));
-  return result;
-}
 
 double largestRadius(const MedialAxis& axis) {
   double largest = 0.0;

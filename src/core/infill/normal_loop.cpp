@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -19,10 +21,7 @@ Polygon withoutRepeats(const Polygon& outline) {
 }
 
 /// Material lies to the left of an outline.
-Point2 leftOf(const Point2& from, const Point2& to) {
-  const Point2 along = (to - from).normalized();
-  return {-along.y(), along.x()};
-}
+Point2 leftBetween(const Point2& from, const Point2& to) { return leftOf((to - from).normalized()); }
 
 /// Between two unit vectors; the first one if they cancel out.
 Point2 between(const Point2& a, const Point2& b, double part) {
@@ -39,8 +38,8 @@ NormalLoop withNormals(const Polygon& outline, double longest_step_mm) {
   const auto next = [&](std::size_t i) { return i + 1 < count ? i + 1 : 0; };
   std::vector<Point2> normals(count);
   for (std::size_t i = 0; i < count; ++i)
-    normals[next(i)] =
-        between(leftOf(corners[i], corners[next(i)]), leftOf(corners[next(i)], corners[next(next(i))]), 0.5);
+    normals[next(i)] = between(leftBetween(corners[i], corners[next(i)]),
+                               leftBetween(corners[next(i)], corners[next(next(i))]), 0.5);
   NormalLoop loop;
   for (std::size_t i = 0; i < count; ++i) {
     const Point2 along = corners[next(i)] - corners[i];

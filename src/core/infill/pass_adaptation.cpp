@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane_vectors.hpp"
 #include "lamina/geometry/offset.hpp"
 
 namespace lamina {
@@ -29,7 +30,7 @@ std::vector<Point2> densified(const std::vector<Polygon>& outlines, double step)
 /// How far a line through `point` goes along a unit vector until it meets an edge; negative behind the point.
 void crossEdge(const Point2& point, const Point2& along, const Point2& a, const Point2& b,
                std::vector<double>& found) {
-  const Point2 across(-along.y(), along.x());
+  const Point2 across = leftOf(along);
   const double from = (a - point).dot(across);
   const double to = (b - point).dot(across);
   if ((from < 0.0) == (to < 0.0)) return;

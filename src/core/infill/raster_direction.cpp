@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/plane_vectors.hpp"
 #include "infill/section_order.hpp"
 #include "infill/zigzag.hpp"
 
@@ -28,8 +29,7 @@ std::vector<Point2> edgesByDirection(const Regions& regions) {
       const bool is_turned = edge.y() < 0.0 || (edge.y() == 0.0 && edge.x() < 0.0);
       edges.emplace_back(is_turned ? Point2(-edge) : edge);
     }
-  std::sort(edges.begin(), edges.end(),
-            [](const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x() > 0.0; });
+  std::sort(edges.begin(), edges.end(), [](const Point2& a, const Point2& b) { return cross(a, b) > 0.0; });
   return edges;
 }
 
@@ -109,7 +109,7 @@ double angleOfFewestTurns(const Regions& regions, double angle_rad) {
   for (const Point2& edge : edges) balance += edge;
   for (const Point2& edge : edges) {
     balance -= 2.0 * edge;
-    const double extent = 0.5 * std::abs(edge.x() * balance.y() - edge.y() * balance.x()) / edge.norm();
+    const double extent = 0.5 * std::abs(cross(edge, balance)) / edge.norm();
     if (extent >= least) continue;
     least = extent * (1.0 - kLeastGain);
     best = std::atan2(edge.y(), edge.x());

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "infill/line_crossing.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
@@ -97,10 +97,10 @@ std::optional<RingPlace> Ring::hit(const Point2& from, const Point2& direction,
   std::optional<RingPlace> best;
   visitEdges(stretch, [&](std::size_t edge) {
     const Point2 along = endOf(edge) - points_[edge];
-    const double turn = crossProduct(direction, along);
+    const double turn = cross(direction, along);
     if (turn == 0.0) return;
-    const double distance = crossProduct(points_[edge] - from, along) / turn;
-    const double part = crossProduct(points_[edge] - from, direction) / turn;
+    const double distance = cross(points_[edge] - from, along) / turn;
+    const double part = cross(points_[edge] - from, direction) / turn;
     if (part < 0.0 || part > 1.0 || distance < 0.0 || (best && distance >= best->distance_mm)) return;
     best = RingPlace{at_[edge] + part * (at_[edge + 1] - at_[edge]), distance};
   });

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "infill/line_crossing.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
@@ -28,7 +28,7 @@ std::optional<Landings> landings(const Ring& onto, const Point2& start, const Po
   if (kind == ContourLink::Tangential)
     return Landings{onto.nearest(start, near_by), onto.nearest(end, near_by)};
   const Point2 chord = (end - start).normalized();
-  Point2 across(-chord.y(), chord.x());
+  Point2 across = leftOf(chord);
   if (across.dot(onto.pointAt(middle.position_mm) - start) < 0.0) across = -across;
   const std::optional<RingPlace> from_start = onto.hit(start, across, near_by);
   const std::optional<RingPlace> from_end = onto.hit(end, across, near_by);

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "infill/line_crossing.hpp"
+#include "geometry/plane_vectors.hpp"
 
 namespace lamina {
 namespace {

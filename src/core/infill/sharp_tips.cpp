@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -14,9 +16,6 @@ namespace {
 constexpr double kSharpest = -0.5;
 /// The border may stand so far beside the edges of the grown core, in reaches.
 constexpr double kBeside = 0.1;
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
-Point2 rightOf(const Point2& direction) { return {direction.y(), -direction.x()}; }
 
 struct Corner {
   Point2 point;
@@ -39,8 +38,7 @@ class SquareCut {
     const Point2 in = corner.in.normalized();
     const Point2 out = corner.out.normalized();
     outwards_ = (rightOf(in) + rightOf(out)).normalized();
-    const double turn = std::atan2(cross(in, out), in.dot(out));
-    half_ = reach * std::tan(0.25 * turn) + kBeside * reach;
+    half_ = reach * std::tan(0.25 * turn(in, out)) + kBeside * reach;
   }
 
   double beyond(const Point2& point) const { return (point - corner_).dot(outwards_) - reach_; }

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "geometry/plane_vectors.hpp"
 #include "infill/contour_tree.hpp"
 #include "infill/cycle.hpp"
-#include "infill/line_crossing.hpp"
 #include "lamina/base/random.hpp"
 
 namespace lamina {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/plane_vectors.hpp"
 #include "infill/axis_steps.hpp"
 
 namespace lamina {
@@ -171,8 +172,7 @@ class Lanes {
   }
 
   Point2 normalOf(std::size_t segment) const {
-    const Point2 along = (points_[segment + 1].point - points_[segment].point).normalized();
-    return {-along.y(), along.x()};
+    return leftOf((points_[segment + 1].point - points_[segment].point).normalized());
   }
 
   Point2 lanePoint(std::size_t vertex, std::size_t segment, int k) const {

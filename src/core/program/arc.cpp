@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/plane_vectors.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -68,7 +69,7 @@ Point3 centreOfRadius(const Arc& arc, double radius_mm) {
                        std::to_string(2.0 * half) + " mm");
   const double height = std::sqrt(std::max(0.0, radius_mm * radius_mm - half * half));
   const double side = (arc.direction == ArcDirection::CounterClockwise) == (radius_mm > 0.0) ? 1.0 : -1.0;
-  const Point2 centre = from + 0.5 * chord + side * height / (2.0 * half) * Point2(-chord.y(), chord.x());
+  const Point2 centre = from + 0.5 * chord + side * height / (2.0 * half) * leftOf(chord);
   Point3 placed = arc.start;
   placed[(arc.axis + 1) % 3] = centre.x();
   placed[(arc.axis + 2) % 3] = centre.y();

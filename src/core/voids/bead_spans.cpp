@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -32,7 +34,7 @@ class Capsule {
     }
     if (along_.y() == 0.0) return span;
     for (const double side : {-radius_, radius_}) {
-      const Point2 start = from_ + side * Point2(-along_.y(), along_.x());
+      const Point2 start = from_ + side * leftOf(along_);
       const double t = (y - start.y()) / along_.y();
       if (t >= 0.0 && t <= length_) include(span, start.x() + t * along_.x());
     }

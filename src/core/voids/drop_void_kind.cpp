@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -17,7 +19,7 @@ double cornerAngle(const Polygon& outline, std::size_t i) {
   const std::size_t n = outline.size();
   const Point2 back = outline[(i + n - 1) % n] - outline[i];
   const Point2 on = outline[(i + 1) % n] - outline[i];
-  return std::abs(std::atan2(back.x() * on.y() - back.y() * on.x(), back.dot(on)));
+  return std::abs(turn(back, on));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -16,8 +18,7 @@ constexpr double kCornerReach = 2.0;  // pitches
 bool isSharp(const Point2& before, const Point2& at, const Point2& after) {
   const Point2 in = (at - before).normalized();
   const Point2 out = (after - at).normalized();
-  const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
-  return turn > M_PI - kSharpCorner;
+  return turn(in, out) > M_PI - kSharpCorner;
 }
 
 double distanceTo(const Polygon& outline, const Point2& point) {

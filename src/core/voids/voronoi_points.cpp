@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/plane_vectors.hpp"
+
 namespace lamina {
 namespace {
 
@@ -28,8 +30,6 @@ void construct(Diagram& diagram, const std::vector<Point2>& drops) {
   }
   builder.construct(&diagram);
 }
-
-double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The point equally far from three; none if they lie on a line.
 std::optional<VoidPoint> circumcentre(const Point2& a, const Point2& b, const Point2& c) {

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// An edge of an outline that moves to its left while its ends follow its neighbours.
+struct MovingEdge {
+  Point2 start;
+  double moved_mm;   ///< how far the edge had moved when it started there
+  Point2 direction;  ///< unit
+};
+
+/// Where an edge has shrunk to a point.
+struct Vanishing {
+  Point2 point;
+  double moved_mm;  ///< how far the edge has moved then; infinite if it never shrinks to a point
+};
+
+/// Where an edge vanishes between the ones before and after it. It and the one after it start where each
+/// meets the edge before it.
+Vanishing vanishingBetween(const MovingEdge& before, const MovingEdge& edge, const MovingEdge& after);
+
+}  // namespace lamina

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Positive if b is to the left of a.
+inline double cross(const Point2& a, const Point2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Positive if the point is to the left of the way from a to b: twice the area of the triangle.
+inline double side(const Point2& a, const Point2& b, const Point2& point) { return cross(b - a, point - a); }
+
+/// As long as the direction; where material lies, beside the way round a region.
+inline Point2 leftOf(const Point2& direction) { return {-direction.y(), direction.x()}; }
+inline Point2 rightOf(const Point2& direction) { return {direction.y(), -direction.x()}; }
+
+/// From one direction to the other [rad], positive to the left.
+inline double turn(const Point2& from, const Point2& to) { return std::atan2(cross(from, to), from.dot(to)); }
+
+/// Whether the line from a to b crosses that from c to d.
+inline bool areCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+  return (side(a, b, c) > 0.0) != (side(a, b, d) > 0.0) && (side(c, d, a) > 0.0) != (side(c, d, b) > 0.0);
+}
+
+}  // namespace lamina
