@@ -3,6 +3,7 @@
 #include "shutdown.hpp"
 
 #include <ros/ros.h>
+#include <ros/service_manager.h>
 
 #include <csignal>
 #include <cstdio>
@@ -28,6 +29,12 @@ ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
   });
 }
 
+// In Debian's rosconsole, to list the loggers gives them away: the node would crash at its next new one, with
+// the machine running. A logger's level can still be set.
+void withdrawLoggerList() {
+  ros::ServiceManager::instance()->unadvertiseService(ros::names::resolve("~get_loggers"));
+}
+
 void logFailure(const Failure& failure) {
   if (ros::ok())
     ROS_FATAL("%s: %s", toString(failure.code), failure.message.c_str());
@@ -44,6 +51,7 @@ void runNode(int argc, char** argv, const NodeRun& run, const std::function<void
   try {
     ros::init(argc, argv, run.name, ros::init_options::NoSigintHandler);
     const ros::NodeHandle node;
+    withdrawLoggerList();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
     const ros::WallTimer timer =
         run.on_signal == OnSignal::ShutDown ? shutdownOnSignal(node) : ros::WallTimer();

@@ -37,6 +37,14 @@ TEST(RunNode, OnlyTellsOfASignalIfAskedTo) {
   EXPECT_EQ(exit_code, 0);
 }
 
+TEST(RunNode, OffersNoListOfLoggersThatWouldCrashIt) {
+  const int exit_code = exitCodeOfNode({"listless"}, [] {
+    if (ros::service::exists("~get_loggers", false) || !ros::service::exists("~set_logger_level", false))
+      throw lamina::DeviceError("of both logger services only the one that sets a level was expected");
+  });
+  EXPECT_EQ(exit_code, 0);
+}
+
 TEST(RunNode, LeavesItsBodyOnSigterm) {
   const int exit_code = exitCodeOfNode({"terminated"}, [] {
     std::raise(SIGTERM);
