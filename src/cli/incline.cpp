@@ -19,15 +19,6 @@ nlohmann::ordered_json toJson(const Box3& box) {
           {"high_mm", {box.high.x(), box.high.y(), box.high.z()}}};
 }
 
-/// Whether the part is far wider than what touches the bed: so it comes out if the mesh was not tilted.
-bool standsOnEdge(const TransformReport& report) {
-  constexpr double kNarrow = 0.1;
-  if (report.footprint.isEmpty()) return false;
-  const Point3 base = report.footprint.size();
-  const Point3 part = report.part.size();
-  return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
-}
-
 void printJson(const TransformReport& report, const std::string& output, double seconds) {
   const nlohmann::ordered_json json = {{"slicer", report.slicer},
                                        {"lines", report.lines},
@@ -80,9 +71,15 @@ void printText(const TransformReport& report, const std::string& output, double 
 }
 
 void incline(const InclineArguments& arguments, OutputFormat format) {
+  if (arguments.prints_config) {
+    InclineSettings settings;
+    SettingsSchema schema;
+    describe(schema, settings);
+    return printConfig(schema, format);
+  }
   InclineJob job = jobFrom(arguments);
   if (job.output.empty()) job.output = inclinedName(job.program);
-  requireApart({job.output}, {arguments.program, arguments.begin_code, arguments.end_code});
+  requireApart({job.output}, {arguments.program, arguments.config, arguments.begin_code, arguments.end_code});
   TransformReport report;
   const auto begin = std::chrono::steady_clock::now();
   {

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "lamina/job/incline_job.hpp"
+#include "lamina/job/incline_settings.hpp"
 
 namespace lamina::cli {
 
@@ -15,30 +14,19 @@ namespace lamina::cli {
 struct InclineArguments {
   std::string program;
   std::string output;
-  std::string map = "rotation";
-  std::optional<double> angle_deg;
-  std::string axis;
-  std::vector<double> factors;
-  std::vector<double> matrix;
-  std::string shear;
-  double belt_deg = 0.0;
-  std::string begin_code;
-  std::string end_code;
-  std::vector<double> table_position;
-  std::vector<double> offset;
-  std::vector<double> final_position;
-  std::string machine;
-  std::vector<double> limits;
-  double layer_height_mm = 0.0;
-  int decimals = -1;
-  std::string extrusion;
-  TransformSettings settings;
+  std::string config;
+  std::vector<SettingText> options;      ///< those that are settings
+  std::vector<std::string> assignments;  ///< --set
+  std::string begin_code;                ///< file
+  std::string end_code;                  ///< file
+  bool prints_config = false;
 };
 
 void addOptions(CLI::App& subcommand, InclineArguments& arguments);
 
-/// @throws InvalidConfig if options do not go together
-/// @throws FileError if begin or end code cannot be read
+/// The configuration, overridden by the options and then by `--set`.
+/// @throws InvalidConfig if settings do not go together
+/// @throws FileError if configuration, begin or end code cannot be read
 InclineJob jobFrom(const InclineArguments& arguments);
 
 }  // namespace lamina::cli

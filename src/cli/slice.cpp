@@ -26,25 +26,6 @@ struct SliceArguments {
   bool prints_config = false;
 };
 
-nlohmann::ordered_json valueOf(const Setting& setting) {
-  const bool is_plain = setting.type == "number" || setting.type == "integer" || setting.type == "flag";
-  if (is_plain) return nlohmann::ordered_json::parse(setting.get());
-  return setting.get();
-}
-
-void printConfig(OutputFormat format) {
-  JobSettings settings;
-  SettingsSchema schema;
-  describe(schema, settings);
-  if (format == OutputFormat::Text) {
-    std::fputs(settingsToYaml(schema).c_str(), stdout);
-    return;
-  }
-  nlohmann::ordered_json json;
-  for (const Setting& setting : schema.settings()) json[setting.key] = valueOf(setting);
-  std::printf("%s\n", json.dump(2).c_str());
-}
-
 SliceJob jobFrom(const SliceArguments& arguments) {
   if (arguments.part.empty())
     throw InvalidInput("no part is given; expected a mesh file or the name of a part");
@@ -134,7 +115,12 @@ void printText(const SliceSummary& s, const std::string& output) {
 }
 
 void slice(const SliceArguments& arguments, OutputFormat format) {
-  if (arguments.prints_config) return printConfig(format);
+  if (arguments.prints_config) {
+    JobSettings settings;
+    SettingsSchema schema;
+    describe(schema, settings);
+    return printConfig(schema, format);
+  }
   const SliceJob job = jobFrom(arguments);
   requireApart({job.output}, {job.part, arguments.config});
   std::optional<ThreadLimit> limit;

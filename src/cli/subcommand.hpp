@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/settings.hpp"
+
 namespace lamina::cli {
 
 /// How a subcommand tells what it found.
@@ -30,6 +32,9 @@ inline constexpr int kMostLayers = 1000000000;
 
 /// Adds the flag `--json` to a subcommand.
 void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
+
+/// Prints the settings on standard output: as YAML, or as one JSON object of keys and values.
+void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.

@@ -275,8 +275,8 @@ class CommandLine(unittest.TestCase):
                                 ("InvalidInput", [program, "-o", program]), ("InvalidInput", [program, "-o", self.path("o.txt")]),
                                 ("InvalidProgram", [program]), ("InvalidConfig", [program, "--axis", "w"]),
                                 ("InvalidConfig", [program, "--map", "scale"]),
-                                ("InvalidConfig", [program, "--map", "scale", "--factors", "1,1,1", "--axis", "x"]), ("InvalidConfig", [program, "--shear", "y,z,1"]),
-                                ("InvalidConfig", [program, "--machine", "none", "--layer-height", "1"]),
+                                ("InvalidConfig", [program, "--map", "scale", "--factors", "1,1,1", "--axis", "y"]), ("InvalidConfig", [program, "--shear", "y,z,1"]),
+                                ("InvalidConfig", [program, "--machine", "nowhere", "--layer-height", "1"]),
                                 ("InvalidInput", [program, "--begin-code", begin, "-o", begin, "--layer-height", "1"]),
                                 ("Unreachable", [program, "--layer-height", "1", "--offset=-20,0,0"]),
                                 ("InvalidConfig", [program, "--angle-deg", "361"])):

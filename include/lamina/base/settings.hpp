@@ -20,7 +20,7 @@ struct Bounds {
 /// `--set` and in a ROS request.
 struct Setting {
   std::string key;      ///< dotted, unit last: "slicing.layer_height_mm"
-  std::string type;     ///< "number", "integer", "flag", "text", or the choices "a | b | c"
+  std::string type;     ///< "number", "integer", "flag", "text", "3 numbers", or the choices "a | b | c"
   std::string bounds;   ///< as a person reads it: "(0, 10]"; empty if there are none
   std::string meaning;  ///< one sentence
   std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
@@ -35,6 +35,9 @@ class SettingsSchema {
   void integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning);
   void flag(const std::string& key, bool& field, const std::string& meaning);
   void text(const std::string& key, std::string& field, const std::string& meaning);
+  /// Finite numbers with commas between them, `count` of them or none.
+  void numbers(const std::string& key, std::vector<double>& field, std::size_t count,
+               const std::string& meaning);
   /// A text that must be one of `choices`.
   void choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
               const std::string& meaning);
@@ -68,6 +71,12 @@ struct SettingText {
 /// Reads a YAML document into dotted keys, in document order. An empty document gives nothing.
 /// @throws InvalidConfig if it is not YAML, not a map, or a key stands twice; names the line
 std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name);
+
+/// Sets what a YAML file holds, and then `overrides`, in order.
+/// @param yaml_path  empty for none
+/// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
+void applySettings(SettingsSchema& schema, const std::string& yaml_path,
+                   const std::vector<SettingText>& overrides);
 
 /// Splits "key=value".
 /// @throws InvalidConfig if there is no '=' or no key

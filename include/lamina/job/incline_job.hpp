@@ -3,10 +3,10 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/kinematics/machine.hpp"
 #include "lamina/transform/program_transform.hpp"
 
 namespace lamina {
@@ -17,7 +17,6 @@ struct InclineJob {
   std::string output;  ///< empty for <program without .gcode>_rotate.gcode beside it
   std::shared_ptr<const SpaceMap> map;
   std::shared_ptr<const SpaceMap> axes;  ///< nullptr for a machine that takes places over the bed
-  std::string machine;  ///< name of the machine whose limits hold; empty for those of the settings
   TransformSettings settings;
 };
 
@@ -28,8 +27,7 @@ std::string inclinedName(const std::string& program);
 Box3 largeGantryRoom();
 
 /// Room of a machine's nozzle over its bed.
-/// @throws InvalidConfig if there is no machine of that name
-Box3 machineRoom(const std::string& name);
+Box3 machineRoom(const Machine& machine);
 
 /// Transforms the program.
 /// @throws InvalidInput if program or output do not end in .gcode, the output is the program, or there is no

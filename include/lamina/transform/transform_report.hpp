@@ -29,4 +29,8 @@ struct TransformReport {
   Box3 nozzle;  ///< of all places the nozzle goes to in the part, over the bed [mm]
 };
 
+/// Whether the part is more than ten times as wide as what touches the bed, in x or y: so it comes out if the
+/// mesh was not tilted by the opposite angle before it was sliced. Not told in the listing's mode.
+bool standsOnEdge(const TransformReport& report);
+
 }  // namespace lamina

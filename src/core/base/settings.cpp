@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 
@@ -43,6 +44,22 @@ Number parse(const std::string& key, const std::string& text, const std::string&
 bool isInside(double value, const Bounds& bounds) {
   if (!std::isfinite(value)) return false;
   return value <= bounds.high && (bounds.excludes_low ? value > bounds.low : value >= bounds.low);
+}
+
+/// Numbers with commas between them; none in an empty text.
+std::vector<double> parseList(const std::string& key, const std::string& text, const std::string& expected) {
+  std::vector<double> values;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    double value = 0.0;
+    const auto result = std::from_chars(text.data() + begin, text.data() + comma, value);
+    if (result.ec != std::errc{} || result.ptr != text.data() + comma || !std::isfinite(value))
+      refuse(key, text, expected);
+    values.push_back(value);
+    if (comma + 1 == text.size()) refuse(key, text, expected);
+    begin = comma + 1;
+  }
+  return values;
 }
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
@@ -99,6 +116,23 @@ void SettingsSchema::text(const std::string& key, std::string& field, const std:
                        [&field] { return field; }});
 }
 
+void SettingsSchema::numbers(const std::string& key, std::vector<double>& field, std::size_t count,
+                             const std::string& meaning) {
+  const std::string type = std::to_string(count) + " numbers";
+  const std::string expected = type + " with commas between them, or empty";
+  const auto set = [key, &field, count, expected](const std::string& text) {
+    std::vector<double> values = parseList(key, text, expected);
+    if (!values.empty() && values.size() != count) refuse(key, text, expected);
+    field = std::move(values);
+  };
+  const auto get = [&field] {
+    std::vector<std::string> texts;
+    for (const double value : field) texts.push_back(shortest(value));
+    return listed(texts, ",");
+  };
+  settings_.push_back({key, type, "", meaning, set, get});
+}
+
 void SettingsSchema::choice(const std::string& key, std::string& field,
                             const std::vector<std::string>& choices, const std::string& meaning) {
   addChoice(
@@ -134,6 +168,14 @@ void SettingsSchema::set(const std::string& key, const std::string& text) {
   }
   throw InvalidConfig("unknown setting '" + key + "'" +
                       (nearest == nullptr ? std::string() : "; did you mean '" + nearest->key + "'?"));
+}
+
+void applySettings(SettingsSchema& schema, const std::string& yaml_path,
+                   const std::vector<SettingText>& overrides) {
+  if (!yaml_path.empty())
+    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
+      schema.set(setting.key, setting.text);
+  for (const SettingText& setting : overrides) schema.set(setting.key, setting.text);
 }
 
 SettingText settingFromAssignment(const std::string& assignment) {

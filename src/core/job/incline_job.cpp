@@ -6,7 +6,6 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/kinematics/machine.hpp"
 
 namespace lamina {
 namespace {
@@ -22,8 +21,8 @@ std::string inclinedName(const std::string& program) {
 
 Box3 largeGantryRoom() { return {Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)}; }
 
-Box3 machineRoom(const std::string& name) {
-  Box3 room = workspace(machineByName(name));
+Box3 machineRoom(const Machine& machine) {
+  Box3 room = workspace(machine);
   room.low.z() = std::max(room.low.z(), 0.0);  // beneath is the bed, however far the axis goes
   return room;
 }
@@ -34,9 +33,7 @@ TransformReport runInclineJob(const InclineJob& job, Progress& progress) {
   const std::string output = job.output.empty() ? inclinedName(job.program) : job.output;
   requireSuffix(output, {std::string(kSuffix)});
   requireApart({output}, {job.program});
-  TransformSettings settings = job.settings;
-  if (!job.machine.empty()) settings.limits_mm = machineRoom(job.machine);
-  return transformProgram({job.program, output}, {*job.map, job.axes.get()}, settings, progress);
+  return transformProgram({job.program, output}, {*job.map, job.axes.get()}, job.settings, progress);
 }
 
 }  // namespace lamina

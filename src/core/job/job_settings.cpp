@@ -62,10 +62,7 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
   JobSettings settings;
   SettingsSchema schema;
   describe(schema, settings);
-  if (!yaml_path.empty())
-    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
-      schema.set(setting.key, setting.text);
-  for (const SettingText& setting : overrides) schema.set(setting.key, setting.text);
+  applySettings(schema, yaml_path, overrides);
   return settings;
 }
 
