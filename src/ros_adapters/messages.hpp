@@ -10,6 +10,9 @@
 #include <lamina/Bead.h>
 #include <lamina/FillVoids.h>
 #include <lamina/FilledVoid.h>
+#include <lamina/InclineAction.h>
+#include <lamina/InclineGcode.h>
+#include <lamina/InclineSummary.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/MachineState.h>
 #include <lamina/Setting.h>

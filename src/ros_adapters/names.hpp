@@ -8,8 +8,11 @@ namespace lamina::names {
 // Topics.
 inline constexpr char kToolpath[] = "toolpath";                 ///< lamina/Toolpath, latched
 inline constexpr char kToolpathMarkers[] = "toolpath_markers";  ///< visualization_msgs/MarkerArray, latched
-inline constexpr char kVoidMarkers[] = "void_markers";          ///< visualization_msgs/MarkerArray, latched
-inline constexpr char kMachineState[] = "machine_state";        ///< lamina/MachineState, latched
+inline constexpr char kSourceToolpathMarkers[] =
+    "source_toolpath_markers";  ///< visualization_msgs/MarkerArray, latched: of a program before it is
+                                ///< inclined
+inline constexpr char kVoidMarkers[] = "void_markers";    ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kMachineState[] = "machine_state";  ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
 inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState
@@ -24,11 +27,13 @@ inline constexpr char kHeightDeviation[] =
     "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected
 
 // Services.
-inline constexpr char kSliceMesh[] = "slice_mesh";           ///< lamina/SliceMesh
-inline constexpr char kFillVoids[] = "fill_voids";           ///< lamina/FillVoids
-inline constexpr char kPause[] = "pause";                    ///< std_srvs/Trigger
-inline constexpr char kResume[] = "resume";                  ///< std_srvs/Trigger
-inline constexpr char kAbort[] = "abort";                    ///< std_srvs/Trigger
+inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
+inline constexpr char kFillVoids[] = "fill_voids";  ///< lamina/FillVoids
+inline constexpr char kInclineGcode[] =
+    "incline_gcode";                         ///< lamina/InclineGcode, and the action lamina/Incline
+inline constexpr char kPause[] = "pause";    ///< std_srvs/Trigger
+inline constexpr char kResume[] = "resume";  ///< std_srvs/Trigger
+inline constexpr char kAbort[] = "abort";    ///< std_srvs/Trigger
 inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigger
 
 // Actions.

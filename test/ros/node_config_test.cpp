@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
+#include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/trajectory_publisher/trajectory_settings.hpp"
@@ -34,6 +35,13 @@ TEST(NodeConfig, OfEmulatedMachineIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("emulated_machine", schema);
+}
+
+TEST(NodeConfig, OfGcodeInclinerIsCompleteAndHasTheDefaults) {
+  lamina::GcodeInclinerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("gcode_incliner", schema);
 }
 
 TEST(NodeConfig, OfGcodeStreamerIsCompleteAndHasTheDefaults) {

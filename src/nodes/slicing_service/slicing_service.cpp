@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing_service.hpp"
 
+#include "action_progress.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
-#include "ros_progress.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
 #include "toolpath_markers.hpp"
@@ -37,7 +37,7 @@ bool SlicingService::onService(lamina_msgs::SliceMesh::Request& request,
 }
 
 void SlicingService::onGoal(const lamina_msgs::SliceGoalConstPtr& goal) {
-  ActionProgress progress(action_);
+  ActionProgress<lamina_msgs::SliceAction> progress(action_);
   const Answer given = answer({goal->part, goal->settings, goal->output}, progress);
   lamina_msgs::SliceResult result;
   result.status = given.status;

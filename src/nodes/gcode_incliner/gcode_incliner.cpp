@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gcode_incliner.hpp"
+
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "action_progress.hpp"
+#include "conversions.hpp"
+#include "incline_messages.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "names.hpp"
+#include "service_progress.hpp"
+#include "status.hpp"
+#include "toolpath_markers.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kBytesPerMegabyte = 1e6;
+
+/// Tells why the programs are too large to be viewed, if they are.
+std::optional<std::string> tooLarge(const std::string& program, const std::string& output, double most_mb) {
+  const auto bytes = std::max(std::filesystem::file_size(program), std::filesystem::file_size(output));
+  const double size_mb = static_cast<double>(bytes) / kBytesPerMegabyte;
+  if (size_mb <= most_mb) return std::nullopt;
+  return "not published: the program holds " + std::to_string(size_mb) +
+         " MB, and view.largest_program_mb is " + std::to_string(most_mb);
+}
+
+}  // namespace
+
+GcodeIncliner::GcodeIncliner(ros::NodeHandle node, const GcodeInclinerSettings& settings)
+    : settings_(settings),
+      toolpath_(node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>(names::kToolpathMarkers, 1, true)),
+      source_markers_(
+          node.advertise<visualization_msgs::MarkerArray>(names::kSourceToolpathMarkers, 1, true)),
+      service_(node.advertiseService(names::kInclineGcode, &GcodeIncliner::onService, this)),
+      action_(
+          node, names::kInclineGcode, [this](const lamina_msgs::InclineGoalConstPtr& goal) { onGoal(goal); },
+          false) {
+  action_.start();
+}
+
+bool GcodeIncliner::onService(lamina_msgs::InclineGcode::Request& request,
+                              lamina_msgs::InclineGcode::Response& response) {
+  ServiceProgress progress;
+  const Answer given = answer({request.program, request.output, request.settings}, progress);
+  response.status = given.status;
+  response.output = given.output;
+  response.toolpath_id = given.toolpath_id;
+  response.summary = given.summary;
+  return true;
+}
+
+void GcodeIncliner::onGoal(const lamina_msgs::InclineGoalConstPtr& goal) {
+  ActionProgress<lamina_msgs::InclineAction> progress(action_);
+  const Answer given = answer({goal->program, goal->output, goal->settings}, progress);
+  lamina_msgs::InclineResult result;
+  result.status = given.status;
+  result.output = given.output;
+  result.toolpath_id = given.toolpath_id;
+  result.summary = given.summary;
+  if (given.status.code == lamina_msgs::Status::OK)
+    action_.setSucceeded(result, given.status.message);
+  else if (given.status.code == lamina_msgs::Status::CANCELLED)
+    action_.setPreempted(result, given.status.message);
+  else
+    action_.setAborted(result, given.status.message);
+}
+
+GcodeIncliner::Answer GcodeIncliner::answer(const Request& request, Progress& progress) {
+  try {
+    const std::unique_lock<std::mutex> lock(job_, std::try_to_lock);
+    if (!lock) throw Rejected("another program is being inclined; wait for it or cancel it");
+    ROS_INFO_STREAM("inclining '" << request.program << "'");
+    Answer given = incline(request, progress);
+    ROS_INFO_STREAM("inclined '" << request.program << "' to '" << given.output
+                                 << "': " << given.summary.layers << " layers, " << given.summary.motions
+                                 << " motions");
+    if (!given.status.message.empty()) ROS_WARN_STREAM(given.output << ": " << given.status.message);
+    return given;
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM("cannot incline '" << request.program << "': " << toString(failure.code) << ": "
+                                        << failure.message);
+    Answer refused;
+    refused.status = toMessage(failure);
+    return refused;
+  }
+}
+
+GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& progress) {
+  GcodeInclinerSettings settings = settings_;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
+  Answer answer;
+  answer.output = request.output.empty() ? inclinedName(request.program) : request.output;
+  const auto begin = std::chrono::steady_clock::now();
+  const TransformReport report =
+      runInclineJob(inclineJob(settings.incline, request.program, answer.output), progress);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  answer.summary = toMessage(report);
+  answer.summary.wall_time = passed.count();
+  view(request.program, settings, answer);
+  return answer;
+}
+
+/// The file is written by now: what cannot be shown is told, and is no failure.
+void GcodeIncliner::view(const std::string& program, const GcodeInclinerSettings& settings, Answer& answer) {
+  try {
+    const auto refusal = tooLarge(program, answer.output, settings.largest_viewed_mb);
+    if (refusal) throw InvalidInput(*refusal);
+    answer.toolpath_id = publish(program, settings, answer.output);
+  } catch (...) {
+    answer.status.message = currentFailure().message;
+  }
+}
+
+/// @return the toolpath's id
+std::string GcodeIncliner::publish(const std::string& program, const GcodeInclinerSettings& settings,
+                                   const std::string& output) {
+  const auto source = toolpathMarkers(toolpathFromGcodeFile(program, settings.program), names::kBedFrame);
+  MachineToolpath placed;
+  placed.toolpath = toolpathFromGcodeFile(output, settings.program);
+  placed.id = toolpathId(placed.toolpath);
+  if (const auto machine = machineOf(settings.incline)) placed.machine = machine->name;
+  lamina_msgs::Toolpath message = toMessage(placed);
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kPartFrame;
+  toolpath_.publish(message);
+  source_markers_.publish(source);
+  markers_.publish(toolpathMarkers(placed.toolpath, names::kBedFrame));
+  return placed.id;
+}
+
+}  // namespace lamina
