@@ -34,6 +34,7 @@ void printJson(const TransformReport& report, const std::string& output, double 
                                        {"part", toJson(report.part)},
                                        {"footprint", toJson(report.footprint)},
                                        {"stands_on_edge", standsOnEdge(report)},
+                                       {"jet_off_normal_deg", report.jet_off_normal_deg},
                                        {"nozzle", toJson(report.nozzle)},
                                        {"seconds", seconds},
                                        {"lines_per_s", static_cast<double>(report.lines) / seconds},
@@ -65,6 +66,9 @@ void printText(const TransformReport& report, const std::string& output, double 
     std::printf(
         "notice      the part stands on an edge: was the mesh tilted by the opposite angle before "
         "slicing?\n");
+  if (isJetOffNormal(report))
+    std::printf("notice      the machine holds its nozzle at %.2f deg from the normal of the layers\n",
+                report.jet_off_normal_deg);
   std::printf("computed in %.3f s, %.1f million lines per second\n", seconds,
               1e-6 * static_cast<double>(report.lines) / seconds);
   std::printf("written to  %s\n", output.c_str());

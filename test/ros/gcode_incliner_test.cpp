@@ -96,11 +96,23 @@ TEST_F(GcodeIncliner, WritesTheProgramAndShowsItBeforeAndAfter) {
   const auto toolpath = latched<lamina_msgs::Toolpath>(lamina::names::kToolpath);
   ASSERT_TRUE(toolpath);
   EXPECT_EQ(toolpath->id, response.toolpath_id);
-  EXPECT_EQ(toolpath->layers.size(), 4U);
+  ASSERT_EQ(toolpath->layers.size(), 4U);
+  EXPECT_NEAR(toolpath->part_from_layers.x, std::sin(M_PI / 8.0), 1e-12);
+  EXPECT_NEAR(toolpath->part_from_layers.w, std::cos(M_PI / 8.0), 1e-12);
+  EXPECT_NEAR(toolpath->layers[1].z - toolpath->layers[0].z, 0.5e-3, 2e-6) << "along the normal";
   EXPECT_TRUE(latched<visualization_msgs::MarkerArray>(lamina::names::kToolpathMarkers));
   const auto source = latched<visualization_msgs::MarkerArray>(lamina::names::kSourceToolpathMarkers);
   ASSERT_TRUE(source);
   EXPECT_EQ(source->markers.back().header.frame_id, lamina::names::kBedFrame);
+}
+
+TEST_F(GcodeIncliner, TellsTheMachineAndWhereItsHeadIsAnother) {
+  const auto made = call(program(tiltedWall(2)), {setting("machine.name", "large_gantry_45")});
+  EXPECT_EQ(made.status.message, "");
+  EXPECT_EQ(latched<lamina_msgs::Toolpath>(lamina::names::kToolpath)->machine, "large_gantry_45");
+  const auto other = call(program(tiltedWall(2)), {setting("machine.name", "large_gantry_45_reverse")});
+  EXPECT_EQ(other.status.code, Status::OK + 0);
+  EXPECT_NE(other.status.message.find("90.0"), std::string::npos) << other.status.message;
 }
 
 TEST_F(GcodeIncliner, TakesBeginAndEndCodeAsText) {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/program/gcode_reader.hpp"
+#include "lamina/program/program_frame.hpp"
 #include "lamina/transform/program_transform.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -13,9 +15,24 @@ namespace lamina::test {
 
 /// A program after a transform.
 struct Transformed {
-  std::string text;
+  std::string text;  ///< without the comments that tell the frame
+  ToldFrame frame;
   TransformReport report;
 };
+
+/// Takes the comments that tell the frame out of a program.
+inline ToldFrame takeFrame(std::string& program) {
+  ToldFrame frame;
+  std::string rest;
+  for (std::size_t begin = 0; begin < program.size();) {
+    const std::size_t end = std::min(program.find('\n', begin), program.size() - 1) + 1;
+    const std::string line = program.substr(begin, end - begin);
+    if (line[0] != ';' || !readFrameComment(line.substr(1), frame)) rest += line;
+    begin = end;
+  }
+  program = rest;
+  return frame;
+}
 
 inline AffineMap aboutX45() { return rotation(Point3::UnitX(), 45.0); }
 
@@ -28,6 +45,7 @@ inline Transformed transformed(const std::string& program, const TransformSettin
   result.report =
       transformProgram({folder.file("in.gcode"), folder.file("out.gcode")}, {map, axes}, settings, progress);
   result.text = readFile(folder.file("out.gcode"));
+  result.frame = takeFrame(result.text);
   return result;
 }
 

@@ -34,6 +34,9 @@ struct ToldFrame {
 /// told: level layers, a nozzle that points straight down, axes that are those of the bed.
 std::string frameComments(const ToldFrame& told);
 
+/// Whether a comment, without its semicolon, is one of these.
+bool isFrameComment(std::string_view comment);
+
 /// Takes in a comment without its semicolon.
 /// @return whether it is one of these; others change nothing
 /// @throws InvalidProgram if it is one of these and its numbers are no rotation, or no map that can be undone

@@ -25,12 +25,16 @@ struct TransformReport {
   /// Of the deposition ends no higher than a layer above the lowest: what the part stands on. An edge only,
   /// if the mesh was not tilted before it was sliced.
   Box3 footprint;
-  Box3 part;    ///< of the deposition ends over the bed [mm]
-  Box3 nozzle;  ///< of all places the nozzle goes to in the part, over the bed [mm]
+  Box3 part;                        ///< of the deposition ends over the bed [mm]
+  double jet_off_normal_deg = 0.0;  ///< angle between the nozzle and the normal of the layers
+  Box3 nozzle;                      ///< of all places the nozzle goes to in the part, over the bed [mm]
 };
 
 /// Whether the part is more than ten times as wide as what touches the bed, in x or y: so it comes out if the
 /// mesh was not tilted by the opposite angle before it was sliced. Not told in the listing's mode.
 bool standsOnEdge(const TransformReport& report);
+
+/// Whether the nozzle is held otherwise than along the layers' normal, by more than 0.01 deg.
+bool isJetOffNormal(const TransformReport& report);
 
 }  // namespace lamina

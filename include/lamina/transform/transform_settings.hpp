@@ -43,6 +43,9 @@ struct TransformSettings {
   std::string begin_code;                   ///< after the comments at the head
   std::string end_code;                     ///< after all else
   std::optional<Box3> limits_mm;            ///< of the nozzle
+  /// Direction of the machine's jet over the bed, which the comments of the program tell; else the nozzle
+  /// turns with the layers.
+  std::optional<Point3> jet;
   Homing homing = Homing::Annulled;
   BuildAids build_aids = BuildAids::Kept;
   ExtrusionRule extrusion_rule = ExtrusionRule::ByVolume;

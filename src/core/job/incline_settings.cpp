@@ -213,6 +213,7 @@ InclineJob inclineJob(const InclineSettings& settings, const std::string& progra
   job.settings = settings.transform;
   TransformSettings& transform = job.settings;
   transform.limits_mm = limitsOf(settings, machine);
+  if (machine) transform.jet = machine->bed_from_nozzle_at_zero.linear().col(2);
   if (settings.decimals >= 0) transform.decimals = settings.decimals;
   if (settings.layer_height_mm > 0.0) transform.layer_height_mm = settings.layer_height_mm;
   if (!settings.offset_mm.empty()) transform.offset_mm = pointOf(settings.offset_mm);

@@ -93,6 +93,10 @@ std::string frameComments(const ToldFrame& told) {
   return lines;
 }
 
+bool isFrameComment(std::string_view comment) {
+  return startsWith(comment, kLayers) || startsWith(comment, kNozzle) || startsWith(comment, kAxes);
+}
+
 bool readFrameComment(std::string_view comment, ToldFrame& told) {
   if (startsWith(comment, kLayers))
     told.bed_from_layers = rotationBehind(kLayers, comment);

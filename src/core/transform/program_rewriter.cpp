@@ -3,6 +3,7 @@
 #include "transform/program_rewriter.hpp"
 
 #include "transform/decimal_number.hpp"
+#include "transform/frame_transform.hpp"
 #include "transform/motion_text.hpp"
 
 namespace lamina {
@@ -43,13 +44,15 @@ ProgramRewriter::ProgramRewriter(const PointTransform& transform, const Survey& 
       tracker_(settings),
       filament_(transform, settings.extrusion_rule),
       closing_(settings, clearHeight(survey, transform), decimals_),
-      begin_code_(wholeLines(settings.begin_code)),
+      begin_code_(frameComments(transformedFrame(survey.frame, transform, settings.jet)) +
+                  wholeLines(settings.begin_code)),
       footprint_top_(footprintTop(survey, transform, settings)) {}
 
 void ProgramRewriter::read(std::string_view line, std::size_t number, std::string& out) {
   if (number == survey_.end_line) leavePart(out);
   const LineRole role = tracker_.read(line, number);
   const LineStart start = tracker_.command().start();
+  if (start == LineStart::Comment && isFrameComment(tracker_.command().comment())) return;
   const bool is_head = (start == LineStart::Blank || start == LineStart::Comment) &&
                        tracker_.section() == ProgramSection::Start;
   if (!is_head && !begin_code_.empty()) appendBeginCode(out);

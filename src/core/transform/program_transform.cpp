@@ -7,6 +7,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "transform/closing_code.hpp"
+#include "transform/frame_transform.hpp"
 #include "transform/line_reader.hpp"
 #include "transform/listing_rewriter.hpp"
 #include "transform/part_placement.hpp"
@@ -121,6 +122,8 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
   TransformReport report = reportOf(measured.survey, transform.shift, settings);
   report.nozzle = rewriter.nozzle().box;
   report.footprint = rewriter.footprint();
+  report.jet_off_normal_deg =
+      jetOffNormalDeg(transformedFrame(measured.survey.frame, transform, settings.jet));
   report.deferred = rewriter.counts().deferred;
   report.homings_annulled = rewriter.counts().homings_annulled;
   report.aids_dropped = rewriter.counts().aids_dropped;

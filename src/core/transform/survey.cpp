@@ -35,9 +35,23 @@ void Surveyor::read(std::string_view line, std::size_t number) {
     if (survey_.end_line == 0) throw;
     if (!refusal_) refusal_ = error.what();
   }
+  if (tracker_.command().start() == LineStart::Comment) readFrame(number);
   if (tracker_.section() != ProgramSection::Part) return;
   if (tracker_.mark() != SectionMark::None) readMark(number);
   if (role == LineRole::Motion) addMotion(number);
+}
+
+void Surveyor::readFrame(std::size_t number) {
+  const auto refuse = [number](const std::string& what) {
+    throw InvalidProgram("line " + std::to_string(number) + ": " + what);
+  };
+  try {
+    readFrameComment(tracker_.command().comment(), survey_.frame);
+  } catch (const InvalidProgram& error) {
+    refuse(error.what());
+  }
+  if (survey_.frame.bed_from_program.matrix() != Eigen::Matrix4d::Identity())
+    refuse("the program speaks values of axes that stand askew; expected coordinates of the bed");
 }
 
 void Surveyor::readMark(std::size_t number) {

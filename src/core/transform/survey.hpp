@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "lamina/program/program_frame.hpp"
 #include "transform/point_transform.hpp"
 #include "transform/program_tracker.hpp"
 
@@ -43,6 +44,7 @@ struct Survey {
   std::size_t lines = 0;
   std::string slicer;
   std::optional<double> layer_height_mm;  ///< as the comments tell
+  ToldFrame frame;                        ///< likewise
 };
 
 /// First pass over a program: finds where its part ends and how far it reaches, and refuses what cannot be
@@ -60,6 +62,7 @@ class Surveyor {
   Survey finish();
 
  private:
+  void readFrame(std::size_t number);
   void readMark(std::size_t number);
   void addMotion(std::size_t number);
   void addPoints(const std::vector<Point3>& ends, std::size_t number);

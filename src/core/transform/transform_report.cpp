@@ -12,4 +12,9 @@ bool standsOnEdge(const TransformReport& report) {
   return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
 }
 
+bool isJetOffNormal(const TransformReport& report) {
+  constexpr double kMost = 0.01;  // deg
+  return report.jet_off_normal_deg > kMost;
+}
+
 }  // namespace lamina

@@ -39,6 +39,8 @@ void validate(const TransformSettings& settings) {
     if (settings.offset_mm.head<2>() != Point2::Zero())
       throw InvalidConfig("table_position_mm and offset_mm both say where the part comes; expected one");
   }
+  if (settings.jet && !(settings.jet->norm() > 1e-9 && settings.jet->allFinite()))
+    refuse("the length of jet", settings.jet->norm(), "more than 1e-9");
   if (!(settings.final_feed_mm_min > 0.0))
     refuse("final_feed_mm_min", settings.final_feed_mm_min, "positive");
   requireWithin("chord_tolerance_mm", settings.chord_tolerance_mm, 1e-4, 10.0);

@@ -110,6 +110,9 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   answer.summary = toMessage(report);
   answer.summary.wall_time = passed.count();
+  if (isJetOffNormal(report))
+    answer.status.message = "the machine holds its nozzle at " + std::to_string(report.jet_off_normal_deg) +
+                            " deg from the normal of the layers; expected 0";
   view(request.program, settings, answer);
   return answer;
 }
@@ -121,7 +124,8 @@ void GcodeIncliner::view(const std::string& program, const GcodeInclinerSettings
     if (refusal) throw InvalidInput(*refusal);
     answer.toolpath_id = publish(program, settings, answer.output);
   } catch (...) {
-    answer.status.message = currentFailure().message;
+    std::string& message = answer.status.message;
+    message += (message.empty() ? "" : "; ") + currentFailure().message;
   }
 }
 
