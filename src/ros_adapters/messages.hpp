@@ -14,6 +14,7 @@
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>
 #include <lamina/LayerHeight.h>
+#include <lamina/LoadProgram.h>
 #include <lamina/MachineState.h>
 #include <lamina/Setting.h>
 #include <lamina/SliceAction.h>

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -63,6 +65,25 @@ TEST(ToolpathPlayer, StandsAtTheWaypointsAtTheirTimes) {
   EXPECT_FALSE(player.isFinished());
   EXPECT_TRUE(player.at(100.0).position.isApprox(Point3(100, 50, 0.4)));
   EXPECT_TRUE(player.isFinished());
+}
+
+TEST(ToolpathPlayer, TellsWhenTheNextWaypointIsReached) {
+  Toolpath toolpath = twoLayers();
+  toolpath.layers.resize(1);
+  ToolpathPlayer player(toolpath, almostStoppingAtCorners());
+  EXPECT_TRUE(std::isinf(player.nextWaypointTime())) << "nothing runs yet";
+  std::vector<Point3> reached = {player.at(0.0).position};
+  EXPECT_NEAR(player.nextWaypointTime(), 1.1, 1e-3);
+  while (std::isfinite(player.nextWaypointTime()))
+    reached.push_back(player.at(player.nextWaypointTime()).position);
+  EXPECT_TRUE(player.isFinished());
+  std::vector<Point3> waypoints;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points)
+        if (waypoints.empty() || point != waypoints.back()) waypoints.push_back(point);
+  ASSERT_EQ(reached.size(), waypoints.size());
+  for (std::size_t i = 0; i < reached.size(); ++i) EXPECT_LT((reached[i] - waypoints[i]).norm(), 1e-9) << i;
 }
 
 TEST(ToolpathPlayer, GoesBackInTime) {

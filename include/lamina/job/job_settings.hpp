@@ -8,7 +8,7 @@
 #include "lamina/base/settings.hpp"
 #include "lamina/geometry/mesh_reader.hpp"
 #include "lamina/job/placement.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -26,16 +26,6 @@ struct InputSettings {
   MeshUnits units;
   RepairPolicy repair = RepairPolicy::Repair;
 };
-
-/// Which machine prints the part.
-struct MachineSettings {
-  std::string name = "cartesian_gantry";  ///< one of `machineNames`
-  std::string urdf;                       ///< path of a description that stands for the named one
-};
-
-/// The machine of the file, or of the name if no file is given.
-/// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
-Machine machineOf(const MachineSettings& settings);
 
 /// The settings of all stages from mesh to program.
 struct JobSettings {

@@ -52,6 +52,9 @@ class ToolpathPlayer {
   /// The nozzle at `time_s`; before 0 at the first waypoint, after the end at the last.
   /// @throws InvalidInput if the toolpath has no motion, or a feed is not positive
   NozzleSample at(double time_s);
+  /// When the motion that runs at the time asked for last ends, which is at a waypoint: asking for it next
+  /// misses none. Infinite after the end, and before `at` is called.
+  double nextWaypointTime() const;
   /// True once `at` was asked for a time at or after the end.
   bool isFinished() const;
 

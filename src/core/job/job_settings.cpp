@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/job_settings.hpp"
 
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
-#include "lamina/kinematics/machine.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 
 namespace lamina {
@@ -43,19 +41,13 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice<Placement>("part.placement", settings.placement,
                            {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
                            "Put the part in the middle of the bed, or where its file says.");
-  schema.choice("machine.name", settings.machine.name, machineNames(), "Machine that prints the part.");
-  schema.text("machine.urdf", settings.machine.urdf,
-              "File that describes the machine; empty takes the named one.");
+  describe(schema, settings.machine, "Machine that prints the part.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
   describe(schema, settings.drop_voids);
   describe(schema, settings.scan);
   describe(schema, settings.motion);
   describe(schema, settings.program);
-}
-
-Machine machineOf(const MachineSettings& settings) {
-  return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
 }
 
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides) {

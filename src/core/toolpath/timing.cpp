@@ -3,6 +3,7 @@
 #include "lamina/toolpath/timing.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "lamina/base/error.hpp"
 #include "toolpath/motion_cursor.hpp"
@@ -73,6 +74,10 @@ class ToolpathPlayer::State {
     }
     return sample(time_s);
   }
+  double nextWaypointTime() const {
+    if (!is_started_ || is_finished_) return std::numeric_limits<double>::infinity();
+    return start_s_ + motions_.profile().duration_s;
+  }
   bool isFinished() const { return is_finished_; }
 
  private:
@@ -118,6 +123,7 @@ ToolpathPlayer::ToolpathPlayer(ToolpathPlayer&&) noexcept = default;
 ToolpathPlayer& ToolpathPlayer::operator=(ToolpathPlayer&&) noexcept = default;
 
 NozzleSample ToolpathPlayer::at(double time_s) { return state_->at(time_s); }
+double ToolpathPlayer::nextWaypointTime() const { return state_->nextWaypointTime(); }
 bool ToolpathPlayer::isFinished() const { return state_->isFinished(); }
 
 }  // namespace lamina

@@ -34,7 +34,7 @@ HeightMap bareBed(const Machine& machine, double cell_mm) {
 
 EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings)
     : settings_(settings),
-      machine_(machineByName(settings.machine_name)),
+      machine_(machineOf(settings.machine)),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kBurst, true)),
       profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),

@@ -4,8 +4,6 @@
 
 #include <sstream>
 
-#include "lamina/kinematics/machine.hpp"
-
 namespace lamina {
 
 void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
@@ -13,7 +11,7 @@ void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
   schema.integer("tcp_port", settings.tcp_port, {-1, 65535},
                  "TCP port on the loopback interface; 0 for any free one, -1 for none.");
   schema.text("faults", settings.faults, "Faults: kind=rate or kind=line,line, separated by spaces.");
-  schema.choice("machine.name", settings.machine_name, machineNames(), "Machine that is emulated.");
+  describe(schema, settings.machine, "Machine that is emulated.");
   schema.number("filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
                 "Diameter of the filament.");
   schema.number("position_spacing_mm", settings.position_spacing_mm, {0.0, 1000.0, true},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/streaming/emulated_machine.hpp"
 
@@ -15,7 +16,7 @@ struct EmulatedMachineSettings {
   std::string pty = "/tmp/lamina_machine";  ///< link to the pseudo-terminal
   int tcp_port = -1;                        ///< on the loopback interface; 0 for any free one, -1 for none
   std::string faults;                       ///< "kind=rate kind=line,line", as in `lamina emulate --fault`
-  std::string machine_name = "cartesian_gantry";
+  MachineSettings machine;
   double filament_diameter_mm = 1.75;
   double position_spacing_mm = 1.0;       ///< of the positions published along a motion
   double profile_spacing_mm = 0.1;        ///< of profiles, and of the positions they are taken at
@@ -26,7 +27,7 @@ struct EmulatedMachineSettings {
   ProfileSensorSettings sensor;
 };
 
-/// Adds the keys pty, tcp_port, faults, machine.name, filament_diameter_mm, position_spacing_mm,
+/// Adds the keys pty, tcp_port, faults, machine.*, filament_diameter_mm, position_spacing_mm,
 /// profile_spacing_mm, deposit.*, profile_while_depositing, emulator.*, motion.* and sensor.*.
 void describe(SettingsSchema& schema, EmulatedMachineSettings& settings);
 

@@ -21,7 +21,7 @@ constexpr double kFeedbackPeriod = 0.1;  // s
 
 GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings)
     : settings_(settings),
-      machine_(machineByName(settings.machine_name)),
+      machine_(machineOf(settings.machine)),
       bed_from_program_(programFromBed(machine_).inverse()),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),

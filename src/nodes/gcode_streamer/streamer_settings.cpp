@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streamer_settings.hpp"
 
-#include "lamina/kinematics/machine.hpp"
-
 namespace lamina {
 
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
   schema.text("port", settings.port.name, "Serial port or pseudo-terminal, or tcp:host:port.");
   schema.integer("baud", settings.port.baud, {50, 4000000}, "Baud rate of a serial port.");
-  schema.choice("machine.name", settings.machine_name, machineNames(),
-                "Machine whose axes the reported positions belong to.");
+  describe(schema, settings.machine, "Machine whose axes the reported positions belong to.");
   describe(schema, settings.stream);
   describe(schema, settings.program);
 }

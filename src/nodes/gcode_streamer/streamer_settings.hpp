@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/streaming/stream_session.hpp"
 
@@ -12,12 +13,12 @@ namespace lamina {
 
 struct GcodeStreamerSettings {
   MachinePort port{"/dev/ttyUSB0", 115200};
-  std::string machine_name = "cartesian_gantry";
+  MachineSettings machine;
   StreamSettings stream;
   ProgramSettings program;
 };
 
-/// Adds the keys port, baud, machine.name, stream.* and program.*.
+/// Adds the keys port, baud, machine.*, stream.* and program.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -10,7 +10,9 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
 #include "names.hpp"
+#include "status.hpp"
 #include "trajectory_messages.hpp"
 
 namespace lamina {
@@ -48,10 +50,11 @@ ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Actio
 }  // namespace
 
 TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings)
-    : settings_(settings), machine_(machineByName(settings.machine_name)), transforms_(machine_.urdf) {
+    : settings_(settings), machine_(machineOf(settings.machine)), transforms_(machine_.urdf) {
   describeMachine(node);
   advertise(node);
   toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
+  if (!settings_.load_program.empty()) load(settings_.load_program);
   if (settings_.mode == TrajectoryMode::Follow) {
     machine_position_ =
         node.subscribe(names::kMachinePosition, kBurst, &TrajectoryPublisher::onMachinePosition, this,
@@ -79,14 +82,37 @@ void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
   tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kBurst);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
+  ros::NodeHandle own("~");
+  load_program_ = own.advertiseService("load_program", &TrajectoryPublisher::onLoadProgram, this);
   if (settings_.mode == TrajectoryMode::Follow) return;
   joint_trajectory_ = node.advertise<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 1, true);
-  ros::NodeHandle own("~");
   play_ = trigger(own, "play", [this] { is_playing_ = true; });
   pause_ = trigger(own, "pause", [this] { is_playing_ = false; });
   rewind_ = trigger(own, "rewind", [this] {
     if (playback_) playback_->at_s = 0.0, playback_->announced_layers = 0;
   });
+}
+
+bool TrajectoryPublisher::onLoadProgram(lamina_msgs::LoadProgram::Request& request,
+                                        lamina_msgs::LoadProgram::Response& response) {
+  try {
+    response.toolpath_id = load(request.program);
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR("program '%s' refused: %s: %s", request.program.c_str(), toString(failure.code),
+              failure.message.c_str());
+    response.status = toMessage(failure);
+  }
+  return true;
+}
+
+std::string TrajectoryPublisher::load(const std::string& program) {
+  MachineToolpath placed;
+  placed.toolpath = toolpathFromGcodeFile(program, settings_.reading);
+  placed.id = toolpathId(placed.toolpath);
+  std::string id = placed.id;
+  accept(std::move(placed));
+  return id;
 }
 
 void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
@@ -122,13 +148,30 @@ void TrajectoryPublisher::onTick(const ros::TimerEvent& event) {
   const double passed_s = std::max(0.0, (event.current_real - last_tick_).toSec());
   last_tick_ = event.current_real;
   if (!playback_) return;
-  if (is_playing_)
+  if (is_playing_ && playback_->has_begun)
     playback_->at_s = std::min(playback_->time.total_s, playback_->at_s + passed_s * settings_.speed_up);
+  playback_->has_begun = true;
   announceLayer(event.current_real);
-  const NozzleSample sample = playback_->player.at(playback_->at_s);
+  publishWaypoints(event.current_real);
+  publishNozzle(playback_->player.at(playback_->at_s), event.current_real);
+}
+
+/// Those since the last tick, at their own times: between them the nozzle goes straight.
+void TrajectoryPublisher::publishWaypoints(const ros::Time& until) {
+  ToolpathPlayer& player = playback_->player;
+  for (double time_s = player.nextWaypointTime(); time_s < playback_->at_s;
+       time_s = player.nextWaypointTime()) {
+    const ros::Duration ago((playback_->at_s - time_s) / settings_.speed_up);
+    publishNozzle(player.at(time_s), until - ago);
+  }
+}
+
+void TrajectoryPublisher::publishNozzle(const NozzleSample& sample, const ros::Time& stamp) {
+  if (stamp <= last_stamp_) return;  // tf takes one transform at a time
+  last_stamp_ = stamp;
   sensor_msgs::JointState state =
       jointState(machine_, axisValues(machine_, playback_->placed.bed_from_part * sample.position));
-  state.header.stamp = event.current_real;
+  state.header.stamp = stamp;
   publishPosition(state);
 }
 

@@ -22,7 +22,8 @@ namespace lamina {
 /// transforms, services and parameters: docs/nodes/trajectory_publisher.md.
 class TrajectoryPublisher {
  public:
-  /// @throws InvalidConfig if the machine is unknown
+  /// @throws InvalidConfig if the machine is unknown; as `toolpathFromGcodeFile` and `requireRunsOn` if a
+  ///   program is to be loaded
   TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings);
 
  private:
@@ -39,15 +40,22 @@ class TrajectoryPublisher {
     ToolpathPlayer layer_player;
     double at_s = 0.0;
     std::size_t announced_layers = 0;
+    bool has_begun = false;  ///< the first waypoint was published
   };
 
   void advertise(ros::NodeHandle& node);
   void describeMachine(ros::NodeHandle& node);
+  bool onLoadProgram(lamina_msgs::LoadProgram::Request& request,
+                     lamina_msgs::LoadProgram::Response& response);
+  /// @return the toolpath's id
+  std::string load(const std::string& program);
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
   void accept(MachineToolpath placed);
   void onMachinePosition(const sensor_msgs::JointStateConstPtr& message);
   void onTick(const ros::TimerEvent& event);
   void announceLayer(const ros::Time& stamp);
+  void publishWaypoints(const ros::Time& until);
+  void publishNozzle(const NozzleSample& sample, const ros::Time& stamp);
   void publishPosition(const sensor_msgs::JointState& state);
 
   TrajectorySettings settings_;
@@ -60,12 +68,14 @@ class TrajectoryPublisher {
   ros::Publisher joint_trajectory_;
   ros::Subscriber toolpath_;
   ros::Subscriber machine_position_;
+  ros::ServiceServer load_program_;
   ros::ServiceServer play_;
   ros::ServiceServer pause_;
   ros::ServiceServer rewind_;
   ros::Timer timer_;
   std::unique_ptr<Playback> playback_;
   ros::Time last_tick_;
+  ros::Time last_stamp_;  ///< of a position that was played
   bool is_playing_ = true;
 };
 

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 
 namespace lamina {
@@ -16,7 +18,9 @@ enum class TrajectoryMode {
 };
 
 struct TrajectorySettings {
-  std::string machine_name = "cartesian_gantry";
+  MachineSettings machine;
+  std::string load_program;  ///< shown and played from the start; empty for none
+  ProgramSettings reading;   ///< filament and flow by which programs are read
   TrajectoryMode mode = TrajectoryMode::Visualise;
   double speed_up = 1.0;         ///< of playing
   double rate_hz = 50.0;         ///< of playing
@@ -24,7 +28,8 @@ struct TrajectorySettings {
   MotionLimits motion;           ///< of playing
 };
 
-/// Adds the keys machine.name, mode, speed_up, rate_hz, path_spacing_mm and motion.*.
+/// Adds the keys machine.*, mode, load_program, program.filament_diameter_mm, program.flow, speed_up,
+/// rate_hz, path_spacing_mm and motion.*.
 void describe(SettingsSchema& schema, TrajectorySettings& settings);
 
 }  // namespace lamina
