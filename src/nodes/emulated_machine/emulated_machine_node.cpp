@@ -19,11 +19,10 @@ namespace {
 constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber in accelerated time
 constexpr double kMarginMm = 10.0;
 
-HeightMap bareBed(const Machine& machine, double cell_mm) {
-  for (const MachineAxis& axis : machine.axes)
-    if (isEndless(axis))
-      throw InvalidConfig("machine " + machine.name + " has a belt, axis " + axis.name +
-                          "; the emulated machine shows beds that end");
+/// @param belt_mm  of a bed without end, that much is shown
+HeightMap bareBed(Machine machine, double cell_mm, double belt_mm) {
+  for (MachineAxis& axis : machine.axes)
+    if (isEndless(axis)) axis.high_mm = axis.low_mm + belt_mm;
   const Box3 reach = workspace(machine);
   const Point2 margin = Point2::Constant(kMarginMm);
   const Box2 area{reach.low.head<2>() - margin, reach.high.head<2>() + margin};
@@ -38,7 +37,8 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kBurst, true)),
       profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
-      deposit_(bareBed(machine_, settings.deposit_cell_mm)),
+      bed_from_program_(programFromBed(machine_).inverse()),
+      deposit_(bareBed(machine_, settings.deposit_cell_mm, settings.deposit_belt_mm)),
       sensor_(settings.sensor),
       start_(ros::Time::now()) {
   EmulatedObserver observer;
@@ -48,7 +48,7 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
   ROS_INFO("machine %s at %s, %g times as fast as real", machine_.name.c_str(), emulator_->pty().c_str(),
            settings_.emulator.speed_up);
   if (emulator_->tcpPort() != 0) ROS_INFO("machine at tcp:127.0.0.1:%d", emulator_->tcpPort());
-  publishPosition({0.0, Point3::Zero()});
+  publishPosition({0.0, bed_from_program_ * Point3::Zero()});
   worker_ = std::thread([this] { run(); });
 }
 
@@ -81,7 +81,7 @@ void EmulatedMachineNode::tryExecute(const ExecutedMotion& motion) {
 
 void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
   // After a rest the nozzle sets out later than it arrived.
-  if (motion.start_s > last_end_s_) publishPosition({motion.start_s, motion.start});
+  if (motion.start_s > last_end_s_) publishPosition({motion.start_s, bed_from_program_ * motion.start});
   last_end_s_ = motion.end_s;
   const double area = 0.25 * M_PI * settings_.filament_diameter_mm * settings_.filament_diameter_mm;
   const double volume = std::max(motion.filament_mm, 0.0) * area;
@@ -89,9 +89,10 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
   const bool deposits = moves && volume > 0.0;
   const bool measures =
       moves && (!deposits || settings_.profile_while_depositing) && profile_.getNumSubscribers() > 0;
-  const auto samples =
+  std::vector<MotionSample> samples =
       samplesOf(motion, measures ? settings_.profile_spacing_mm : settings_.position_spacing_mm);
-  Point3 from = motion.start;
+  for (MotionSample& sample : samples) sample.position = bed_from_program_ * sample.position;
+  Point3 from = bed_from_program_ * motion.start;
   for (const MotionSample& sample : samples) {
     // Piece by piece, so that the sensor never sees what is still to come.
     if (deposits) lay(from, sample.position, volume / static_cast<double>(samples.size()));
@@ -102,6 +103,10 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
 }
 
 void EmulatedMachineNode::lay(const Point3& from, const Point3& to, double volume_mm3) {
+  const HeightGrid& shown = deposit_.surface().grid();
+  if (shown.cellAt(to.head<2>()) == HeightGrid::kNoCell)
+    ROS_WARN_ONCE("material laid at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown", to.x(),
+                  to.y());
   deposit_.lay({from, to, volume_mm3});
   has_news_ = true;
 }

@@ -31,7 +31,7 @@ namespace lamina {
 class EmulatedMachineNode {
  public:
   /// @throws DeviceError, FileError as `EmulatedMachine`
-  /// @throws InvalidConfig if the machine is unknown
+  /// @throws InvalidConfig, FileError as `machineOf`
   EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings);
   ~EmulatedMachineNode();
 
@@ -50,6 +50,7 @@ class EmulatedMachineNode {
   ros::Publisher position_;
   ros::Publisher profile_;
   ros::Publisher deposited_;
+  Eigen::Affine3d bed_from_program_;
   BeadDeposit deposit_;
   ProfileSensor sensor_;
   MotionQueue motions_;

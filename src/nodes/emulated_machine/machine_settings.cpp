@@ -20,6 +20,8 @@ void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
                 "Distance between profiles, and positions, along a motion that is measured.");
   schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
                 "Cell of the map of deposited material.");
+  schema.number("deposit.belt_mm", settings.deposit_belt_mm, {0.0, 1e5, true},
+                "How much of a belt the map shows, from its start.");
   schema.number("deposit.period_s", settings.deposited_period_s, {0.0, 3600.0, true},
                 "Time between publications of the deposited material.");
   schema.flag("profile_while_depositing", settings.profile_while_depositing,

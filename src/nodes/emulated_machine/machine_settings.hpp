@@ -21,6 +21,7 @@ struct EmulatedMachineSettings {
   double position_spacing_mm = 1.0;       ///< of the positions published along a motion
   double profile_spacing_mm = 0.1;        ///< of profiles, and of the positions they are taken at
   double deposit_cell_mm = 0.1;           ///< of the map of deposited material
+  double deposit_belt_mm = 200.0;         ///< how much of a belt the map shows
   double deposited_period_s = 0.5;        ///< between publications of the deposited material
   bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit
   EmulatedSettings emulator;
