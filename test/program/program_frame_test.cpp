@@ -59,6 +59,24 @@ TEST(ProgramFrame, EachPointOfAnInclinedLayerHasItsOwnZ) {
   EXPECT_NE(text.find("Y6.93 Z7.212 E0.29691 F1800\n"), std::string::npos) << text;
 }
 
+TEST(ProgramFrame, StartAndEndCodeLiftTheNozzleAndDoNotMoveTheBelt) {
+  Toolpath level;
+  level.layers.push_back({0.0, 0.2, {test::straightPath({0, 0, 0.2}, {0, 10, 0.2})}});
+  const auto withCode = [&](const ProgramFrame& frame) {
+    std::string text;
+    writeGcode(level, frame, ProgramSettings{}, [&](std::string_view piece) { text += piece; });
+    return text;
+  };
+  const std::string over_bed = withCode(ProgramFrame());
+  EXPECT_NE(over_bed.find("G28\nG0 Z5 F600\n"), std::string::npos) << over_bed;
+  EXPECT_NE(over_bed.find("G91\nG0 Z5 F600\nG90\n"), std::string::npos) << over_bed;
+  ProgramFrame belt;
+  belt.program_from_bed = beltFromBed(45);
+  const std::string over_belt = withCode(belt);
+  EXPECT_NE(over_belt.find("G28\nG0 Y5 F600\n"), std::string::npos) << over_belt;
+  EXPECT_NE(over_belt.find("G91\nG0 Y5 F600\nG90\n"), std::string::npos) << over_belt;
+}
+
 TEST(ProgramFrame, AxesOfABeltMoveSoFastThatTheNozzleKeepsItsFeed) {
   // 10 mm up the belt's incline of 30 deg are 10 mm of y alone; 10 mm straight up are 20 mm of y and
   // 10 cot 30 of belt.

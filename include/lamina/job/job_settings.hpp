@@ -7,6 +7,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/geometry/mesh_reader.hpp"
+#include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/planning/plan_settings.hpp"
@@ -31,6 +32,7 @@ struct InputSettings {
 struct JobSettings {
   InputSettings input;
   Placement placement = Placement::Centre;
+  CopySettings copies;
   MachineSettings machine;
   SlicingSettings slicing;
   PlanSettings planning;

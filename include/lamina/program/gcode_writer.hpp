@@ -39,7 +39,7 @@ namespace lamina {
 ///   positive, or the nozzle would have to turn; names layer, path and waypoint.
 ///   All of it is checked before the first piece is written.
 /// @throws InvalidConfig if start or end code hold a placeholder other than {nozzle_temperature_c} and
-///   {bed_temperature_c}. A line whose placeholder stands for 0 °C is left out.
+///   {bed_temperature_c} or {lift_axis}. A line whose placeholder stands for 0 °C is left out.
 void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                 const TextSink& sink);
 

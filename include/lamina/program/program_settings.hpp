@@ -17,12 +17,13 @@ struct ProgramSettings {
   double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
   double retraction_length_mm = 0.8;    ///< of filament
   double retraction_feed_mm_s = 35.0;
-  /// Written before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.
+  /// Written before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced, and
+  /// {lift_axis} by Z or, where axes stand askew, by the one that lifts the nozzle.
   std::string start_code =
-      "G28\nG0 Z5 F600\n"
+      "G28\nG0 {lift_axis}5 F600\n"
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
-  std::string end_code = "G91\nG0 Z5 F600\nG90\nM104 S0\nM140 S0\nM84";
+  std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
   DropDialect drops;
   std::string strategy;  ///< that filled the part; told in the header of drop programs, no setting of its own
 };

@@ -41,6 +41,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice<Placement>("part.placement", settings.placement,
                            {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
                            "Put the part in the middle of the bed, or where its file says.");
+  describe(schema, settings.copies);
   describe(schema, settings.machine, "Machine that prints the part.");
   describe(schema, settings.slicing);
   describe(schema, settings.planning);

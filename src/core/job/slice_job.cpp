@@ -14,6 +14,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/copies.hpp"
 #include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
@@ -191,6 +192,8 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
   sliced.toolpath = inPartFrame(std::move(sliced.toolpath), job.settings.slicing.plane);
+  sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
+                               job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   sliced.summary.plan_s = laps.lap();

@@ -16,8 +16,10 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
                 "Filament pulled back on retracted paths.");
   schema.number("program.retraction_feed_mm_s", settings.retraction_feed_mm_s, {0.0, 500.0, true},
                 "Speed of the filament while it is pulled back and pushed forth.");
-  schema.text("program.start_code", settings.start_code,
-              "G-code before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced.");
+  schema.text(
+      "program.start_code", settings.start_code,
+      "G-code before the first motion; {nozzle_temperature_c}, {bed_temperature_c} and {lift_axis} are "
+      "replaced.");
   schema.text("program.end_code", settings.end_code, "G-code after the last motion.");
   describe(schema, settings.drops);
 }
