@@ -34,6 +34,7 @@ std::vector<OptionGroup> optionGroups() {
             {"--layer-height", "incline.layer_height_mm"},
             {"--lift", "incline.lift"},
             {"--machine", "machine.name"},
+            {"--jet", "incline.jet"},
             {"--limits", "incline.limits_mm"}}},
           {"Code",
            {{"--final-position", "incline.final_position_mm"},

@@ -255,12 +255,23 @@ class CommandLine(unittest.TestCase):
 
     def test_a_program_is_mapped_by_any_matrix(self):
         program = self.tilted()
-        for arguments in (["--map", "scale", "--factors", "2,1,1"], ["--map", "shear", "--shear", "y,z,0.5"],
-                          ["--map", "matrix", "--matrix", "1,0,0,0,0,1,0,0,0,0,1,0"], ["--axis", "0,0,1", "--angle-deg", "5"],
-                          ["--belt-deg", "45"], ["--mode", "listing"], ["--machine", "gantry_45"],
-                          ["--extrusion-rule", "length", "--homing", "keep", "--build-aids", "drop", "--lift", "none"]):
-            done = run("incline", program, "--layer-height", "0.5", *arguments)
+        # Where (9, 21, 0), the end of the last deposition, goes; all is lifted to 0.5 mm.
+        for arguments, last in ((["--map", "scale", "--factors", "2,1,1"], "X18.000 Y21.000 Z0.500 E"),
+                                (["--map", "shear", "--shear", "x,y,0.5"], "X19.500 Y21.000 Z0.500 E"),
+                                (["--map", "matrix", "--matrix", "1,0,0,3,0,1,0,4,0,0,1,0"], "X12.000 Y25.000 Z0.500 E"),
+                                (["--axis", "0,0,1", "--angle-deg", "5"], "X7.135 Y21.704 Z0.500 E"),
+                                (["--belt-deg", "45"], "X9.000 Y1.707 Z-13.642 E"),
+                                (["--mode", "listing"], "X9.00 Y14.85 Z1.21 E"),
+                                (["--machine", "gantry_45"], "X9.000 Y14.849 Z1.207 E"),
+                                (["--homing", "keep", "--build-aids", "drop", "--lift", "none"], "X9.000 Y14.849 Z14.849 E")):
+            done = run("incline", program, "--layer-height", "0.5", *arguments, "--json")
             self.assertEqual(done.returncode, 0, (arguments, done.stderr))
+            self.assertIn("G1 " + last, content(json.loads(done.stdout)["output"]).decode(), arguments)
+
+    def test_a_nozzle_that_leans_the_other_way_is_refused(self):
+        arguments = ["incline", self.tilted(), "--layer-height", "0.5", "--machine", "large_gantry_45_reverse"]
+        self.assert_fails_with("Unreachable", *arguments)
+        self.assertEqual(run(*arguments, "--jet", "machine", "--table-position", "600,600").returncode, 0)
 
     def test_code_and_final_position_are_put_in(self):
         begin = self.write_program("begin.txt", "M117 on")

@@ -166,6 +166,7 @@ TEST(Machine, RefusesDescriptionsThatAreNoSuchMachine) {
   EXPECT_THROW(machineFromUrdf(gantryWith("name=\"sensor\"", "name=\"eye\"")), InvalidConfig);
   EXPECT_THROW(machineFromUrdf(gantryWith("type=\"prismatic\"", "type=\"revolute\"")), InvalidConfig);
   EXPECT_THROW(machineFromUrdf(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")), InvalidConfig);
+  EXPECT_THROW(machineFromUrdf(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")), InvalidConfig);
 }
 
 TEST(Machine, DescriptionIsTheFileOfItsName) {

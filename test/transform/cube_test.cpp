@@ -89,6 +89,24 @@ TEST(CubeOnAnEdge, KeepsItsLayersOnPlanesAtTheAngle) {
     EXPECT_NEAR(-kHalf * inclined[i].end.y() + kHalf * inclined[i].end.z(), sliced[i].end.z(), 2e-6);
 }
 
+TEST(CubeOnAnEdge, KeepsThePitchOfItsLayersAlongEachAxis) {
+  // Layers of 1.5 mm at 45 deg are 2.1213 mm apart straight up, and as much along y.
+  TransformSettings settings = test::asSliced();
+  settings.decimals = 6;
+  const std::string layers = "M83\n;LAYER:0\nG0 X0 Y0 Z1.5\nG1 X5 E1\n;LAYER:1\nG0 X0 Y0 Z3\nG1 X5 E1\n";
+  const auto motions = motionsOf(transformed(layers, settings).text);
+  const Point3 step = motions[2].end - motions[0].end;
+  const Point3 normal(0.0, -kHalf, kHalf);
+  EXPECT_NEAR(normal.dot(step) / normal.z(), 2.1213, 1e-4);
+  EXPECT_NEAR(normal.dot(step) / -normal.y(), 2.1213, 1e-4);
+}
+
+TEST(CubeOnAnEdge, HopsAlongTheNormalOfItsLayers) {
+  const auto motions = motionsOf(
+      transformed("M83\n;LAYER:0\nG0 X0 Y20 Z0\nG1 X5 E1\nG0 Z3\nG0 Z0\nG1 X9 E1\n", test::asSliced()).text);
+  EXPECT_LT((motions[2].end - motions[1].end - Point3(0.0, -2.1213, 2.1213)).norm(), 2e-3);
+}
+
 TEST(CubeOnAnEdge, KeepsEverySegmentsLengthWithinTheRounding) {
   TransformSettings settings = test::asSliced();
   settings.decimals = 2;

@@ -58,6 +58,7 @@ TEST(FrameComments, PlanesOfAShearAreThoseItsPointsLieIn) {
 TEST(FrameComments, TellTheHeadOfTheMachineWhereItIsHeldOtherwise) {
   TransformSettings settings = test::withHeight(0.5);
   settings.jet = Point3(0, 0, -2);
+  settings.jet_rule = JetRule::AsMachine;
   const test::Transformed down = transformed(kSquare, settings);
   expectAlong(jetOf(down.frame), Point3(0, 0, -1));
   EXPECT_NEAR(down.report.jet_off_normal_deg, 45.0, 1e-9);

@@ -56,6 +56,39 @@ TEST(Maps, ABeltPrinterGetsTheCoordinatesOfItsAxes) {
   EXPECT_TRUE(contains(text, "G1 X10.000 Y10.000 Z0.000 E1\n")) << text;
 }
 
+TEST(Maps, ABeltGoesOnFromLayerToLayer) {
+  const AffineMap belt = beltAxes(45.0);
+  std::string program = "M83\n";
+  for (const char* layer : {"0", "1", "2"})
+    program += std::string(";LAYER:") + layer + "\nG0 X0 Y0 Z" + layer + "\nG1 Y10 E1\n";
+  const std::string text = transformed(program, test::asSliced(), test::aboutX45(), &belt).text;
+  // Layers 1 mm apart along their normal are sqrt(2) apart along the belt, which stands still within each.
+  for (const char* place : {"Y0.000 Z0.000\n", "Y10.000 Z0.000 E1", "Y1.000 Z1.414\n", "Y11.000 Z1.414 E1",
+                            "Y2.000 Z2.828\n", "Y12.000 Z2.828 E1"})
+    EXPECT_TRUE(contains(text, place)) << place << " in\n" << text;
+}
+
+TEST(Maps, AFeedThatIsToldAgainIsScaledAgain) {
+  const std::string text =
+      transformed("M83\n;LAYER:0\nG0 X0 Y0 Z0 F600\nG1 X1 E1 F600\nG1 X2 E1 F600\nG1 X3 E1\n",
+                  test::asSliced(), scaling({2.0, 2.0, 2.0}))
+          .text;
+  EXPECT_TRUE(contains(text, "X2.000 Y0.000 Z0.000 E8.00000 F1200.00\n")) << text;
+  EXPECT_TRUE(contains(text, "X4.000 Y0.000 Z0.000 E8.00000 F1200.00\nG1 X6.000 Y0.000 Z0.000 E8.00000\n"))
+      << text;
+}
+
+TEST(Maps, AbsoluteExtrusionGoesOnWhereRelativeExtrusionLeftIt) {
+  // 5 absolute, 3 relative, then to 10: 2 more. Volumes are eight times as large.
+  const std::string text =
+      transformed("M82\nG92 E0\n;LAYER:0\nG0 X0 Y0 Z0\nG1 X1 E5\nM83\nG1 X2 E3\nM82\nG1 X3 E10\n",
+                  test::asSliced(), scaling({2.0, 2.0, 2.0}))
+          .text;
+  EXPECT_TRUE(contains(text, "Z0.000 E40.00000\nM83\n")) << text;
+  EXPECT_TRUE(contains(text, "Z0.000 E24.00000\nM82\n")) << text;
+  EXPECT_TRUE(contains(text, "X6.000 Y0.000 Z0.000 E80.00000\n")) << text;
+}
+
 TEST(Maps, WhatComesFurtherThanCanBeWrittenNamesItsLine) {
   Eigen::Affine3d far = Eigen::Affine3d::Identity();
   far.translation().x() = 1e13;

@@ -26,11 +26,14 @@ std::string refusalOf(const std::string& lines) {
 }
 
 TEST(Refusal, WhatCannotBeTransformedNamesItsLine) {
-  for (const std::string bad : {"G92 X0",   "G92",         "G5 X1 Y1",       "G10 P1 X5", "G29",
-                                "G54",      "G38.2 Z1",    "X5 Y5",          "E4",        "G1 X1 X2",
-                                "G1 X",     "G1 X1.2.3",   "G1 X1 A5",       "G1 H2 X1",  "G1 R1 X1",
-                                "G1 X5*33", "G1 X1 G0 Y2", "G1 X1 (open",    "G1 X1 #5",  "G1 X99999999",
-                                "M206 X1",  "G2 X5 Y0",    "G2 X5 Y5 I9 J0", "G3 X5 R1",  "G2 X5 I2 P2"})
+  for (const std::string bad : {"G92 X0",      "G92",          "G5 X1 Y1",       "G10 P1 X5",
+                                "G29",         "G54",          "G38.2 Z1",       "X5 Y5",
+                                "E4",          "G1 X1 X2",     "G1 X",           "G1 X1.2.3",
+                                "G1 X1 A5",    "G1 H2 X1",     "G1 R1 X1",       "G1 X5*33",
+                                "G1 X1 G0 Y2", "G1 X1 (open",  "G1 X1 #5",       "G1 X99999999",
+                                "M206 X1",     "M98 P\"a.g\"", "M32 a.g",        "M290 S0.1",
+                                "M851 Z-1",    "G2 X5 Y0",     "G2 X5 Y5 I9 J0", "G3 X5 R1",
+                                "G2 X5 I2 P2"})
     EXPECT_EQ(refusalOf(bad).substr(0, 8), "line 5: ") << bad << ": " << refusalOf(bad);
 }
 

@@ -106,9 +106,9 @@ TEST(SpaceMap, TheVolumeOfACurvedMapIsMeasured) {
 }
 
 TEST(SpaceMap, BeltAxesAreThoseOfTheLeaningGantry) {
-  // Halfway up a gantry leaning at 30 deg, one up is two along it, and carries sqrt(3) down the belt.
-  expectNear(beltAxes(30.0).map({7.0, 5.0, 1.0}), {7.0, 2.0, 5.0 - std::sqrt(3.0)}, 1e-12);
-  expectNear(beltAxes(90.0).map({7.0, 5.0, 1.0}), {7.0, 1.0, 5.0}, 1e-12);
+  // Halfway up a gantry leaning at 30 deg, one up is two along it, and the belt goes on by sqrt(3).
+  expectNear(beltAxes(30.0).map({7.0, 5.0, 1.0}), {7.0, 2.0, std::sqrt(3.0) - 5.0}, 1e-12);
+  expectNear(beltAxes(90.0).map({7.0, 5.0, 1.0}), {7.0, 1.0, -5.0}, 1e-12);
 }
 
 TEST(SpaceMap, WhatCannotBeInvertedIsRefused) {

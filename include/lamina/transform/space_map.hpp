@@ -66,8 +66,8 @@ AffineMap scaling(const Point3& factors);
 AffineMap shear(int moved, int along, double factor);
 
 /// From upright space to the axes of a belt printer: y runs up the gantry, which leans over the belt by the
-/// angle, z is the belt: y' = z / sin a, z' = y - z cot a. The part keeps its shape; only its coordinates
-/// change.
+/// angle, z is the belt, which carries the part on towards +y: y' = z / sin a, z' = z cot a - y. The part
+/// keeps its shape; only its coordinates change.
 /// @param gantry_deg  between gantry and belt, in [15, 90]
 /// @throws InvalidInput if the angle is out of bounds
 AffineMap beltAxes(double gantry_deg);

@@ -34,7 +34,10 @@ struct TransformReport {
 /// mesh was not tilted by the opposite angle before it was sliced. Not told in the listing's mode.
 bool standsOnEdge(const TransformReport& report);
 
-/// Whether the nozzle is held otherwise than along the layers' normal, by more than 0.01 deg.
+/// How far the nozzle may be held from the layers' normal: far beneath what a head is built to.
+inline constexpr double kJetToleranceDeg = 0.01;
+
+/// Whether the nozzle is held otherwise than along the layers' normal.
 bool isJetOffNormal(const TransformReport& report);
 
 }  // namespace lamina

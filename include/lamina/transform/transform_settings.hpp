@@ -17,6 +17,11 @@ enum class RewriteMode {
   Listing,
 };
 enum class Lift { ToFirstLayer, None };
+/// Which way the nozzle must point where the machine's jet is given.
+enum class JetRule {
+  AlongNormal,  ///< into the layers, square to them; refused otherwise
+  AsMachine,    ///< as the machine holds it
+};
 enum class Homing { Annulled, Kept };
 /// What becomes of skirt, brim, raft, support and priming tower.
 enum class BuildAids { Kept, Dropped };
@@ -46,6 +51,7 @@ struct TransformSettings {
   /// Direction of the machine's jet over the bed, which the comments of the program tell; else the nozzle
   /// turns with the layers.
   std::optional<Point3> jet;
+  JetRule jet_rule = JetRule::AlongNormal;
   Homing homing = Homing::Annulled;
   BuildAids build_aids = BuildAids::Kept;
   ExtrusionRule extrusion_rule = ExtrusionRule::ByVolume;

@@ -41,6 +41,10 @@ void describePlace(SettingsSchema& schema, InclineSettings& settings) {
   schema.choice<Lift>("incline.lift", settings.transform.lift,
                       {{"layer", Lift::ToFirstLayer}, {"none", Lift::None}},
                       "Put the lowest deposition one layer above the bed, or leave the height.");
+  schema.choice<JetRule>(
+      "incline.jet", settings.transform.jet_rule,
+      {{"normal", JetRule::AlongNormal}, {"machine", JetRule::AsMachine}},
+      "Refuse a machine that does not hold its nozzle along the layers' normal, or take it as it is.");
   schema.numbers("incline.limits_mm", settings.limits_mm, 6,
                  "Of the nozzle: lowest x,y,z, highest x,y,z; empty takes those of the machine, or "
                  "0,0,0,1300,2500,1000.");
@@ -52,8 +56,7 @@ void describeCode(SettingsSchema& schema, InclineSettings& settings) {
   schema.text("incline.end_code", transform.end_code, "G-code put at the end.");
   schema.numbers("incline.final_position_mm", settings.final_position_mm, 3,
                  "Where the nozzle goes at the end: x,y,z.");
-  schema.number("incline.final_feed_mm_min", transform.final_feed_mm_min, {0.0, kInfinity, true},
-                "Feed of that move.");
+  schema.number("incline.final_feed_mm_min", transform.final_feed_mm_min, {1.0, 1e6}, "Feed of that move.");
   schema.integer("incline.decimals", settings.decimals, {-1.0, 6.0},
                  "Of coordinates; -1 takes 3, or 2 as the listing.");
   schema.number("incline.chord_tolerance_mm", transform.chord_tolerance_mm, {1e-4, 10.0},

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMillimetres = 1e3;  // in the metre of URDF
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
+constexpr double kUnit = 1e-6;
 constexpr double kLeastVolume = 1e-3;  // of the box that three axes of length 1 span
 
 using Model = urdf::ModelInterface;
@@ -45,6 +46,14 @@ int axisIndex(const Model& model, const urdf::Joint& joint) {
                       "' moves; only prismatic joints x, y and z are understood");
 }
 
+/// Of a unit of the joint's value: anything but a unit vector would be a second scale beside the limits.
+Point3 directionOf(const Model& model, const urdf::Joint& joint) {
+  const Point3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (std::abs(axis.norm() - 1.0) < kUnit) return axis.normalized();
+  throw InvalidConfig("machine '" + model.getName() + "': the axis of joint '" + joint.name + "' is " +
+                      std::to_string(axis.norm()) + " long; expected 1");
+}
+
 LinkMotion motionOf(const Model& model, const std::string& name) {
   const urdf::Link* link = &requireLink(model, name);
   LinkMotion motion;
@@ -54,8 +63,7 @@ LinkMotion motionOf(const Model& model, const std::string& name) {
     motion.root_from_link = origin * motion.root_from_link;
     motion.axes = origin.linear() * motion.axes;
     if (joint.type != urdf::Joint::FIXED)
-      motion.axes.col(axisIndex(model, joint)) =
-          origin.linear() * Point3(joint.axis.x, joint.axis.y, joint.axis.z);
+      motion.axes.col(axisIndex(model, joint)) = origin.linear() * directionOf(model, joint);
     link = &requireLink(model, joint.parent_link_name);
   }
   return motion;
@@ -66,6 +74,9 @@ MachineAxis axisOf(const Model& model, int index, const Point3& direction) {
   if (!joint || !joint->limits || !(joint->limits->lower < joint->limits->upper))
     throw InvalidConfig("machine '" + model.getName() + "' has no prismatic joint '" + kAxisNames[index] +
                         "' with limits");
+  if (!(joint->limits->velocity > 0.0))
+    throw InvalidConfig("machine '" + model.getName() + "': the velocity of joint '" + joint->name + "' is " +
+                        std::to_string(joint->limits->velocity) + " m/s; must be positive");
   MachineAxis axis;
   axis.name = kAxisNames[index];
   axis.direction = direction;
@@ -96,6 +107,9 @@ Machine machineFromUrdf(const std::string& text) {
   const LinkMotion bed = motionOf(*model, "bed");
   const LinkMotion nozzle = motionOf(*model, "nozzle");
   const LinkMotion sensor = motionOf(*model, "sensor");
+  if (nozzle.axes != sensor.axes)
+    throw InvalidConfig("machine '" + model->getName() +
+                        "': the sensor does not move as the nozzle does; expected both on the same link");
   const Eigen::Isometry3d bed_from_root = bed.root_from_link.inverse();
   const Eigen::Matrix3d directions = bed_from_root.linear() * (nozzle.axes - bed.axes);
   if (!(std::abs(directions.determinant()) > kLeastVolume))

@@ -23,6 +23,10 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
     {"SUPPORT", PathRole::Skirt},
     {"SUPPORT-INTERFACE", PathRole::Skirt},
     {"PRIME-TOWER", PathRole::Skirt},
+    {"Support", PathRole::Skirt},
+    {"Support interface", PathRole::Skirt},
+    {"Support transition", PathRole::Skirt},
+    {"Prime tower", PathRole::Skirt},
     {"Support material", PathRole::Skirt},
     {"Support material interface", PathRole::Skirt},
     {"Wipe tower", PathRole::Skirt},
@@ -37,12 +41,30 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
     {"Top solid infill", PathRole::Infill},
     {"Bridge infill", PathRole::Infill},
     {"Gap fill", PathRole::GapFill},
+    {"Ironing", PathRole::Infill},
+    // OrcaSlicer
+    {"Outer wall", PathRole::OuterWall},
+    {"Overhang wall", PathRole::OuterWall},
+    {"Inner wall", PathRole::InnerWall},
+    {"Sparse infill", PathRole::Infill},
+    {"Internal solid infill", PathRole::Infill},
+    {"Top surface", PathRole::Infill},
+    {"Bottom surface", PathRole::Infill},
+    {"Bridge", PathRole::Infill},
+    {"Internal Bridge", PathRole::Infill},
+    {"Gap infill", PathRole::GapFill},
 };
 
 /// Slic3r tells the role beside each motion.
 constexpr std::pair<std::string_view, PathRole> kMotionRemarks[] = {
-    {"perimeter", PathRole::InnerWall}, {"infill", PathRole::Infill}, {"infill (bridge)", PathRole::Infill},
-    {"skirt", PathRole::Skirt},         {"brim", PathRole::Skirt},    {"gap fill", PathRole::GapFill},
+    {"perimeter", PathRole::InnerWall},
+    {"infill", PathRole::Infill},
+    {"infill (bridge)", PathRole::Infill},
+    {"skirt", PathRole::Skirt},
+    {"brim", PathRole::Skirt},
+    {"gap fill", PathRole::GapFill},
+    {"support material", PathRole::Skirt},
+    {"support material interface", PathRole::Skirt},
 };
 
 template <std::size_t count>

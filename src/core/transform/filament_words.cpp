@@ -29,25 +29,25 @@ double FilamentWords::extrusionAlone(const ProgramTracker& tracker, double pushe
 }
 
 double FilamentWords::push(const ProgramTracker& tracker, double pushed) {
-  if (tracker.isExtrusionRelative()) return pushed;
   written_filament_ += pushed;
-  return written_filament_;
+  return tracker.isExtrusionRelative() ? pushed : written_filament_;
 }
 
 std::optional<double> FilamentWords::feed(const ProgramTracker& tracker, const Point3& from,
                                           const Point3& to) {
   const Point3 mapped_from = transform_.coordinates(transform_.overBed(from));
   const Point3 mapped_to = transform_.coordinates(transform_.overBed(to));
-  return newFeed(tracker.feed() * ratio((mapped_to - mapped_from).norm(), (to - from).norm()));
+  return newFeed(tracker, tracker.feed() * ratio((mapped_to - mapped_from).norm(), (to - from).norm()));
 }
 
 std::optional<double> FilamentWords::feedAlone(const ProgramTracker& tracker) {
-  return newFeed(tracker.feed());
+  return newFeed(tracker, tracker.feed());
 }
 
-std::optional<double> FilamentWords::newFeed(double feed) {
-  constexpr double kSame = 5e-3;  // mm/min: the last decimal written
-  if (feed == 0.0 || std::abs(feed - written_feed_) < kSame) return std::nullopt;
+std::optional<double> FilamentWords::newFeed(const ProgramTracker& tracker, double feed) {
+  constexpr double kSame = 5e-3;                                // mm/min: the last decimal written
+  const bool is_told = tracker.command().find('F') != nullptr;  // the source's own F must not stay there
+  if (feed == 0.0 || (std::abs(feed - written_feed_) < kSame && !is_told)) return std::nullopt;
   written_feed_ = feed;
   return feed;
 }

@@ -29,14 +29,14 @@ class FilamentWords {
   /// After G92.
   void setFilament(double value) { written_filament_ = value; }
 
-  /// F for a chord; nothing if the machine has that feed already.
+  /// F for a chord; nothing if the machine has that feed already, and the line is not the one that tells it.
   std::optional<double> feed(const ProgramTracker& tracker, const Point3& from, const Point3& to);
-  /// F where the feed is not scaled; nothing if the machine has it already.
+  /// F where the feed is not scaled; likewise.
   std::optional<double> feedAlone(const ProgramTracker& tracker);
 
  private:
   double push(const ProgramTracker& tracker, double pushed);
-  std::optional<double> newFeed(double feed);
+  std::optional<double> newFeed(const ProgramTracker& tracker, double feed);
 
   const PointTransform& transform_;
   ExtrusionRule rule_;

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kBeneathBed = -1e-6;  // mm
 
-double clearHeight(const Survey& survey, const PointTransform& transform) {
+std::optional<double> clearHeight(const Survey& survey, const PointTransform& transform) {
+  if (transform.axes != nullptr) return std::nullopt;
   return survey.totals.nozzle.box.high.z() + transform.shift.z();
 }
 
@@ -153,7 +154,10 @@ void ProgramRewriter::writeChords(const std::vector<Point3>& ends, std::string& 
     appendCoordinates(out, place(end), decimals_);
     if (command.find('E') != nullptr) appendExtrusion(chord, chord.pushed - before, end, out);
     appendFeed(chord, end, out);
-    if (&end == &ends.back() && !command.comment().empty()) out.append(" ;").append(command.comment());
+    if (const PlacedWord* power = &end == &ends.front() ? command.find('S') : nullptr)
+      out.append(" ").append(command.text().substr(power->begin, power->end - power->begin));
+    if (&end == &ends.back()) out += command.text().substr(command.wordsEnd());
+    if (command.text().back() == '\r' && &end != &ends.back()) out.push_back('\r');
     out.push_back('\n');
     chord.from = end;
   }
@@ -186,6 +190,7 @@ void ProgramRewriter::appendFeed(const Chord& chord, const Point3& end, std::str
 Point3 ProgramRewriter::place(const Point3& point) {
   const Point3 over_bed = transform_.overBed(point);
   nozzle_.include(over_bed, tracker_.command().number());
+  last_z_ = over_bed.z();
   if (over_bed.z() <= footprint_top_ && tracker_.motion().deposits() && !tracker_.marks().isBuildAid())
     footprint_.include(over_bed);
   return transform_.coordinates(over_bed);
@@ -203,7 +208,7 @@ void ProgramRewriter::drop(std::string& out) {
   ++counts_.aids_dropped;
   is_elsewhere_ = true;
   if (!motion.deposits() && tracker_.command().find('E') != nullptr) return writeInPlace(out);
-  if (motion.deposits() && !tracker_.isExtrusionRelative()) is_filament_behind_ = true;
+  if (motion.deposits()) is_filament_behind_ = true;
   const PlacedWord* feed = tracker_.command().find('F');
   if (feed == nullptr || filament_.scalesFeed()) return;
   out += "G1 F";
@@ -223,7 +228,7 @@ void ProgramRewriter::writeInPlace(std::string& out) {
 }
 
 void ProgramRewriter::restoreFilament(std::string& out) {
-  if (!is_filament_behind_) return;
+  if (!is_filament_behind_ || tracker_.isExtrusionRelative()) return;
   is_filament_behind_ = false;
   if (filament_.scalesExtrusion()) return;  // E is counted anew there
   out += "G92 E";
@@ -239,6 +244,7 @@ void ProgramRewriter::restorePlace(std::string& out) {
 
 void ProgramRewriter::leavePart(std::string& out) {
   tracker_.leavePart();
+  closing_.leavePartAt(last_z_);
   if (!filament_.scalesFeed()) return;
   if (const auto feed = filament_.feedAlone(tracker_)) {
     out += "G1 F";

@@ -69,6 +69,7 @@ class ProgramRewriter {
   std::string begin_code_;
   RewriteCounts counts_;
   Extremes nozzle_;
+  double last_z_ = 0.0;  ///< of the nozzle, over the bed
   Box3 footprint_;
   double footprint_top_;
   bool is_elsewhere_ = false;        ///< motions were dropped since the nozzle moved last

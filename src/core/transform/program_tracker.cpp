@@ -3,6 +3,7 @@
 #include "transform/program_tracker.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "lamina/base/error.hpp"
 #include "program/arc.hpp"
@@ -11,7 +12,16 @@ namespace lamina {
 namespace {
 
 constexpr std::string_view kAxes = "XYZ";
+/// Home offsets, babystepping, probe offset.
+constexpr int kMoveOrigin[] = {206, 290, 428, 851};
+/// Programs and macros of the machine's own.
+constexpr int kRunOthers[] = {23, 24, 32, 98};
 constexpr double kNoFilament = 1e-9;  // mm: what subtracting absolute E leaves of nothing
+
+template <std::size_t count>
+bool isOneOf(const int (&codes)[count], int code) {
+  return std::find(std::begin(codes), std::end(codes), code) != std::end(codes);
+}
 
 bool allOf(const std::array<bool, 3>& known) { return known[0] && known[1] && known[2]; }
 
@@ -130,8 +140,11 @@ void ProgramTracker::readM() {
   const int code = command_.code();
   if (code == 82) extrusion_.state(ExtrusionMode::Absolute);
   if (code == 83) extrusion_.state(ExtrusionMode::Relative);
-  if ((code == 206 || code == 428) && section_ != ProgramSection::End)
+  if (section_ != ProgramSection::End && isOneOf(kMoveOrigin, code))
     refuse("M" + std::to_string(code) + " moves the origin; expected none before the end code");
+  if (section_ == ProgramSection::Part && isOneOf(kRunOthers, code))
+    refuse("M" + std::to_string(code) +
+           " runs code of another file within the part, which is not transformed; expected none");
 }
 
 LineRole ProgramTracker::home() const {
@@ -169,7 +182,10 @@ double ProgramTracker::takeExtrusion() {
     return 0.0;
   }
   const double value = word->value * unit_mm_;
-  if (isExtrusionRelative()) return value;
+  if (isExtrusionRelative()) {
+    filament_ += value;
+    return value;
+  }
   if (!is_filament_known_ && section_ == ProgramSection::Part)
     refuse("E is absolute but unknown here; expected G92 E before the part");
   const double pushed = value - filament_;
@@ -208,6 +224,10 @@ LineRole ProgramTracker::move() {
   if (!is_known) return LineRole::Deferred;
   if (!motion_.is_start_known && (is_arc || motion_.extrusion_mm > kNoFilament))
     refuse("deposits, or follows an arc, from a place not told within the part");
+  if (motion_.deposits() && !marks_.unknownType().empty())
+    refuse("';TYPE:" + marks_.unknownType() +
+           "' is not known, and so whether this is of the part or supports it; expected a name of Cura, "
+           "PrusaSlicer or OrcaSlicer");
   return LineRole::Motion;
 }
 

@@ -108,10 +108,21 @@ TransformReport reportOf(const Survey& survey, const Point3& shift, const Transf
   return report;
 }
 
+void requireJet(double off_normal_deg, const TransformSettings& settings) {
+  if (!settings.jet || settings.jet_rule == JetRule::AsMachine || off_normal_deg <= kJetToleranceDeg) return;
+  throw Unreachable(
+      "the machine holds its nozzle at " + std::to_string(off_normal_deg) +
+      " deg from the normal of the layers; expected 0 deg, another axis or angle of the map, or "
+      "the jet to be as the machine has it");
+}
+
 TransformReport transformCorrected(const ProgramFiles& files, PointTransform transform,
                                    const TransformSettings& settings, Progress& progress) {
   Surveyor surveyor(transform, settings);
   const Measured measured = measure(files.input, surveyor, progress);
+  const double off_normal_deg =
+      jetOffNormalDeg(transformedFrame(measured.survey.frame, transform, settings.jet));
+  requireJet(off_normal_deg, settings);
   transform.shift = shiftOf(measured.survey, settings);
   requireReachable(measured.survey, transform.shift, settings);
   ProgramRewriter rewriter(transform, measured.survey, settings);
@@ -122,19 +133,35 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
   TransformReport report = reportOf(measured.survey, transform.shift, settings);
   report.nozzle = rewriter.nozzle().box;
   report.footprint = rewriter.footprint();
-  report.jet_off_normal_deg =
-      jetOffNormalDeg(transformedFrame(measured.survey.frame, transform, settings.jet));
+  report.jet_off_normal_deg = off_normal_deg;
   report.deferred = rewriter.counts().deferred;
   report.homings_annulled = rewriter.counts().homings_annulled;
   report.aids_dropped = rewriter.counts().aids_dropped;
   return report;
 }
 
+/// Refuses what the listing has no notion of.
+void requireOfListing(const TransformSettings& settings) {
+  const TransformSettings usual;
+  const std::pair<const char*, bool> given[] = {
+      {"begin code", !settings.begin_code.empty()},
+      {"end code", !settings.end_code.empty()},
+      {"a final position", settings.final_position_mm.has_value()},
+      {"what becomes of homing", settings.homing != usual.homing},
+      {"what becomes of build aids", settings.build_aids != usual.build_aids},
+      {"the rule of extrusion", settings.extrusion_rule != usual.extrusion_rule},
+      {"the mode of E", settings.initial_extrusion.has_value()},
+      {"a chord tolerance", settings.chord_tolerance_mm != usual.chord_tolerance_mm},
+  };
+  for (const auto& [what, is_given] : given)
+    if (is_given)
+      throw InvalidConfig(std::string(what) +
+                          " is given, which the listing does not know; expected the corrected mode");
+}
+
 TransformReport transformAsListing(const ProgramFiles& files, PointTransform transform,
                                    const TransformSettings& settings, Progress& progress) {
-  if (!settings.begin_code.empty() || !settings.end_code.empty() || settings.final_position_mm)
-    throw InvalidConfig(
-        "begin code, end code and final position are not those of the listing; expected the corrected mode");
+  requireOfListing(settings);
   ListingSurveyor surveyor(transform);
   const Measured measured = measure(files.input, surveyor, progress);
   transform.shift = shiftOf(measured.survey, settings);
@@ -161,6 +188,9 @@ TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
         "end "
         "code instead");
   const bool as_listing = settings.mode == RewriteMode::Listing;
+  if (as_listing && transform.axes != nullptr)
+    throw InvalidConfig(
+        "the listing writes coordinates of the bed; expected the corrected mode for other axes");
   if (as_listing && !transform.keepsLengths())
     throw InvalidConfig("the listing rotates only; expected the corrected mode for other maps");
   return as_listing ? transformAsListing(files, transform, settings, progress)

@@ -25,6 +25,8 @@ bool endsPart(std::string_view comment) {
          startsWith(comment, "Filament-specific end gcode");
 }
 
+bool isCustom(std::string_view comment) { return comment == "TYPE:Custom" || comment == "TYPE:CUSTOM"; }
+
 /// Simplify3D tells the kind of what follows in a comment of its own.
 std::optional<PathRole> simplify3dRole(std::string_view comment) {
   constexpr std::string_view kAids[] = {"skirt",         "brim",         "raft",       "support",
@@ -52,11 +54,13 @@ SectionMark SectionMarks::read(std::string_view comment) {
   comment = trimmed(comment);
   if (const auto role = simplify3dRole(comment)) context_.role = role;
   readComment(comment, context_);
+  if (startsWith(comment, "TYPE:"))
+    unknown_type_ = context_.role || isCustom(comment) ? std::string() : std::string(comment.substr(5));
   readHead(comment);
   if (opensLayer(comment)) return SectionMark::Layer;
   if (comment == "start of the part") return SectionMark::PartStart;
   if (endsPart(comment)) return SectionMark::PartEnd;
-  if (comment == "TYPE:Custom" || comment == "TYPE:CUSTOM") return SectionMark::Custom;
+  if (isCustom(comment)) return SectionMark::Custom;
   if (startsWith(comment, "TYPE:")) return SectionMark::Type;
   return SectionMark::None;
 }

@@ -27,6 +27,8 @@ class SectionMarks {
 
   /// Whether what is deposited now is skirt, brim, raft, support or priming tower.
   bool isBuildAid() const;
+  /// Of a comment that tells the type of what follows by a name not known; empty if there is none.
+  const std::string& unknownType() const { return unknown_type_; }
   std::optional<double> layerHeight() const { return layer_height_mm_; }  ///< told first [mm]
   const std::string& slicer() const { return slicer_; }                   ///< empty if not told
 
@@ -36,6 +38,7 @@ class SectionMarks {
   SlicerContext context_;
   std::optional<double> layer_height_mm_;
   std::string slicer_;
+  std::string unknown_type_;
 };
 
 }  // namespace lamina

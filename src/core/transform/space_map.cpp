@@ -70,7 +70,7 @@ AffineMap beltAxes(double gantry_deg) {
   Eigen::Affine3d matrix = Eigen::Affine3d::Identity();
   matrix.linear() << 1.0, 0.0, 0.0,     //
       0.0, 0.0, 1.0 / std::sin(angle),  //
-      0.0, 1.0, -std::cos(angle) / std::sin(angle);
+      0.0, -1.0, std::cos(angle) / std::sin(angle);
   return AffineMap(matrix);
 }
 

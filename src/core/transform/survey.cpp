@@ -5,6 +5,11 @@
 #include "lamina/base/error.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kHighestLayer = 100.0;  // mm
+
+}  // namespace
 
 void Extremes::include(const Point3& point, std::size_t line) {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -122,6 +127,9 @@ Survey Surveyor::finish() {
            "code; expected '; end of the part' where the part ends");
   survey_.slicer = tracker_.marks().slicer();
   survey_.layer_height_mm = tracker_.marks().layerHeight();
+  if (survey_.layer_height_mm.value_or(0.0) > kHighestLayer)
+    throw InvalidProgram("the comments tell layers of " + std::to_string(*survey_.layer_height_mm) +
+                         " mm; expected at most " + std::to_string(kHighestLayer) + " mm");
   return std::move(survey_);
 }
 

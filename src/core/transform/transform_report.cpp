@@ -12,9 +12,6 @@ bool standsOnEdge(const TransformReport& report) {
   return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
 }
 
-bool isJetOffNormal(const TransformReport& report) {
-  constexpr double kMost = 0.01;  // deg
-  return report.jet_off_normal_deg > kMost;
-}
+bool isJetOffNormal(const TransformReport& report) { return report.jet_off_normal_deg > kJetToleranceDeg; }
 
 }  // namespace lamina

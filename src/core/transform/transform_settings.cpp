@@ -41,8 +41,7 @@ void validate(const TransformSettings& settings) {
   }
   if (settings.jet && !(settings.jet->norm() > 1e-9 && settings.jet->allFinite()))
     refuse("the length of jet", settings.jet->norm(), "more than 1e-9");
-  if (!(settings.final_feed_mm_min > 0.0))
-    refuse("final_feed_mm_min", settings.final_feed_mm_min, "positive");
+  requireWithin("final_feed_mm_min", settings.final_feed_mm_min, 1.0, 1e6);
   requireWithin("chord_tolerance_mm", settings.chord_tolerance_mm, 1e-4, 10.0);
 }
 
