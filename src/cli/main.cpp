@@ -41,6 +41,7 @@ int runCommandLine(int argc, char** argv) {
   addFillVoids(app, chosen);
   addIncline(app, chosen);
   addInfo(app, chosen);
+  addOverhang(app, chosen);
   addPart(app, chosen);
   addPreview(app, chosen);
   addSlice(app, chosen);

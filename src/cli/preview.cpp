@@ -5,16 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/slice_job.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
-#include "lamina/program/csv_reader.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
 #include "layer_overlay.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
+#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -30,27 +27,6 @@ struct PreviewArguments {
   std::string view = "oblique";
   std::string colour = "role";
 };
-
-bool endsWith(const std::string& text, const std::string& suffix) {
-  return text.size() >= suffix.size() &&
-         text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
-}
-
-JobSettings settingsOf(const PreviewArguments& arguments) {
-  std::vector<SettingText> overrides;
-  for (const std::string& assignment : arguments.settings)
-    overrides.push_back(settingFromAssignment(assignment));
-  return loadJobSettings(arguments.config, overrides);
-}
-
-Toolpath toolpathOf(const PreviewArguments& arguments) {
-  const JobSettings settings = settingsOf(arguments);
-  const std::string& input = arguments.input;
-  if (endsWith(input, ".gcode")) return toolpathFromGcodeFile(input, settings.program);
-  if (endsWith(input, ".csv")) return readCsv(readFile(input), input.substr(input.find_last_of('/') + 1));
-  TerminalProgress progress;
-  return runSliceJob({input, "", settings}, progress).toolpath;
-}
 
 void print(const Toolpath& toolpath, const PreviewArguments& arguments, OutputFormat format) {
   const ToolpathTotals sums = totals(toolpath);
@@ -74,7 +50,7 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
   if (arguments.part.empty()) return {};
   VoidJob job;
   job.part = arguments.part;
-  job.settings = settingsOf(arguments);
+  job.settings = settingsFrom(arguments.config, arguments.settings);
   TerminalProgress progress;
   VoidReport report;
   report.part = placeContours(toolpath, job, progress);
@@ -91,7 +67,8 @@ void preview(const PreviewArguments& arguments, OutputFormat format) {
   requireApart({arguments.output}, {arguments.input, arguments.part, arguments.config});
   if (!arguments.part.empty() && !arguments.layer)
     throw InvalidInput("--part is '" + arguments.part + "' without --layer; voids are drawn in one layer");
-  const Toolpath toolpath = toolpathOf(arguments);
+  const JobSettings job = settingsFrom(arguments.config, arguments.settings);
+  const Toolpath toolpath = readToolpath(arguments.input, job).toolpath;
   ToolpathPictureSettings settings;
   settings.view = arguments.view == "top" ? PictureView::Top : PictureView::Oblique;
   settings.colour = arguments.colour == "height" ? PictureColour::Height : PictureColour::Role;

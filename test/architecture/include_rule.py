@@ -21,9 +21,10 @@ ARROWS = {
     "kinematics": ["toolpath"],
     "streaming": ["program"],
     "deposition": ["toolpath"],
+    "overhang": ["toolpath"],
     "monitoring": ["toolpath"],
     "picture": ["toolpath"],
-    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "monitoring", "picture"],
+    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "overhang", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

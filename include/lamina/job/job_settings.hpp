@@ -10,6 +10,7 @@
 #include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/overhang/overhang_settings.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -37,6 +38,7 @@ struct JobSettings {
   SlicingSettings slicing;
   PlanSettings planning;
   DropVoidSettings drop_voids;
+  OverhangSettings overhang;
   ScanSettings scan;
   MotionLimits motion;
   ProgramSettings program;

@@ -35,4 +35,11 @@ struct SlicedPart {
 ///   machine), Cancelled
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
+/// The same on a given machine, whatever the settings name.
+SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& progress);
+
+/// The part in level layers, for comparison: on the machine of the job with its head upright.
+/// @throws as `runSliceJob`
+SlicedPart runLevelSliceJob(SliceJob job, Progress& progress);
+
 }  // namespace lamina

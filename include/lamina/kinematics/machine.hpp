@@ -50,6 +50,10 @@ Machine machineByName(const std::string& name);
 ///   or the axes do not span space
 Machine machineFromUrdf(const std::string& text);
 
+/// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of
+/// level layers. Its description stays that of the machine it was.
+Machine withUprightHead(Machine machine);
+
 /// Box of the nozzle positions all axis values give [mm, bed frame].
 Box3 workspace(const Machine& machine);
 

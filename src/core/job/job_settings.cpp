@@ -46,6 +46,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.slicing);
   describe(schema, settings.planning);
   describe(schema, settings.drop_voids);
+  describe(schema, settings.overhang);
   describe(schema, settings.scan);
   describe(schema, settings.motion);
   describe(schema, settings.program);

@@ -170,11 +170,21 @@ void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced
 }  // namespace
 
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
+  validate(job.settings);
+  return runSliceJob(job, machineOf(job.settings.machine), progress);
+}
+
+SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
+  job.settings.slicing.plane = {};
+  validate(job.settings);
+  return runSliceJob(job, withUprightHead(machineOf(job.settings.machine)), progress);
+}
+
+SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
   requireApart({job.output}, {job.part, job.settings.machine.urdf});
-  const Machine machine = machineOf(job.settings.machine);
   requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   std::vector<Layer> layers = layersOf(job, machine, sliced, progress);

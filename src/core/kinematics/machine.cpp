@@ -87,6 +87,13 @@ std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
 
 bool isEndless(const MachineAxis& axis) { return axis.high_mm - axis.low_mm >= kEndless; }
 
+Machine withUprightHead(Machine machine) {
+  const Eigen::Isometry3d bed_from_sensor = machine.bed_from_nozzle_at_zero * machine.nozzle_from_sensor;
+  machine.bed_from_nozzle_at_zero.linear() = nozzleDown().toRotationMatrix();
+  machine.nozzle_from_sensor = machine.bed_from_nozzle_at_zero.inverse() * bed_from_sensor;
+  return machine;
+}
+
 Box3 workspace(const Machine& machine) {
   Box3 box;
   for (int corner = 0; corner < 8; ++corner) {

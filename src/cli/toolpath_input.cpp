@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "toolpath_input.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/program/csv_reader.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/slicing/layer_plane.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+constexpr double kSamePlane = 1e-6;  // rad: digits of a setting
+
+std::string suffixOf(const std::string& input) { return std::filesystem::path(input).extension().string(); }
+
+}  // namespace
+
+JobSettings settingsFrom(const std::string& config, const std::vector<std::string>& assignments) {
+  std::vector<SettingText> overrides;
+  for (const std::string& assignment : assignments) overrides.push_back(settingFromAssignment(assignment));
+  return loadJobSettings(config, overrides);
+}
+
+bool isPart(const std::string& input) { return suffixOf(input) != ".gcode" && suffixOf(input) != ".csv"; }
+
+ToolpathInput readToolpath(const std::string& input, const JobSettings& settings) {
+  ToolpathInput read;
+  if (suffixOf(input) == ".gcode") {
+    read.toolpath = toolpathFromGcodeFile(input, settings.program);
+  } else if (suffixOf(input) == ".csv") {
+    read.toolpath = readCsv(readFile(input), std::filesystem::path(input).filename().string());
+  } else {
+    TerminalProgress progress;
+    SlicedPart sliced = runSliceJob({input, "", settings}, progress);
+    read = {std::move(sliced.toolpath), sliced.bed_from_part};
+  }
+  return read;
+}
+
+ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings) {
+  ToolpathInput read = readToolpath(input, settings);
+  const PlaneSettings& plane = settings.slicing.plane;
+  if (isPart(input) || plane.angle_deg == 0.0) return read;
+  const Eigen::Quaterniond asked = partFromLayers(plane);
+  if (!isInclined(read.toolpath)) {
+    read.toolpath.part_from_layers = asked;
+    const bool is_normal = plane.jet == Jet::Normal;
+    read.toolpath = withNozzle(std::move(read.toolpath), is_normal ? asked * nozzleDown() : nozzleDown());
+  } else if (read.toolpath.part_from_layers.angularDistance(asked) > kSamePlane) {
+    throw InvalidInput("slicing.plane.angle_deg is " + std::to_string(plane.angle_deg) + ", but '" + input +
+                       "' tells of layers inclined by " + std::to_string(inclinationDeg(read.toolpath)) +
+                       " deg another way; expected the same or none");
+  }
+  return read;
+}
+
+}  // namespace lamina::cli

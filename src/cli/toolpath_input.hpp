@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "lamina/job/job_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina::cli {
+
+/// What a subcommand looks at: a toolpath, and where its part stands on the bed.
+struct ToolpathInput {
+  Toolpath toolpath;
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
+};
+
+/// The settings of a file (none if its name is empty), overridden by assignments key=value.
+JobSettings settingsFrom(const std::string& config, const std::vector<std::string>& assignments);
+
+/// Whether the input is a part to be sliced: neither program nor toolpath.
+bool isPart(const std::string& input);
+
+/// Reads a program (.gcode) or toolpath (.csv), in coordinates of the bed, or slices a part.
+ToolpathInput readToolpath(const std::string& input, const JobSettings& settings);
+
+/// The same for what looks along the jet: layers and nozzle of a file that tells neither lie as
+/// `slicing.plane` says.
+/// @throws InvalidInput if the file tells of inclined layers other than those of slicing.plane
+ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings);
+
+}  // namespace lamina::cli
