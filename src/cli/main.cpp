@@ -37,6 +37,7 @@ int runCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
+  addClearance(app, chosen);
   addEmulate(app, chosen);
   addFillVoids(app, chosen);
   addIncline(app, chosen);
@@ -50,7 +51,7 @@ int runCommandLine(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     chosen.run();
-    return 0;
+    return chosen.exit_code;
   } catch (const CLI::ParseError& error) {
     return refuse(app, error, chosen.format);
   } catch (...) {

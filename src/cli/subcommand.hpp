@@ -24,6 +24,7 @@ using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;
+  int exit_code = 0;  ///< of a run that does not fail
   Counts counts;  ///< told beside the error if `run` fails
 };
 
@@ -38,6 +39,7 @@ void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
+void addClearance(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
 void addIncline(CLI::App& app, Chosen& chosen);

@@ -22,9 +22,10 @@ ARROWS = {
     "streaming": ["program"],
     "deposition": ["toolpath"],
     "overhang": ["toolpath"],
+    "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["toolpath"],
-    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "overhang", "monitoring", "picture"],
+    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <unistd.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <filesystem>
 #include <fstream>
@@ -104,6 +105,22 @@ TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
   ASSERT_EQ(coarse.status.code, Status::OK + 0) << coarse.status.message;
   EXPECT_EQ(2 * coarse.summary.layers, fine.summary.layers);
   EXPECT_EQ(fine_again.summary.layers, fine.summary.layers);
+}
+
+TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
+  const auto markers = [this] {
+    const auto latched = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
+        lamina::names::kOverhangMarkers, node_, ros::Duration(2.0));
+    return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
+  };
+  // Sparse infill bridges the gaps of the layer before.
+  ASSERT_EQ(call("box", {setting("overhang.report", "true")}).status.code, Status::OK + 0);
+  ASSERT_EQ(markers().size(), 2U);
+  EXPECT_EQ(markers()[1].ns, "bridge");
+  EXPECT_EQ(markers()[1].header.frame_id, lamina::names::kPartFrame);
+  EXPECT_GT(markers()[1].points.size(), 1000U);
+  ASSERT_EQ(call("box").status.code, Status::OK + 0);
+  EXPECT_EQ(markers().size(), 1U) << "those of the part before are deleted";
 }
 
 TEST_F(SlicingService, RefusesAMissingFile) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/clearance/clearance_settings.hpp"
 #include "lamina/geometry/mesh_reader.hpp"
 #include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
@@ -39,6 +40,7 @@ struct JobSettings {
   PlanSettings planning;
   DropVoidSettings drop_voids;
   OverhangSettings overhang;
+  ClearanceSettings clearance;
   ScanSettings scan;
   MotionLimits motion;
   ProgramSettings program;

@@ -30,6 +30,7 @@ struct UnsupportedStretch {
   PathRole role = PathRole::Infill;  ///< where it begins
   bool begins_run = false;           ///< nothing was laid right before it
   double length_mm = 0.0;
+  double width_mm = 0.0;       ///< of the bead where it begins
   std::vector<Point3> points;  ///< nozzle tip from begin to end [mm, part frame]; two at least, one of a drop
 };
 

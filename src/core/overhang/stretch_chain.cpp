@@ -29,9 +29,12 @@ void StretchChain::lay(const LaidPiece& piece) {
   if (piece.is_carried) return close(kindIfCarriedAgain());
   if (begins_run) ++layer.starts_in_air;
   if (!stretch_) {
-    stretch_ =
-        UnsupportedStretch{StretchKind::Overhang, piece.at, piece.role, begins_run, 0.0, {piece.start}};
-    half_width_mm_ = 0.5 * piece.section.width_mm;
+    stretch_.emplace();
+    stretch_->at = piece.at;
+    stretch_->role = piece.role;
+    stretch_->begins_run = begins_run;
+    stretch_->width_mm = piece.section.width_mm;
+    stretch_->points = {piece.start};
   }
   stretch_->length_mm += piece.length_mm;
   if (piece.end != piece.start) stretch_->points.push_back(piece.end);
@@ -51,7 +54,7 @@ StretchKind StretchChain::kindIfCarriedAgain() const {
   if (!stretch_ || stretch_->begins_run) return StretchKind::Overhang;
   const std::vector<Point3>& points = stretch_->points;
   const bool is_straight = std::all_of(points.begin(), points.end(), [&](const Point3& point) {
-    return distanceToSegment(point, points.front(), points.back()) <= half_width_mm_;
+    return distanceToSegment(point, points.front(), points.back()) <= 0.5 * stretch_->width_mm;
   });
   return is_straight ? StretchKind::Bridge : StretchKind::Overhang;
 }

@@ -40,7 +40,6 @@ class StretchChain {
   OverhangReport report_;
   std::optional<Point3> end_;                  ///< of the run under way
   std::optional<UnsupportedStretch> stretch_;  ///< under way
-  double half_width_mm_ = 0.0;                 ///< where the stretch began
 };
 
 }  // namespace lamina

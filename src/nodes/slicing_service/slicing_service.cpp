@@ -5,6 +5,7 @@
 #include "action_progress.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "overhang_markers.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
 #include "toolpath_markers.hpp"
@@ -20,6 +21,7 @@ SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings
     : settings_(settings),
       toolpath_(node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>(names::kToolpathMarkers, 1, true)),
+      overhang_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kOverhangMarkers, 1, true)),
       service_(node.advertiseService(names::kSliceMesh, &SlicingService::onService, this)),
       action_(
           node, names::kSlice, [this](const lamina_msgs::SliceGoalConstPtr& goal) { onGoal(goal); }, false) {
@@ -80,24 +82,28 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   describe(schema, job.settings);
   for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
   SlicedPart sliced = runSliceJob(job, progress);
+  OverhangReport overhangs;
+  if (job.settings.overhang.is_reported)
+    overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, job.settings.overhang, progress);
   MachineToolpath placed;
   placed.id = toolpathId(sliced.toolpath);
   placed.machine = machineOf(job.settings.machine).name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
-  publish(placed);
+  publish(placed, overhangs);
   Answer answer;
   answer.toolpath_id = placed.id;
   answer.summary = toMessage(sliced.summary);
   return answer;
 }
 
-void SlicingService::publish(const MachineToolpath& placed) {
+void SlicingService::publish(const MachineToolpath& placed, const OverhangReport& overhangs) {
   lamina_msgs::Toolpath message = toMessage(placed);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kPartFrame;
   toolpath_.publish(message);
   markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
+  overhang_markers_.publish(overhangMarkers(overhangs, names::kPartFrame));
 }
 
 }  // namespace lamina

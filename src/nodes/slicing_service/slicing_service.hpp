@@ -11,6 +11,7 @@
 
 #include "conversions.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/overhang/overhang.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -20,7 +21,9 @@ namespace lamina {
 /// Services    slice_mesh (lamina/SliceMesh)
 /// Actions     slice (lamina/Slice): the same with progress and cancel; a new goal cancels the one under way
 /// Publishes   toolpath (lamina/Toolpath, latched), toolpath_markers (visualization_msgs/MarkerArray,
-/// latched)
+/// latched),
+///             overhang_markers (visualization_msgs/MarkerArray, latched): what is laid with nothing beneath
+///             it, if overhang.report says so; none otherwise
 ///
 /// One part at a time: a request during another one is answered with REJECTED. A request that fails publishes
 /// and writes nothing.
@@ -46,12 +49,13 @@ class SlicingService {
   void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
   Answer answer(const Request& request, Progress& progress);
   Answer slice(const Request& request, Progress& progress);
-  void publish(const MachineToolpath& placed);
+  void publish(const MachineToolpath& placed, const OverhangReport& overhangs);
 
   JobSettings settings_;
   std::mutex job_;
   ros::Publisher toolpath_;
   ros::Publisher markers_;
+  ros::Publisher overhang_markers_;
   ros::ServiceServer service_;
   actionlib::SimpleActionServer<lamina_msgs::SliceAction> action_;
 };

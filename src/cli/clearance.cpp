@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/clearance/clearance.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/kinematics/machine.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+#include "toolpath_input.hpp"
+
+namespace lamina::cli {
+namespace {
+
+constexpr int kCollides = 2;  // 1 is that of a check that could not be made
+
+/// The command line of `lamina clearance` as it was typed.
+struct ClearanceArguments {
+  std::string input;
+  std::string machine;
+  std::string config;
+  std::vector<std::string> settings;
+};
+
+nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
+
+nlohmann::ordered_json toJson(const Collision& collision) {
+  nlohmann::ordered_json json = {{"layer", collision.at.layer},
+                                 {"path", collision.at.path},
+                                 {"waypoint", collision.at.waypoint},
+                                 {"tip_mm", toJson(collision.tip)},
+                                 {"link", collision.link},
+                                 {"obstacle", toString(collision.obstacle)},
+                                 {"at_mm", toJson(collision.place)}};
+  if (collision.obstacle == Obstacle::Material)
+    json["laid"] = {{"layer", collision.laid.layer},
+                    {"path", collision.laid.path},
+                    {"waypoint", collision.laid.waypoint}};
+  return json;
+}
+
+void printJson(const ClearanceReport& report, const std::string& machine) {
+  nlohmann::ordered_json json = {{"machine", machine},
+                                 {"waypoints", report.waypoints},
+                                 {"colliding_waypoints", report.colliding},
+                                 {"colliding_layers", report.colliding_layers}};
+  json["first"] = nullptr;
+  if (report.first) json["first"] = toJson(*report.first);
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printFirst(const Collision& first) {
+  std::printf("first       layer %zu, path %zu, waypoint %zu, nozzle tip at (%.3f, %.3f, %.3f) mm\n",
+              first.at.layer, first.at.path, first.at.waypoint, first.tip.x(), first.tip.y(), first.tip.z());
+  std::printf("            link '%s' is in ", first.link.c_str());
+  if (first.obstacle == Obstacle::Bed)
+    std::printf("the bed\n");
+  else
+    std::printf("what was laid at layer %zu, path %zu, waypoint %zu, near (%.3f, %.3f, %.3f) mm\n",
+                first.laid.layer, first.laid.path, first.laid.waypoint, first.place.x(), first.place.y(),
+                first.place.z());
+}
+
+void printText(const ClearanceReport& report, const std::string& machine) {
+  std::printf("machine     %s\n", machine.c_str());
+  std::printf("waypoints   %zu\n", report.waypoints);
+  std::printf("collisions  at %zu of them, in %zu layers\n", report.colliding, report.colliding_layers);
+  if (report.first) printFirst(*report.first);
+}
+
+void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
+  std::vector<std::string> assignments = arguments.settings;
+  if (!arguments.machine.empty()) assignments.push_back("machine.name=" + arguments.machine);
+  const JobSettings settings = settingsFrom(arguments.config, assignments);
+  validate(settings);
+  const Machine machine = machineOf(settings.machine);
+  const ToolpathInput input = readInclinedToolpath(arguments.input, settings);
+  requireReachable(input.toolpath, input.bed_from_part, machine);
+  ClearanceReport report;
+  {
+    TerminalProgress progress;
+    report = checkClearance(input.toolpath, input.bed_from_part, machine, settings.clearance, progress);
+  }
+  if (report.first) chosen.exit_code = kCollides;
+  chosen.format == OutputFormat::Json ? printJson(report, machine.name) : printText(report, machine.name);
+}
+
+}  // namespace
+
+void addClearance(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "clearance", "Check a machine's head against bed and laid material; exits with 2 if it collides");
+  const auto arguments = std::make_shared<ClearanceArguments>();
+  subcommand
+      ->add_option("input", arguments->input,
+                   "Program (.gcode), toolpath (.csv), mesh file or name of a part")
+      ->required();
+  subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
+      ->check(CLI::IsMember(machineNames()));
+  subcommand->add_option("--config", arguments->config, "Settings (YAML) for slicing and reading");
+  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
+      ->allow_extra_args(false);
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { checkClearanceOf(*arguments, chosen); }; });
+}
+
+}  // namespace lamina::cli

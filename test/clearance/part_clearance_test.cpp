@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The machines that come with Lamina, and parts sliced for them.
+#include <gtest/gtest.h>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/clearance/clearance.hpp"
+#include "lamina/job/slice_job.hpp"
+
+namespace lamina {
+namespace {
+
+SliceJob coarse(const std::string& part, const std::string& machine) {
+  SliceJob job;
+  job.part = part;
+  job.settings.machine.name = machine;
+  job.settings.slicing.layer_height_mm = 0.4;
+  job.settings.slicing.first_layer_height_mm = 0.4;
+  job.settings.planning.bead.width_mm = 0.8;
+  return job;
+}
+
+ClearanceReport check(const SlicedPart& sliced, const std::string& machine) {
+  NoProgress nobody;
+  return checkClearance(sliced.toolpath, sliced.bed_from_part, machineByName(machine), {}, nobody);
+}
+
+SlicedPart run(const SliceJob& job) {
+  NoProgress nobody;
+  return runSliceJob(job, nobody);
+}
+
+TEST(PartClearance, ABoxInLevelLayersNeverMeetsAnUprightHead) {
+  for (const std::string machine : {"cartesian_gantry", "drop_printer"}) {
+    const ClearanceReport report = check(run(coarse("box", machine)), machine);
+    EXPECT_EQ(report.colliding, 0U) << machine;
+    EXPECT_GT(report.waypoints, 1000U);
+  }
+}
+
+TEST(PartClearance, HeadsAt45DegreesClearTheLayersTheyAreMadeFor) {
+  for (const auto& [machine, heading] : {std::pair{"gantry_45", 0.0},
+                                         {"large_gantry_45", 0.0},
+                                         {"large_gantry_45_reverse", 180.0},
+                                         {"belt_45", 0.0}}) {
+    SliceJob job = coarse("tube", machine);
+    job.settings.slicing.plane = {45.0, heading, Jet::Normal};
+    const ClearanceReport report = check(run(job), machine);
+    EXPECT_EQ(report.colliding, 0U) << machine;
+    EXPECT_GT(report.waypoints, 1000U);
+  }
+}
+
+TEST(PartClearance, ANozzleHeldDownMeetsSteepLayersAndTheFirstPlaceIsTheSameWhateverTheThreads) {
+  SliceJob job = coarse("box", "cartesian_gantry");
+  job.settings.slicing.plane = {75.0, 0.0, Jet::Down};
+  const SlicedPart sliced = run(job);
+  const ClearanceReport many = check(sliced, "cartesian_gantry");
+  const ThreadLimit limit(1);
+  const ClearanceReport one = check(sliced, "cartesian_gantry");
+  ASSERT_TRUE(one.first && many.first);
+  EXPECT_EQ(one.colliding, many.colliding);
+  EXPECT_EQ(one.first->at.layer, many.first->at.layer);
+  EXPECT_EQ(one.first->at.path, many.first->at.path);
+  EXPECT_EQ(one.first->at.waypoint, many.first->at.waypoint);
+  EXPECT_EQ(one.first->tip, many.first->tip);
+  EXPECT_EQ(one.first->link, many.first->link);
+  EXPECT_EQ(one.first->place, many.first->place);
+}
+
+}  // namespace
+}  // namespace lamina
