@@ -40,6 +40,13 @@ struct LayerClearance {
   std::optional<Collision> first;
 };
 
+std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const Machine& machine,
+                                 const Point3& normal) {
+  std::vector<HeadBody> head;
+  for (const MachineBody& body : bodies) head.emplace_back(body, machine, normal);
+  return head;
+}
+
 /// Checks the places of a toolpath against what is laid before.
 class ClearanceCheck {
  public:
@@ -49,10 +56,8 @@ class ClearanceCheck {
         bed_from_part_(bed_from_part),
         settings_(settings),
         deposited_(depositedBoxes(toolpath, bed_from_part, settings.tolerance_mm)),
-        tree_(deposited_.boxes, bed_from_part.linear() * layerNormal(toolpath)) {
-    for (const MachineBody& body : bodies)
-      bodies_.emplace_back(body, machine, bed_from_part.linear() * layerNormal(toolpath));
-  }
+        tree_(deposited_.boxes, bed_from_part.linear() * layerNormal(toolpath)),
+        bodies_(headBodies(bodies, machine, bed_from_part.linear() * layerNormal(toolpath))) {}
 
   LayerClearance check(std::size_t layer) const {
     const std::vector<NozzlePlace> places =

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs `lamina overhang` and `lamina clearance` as a person or a script does.
+
+    overhang_and_clearance_test.py LAMINA
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+INCLINED = ["--set", "machine.name=gantry_45", "--set", "slicing.plane.angle_deg=45"]
+COARSE = ["--set", "slicing.layer_height_mm=0.4", "--set", "slicing.first_layer_height_mm=0.4",
+          "--set", "bead.width_mm=0.8"]
+
+
+def run(*arguments):
+    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, timeout=60)
+
+
+class OverhangAndClearance(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def told(self, *arguments, code=0):
+        done = run(*arguments, "--json")
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_an_inclined_part_is_compared_with_the_level_one(self):
+        told = self.told("overhang", "box", *INCLINED, *COARSE, "--set", "infill.density=1")
+        self.assertAlmostEqual(told["inclination_deg"], 45.0, places=9)
+        self.assertEqual(told["before"]["inclination_deg"], 0.0)
+        for side in (told, told["before"]):
+            self.assertGreater(side["deposition_mm"], 1000.0)
+            self.assertEqual(side["overhang_mm"], 0.0)
+            self.assertEqual(side["starts_in_air"], 0)
+            self.assertEqual(len(side["unsupported_mm_by_layer"]) > 10, True)
+        text = run("overhang", "box", *INCLINED, *COARSE).stdout
+        self.assertIn("before", text.splitlines()[0])
+        self.assertIn("starts in air", text)
+
+    def test_a_level_part_is_compared_with_nothing_unless_asked_to(self):
+        self.assertNotIn("before", self.told("overhang", "box", *COARSE))
+        told = self.told("overhang", "box", "--before", "tube", *COARSE)
+        self.assertEqual(told["before"]["deposition_mm"], self.told("overhang", "tube", *COARSE)["deposition_mm"])
+
+    def test_a_program_and_a_toolpath_say_the_same_as_the_part(self):
+        part = self.told("overhang", "tube", *INCLINED, *COARSE)
+        for name in ("tube.gcode", "tube.csv"):
+            self.assertEqual(run("slice", "tube", *INCLINED, *COARSE, "-o", self.path(name)).returncode, 0)
+            read = self.told("overhang", self.path(name))
+            self.assertAlmostEqual(read["inclination_deg"], 45.0, places=6)
+            self.assertAlmostEqual(read["deposition_mm"], part["deposition_mm"], delta=5.0)
+            self.assertAlmostEqual(read["bridge_mm"], part["bridge_mm"], delta=0.02 * part["bridge_mm"])
+            self.assertEqual(read["starts_in_air"], part["starts_in_air"])
+
+    def test_the_plane_of_a_program_that_tells_none_is_set(self):
+        told = self.path("told.gcode")
+        untold = self.path("untold.gcode")
+        self.assertEqual(run("slice", "tube", *INCLINED, *COARSE, "-o", told).returncode, 0)
+        with open(told, encoding="utf-8") as source, open(untold, "w", encoding="utf-8") as output:
+            output.writelines(line for line in source if "_FRAME:" not in line)
+        plane = ["--set", "slicing.plane.angle_deg=45"]
+        expected = self.told("overhang", told)
+        given = self.told("overhang", untold, *plane)
+        for figure in ("inclination_deg", "deposition_mm", "overhang_mm", "bridge_mm", "starts_in_air"):
+            self.assertAlmostEqual(given[figure], expected[figure], places=3, msg=figure)
+        refused = self.told("overhang", told, "--set", "slicing.plane.angle_deg=30", code=1)
+        self.assertIn("slicing.plane.angle_deg is 30", refused["error"]["message"])
+
+    def test_a_head_that_clears_exits_with_0(self):
+        told = self.told("clearance", "box", "--machine", "belt_45", "--set", "slicing.plane.angle_deg=45", *COARSE)
+        self.assertEqual(told["machine"], "belt_45")
+        self.assertEqual(told["colliding_waypoints"], 0)
+        self.assertIsNone(told["first"])
+
+    def test_a_head_that_collides_exits_with_2_and_names_the_place(self):
+        held_down = ["box", "--set", "slicing.plane.angle_deg=75", "--set", "slicing.plane.jet=down", *COARSE]
+        told = self.told("clearance", *held_down, code=2)
+        first = told["first"]
+        self.assertGreater(told["colliding_waypoints"], 0)
+        self.assertEqual(first["obstacle"], "material")
+        self.assertLessEqual((first["laid"]["layer"], first["laid"]["path"]), (first["layer"], first["path"]))
+        text = run("clearance", *held_down).stdout
+        self.assertIn("layer %d, path %d, waypoint %d" % (first["layer"], first["path"], first["waypoint"]), text)
+        self.assertIn("link '%s'" % first["link"], text)
+
+    def test_what_cannot_be_checked_exits_with_1(self):
+        self.assertEqual(self.told("clearance", "/nowhere.gcode", code=1)["error"]["code"], "FileError")
+        program = self.path("box.gcode")
+        self.assertEqual(run("slice", "box", *COARSE, "-o", program).returncode, 0)
+        refused = self.told("clearance", program, "--machine", "gantry_45", code=1)
+        self.assertEqual(refused["error"]["code"], "Unreachable")
+
+
+if __name__ == "__main__":
+    unittest.main()
