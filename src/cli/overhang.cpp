@@ -8,7 +8,9 @@
 #include <optional>
 
 #include "lamina/base/error.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/picture/overhang_picture.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
@@ -21,6 +23,7 @@ namespace {
 struct OverhangArguments {
   std::string input;
   std::string before;
+  std::string picture;
   std::string config;
   std::vector<std::string> settings;
   std::size_t worst = 5;
@@ -162,9 +165,13 @@ void printText(const Account& account, const std::optional<Account>& before, std
 void overhang(const OverhangArguments& arguments, OutputFormat format) {
   const JobSettings settings = settingsFrom(arguments.config, arguments.settings);
   validate(settings);
-  const Account account = accountOf(readInclinedToolpath(arguments.input, settings), settings);
+  requireSuffix(arguments.picture, {".png"});
+  requireApart({arguments.picture}, {arguments.input, arguments.before, arguments.config});
+  const ToolpathInput input = readInclinedToolpath(arguments.input, settings);
+  const Account account = accountOf(input, settings);
+  if (!arguments.picture.empty()) drawOverhangs(input.toolpath, account.report, arguments.picture);
   std::optional<Account> before;
-  if (const auto input = inputBefore(arguments, settings)) before = accountOf(*input, settings);
+  if (const auto other = inputBefore(arguments, settings)) before = accountOf(*other, settings);
   format == OutputFormat::Json ? printJson(account, before, arguments.worst)
                                : printText(account, before, arguments.worst);
 }
@@ -182,6 +189,7 @@ void addOverhang(CLI::App& app, Chosen& chosen) {
           "is compared with the same in level ones")
       ->required();
   subcommand->add_option("--before", arguments->before, "What to compare with: program, toolpath or part");
+  subcommand->add_option("--picture", arguments->picture, "Picture to write (.png) of what hangs in the air");
   subcommand->add_option("--worst", arguments->worst, "How many of the longest stretches of a kind are told")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();

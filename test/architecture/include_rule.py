@@ -24,7 +24,7 @@ ARROWS = {
     "overhang": ["toolpath"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
-    "picture": ["toolpath"],
+    "picture": ["overhang"],
     "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

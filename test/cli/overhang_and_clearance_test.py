@@ -47,6 +47,14 @@ class OverhangAndClearance(unittest.TestCase):
         self.assertIn("before", text.splitlines()[0])
         self.assertIn("starts in air", text)
 
+    def test_what_hangs_is_drawn(self):
+        picture = self.path("hanging.png")
+        self.told("overhang", "tube", *COARSE, "--picture", picture)
+        with open(picture, "rb") as file:
+            self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        refused = self.told("overhang", "tube", *COARSE, "--picture", self.path("hanging.jpg"), code=1)
+        self.assertEqual(refused["error"]["code"], "InvalidInput")
+
     def test_a_level_part_is_compared_with_nothing_unless_asked_to(self):
         self.assertNotIn("before", self.told("overhang", "box", *COARSE))
         told = self.told("overhang", "box", "--before", "tube", *COARSE)

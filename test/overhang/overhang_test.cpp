@@ -75,6 +75,7 @@ TEST(Overhang, ABeadFromRailToRailIsABridgeOfTheGapBetweenThem) {
   EXPECT_EQ(found[0].kind, StretchKind::Bridge);
   EXPECT_FALSE(found[0].begins_run);
   EXPECT_NEAR(found[0].length_mm, 10.0 - 2 * kHeld, kEnds);
+  ASSERT_EQ(found[0].points.size(), 2U) << "one motion is one line";
   EXPECT_NEAR(found[0].points.front().x(), kHeld, kEnds);
   EXPECT_NEAR(found[0].points.back().x(), 10.0 - kHeld, kEnds);
 }

@@ -39,6 +39,7 @@ class StretchChain {
 
   OverhangReport report_;
   std::optional<Point3> end_;                  ///< of the run under way
+  WaypointIndex last_;                         ///< of the stretch's last piece
   std::optional<UnsupportedStretch> stretch_;  ///< under way
 };
 
