@@ -51,6 +51,20 @@ TEST(PartClearance, HeadsAt45DegreesClearTheLayersTheyAreMadeFor) {
   }
 }
 
+TEST(PartClearance, AnUprightHeadClearsLayersUpToTheAngleOfItsBlock) {
+  // The block is 20 mm wide to each side from 25 mm over the tip: it meets a slope of atan(25 / 20) = 51.3
+  // deg. A part of 40 mm has room for both.
+  for (const auto& [angle, collides] : {std::pair{51.0, false}, {52.0, true}}) {
+    SliceJob job = coarse("box", "cartesian_gantry");
+    job.settings.input.units.scale = 2.0;
+    job.settings.planning.infill.density = 0.05;
+    job.settings.slicing.plane = {angle, 0.0, Jet::Down};
+    const ClearanceReport report = check(run(job), "cartesian_gantry");
+    EXPECT_EQ(report.first.has_value(), collides) << angle;
+    EXPECT_EQ(report.first ? report.first->link : "", collides ? "head" : "");
+  }
+}
+
 TEST(PartClearance, ANozzleHeldDownMeetsSteepLayersAndTheFirstPlaceIsTheSameWhateverTheThreads) {
   SliceJob job = coarse("box", "cartesian_gantry");
   job.settings.slicing.plane = {75.0, 0.0, Jet::Down};
