@@ -81,7 +81,7 @@ void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
   ClearanceReport report;
   {
     TerminalProgress progress;
-    report = checkClearance(input.toolpath, input.bed_from_part, machine, settings.clearance, progress);
+    report = checkClearance({input.toolpath, input.bed_from_part, machine}, settings.clearance, progress);
   }
   if (report.first) chosen.exit_code = kCollides;
   chosen.format == OutputFormat::Json ? printJson(report, machine.name) : printText(report, machine.name);

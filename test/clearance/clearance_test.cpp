@@ -47,7 +47,8 @@ ClearanceReport check(const Toolpath& toolpath, const MachineBody& body, double 
   ClearanceSettings settings;
   settings.tolerance_mm = tolerance_mm;
   NoProgress nobody;
-  return checkClearance(toolpath, Eigen::Isometry3d::Identity(), upright(), {body}, settings, nobody);
+  const Machine machine = upright();
+  return checkClearance({toolpath, Eigen::Isometry3d::Identity(), machine}, {body}, settings, nobody);
 }
 
 Path travel(const Point3& from, const Point3& to) {
@@ -161,7 +162,8 @@ TEST(Clearance, ANozzleHeldDownRunsIntoAnInclinedLayerAtTheComputedWaypoint) {
   ClearanceSettings settings;
   settings.tolerance_mm = 0.0;
   NoProgress nobody;
-  const auto report = checkClearance(hill, high, upright(), {blockOf(10.0, 4.0)}, settings, nobody);
+  const Machine machine = upright();
+  const auto report = checkClearance({hill, high, machine}, {blockOf(10.0, 4.0)}, settings, nobody);
   ASSERT_TRUE(report.first);
   EXPECT_EQ(report.first->at.path, 27U);
   EXPECT_EQ(report.first->at.waypoint, 1U);
@@ -173,8 +175,11 @@ TEST(Clearance, ANozzleHeldDownRunsIntoAnInclinedLayerAtTheComputedWaypoint) {
 }
 
 TEST(Clearance, AMachineWithoutCollisionGeometryIsRefused) {
+  const Machine machine = upright();
+  const Toolpath toolpath = test::twoLayers();
+  const std::vector<MachineBody> none;
   NoProgress nobody;
-  EXPECT_THROW(checkClearance(test::twoLayers(), Eigen::Isometry3d::Identity(), upright(), {}, {}, nobody),
+  EXPECT_THROW(checkClearance({toolpath, Eigen::Isometry3d::Identity(), machine}, none, {}, nobody),
                InvalidConfig);
 }
 

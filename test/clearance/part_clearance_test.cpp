@@ -22,7 +22,8 @@ SliceJob coarse(const std::string& part, const std::string& machine) {
 
 ClearanceReport check(const SlicedPart& sliced, const std::string& machine) {
   NoProgress nobody;
-  return checkClearance(sliced.toolpath, sliced.bed_from_part, machineByName(machine), {}, nobody);
+  const Machine described = machineByName(machine);
+  return checkClearance({sliced.toolpath, sliced.bed_from_part, described}, ClearanceSettings(), nobody);
 }
 
 SlicedPart run(const SliceJob& job) {

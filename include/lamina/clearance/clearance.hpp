@@ -22,6 +22,13 @@ enum class Obstacle { Bed, Material };
 /// "bed", "material".
 const char* toString(Obstacle obstacle);
 
+/// A toolpath, where its part stands, and what runs it; both must outlive the value.
+struct MachineRun {
+  const Toolpath& toolpath;
+  Eigen::Isometry3d bed_from_part;  ///< [mm]
+  const Machine& machine;
+};
+
 /// A place where a body of the machine is in bed or material.
 struct Collision {
   WaypointIndex at;             ///< the nozzle is there, or on its way there
@@ -52,16 +59,13 @@ struct ClearanceReport {
 /// Shapes are tested by FCL; which of the beads laid so far are near a body is found by a tree of their boxes
 /// in the order of deposition. The same whatever the number of threads.
 ///
-/// @param bodies         none of which is the bed
-/// @param bed_from_part  [mm]
-/// @param progress       stage "clearance"
+/// @param bodies    none of which is the bed
+/// @param progress  stage "clearance"
 /// @throws InvalidConfig if there is no body; Cancelled
-ClearanceReport checkClearance(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                               const Machine& machine, const std::vector<MachineBody>& bodies,
+ClearanceReport checkClearance(const MachineRun& run, const std::vector<MachineBody>& bodies,
                                const ClearanceSettings& settings, Progress& progress);
 
 /// The same for the bodies of the machine's description (`movingBodies`).
-ClearanceReport checkClearance(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                               const Machine& machine, const ClearanceSettings& settings, Progress& progress);
+ClearanceReport checkClearance(const MachineRun& run, const ClearanceSettings& settings, Progress& progress);
 
 }  // namespace lamina

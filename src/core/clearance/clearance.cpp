@@ -40,6 +40,9 @@ struct LayerClearance {
   std::optional<Collision> first;
 };
 
+/// Of the layers, in the frame of the bed.
+Point3 normalOf(const MachineRun& run) { return run.bed_from_part.linear() * layerNormal(run.toolpath); }
+
 std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const Machine& machine,
                                  const Point3& normal) {
   std::vector<HeadBody> head;
@@ -50,18 +53,17 @@ std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const M
 /// Checks the places of a toolpath against what is laid before.
 class ClearanceCheck {
  public:
-  ClearanceCheck(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const Machine& machine,
-                 const std::vector<MachineBody>& bodies, const ClearanceSettings& settings)
-      : toolpath_(toolpath),
-        bed_from_part_(bed_from_part),
+  ClearanceCheck(const MachineRun& run, const std::vector<MachineBody>& bodies,
+                 const ClearanceSettings& settings)
+      : run_(run),
         settings_(settings),
-        deposited_(depositedBoxes(toolpath, bed_from_part, settings.tolerance_mm)),
-        tree_(deposited_.boxes, bed_from_part.linear() * layerNormal(toolpath)),
-        bodies_(headBodies(bodies, machine, bed_from_part.linear() * layerNormal(toolpath))) {}
+        deposited_(depositedBoxes(run.toolpath, run.bed_from_part, settings.tolerance_mm)),
+        tree_(deposited_.boxes, normalOf(run)),
+        bodies_(headBodies(bodies, run.machine, normalOf(run))) {}
 
   LayerClearance check(std::size_t layer) const {
     const std::vector<NozzlePlace> places =
-        nozzlePlaces(toolpath_, layer, deposited_.before_layer[layer], bed_from_part_, settings_);
+        nozzlePlaces(run_.toolpath, layer, deposited_.before_layer[layer], run_.bed_from_part, settings_);
     std::vector<std::pair<std::size_t, std::size_t>> waypoints;
     LayerClearance report;
     const NozzlePlace* const last = places.data() + places.size();
@@ -134,8 +136,7 @@ class ClearanceCheck {
     return collision;
   }
 
-  const Toolpath& toolpath_;
-  Eigen::Isometry3d bed_from_part_;
+  const MachineRun& run_;
   ClearanceSettings settings_;
   DepositedBoxes deposited_;
   DepositedTree tree_;
@@ -146,19 +147,18 @@ class ClearanceCheck {
 
 const char* toString(Obstacle obstacle) { return obstacle == Obstacle::Bed ? "bed" : "material"; }
 
-ClearanceReport checkClearance(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                               const Machine& machine, const std::vector<MachineBody>& bodies,
+ClearanceReport checkClearance(const MachineRun& run, const std::vector<MachineBody>& bodies,
                                const ClearanceSettings& settings, Progress& progress) {
   if (bodies.empty())
-    throw InvalidConfig("machine '" + machine.name +
+    throw InvalidConfig("machine '" + run.machine.name +
                         "' has no collision geometry on any link that moves against the bed; expected some "
                         "on its nozzle and head");
-  const ClearanceCheck check(toolpath, bed_from_part, machine, bodies, settings);
-  std::vector<LayerClearance> layers(toolpath.layers.size());
+  const ClearanceCheck check(run, bodies, settings);
+  std::vector<LayerClearance> layers(run.toolpath.layers.size());
   parallelFor(
       layers.size(), [&](std::size_t l) { layers[l] = check.check(l); }, progress, "clearance");
   ClearanceReport report;
-  report.waypoints = totals(toolpath).waypoints;
+  report.waypoints = totals(run.toolpath).waypoints;
   for (const LayerClearance& layer : layers) {
     report.colliding += layer.colliding;
     if (!layer.first) continue;
@@ -168,10 +168,8 @@ ClearanceReport checkClearance(const Toolpath& toolpath, const Eigen::Isometry3d
   return report;
 }
 
-ClearanceReport checkClearance(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                               const Machine& machine, const ClearanceSettings& settings,
-                               Progress& progress) {
-  return checkClearance(toolpath, bed_from_part, machine, movingBodies(machine), settings, progress);
+ClearanceReport checkClearance(const MachineRun& run, const ClearanceSettings& settings, Progress& progress) {
+  return checkClearance(run, movingBodies(run.machine), settings, progress);
 }
 
 }  // namespace lamina
