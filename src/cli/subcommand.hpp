@@ -25,7 +25,7 @@ struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;
   int exit_code = 0;  ///< of a run that does not fail
-  Counts counts;  ///< told beside the error if `run` fails
+  Counts counts;      ///< told beside the error if `run` fails
 };
 
 /// No layer asked for has a greater index: more are in no program.
