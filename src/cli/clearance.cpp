@@ -45,9 +45,9 @@ void printJson(const ClearanceReport& report, const std::string& machine) {
   nlohmann::ordered_json json = {{"machine", machine},
                                  {"waypoints", report.waypoints},
                                  {"colliding_waypoints", report.colliding},
-                                 {"colliding_layers", report.colliding_layers}};
+                                 {"colliding_layers", report.first_of_layers.size()}};
   json["first"] = nullptr;
-  if (report.first) json["first"] = toJson(*report.first);
+  if (report.colliding > 0) json["first"] = toJson(report.first_of_layers.front());
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -66,8 +66,8 @@ void printFirst(const Collision& first) {
 void printText(const ClearanceReport& report, const std::string& machine) {
   std::printf("machine     %s\n", machine.c_str());
   std::printf("waypoints   %zu\n", report.waypoints);
-  std::printf("collisions  at %zu of them, in %zu layers\n", report.colliding, report.colliding_layers);
-  if (report.first) printFirst(*report.first);
+  std::printf("collisions  at %zu of them, in %zu layers\n", report.colliding, report.first_of_layers.size());
+  if (report.colliding > 0) printFirst(report.first_of_layers.front());
 }
 
 void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
@@ -83,7 +83,7 @@ void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
     TerminalProgress progress;
     report = checkClearance({input.toolpath, input.bed_from_part, machine}, settings.clearance, progress);
   }
-  if (report.first) chosen.exit_code = kCollides;
+  if (report.colliding > 0) chosen.exit_code = kCollides;
   chosen.format == OutputFormat::Json ? printJson(report, machine.name) : printText(report, machine.name);
 }
 

@@ -72,7 +72,7 @@ nlohmann::ordered_json toJson(const Account& account, std::size_t worst) {
   const OverhangTotals& sums = account.sums;
   nlohmann::ordered_json json = {{"inclination_deg", account.inclination_deg},
                                  {"deposition_mm", sums.all.deposited_mm},
-                                 {"unsupported_mm", sums.all.unsupported_mm()},
+                                 {"unsupported_mm", sums.all.unsupported()},
                                  {"unsupported_share", sums.share()},
                                  {"unsupported_in_walls_mm", sums.in_walls_mm},
                                  {"overhang_mm", sums.all.overhang_mm},
@@ -86,7 +86,7 @@ nlohmann::ordered_json toJson(const Account& account, std::size_t worst) {
   json["worst_layer"] = nullptr;
   if (sums.worst_layer) json["worst_layer"] = *sums.worst_layer;
   nlohmann::ordered_json layers = nlohmann::json::array();
-  for (const LayerOverhang& layer : account.report.layers) layers.push_back(layer.unsupported_mm());
+  for (const LayerOverhang& layer : account.report.layers) layers.push_back(layer.unsupported());
   json["unsupported_mm_by_layer"] = layers;
   nlohmann::ordered_json stretches = nlohmann::json::array();
   for (const StretchKind kind : {StretchKind::Overhang, StretchKind::Bridge})
@@ -139,7 +139,7 @@ void printText(const Account& account, const std::optional<Account>& before, std
   table.row("layers inclined", [](const Account& a) { return figure("%.4g deg", a.inclination_deg); });
   table.row("deposition", [](const Account& a) { return figure("%.2f m", a.sums.all.deposited_mm / 1e3); });
   table.row("unsupported", [](const Account& a) {
-    return figure("%.1f mm", a.sums.all.unsupported_mm()) + figure(", %.2f %%", 100.0 * a.sums.share());
+    return figure("%.1f mm", a.sums.all.unsupported()) + figure(", %.2f %%", 100.0 * a.sums.share());
   });
   table.row("  in walls", [](const Account& a) { return figure("%.1f mm", a.sums.in_walls_mm); });
   table.row("overhangs", [](const Account& a) {
@@ -156,7 +156,7 @@ void printText(const Account& account, const std::optional<Account>& before, std
   table.row("worst layer", [](const Account& a) {
     if (!a.sums.worst_layer) return std::string("none");
     return std::to_string(*a.sums.worst_layer) +
-           figure(", %.1f mm", a.report.layers[*a.sums.worst_layer].unsupported_mm());
+           figure(", %.1f mm", a.report.layers[*a.sums.worst_layer].unsupported());
   });
   for (const StretchKind kind : {StretchKind::Overhang, StretchKind::Bridge})
     for (const UnsupportedStretch& stretch : longest(account.report, kind, worst)) printStretch(stretch);

@@ -25,6 +25,7 @@ std::string suffixOf(const std::string& input) { return std::filesystem::path(in
 
 JobSettings settingsFrom(const std::string& config, const std::vector<std::string>& assignments) {
   std::vector<SettingText> overrides;
+  overrides.reserve(assignments.size());
   for (const std::string& assignment : assignments) overrides.push_back(settingFromAssignment(assignment));
   return loadJobSettings(config, overrides);
 }

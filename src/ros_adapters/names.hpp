@@ -11,9 +11,10 @@ inline constexpr char kToolpathMarkers[] = "toolpath_markers";  ///< visualizati
 inline constexpr char kSourceToolpathMarkers[] =
     "source_toolpath_markers";  ///< visualization_msgs/MarkerArray, latched: of a program before it is
                                 ///< inclined
-inline constexpr char kOverhangMarkers[] = "overhang_markers";  ///< visualization_msgs/MarkerArray, latched
-inline constexpr char kVoidMarkers[] = "void_markers";          ///< visualization_msgs/MarkerArray, latched
-inline constexpr char kMachineState[] = "machine_state";        ///< lamina/MachineState, latched
+inline constexpr char kOverhangMarkers[] = "overhang_markers";    ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kCollisionMarkers[] = "collision_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kVoidMarkers[] = "void_markers";            ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kMachineState[] = "machine_state";          ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
 inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState

@@ -43,7 +43,7 @@ MachineBody blockOf(double half_width_mm, double above_mm) {
   return bodyOf(BoxShape{size}, Eigen::Isometry3d(Eigen::Translation3d(0, 0, above_mm + 15.0)));
 }
 
-ClearanceReport check(const Toolpath& toolpath, const MachineBody& body, double tolerance_mm = 0.0) {
+ClearanceReport checked(const Toolpath& toolpath, const MachineBody& body, double tolerance_mm = 0.0) {
   ClearanceSettings settings;
   settings.tolerance_mm = tolerance_mm;
   NoProgress nobody;
@@ -71,15 +71,15 @@ TEST(Clearance, AConeMeetsAWallExactlyWhereItsFlankDoes) {
   // Half angle 45 deg: at the top of the wall, 10 mm, the cone over a tip at z is 10 - z wide. The wall's
   // near edge is 4.5 mm away, so that it clears down to z = 5.5.
   const MachineBody cone = coneOf(M_PI / 4, 30.0);
-  EXPECT_FALSE(check(besideWall(5.0, 10.0, 5.5 + kClose), cone).first);
-  const auto first = check(besideWall(5.0, 10.0, 5.5 - kClose), cone).first;
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->obstacle, Obstacle::Material);
-  EXPECT_EQ(first->at.path, 3U);
-  EXPECT_EQ(first->at.waypoint, 1U);
-  EXPECT_EQ(first->laid.path, 0U);
-  EXPECT_EQ(first->link, "nozzle");
-  EXPECT_TRUE(first->tip.isApprox(Point3(0, 0, 5.5 - kClose)));
+  EXPECT_EQ(checked(besideWall(5.0, 10.0, 5.5 + kClose), cone).colliding, 0U);
+  const auto firsts = checked(besideWall(5.0, 10.0, 5.5 - kClose), cone).first_of_layers;
+  ASSERT_EQ(firsts.size(), 1U);
+  EXPECT_EQ(firsts[0].obstacle, Obstacle::Material);
+  EXPECT_EQ(firsts[0].at.path, 3U);
+  EXPECT_EQ(firsts[0].at.waypoint, 1U);
+  EXPECT_EQ(firsts[0].laid.path, 0U);
+  EXPECT_EQ(firsts[0].link, "nozzle");
+  EXPECT_TRUE(firsts[0].tip.isApprox(Point3(0, 0, 5.5 - kClose)));
 }
 
 TEST(Clearance, AConeOfAnyAngleMeetsAWallAtItsAnalyticLimit) {
@@ -91,8 +91,8 @@ TEST(Clearance, AConeOfAnyAngleMeetsAWallAtItsAnalyticLimit) {
     const double gap = random.uniform(0.2, 0.8) * wall_height * std::tan(half_angle);
     const double limit = wall_height - tolerance - (gap + tolerance) / std::tan(half_angle);
     const MachineBody cone = coneOf(half_angle, 40.0);
-    RC_ASSERT(!check(besideWall(gap + 0.5, wall_height, limit + 1e-3), cone, tolerance).first);
-    RC_ASSERT(check(besideWall(gap + 0.5, wall_height, limit - 1e-3), cone, tolerance).first.has_value());
+    RC_ASSERT(checked(besideWall(gap + 0.5, wall_height, limit + 1e-3), cone, tolerance).colliding == 0U);
+    RC_ASSERT(checked(besideWall(gap + 0.5, wall_height, limit - 1e-3), cone, tolerance).colliding > 0U);
   }));
 }
 
@@ -100,31 +100,32 @@ TEST(Clearance, TheNozzleMayStandInWhatItIsJustLaying) {
   Toolpath toolpath = {"bead", {{1.0, 1.0, {test::straightPath({0, 0, 1.0}, {20, 0, 1.0})}}}};
   toolpath.layers[0].paths[0].bead = Bead{4.0, 1.0};
   const MachineBody deep = blockOf(1.0, -0.5);
-  EXPECT_FALSE(check(toolpath, deep).first);
+  EXPECT_EQ(checked(toolpath, deep).colliding, 0U);
   toolpath.layers[0].paths.push_back(travel({20, 0, 1.0}, {10, 0, 1.0}));
-  const auto first = check(toolpath, deep).first;
-  ASSERT_TRUE(first) << "once it is laid it is there";
-  EXPECT_EQ(first->at.path, 1U);
+  const auto firsts = checked(toolpath, deep).first_of_layers;
+  ASSERT_EQ(firsts.size(), 1U) << "once it is laid it is there";
+  EXPECT_EQ(firsts[0].at.path, 1U);
 }
 
 TEST(Clearance, WhatIsLaidLaterIsNotThereYet) {
   Toolpath toolpath = besideWall(5.0, 10.0, 5.0);
   std::reverse(toolpath.layers[0].paths.begin(), toolpath.layers[0].paths.end());
   for (Path& path : toolpath.layers[0].paths) std::reverse(path.points.begin(), path.points.end());
-  EXPECT_FALSE(check(toolpath, coneOf(M_PI / 4, 30.0)).first);
+  EXPECT_EQ(checked(toolpath, coneOf(M_PI / 4, 30.0)).colliding, 0U);
 }
 
 TEST(Clearance, ABodyLowerThanTheTipMeetsTheBedWhereTheTipIsTooLow) {
   // It reaches 2 mm beneath the tip; the way down passes 2 mm at the third waypoint.
   Path path = travel({0, 0, 5}, {10, 0, 3});
   path.points.insert(path.points.end(), {{20, 0, 2.0 - 1e-6}, {30, 0, 4}});
-  const ClearanceReport report = check({"low", {{5, 1, {path}}}}, blockOf(1.0, -2.0));
-  ASSERT_TRUE(report.first);
-  EXPECT_EQ(report.first->obstacle, Obstacle::Bed);
-  EXPECT_EQ(report.first->at.waypoint, 2U);
+  const ClearanceReport report = checked({"low", {{5, 1, {path}}}}, blockOf(1.0, -2.0));
+  ASSERT_EQ(report.first_of_layers.size(), 1U);
+  EXPECT_EQ(report.first_of_layers[0].obstacle, Obstacle::Bed);
+  EXPECT_EQ(report.first_of_layers[0].at.waypoint, 2U);
   EXPECT_EQ(report.colliding, 1U);
   EXPECT_EQ(report.waypoints, 4U);
-  EXPECT_FALSE(check({"low", {{5, 1, {path}}}}, blockOf(1.0, -2.0), 0.01).first) << "within the tolerance";
+  EXPECT_EQ(checked({"low", {{5, 1, {path}}}}, blockOf(1.0, -2.0), 0.01).colliding, 0U)
+      << "within the tolerance";
 }
 
 TEST(Clearance, PlacesBetweenWaypointsAreLookedAt) {
@@ -132,11 +133,11 @@ TEST(Clearance, PlacesBetweenWaypointsAreLookedAt) {
   Path& low = toolpath.layers[0].paths.back();
   low = travel({0, 0, 100}, {-30, 0, 5});
   toolpath.layers[0].paths.push_back(travel({-30, 0, 5}, {40, 0, 5}));
-  const ClearanceReport report = check(toolpath, coneOf(0.3, 30.0));
-  ASSERT_TRUE(report.first) << "it goes through the wall";
-  EXPECT_EQ(report.first->at.path, 4U);
+  const ClearanceReport report = checked(toolpath, coneOf(0.3, 30.0));
+  ASSERT_EQ(report.first_of_layers.size(), 1U) << "it goes through the wall";
+  EXPECT_EQ(report.first_of_layers[0].at.path, 4U);
   EXPECT_EQ(report.colliding, 1U);
-  EXPECT_NEAR(report.first->tip.x(), 3.0, 2.0);
+  EXPECT_NEAR(report.first_of_layers[0].tip.x(), 3.0, 2.0);
 }
 
 /// Lines along x in a layer inclined by 45 deg that rises towards +y, from its top down; the nozzle is
@@ -164,14 +165,13 @@ TEST(Clearance, ANozzleHeldDownRunsIntoAnInclinedLayerAtTheComputedWaypoint) {
   NoProgress nobody;
   const Machine machine = upright();
   const auto report = checkClearance({hill, high, machine}, {blockOf(10.0, 4.0)}, settings, nobody);
-  ASSERT_TRUE(report.first);
-  EXPECT_EQ(report.first->at.path, 27U);
-  EXPECT_EQ(report.first->at.waypoint, 1U);
-  EXPECT_EQ(report.first->laid.path, 0U);
+  ASSERT_EQ(report.first_of_layers.size(), 1U);
+  EXPECT_EQ(report.first_of_layers[0].at.path, 27U);
+  EXPECT_EQ(report.first_of_layers[0].at.waypoint, 1U);
+  EXPECT_EQ(report.first_of_layers[0].laid.path, 0U);
   // From there on everything collides: 16 lines of two waypoints, and 16 travels, the first of them with its
   // end.
   EXPECT_EQ(report.colliding, 16U * 2U + 15U * 2U + 1U);
-  EXPECT_EQ(report.colliding_layers, 1U);
 }
 
 TEST(Clearance, AMachineWithoutCollisionGeometryIsRefused) {

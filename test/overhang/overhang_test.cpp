@@ -128,14 +128,14 @@ TEST(Overhang, WhatIsLaidLaterCarriesNothing) {
 TEST(Overhang, NeighboursOfTheSameLayerCarryNothing) {
   const Path beside = test::straightPath({0, 0.2, kHeight + 0.2}, {10, 0.2, kHeight + 0.2});
   const OverhangReport report = find(over({rail(100)}, {across(0, 10), beside}));
-  EXPECT_NEAR(report.layers[1].unsupported_mm(), 20.0, 1e-9);
+  EXPECT_NEAR(report.layers[1].unsupported(), 20.0, 1e-9);
 }
 
 TEST(Overhang, TheBedCarriesWhatIsWithinABeadHeightOfTheMiddle) {
   // The middle is 0.1 mm beneath the tip; 0.2 mm farther down the bed must have come.
   for (const auto& [z, unsupported] : {std::pair{0.2, 0.0}, {0.29, 0.0}, {0.32, 10.0}}) {
     const Toolpath toolpath = {"one", {layerOf(z, {test::straightPath({0, 0, z}, {10, 0, z})})}};
-    EXPECT_NEAR(find(toolpath).layers[0].unsupported_mm(), unsupported, 1e-9) << z;
+    EXPECT_NEAR(find(toolpath).layers[0].unsupported(), unsupported, 1e-9) << z;
   }
 }
 
@@ -148,7 +148,7 @@ TEST(Overhang, TheJetDecidesWhatIsBeneath) {
     Path above = test::straightPath({0, -4, kHeight + 0.2}, {0, 4, kHeight + 0.2});
     above.orientation = inclined;
     const OverhangReport report = find(over({rail(x)}, {above}));
-    EXPECT_NEAR(report.layers[1].unsupported_mm(), is_carried ? 0.0 : 8.0, 1e-9) << x;
+    EXPECT_NEAR(report.layers[1].unsupported(), is_carried ? 0.0 : 8.0, 1e-9) << x;
   }
 }
 

@@ -51,11 +51,11 @@ TEST(PartOverhang, AnArmHangsInLevelLayersByItsUndersideAndNotAtAllIn45Degrees) 
   const OverhangReport before = level(job);
   // The underside is in the layer from 10.0 to 10.2 mm; its beads are a plan width apart.
   const double expected = 10.0 * 10.0 / planWidth({0.4, 0.2});
-  EXPECT_NEAR(before.layers[50].unsupported_mm(), expected, 0.06 * expected) << "turns and overlap add some";
+  EXPECT_NEAR(before.layers[50].unsupported(), expected, 0.06 * expected) << "turns and overlap add some";
   EXPECT_EQ(totals(before).worst_layer, 50U);
-  EXPECT_NEAR(totals(before).all.unsupported_mm(), before.layers[50].unsupported_mm(), 1.0);
+  EXPECT_NEAR(totals(before).all.unsupported(), before.layers[50].unsupported(), 1.0);
   const OverhangTotals after = totals(inclined(job));
-  EXPECT_LT(after.all.unsupported_mm(), 1.0) << "gaps of a hundredth of a millimetre between wall and infill";
+  EXPECT_LT(after.all.unsupported(), 1.0) << "gaps of a hundredth of a millimetre between wall and infill";
   EXPECT_EQ(after.all.starts_in_air, 0U);
 }
 

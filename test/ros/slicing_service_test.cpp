@@ -123,6 +123,23 @@ TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
   EXPECT_EQ(markers().size(), 1U) << "those of the part before are deleted";
 }
 
+TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
+  const auto markers = [this] {
+    const auto latched = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
+        lamina::names::kCollisionMarkers, node_, ros::Duration(2.0));
+    return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
+  };
+  const std::vector<lamina_msgs::Setting> steep = {setting("slicing.plane.angle_deg", "75"),
+                                                   setting("slicing.plane.jet", "down"),
+                                                   setting("clearance.report", "true")};
+  ASSERT_EQ(call("box", steep).status.code, Status::OK + 0);
+  ASSERT_GT(markers().size(), 2U);
+  EXPECT_EQ(markers().back().ns, "first_collision");
+  EXPECT_EQ(markers().back().header.frame_id, lamina::names::kBedFrame);
+  ASSERT_EQ(call("box", {setting("clearance.report", "true")}).status.code, Status::OK + 0);
+  EXPECT_EQ(markers().size(), 1U) << "a nozzle upright over level layers clears them";
+}
+
 TEST_F(SlicingService, RefusesAMissingFile) {
   expectRefused(call("/nowhere/part.stl", {}, precious()), Status::FILE_ERROR, "/nowhere/part.stl");
 }

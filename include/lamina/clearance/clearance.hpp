@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +41,9 @@ struct Collision {
 
 /// How a toolpath clears what is there when it is run.
 struct ClearanceReport {
-  std::size_t waypoints = 0;         ///< of the toolpath
-  std::size_t colliding = 0;         ///< waypoints at which or on the way to which a body collides
-  std::size_t colliding_layers = 0;  ///< with such a waypoint
-  std::optional<Collision> first;    ///< in the order in which the toolpath is run
+  std::size_t waypoints = 0;               ///< of the toolpath
+  std::size_t colliding = 0;               ///< waypoints at which or on the way to which a body collides
+  std::vector<Collision> first_of_layers;  ///< of each layer in which one does, in the order of the motion
 };
 
 /// Checks a machine's bodies against the bed and all material laid before, at every waypoint and between them

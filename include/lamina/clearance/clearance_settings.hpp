@@ -8,6 +8,7 @@ namespace lamina {
 
 /// How closely a machine's head is watched.
 struct ClearanceSettings {
+  bool is_reported = false;    ///< by the slicing node, as markers
   double spacing_mm = 1.0;     ///< between the places of the nozzle that are looked at, at most
   double tolerance_mm = 0.05;  ///< how deep the head may be in bed or material
 };

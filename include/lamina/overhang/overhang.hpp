@@ -41,7 +41,8 @@ struct LayerOverhang {
   double bridge_mm = 0.0;
   std::size_t starts_in_air = 0;  ///< runs that begin with nothing beneath them
 
-  double unsupported_mm() const { return overhang_mm + bridge_mm; }
+  /// Length of both kinds [mm].
+  double unsupported() const { return overhang_mm + bridge_mm; }
 };
 
 /// What of a toolpath is laid with nothing beneath it.
@@ -62,7 +63,7 @@ struct OverhangTotals {
   std::optional<std::size_t> worst_layer;  ///< with the greatest unsupported length; none if there is none
 
   /// Unsupported part of the length; 0 if nothing is laid.
-  double share() const { return all.deposited_mm > 0.0 ? all.unsupported_mm() / all.deposited_mm : 0.0; }
+  double share() const { return all.deposited_mm > 0.0 ? all.unsupported() / all.deposited_mm : 0.0; }
 };
 
 OverhangTotals totals(const OverhangReport& report);

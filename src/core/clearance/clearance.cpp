@@ -3,6 +3,7 @@
 #include "lamina/clearance/clearance.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "clearance/deposited_boxes.hpp"
@@ -46,6 +47,7 @@ Point3 normalOf(const MachineRun& run) { return run.bed_from_part.linear() * lay
 std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const Machine& machine,
                                  const Point3& normal) {
   std::vector<HeadBody> head;
+  head.reserve(bodies.size());
   for (const MachineBody& body : bodies) head.emplace_back(body, machine, normal);
   return head;
 }
@@ -161,9 +163,7 @@ ClearanceReport checkClearance(const MachineRun& run, const std::vector<MachineB
   report.waypoints = totals(run.toolpath).waypoints;
   for (const LayerClearance& layer : layers) {
     report.colliding += layer.colliding;
-    if (!layer.first) continue;
-    ++report.colliding_layers;
-    if (!report.first) report.first = layer.first;
+    if (layer.first) report.first_of_layers.push_back(*layer.first);
   }
   return report;
 }

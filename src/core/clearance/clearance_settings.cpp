@@ -5,6 +5,8 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, ClearanceSettings& settings) {
+  schema.flag("clearance.report", settings.is_reported,
+              "Whether the slicing node checks the head for collisions and shows them.");
   schema.number("clearance.spacing_mm", settings.spacing_mm, {0.01, 100.0, false},
                 "Greatest distance between the places of the nozzle that are checked for collisions.");
   schema.number("clearance.tolerance_mm", settings.tolerance_mm, {0.0, 10.0, false},

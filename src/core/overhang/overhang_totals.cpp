@@ -22,8 +22,8 @@ OverhangTotals totals(const OverhangReport& report) {
     sums.all.overhang_mm += layer.overhang_mm;
     sums.all.bridge_mm += layer.bridge_mm;
     sums.all.starts_in_air += layer.starts_in_air;
-    const double worst = sums.worst_layer ? report.layers[*sums.worst_layer].unsupported_mm() : 0.0;
-    if (layer.unsupported_mm() > worst) sums.worst_layer = i;
+    const double worst = sums.worst_layer ? report.layers[*sums.worst_layer].unsupported() : 0.0;
+    if (layer.unsupported() > worst) sums.worst_layer = i;
   }
   for (const UnsupportedStretch& stretch : report.stretches) {
     const bool is_bridge = stretch.kind == StretchKind::Bridge;

@@ -32,7 +32,7 @@ std::string subtitleOf(const Toolpath& toolpath, const OverhangReport& report) {
       text, sizeof text,
       "layers inclined by %.4g deg  ·  %.1f mm of %.2f m unsupported (%.2f %%)  ·  %zu runs start in "
       "the air",
-      inclinationDeg(toolpath), sums.all.unsupported_mm(), sums.all.deposited_mm / 1e3, 100.0 * sums.share(),
+      inclinationDeg(toolpath), sums.all.unsupported(), sums.all.deposited_mm / 1e3, 100.0 * sums.share(),
       sums.all.starts_in_air);
   return text;
 }

@@ -3,6 +3,7 @@
 #include "slicing_service.hpp"
 
 #include "action_progress.hpp"
+#include "collision_markers.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "overhang_markers.hpp"
@@ -22,6 +23,7 @@ SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings
       toolpath_(node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>(names::kToolpathMarkers, 1, true)),
       overhang_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kOverhangMarkers, 1, true)),
+      collision_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kCollisionMarkers, 1, true)),
       service_(node.advertiseService(names::kSliceMesh, &SlicingService::onService, this)),
       action_(
           node, names::kSlice, [this](const lamina_msgs::SliceGoalConstPtr& goal) { onGoal(goal); }, false) {
@@ -82,28 +84,43 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   describe(schema, job.settings);
   for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
   SlicedPart sliced = runSliceJob(job, progress);
-  OverhangReport overhangs;
-  if (job.settings.overhang.is_reported)
-    overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, job.settings.overhang, progress);
+  const Machine machine = machineOf(job.settings.machine);
+  const Findings findings = find(sliced, machine, job.settings, progress);
   MachineToolpath placed;
   placed.id = toolpathId(sliced.toolpath);
-  placed.machine = machineOf(job.settings.machine).name;
+  placed.machine = machine.name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
-  publish(placed, overhangs);
+  publish(placed, findings);
   Answer answer;
   answer.toolpath_id = placed.id;
   answer.summary = toMessage(sliced.summary);
   return answer;
 }
 
-void SlicingService::publish(const MachineToolpath& placed, const OverhangReport& overhangs) {
+SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Machine& machine,
+                                              const JobSettings& settings, Progress& progress) {
+  Findings findings;
+  if (settings.overhang.is_reported)
+    findings.overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, settings.overhang, progress);
+  if (settings.clearance.is_reported)
+    findings.clearance =
+        checkClearance({sliced.toolpath, sliced.bed_from_part, machine}, settings.clearance, progress);
+  if (findings.clearance.colliding > 0)
+    ROS_WARN_STREAM("the head of " << machine.name << " collides at " << findings.clearance.colliding
+                                   << " waypoints, first in layer "
+                                   << findings.clearance.first_of_layers.front().at.layer);
+  return findings;
+}
+
+void SlicingService::publish(const MachineToolpath& placed, const Findings& findings) {
   lamina_msgs::Toolpath message = toMessage(placed);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kPartFrame;
   toolpath_.publish(message);
   markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
-  overhang_markers_.publish(overhangMarkers(overhangs, names::kPartFrame));
+  overhang_markers_.publish(overhangMarkers(findings.overhangs, names::kPartFrame));
+  collision_markers_.publish(collisionMarkers(findings.clearance, names::kBedFrame));
 }
 
 }  // namespace lamina

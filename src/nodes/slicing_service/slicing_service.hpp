@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "conversions.hpp"
+#include "lamina/clearance/clearance.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/overhang/overhang.hpp"
 #include "messages.hpp"
@@ -20,10 +21,10 @@ namespace lamina {
 ///
 /// Services    slice_mesh (lamina/SliceMesh)
 /// Actions     slice (lamina/Slice): the same with progress and cancel; a new goal cancels the one under way
-/// Publishes   toolpath (lamina/Toolpath, latched), toolpath_markers (visualization_msgs/MarkerArray,
-/// latched),
-///             overhang_markers (visualization_msgs/MarkerArray, latched): what is laid with nothing beneath
-///             it, if overhang.report says so; none otherwise
+/// Publishes   toolpath (lamina/Toolpath, latched), and as visualization_msgs/MarkerArray, latched:
+///             toolpath_markers;
+///             overhang_markers, what is laid with nothing beneath it: empty unless overhang.report says so;
+///             collision_markers, where the head collides: empty unless clearance.report says so
 ///
 /// One part at a time: a request during another one is answered with REJECTED. A request that fails publishes
 /// and writes nothing.
@@ -45,17 +46,26 @@ class SlicingService {
     lamina_msgs::SliceSummary summary;
   };
 
+  /// What was found in a toolpath; empty as far as it was not asked for.
+  struct Findings {
+    OverhangReport overhangs;
+    ClearanceReport clearance;
+  };
+
   bool onService(lamina_msgs::SliceMesh::Request& request, lamina_msgs::SliceMesh::Response& response);
   void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
   Answer answer(const Request& request, Progress& progress);
   Answer slice(const Request& request, Progress& progress);
-  void publish(const MachineToolpath& placed, const OverhangReport& overhangs);
+  static Findings find(const SlicedPart& sliced, const Machine& machine, const JobSettings& settings,
+                       Progress& progress);
+  void publish(const MachineToolpath& placed, const Findings& findings);
 
   JobSettings settings_;
   std::mutex job_;
   ros::Publisher toolpath_;
   ros::Publisher markers_;
   ros::Publisher overhang_markers_;
+  ros::Publisher collision_markers_;
   ros::ServiceServer service_;
   actionlib::SimpleActionServer<lamina_msgs::SliceAction> action_;
 };
