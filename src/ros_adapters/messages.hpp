@@ -16,10 +16,12 @@
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/MachineState.h>
+#include <lamina/RunStartup.h>
 #include <lamina/Setting.h>
 #include <lamina/SliceAction.h>
 #include <lamina/SliceMesh.h>
 #include <lamina/SliceSummary.h>
+#include <lamina/StartupStep.h>
 #include <lamina/Status.h>
 #include <lamina/StreamProgramAction.h>
 #include <lamina/Toolpath.h>

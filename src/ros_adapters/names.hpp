@@ -32,10 +32,11 @@ inline constexpr char kHeightDeviation[] =
 inline constexpr char kSliceMesh[] = "slice_mesh";  ///< lamina/SliceMesh
 inline constexpr char kFillVoids[] = "fill_voids";  ///< lamina/FillVoids
 inline constexpr char kInclineGcode[] =
-    "incline_gcode";                         ///< lamina/InclineGcode, and the action lamina/Incline
-inline constexpr char kPause[] = "pause";    ///< std_srvs/Trigger
-inline constexpr char kResume[] = "resume";  ///< std_srvs/Trigger
-inline constexpr char kAbort[] = "abort";    ///< std_srvs/Trigger
+    "incline_gcode";                                  ///< lamina/InclineGcode, and the action lamina/Incline
+inline constexpr char kPause[] = "pause";             ///< std_srvs/Trigger
+inline constexpr char kResume[] = "resume";           ///< std_srvs/Trigger
+inline constexpr char kAbort[] = "abort";             ///< std_srvs/Trigger
+inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
 inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigger
 
 // Actions.

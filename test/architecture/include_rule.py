@@ -20,12 +20,13 @@ ARROWS = {
     "transform": ["program"],
     "kinematics": ["toolpath"],
     "streaming": ["program"],
+    "startup": ["streaming"],
     "deposition": ["toolpath"],
     "overhang": ["toolpath"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang"],
-    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "deposition", "overhang", "clearance", "monitoring", "picture"],
+    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -19,6 +19,16 @@ struct EmulatedSettings {
   double ambient_c = 25.0;
   double nozzle_heating_c_s = 5.0;
   double bed_heating_c_s = 2.0;
+  double bed_limit_c = 1000.0;  ///< the bed gets no hotter, whatever its target: a weak heater
+  bool moves_unhomed = true;    ///< whether axes move that were not homed, or whose motors were off
+  bool has_dryer = false;       ///< a dryer of pellets, as Marlin's heated chamber (M141, M191, C:)
+  double dryer_heating_c_s = 0.1;
+  int vacuum_zones = 0;          ///< on the pins 1, 2, ... (M42, M43)
+  double vacuum_time_s = 5.0;    ///< in which the excess pressure of a zone falls to its e-th part
+  double vacuum_kpa = 10.0;      ///< a tight zone's pressure in the end
+  int leaking_zone = 0;          ///< 0 for none
+  double leak_kpa = 70.0;        ///< the leaking zone's pressure in the end
+  double bump_mm = 0.2;          ///< height of a bump in the middle of the bed, as G29 finds it
   double fault_delay_s = 0.2;    ///< wall time of a delayed ok
   double fault_silence_s = 1.0;  ///< wall time of a silence
   double fault_replug_s = 0.3;   ///< wall time from a disconnect until the link is back

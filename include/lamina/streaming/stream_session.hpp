@@ -24,10 +24,11 @@ class StreamSession {
   using Observer = std::function<void(const StreamStatus&)>;
 
   /// Opens the port and starts to stream.
+  /// @param heard  given every line of the machine, from the session's thread; may be empty
   /// @throws Disconnected naming the port if there is no machine
   /// @throws FileError if the program is gone
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                Observer observer);
+                Observer observer, ReplyListener heard = {});
   /// Aborts a job that is not over, and waits for the safe stop.
   ~StreamSession();
   StreamSession(const StreamSession&) = delete;

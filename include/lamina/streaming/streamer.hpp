@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,9 @@ struct StreamStatus {
   Failure failure;      ///< why the job was aborted
 };
 
+/// Given every line the machine says, as it comes.
+using ReplyListener = std::function<void(const MarlinReply&)>;
+
 /// Streams one program to Marlin firmware: a state machine without input, output or time of its own. Bytes,
 /// times and commands go in, bytes to send come out; times are seconds since any start and never go back.
 ///
@@ -44,7 +48,8 @@ struct StreamStatus {
 /// firmware takes them in order only, and before Complete it has told that it has the last one.
 class Streamer {
  public:
-  Streamer(const StreamableProgram& program, const StreamSettings& settings);
+  /// @param heard  may be empty
+  Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
   ~Streamer();
   Streamer(const Streamer&) = delete;
   Streamer& operator=(const Streamer&) = delete;

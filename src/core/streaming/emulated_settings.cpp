@@ -23,6 +23,24 @@ void describe(SettingsSchema& schema, EmulatedSettings& settings) {
   schema.number("emulator.nozzle_heating_c_s", settings.nozzle_heating_c_s, rates,
                 "How fast the nozzle heats.");
   schema.number("emulator.bed_heating_c_s", settings.bed_heating_c_s, rates, "How fast the bed heats.");
+  schema.number("emulator.bed_limit_c", settings.bed_limit_c, {0.0, 1000.0},
+                "Temperature above which the bed does not get, whatever its target.");
+  schema.flag("emulator.moves_unhomed", settings.moves_unhomed,
+              "Whether axes move that were not homed, or whose motors were switched off.");
+  schema.flag("emulator.has_dryer", settings.has_dryer,
+              "Whether there is a dryer of pellets: M141, M191 and C: in reports.");
+  schema.number("emulator.dryer_heating_c_s", settings.dryer_heating_c_s, rates, "How fast the dryer heats.");
+  schema.integer("emulator.vacuum_zones", settings.vacuum_zones, {0, 64},
+                 "Vacuum zones, on the pins from 1 on: M42 switches them, M43 reports their pressure.");
+  schema.number("emulator.vacuum_time_s", settings.vacuum_time_s, {0.0, 3600.0, true},
+                "Time in which the excess pressure of a zone falls to its e-th part.");
+  schema.number("emulator.vacuum_kpa", settings.vacuum_kpa, {0.0, 101.325},
+                "Pressure of a tight zone in the end.");
+  schema.integer("emulator.leaking_zone", settings.leaking_zone, {0, 64}, "Zone that leaks; 0 for none.");
+  schema.number("emulator.leak_kpa", settings.leak_kpa, {0.0, 101.325},
+                "Pressure of the leaking zone in the end.");
+  schema.number("emulator.bump_mm", settings.bump_mm, {-100.0, 100.0},
+                "Height of a bump in the middle of the bed, as G29 finds it.");
   schema.number("emulator.fault_delay_s", settings.fault_delay_s, times, "Wall time of a delayed ok.");
   schema.number("emulator.fault_silence_s", settings.fault_silence_s, times, "Wall time of a silence.");
   schema.number("emulator.fault_replug_s", settings.fault_replug_s, times,

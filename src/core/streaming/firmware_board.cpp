@@ -24,6 +24,7 @@ EmulatedFirmware::Board::Board(const EmulatedSettings& settings, std::vector<Fau
       observer_(std::move(observer)),
       faults_(std::move(faults), static_cast<std::uint64_t>(settings.fault_seed)),
       heaters_(settings),
+      vacuum_(settings),
       motion_(settings.motion, static_cast<std::size_t>(settings.block_queue), observer_.motion),
       reader_(makeReader()) {}
 
@@ -76,8 +77,9 @@ void EmulatedFirmware::Board::emergency(std::string_view line) {
     planned_ = motion_.positionAt(clock_s_);
   } else if (line == "M112") {
     motion_.quickStop(clock_s_);
-    heaters_.nozzle.setTarget(0.0);
-    heaters_.bed.setTarget(0.0);
+    heaters_.switchOff();
+    vacuum_.switchOff();
+    is_homed_ = {};
     commands_.clear();
     rx_.clear();
     is_halted_ = true;
@@ -145,8 +147,9 @@ void EmulatedFirmware::Board::refuse(const std::string& why) {
 
 void EmulatedFirmware::Board::reset() {
   motion_.quickStop(clock_s_);
-  heaters_.nozzle.setTarget(0.0);
-  heaters_.bed.setTarget(0.0);
+  heaters_.switchOff();
+  vacuum_.switchOff();
+  is_homed_ = {};
   gate_.reset();
   rx_.clear();
   commands_.clear();
@@ -218,6 +221,7 @@ void EmulatedFirmware::Board::advanceTo(double clock_s) {
   }
   clock_s_ = clock_s;
   heaters_.elapse(passed);
+  vacuum_.elapse(passed);
   motion_.advance(clock_s_);
   report();
 }

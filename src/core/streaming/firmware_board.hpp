@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 
 #include "lamina/program/gcode_reader.hpp"
 #include "lamina/streaming/emulated_firmware.hpp"
 #include "streaming/emulated_heaters.hpp"
+#include "streaming/emulated_vacuum.hpp"
 #include "streaming/line_gate.hpp"
 #include "streaming/reply_queue.hpp"
 
@@ -58,6 +60,13 @@ class EmulatedFirmware::Board {
   void setFeedFactor(std::string_view command);
   void heat(EmulatedHeater& heater, std::string_view command);
   void home(std::string_view command);
+  bool runPeriphery(int code, std::string_view command);
+  void motorsOff(std::string_view command);
+  void switchPin(std::string_view command);
+  void sayPin(std::string_view command);
+  void sayHomed();
+  bool mayMove(const Point3& to);
+  void mapHeights();
   void setReport(double& interval_s, double& next_s, std::string_view command) const;
   void sayPosition(const Point3& position);
   std::unique_ptr<GcodeReader> makeReader();
@@ -74,6 +83,8 @@ class EmulatedFirmware::Board {
   EmulatedObserver observer_;
   FaultInjector faults_;
   EmulatedHeaters heaters_;
+  EmulatedVacuum vacuum_;
+  std::array<bool, 3> is_homed_{};
   EmulatedMotion motion_;
   std::unique_ptr<GcodeReader> reader_;
   LineGate gate_;

@@ -8,23 +8,11 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "streaming/command_words.hpp"
 #include "streaming/firmware_board.hpp"
 
 namespace lamina {
 namespace {
-
-/// The number after a letter that stands after a space: wordValue("M104 S200", 'S').
-std::optional<double> wordValue(std::string_view command, char letter) {
-  for (std::size_t at = command.find(letter); at != std::string_view::npos;
-       at = command.find(letter, at + 1)) {
-    if (at == 0 || command[at - 1] != ' ') continue;
-    const std::string number(command.substr(at + 1, 32));
-    char* end = nullptr;
-    const double value = std::strtod(number.c_str(), &end);
-    return end == number.c_str() ? std::nullopt : std::optional<double>(value);
-  }
-  return std::nullopt;
-}
 
 std::optional<int> codeOf(std::string_view command, char letter) {
   if (command.empty() || command.front() != letter) return std::nullopt;
@@ -108,6 +96,7 @@ void EmulatedFirmware::Board::answer() {
 }
 
 void EmulatedFirmware::Board::request(const GcodeMotion& motion) {
+  if (!mayMove(motion.end)) return;
   RequestedMotion requested{planned_, motion.end, motion.extrusion_mm, motion.feed_mm_s * feed_factor_};
   const bool is_in_place = (motion.end - motion.start).norm() == 0.0;
   if (!is_in_place) requested.filament_mm *= flow_factor_;
@@ -118,6 +107,8 @@ void EmulatedFirmware::Board::request(const GcodeMotion& motion) {
 void EmulatedFirmware::Board::runOther(std::string_view command) {
   if (command.substr(0, 3) == "G28") {
     home(current_->line.command);
+  } else if (codeOf(command, 'G') == 29) {
+    mapHeights();
   } else if (const auto m_code = codeOf(command, 'M')) {
     runM(*m_code, command);
   } else if (!codeOf(command, 'T')) {
@@ -129,6 +120,9 @@ void EmulatedFirmware::Board::runM(int code, std::string_view command) {
   switch (code) {
     case 18:
     case 84:
+      motorsOff(command);
+      needs_rest_ = true;
+      break;
     case 400:
       needs_rest_ = true;
       break;
@@ -171,7 +165,8 @@ void EmulatedFirmware::Board::runM(int code, std::string_view command) {
       emergency("M410");
       break;
     default:
-      if (!changesNothing(code)) replies_.say("echo:Unknown command: \"" + std::string(command) + "\"\n");
+      if (!runPeriphery(code, command) && !changesNothing(code))
+        replies_.say("echo:Unknown command: \"" + std::string(command) + "\"\n");
   }
 }
 
@@ -189,7 +184,8 @@ void EmulatedFirmware::Board::heat(EmulatedHeater& heater, std::string_view comm
   const auto exactly = wordValue(command, 'R');
   if (at_least) heater.setTarget(*at_least);
   if (exactly) heater.setTarget(*exactly);
-  const bool waits = command.substr(0, 4) == "M109" || command.substr(0, 4) == "M190";
+  const std::string_view code = command.substr(0, 4);
+  const bool waits = code == "M109" || code == "M190" || code == "M191";
   if (waits) wait_s_ = exactly ? heater.timeToReach() : heater.timeToHeat();
 }
 
@@ -201,7 +197,7 @@ void EmulatedFirmware::Board::home(std::string_view command) {
   Point3 home = planned_;
   for (int axis = 0; axis < 3; ++axis) {
     if (homes_all || words.find(kAxes[static_cast<std::size_t>(axis)]) != std::string_view::npos)
-      home[axis] = 0.0;
+      home[axis] = 0.0, is_homed_[static_cast<std::size_t>(axis)] = true;
   }
   requested_.push_back({planned_, home, 0.0, kHomingFeed});
   planned_ = home;

@@ -23,10 +23,11 @@ constexpr std::chrono::milliseconds kReopenInterval{200};
 
 class StreamSession::Impl {
  public:
-  Impl(const StreamableProgram& program, const StreamSettings& settings, MachinePort port, Observer observer)
+  Impl(const StreamableProgram& program, const StreamSettings& settings, MachinePort port, Observer observer,
+       ReplyListener heard)
       : port_(std::move(port)),
         observer_(std::move(observer)),
-        streamer_(program, settings),
+        streamer_(program, settings, std::move(heard)),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
     transport_->open(events());
@@ -179,8 +180,8 @@ class StreamSession::Impl {
 };
 
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
-                             const MachinePort& port, Observer observer)
-    : impl_(std::make_unique<Impl>(program, settings, port, std::move(observer))) {}
+                             const MachinePort& port, Observer observer, ReplyListener heard)
+    : impl_(std::make_unique<Impl>(program, settings, port, std::move(observer), std::move(heard))) {}
 StreamSession::~StreamSession() = default;
 
 void StreamSession::pause() { impl_->pause(); }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/streamer.hpp"
 
+#include <utility>
+
 #include "streaming/streamer_machine.hpp"
 
 namespace lamina {
 
-Streamer::Streamer(const StreamableProgram& program, const StreamSettings& settings)
-    : machine_(std::make_unique<Machine>(program, settings)) {}
+Streamer::Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard)
+    : machine_(std::make_unique<Machine>(program, settings, std::move(heard))) {}
 Streamer::~Streamer() = default;
 
 void Streamer::start(double now) { machine_->start(now); }

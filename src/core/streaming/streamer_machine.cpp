@@ -66,9 +66,11 @@ std::string seconds(double value) {
 
 }  // namespace
 
-Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings)
+Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings,
+                           ReplyListener heard)
     : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
   validate(settings);
+  heard_ = std::move(heard);
   status_.lines_total = program.lines();
   reports_ = reportRequests(settings);
 }

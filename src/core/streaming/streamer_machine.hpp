@@ -15,7 +15,7 @@ namespace lamina {
 /// What the streamer does, behind its interface.
 class Streamer::Machine {
  public:
-  Machine(const StreamableProgram& program, const StreamSettings& settings);
+  Machine(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard);
 
   void start(double now);
   void receive(std::string_view bytes, double now);
@@ -80,6 +80,7 @@ class Streamer::Machine {
   void finishAborted(const std::string& remark);
 
   StreamSettings settings_;
+  ReplyListener heard_;
   StreamStatus status_;
   LineFeed feed_;
   SentLines sent_;

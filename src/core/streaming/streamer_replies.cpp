@@ -33,6 +33,7 @@ void Streamer::Machine::receive(std::string_view bytes, double now) {
 }
 
 void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
+  if (heard_) heard_(reply);
   if (phase_ == Phase::Idle) return;
   if (reply.temperatures) status_.temperatures = reply.temperatures;
   if (reply.position) status_.position = reply.position;

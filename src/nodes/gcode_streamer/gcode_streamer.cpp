@@ -27,6 +27,9 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),
       resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
       abort_(node.advertiseService(names::kAbort, &GcodeStreamer::onAbort, this)),
+      startup_(settings.startup, settings.stream, settings.port,
+               [this](const auto& steps) { onSteps(steps); }),
+      startup_service_(node, startup_),
       action_(
           node, names::kStreamProgram,
           [this](const lamina_msgs::StreamProgramGoalConstPtr& goal) { onGoal(goal); }, false) {
@@ -45,7 +48,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
     updater_.update();
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
-  publishState(status_);
+  onSteps(startup_.steps());
   action_.start();
 }
 
@@ -70,8 +73,36 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
     job_ = goal.program.empty() ? goal.toolpath_id : goal.program;
   }
   const StreamableProgram program = programFor(goal);
+  beginJob(goal, program);
+  StreamStatus status;
+  try {
+    status = streamProgram(program);
+  } catch (const Error&) {
+    status.failure = currentFailure();
+    startup_.endJob(program, status);
+    throw;
+  }
+  startup_.endJob(program, status);
+  return status;
+}
+
+/// @throws Rejected if the machine is not started up
+void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program) {
+  ProgramIdentity identity{program.name(), 0, 0};
+  if (startup_.awaits(StartupStep::TransferProgram)) {
+    // A toolpath comes as one message, so that it is whole.
+    if (goal.program.empty())
+      startup_.transferred(identity);
+    else
+      identity = identityOfFile(goal.program);
+  }
+  startup_.beginJob(identity);
+}
+
+StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program) {
   const auto session = std::make_shared<StreamSession>(
-      program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); });
+      program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
+      [this](const MarlinReply& reply) { startup_.heard(reply); });
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -81,6 +112,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   while (!session->waitFor(kFeedbackPeriod)) {
     const StreamStatus status = session->status();
     action_.publishFeedback(toFeedback(status));
+    onSteps(startup_.steps());
     publishState(status);
     if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
     if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
@@ -161,8 +193,10 @@ bool GcodeStreamer::onResume(Trigger::Request&, Trigger::Response& response) {
 
 bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
   const auto job = session();
-  response.success = job != nullptr;
-  response.message = job ? "stopping the machine" : "no job is under way";
+  const bool is_starting_up = !job && startup_.isBusy();
+  response.success = job != nullptr || is_starting_up;
+  response.message = response.success ? "stopping the machine" : "no job is under way";
+  if (is_starting_up) startup_.abort();
   if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
   return true;
 }
@@ -181,16 +215,29 @@ void GcodeStreamer::onStatus(const StreamStatus& status) {
 }
 
 void GcodeStreamer::publishState(const StreamStatus& status) {
-  std::string job;
+  lamina_msgs::MachineState message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     status_ = status;
-    job = job_;
+    message = toMachineState(status, job_);
+    message.startup = steps_;
   }
-  lamina_msgs::MachineState message = toMachineState(status, job);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
+
   state_.publish(message);
+}
+
+/// Between jobs: the state is that in which the last one ended.
+void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
+  StreamStatus status;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    steps_ = toMessages(steps);
+    if (session_) return;
+    status = status_;
+  }
+  publishState(status);
 }
 
 void GcodeStreamer::publishPosition(const MarlinPosition& position) {

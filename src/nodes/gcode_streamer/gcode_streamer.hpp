@@ -14,12 +14,15 @@
 #include "lamina/kinematics/machine.hpp"
 #include "lamina/streaming/stream_session.hpp"
 #include "messages.hpp"
+#include "startup_service.hpp"
 #include "streamer_settings.hpp"
 
 namespace lamina {
 
 /// Streams programs to a machine on request: a G-code file, or the toolpath published last. Its action,
 /// services and topics: docs/nodes/gcode_streamer.md.
+///
+/// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
 /// One job at a time: a new goal aborts the one under way. SIGINT, SIGTERM and SIGHUP stop the machine safely
 /// first.
@@ -32,6 +35,8 @@ class GcodeStreamer {
 
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
+  void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
+  StreamStatus streamProgram(const StreamableProgram& program);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   void finish(const StreamStatus& status, double duration_s);
@@ -44,6 +49,8 @@ class GcodeStreamer {
 
   void onStatus(const StreamStatus& status);
   void publishState(const StreamStatus& status);
+
+  void onSteps(const std::vector<StartupStatus>& steps);
   void publishPosition(const MarlinPosition& position);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -64,6 +71,10 @@ class GcodeStreamer {
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;
+  std::vector<lamina_msgs::StartupStep> steps_;
+
+  StartupSession startup_;
+  StartupService startup_service_;
 
   // Last, so that its thread ends before what it uses.
   actionlib::SimpleActionServer<lamina_msgs::StreamProgramAction> action_;

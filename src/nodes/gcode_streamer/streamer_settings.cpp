@@ -10,6 +10,7 @@ void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
   describe(schema, settings.machine, "Machine whose axes the reported positions belong to.");
   describe(schema, settings.stream);
   describe(schema, settings.program);
+  describe(schema, settings.startup);
 }
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include "lamina/base/settings.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
+#include "lamina/startup/startup_settings.hpp"
 #include "lamina/streaming/stream_session.hpp"
 
 namespace lamina {
@@ -16,9 +17,10 @@ struct GcodeStreamerSettings {
   MachineSettings machine;
   StreamSettings stream;
   ProgramSettings program;
+  StartupSettings startup;
 };
 
-/// Adds the keys port, baud, machine.*, stream.* and program.*.
+/// Adds the keys port, baud, machine.*, stream.*, program.* and startup.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/startup/startup_settings.hpp"
+#include "lamina/streaming/marlin_protocol.hpp"
+
+namespace lamina {
+
+/// Heights of a bed's surface [mm].
+struct HeightRange {
+  double low_mm = 0.0;
+  double high_mm = 0.0;
+  std::size_t points = 0;
+};
+
+/// What a machine has told last of what its start-up is about. Whatever was not told is nothing.
+///
+/// Read are Marlin's temperatures, values after the labels of the settings, and the rows of numbers that
+/// follow a line with "Leveling Grid" (G29). Times are machine times [s] and never go back.
+class MachineReports {
+ public:
+  explicit MachineReports(const StartupSettings& settings);
+
+  /// One line of the machine.
+  void read(const MarlinReply& reply, double now_s);
+
+  /// Forgets how fast the bed has heated.
+  void watchBed();
+  void forgetZones() { zone_kpa_.clear(); }
+  void forgetHomed() { homed_.reset(); }
+  void forgetHeights() { heights_.reset(); }
+
+  std::optional<double> bed() const { return bed_c_; }
+  /// Fastest the bed has heated over two minutes since `watchBed` [K/min].
+  double fastestBed() const { return fastest_bed_c_min_; }
+  std::optional<double> dryer() const { return dryer_c_; }
+  /// Absolute pressures by zone [kPa].
+  const std::map<int, double>& zones() const { return zone_kpa_; }
+  /// Letters of the homed axes.
+  const std::optional<std::string>& homed() const { return homed_; }
+  const std::optional<HeightRange>& heights() const { return heights_; }
+
+ private:
+  struct BedSample {
+    double time_s = 0.0;
+    double bed_c = 0.0;
+  };
+
+  void readBed(double bed_c, double now_s);
+  void readLabels(std::string_view text);
+  void readHeights(std::string_view text);
+
+  std::string dryer_label_;
+  std::string homed_label_;
+  std::map<int, std::string> zone_labels_;
+
+  std::optional<double> bed_c_;
+  std::optional<BedSample> window_start_;
+  double fastest_bed_c_min_ = 0.0;
+  std::optional<double> dryer_c_;
+  std::map<int, double> zone_kpa_;
+  std::optional<std::string> homed_;
+  std::optional<HeightRange> heights_;
+  bool is_in_grid_ = false;
+};
+
+}  // namespace lamina

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "startup/startup_code.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+
+std::string filled(std::string text, std::string_view place, const std::string& by) {
+  for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + by.size()))
+    text.replace(at, place.size(), by);
+  return text;
+}
+
+std::string shortNumber(double value) {
+  char buffer[32];
+  const double rounded = std::round(value * 1e3) / 1e3;
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded).ptr};
+}
+
+std::string dwell(double seconds) {
+  constexpr double kLongest = 5.0;  // s
+  std::string code;
+  for (double left = seconds; left > 1e-3; left -= kLongest)
+    code += "G4 P" + std::to_string(std::lround(1e3 * std::min(left, kLongest))) + "\n";
+  return code;
+}
+
+std::string bedRamp(const StartupSettings& settings, double from_c) {
+  const auto setTo = [&](double target_c) {
+    return filled(settings.bed_code, "{target_c}", shortNumber(target_c)) + "\n";
+  };
+  std::string code;
+  const double step_s = 60.0 / settings.bed_rate_c_min;
+  for (double target_c = std::floor(from_c) + 1.0; target_c < settings.bed_target_c; target_c += 1.0)
+    code += setTo(target_c) + dwell(step_s);
+  return code + setTo(settings.bed_target_c);
+}
+
+std::string vacuumOn(const StartupSettings& settings) {
+  std::string code;
+  for (const int zone : vacuumZones(settings))
+    code += filled(settings.vacuum_on_code, "{zone}", std::to_string(zone)) + "\n";
+  return code;
+}
+
+std::vector<std::string> vacuumOffCommands(const StartupSettings& settings) {
+  std::vector<std::string> commands;
+  for (const int zone : vacuumZones(settings)) {
+    std::istringstream lines(filled(settings.vacuum_off_code, "{zone}", std::to_string(zone)));
+    for (std::string line; std::getline(lines, line);)
+      if (!trimmed(line).empty()) commands.emplace_back(trimmed(line));
+  }
+  return commands;
+}
+
+bool isDoneByHand(StartupStep step, const StartupSettings& settings) {
+  switch (step) {
+    case StartupStep::DryPellets:
+      return settings.dry_code.empty();
+    case StartupStep::HeatBed:
+      return settings.bed_code.empty();
+    case StartupStep::HomeX:
+    case StartupStep::HomeY:
+    case StartupStep::HomeZ:
+    case StartupStep::HomeZAgain:
+      return settings.home_code.empty();
+    case StartupStep::DrawVacuum:
+      return settings.vacuum_on_code.empty();
+    case StartupStep::MapHeights:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace lamina

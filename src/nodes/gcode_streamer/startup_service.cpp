@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "startup_service.hpp"
+
+#include <limits>
+
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+StartupStep stepByName(const std::string& name) {
+  const auto step = startupStepFromText(name);
+  if (!step) throw InvalidInput("'" + name + "' is no step; expected one of startup.sequence");
+  return *step;
+}
+
+}  // namespace
+
+std::vector<lamina_msgs::StartupStep> toMessages(const std::vector<StartupStatus>& steps) {
+  std::vector<lamina_msgs::StartupStep> messages;
+  for (const StartupStatus& status : steps) {
+    lamina_msgs::StartupStep message;
+    message.name = toString(status.step);
+    message.state = static_cast<std::uint8_t>(status.state);
+    message.state_name = toString(status.state);
+    message.reason = status.reason;
+    message.value = status.value.value_or(std::numeric_limits<double>::quiet_NaN());
+    message.unit = status.unit;
+    message.expected = status.expected;
+    messages.push_back(std::move(message));
+  }
+  return messages;
+}
+
+StartupService::StartupService(ros::NodeHandle node, StartupSession& startup)
+    : startup_(startup),
+      server_(node.advertiseService(names::kRunStartup, &StartupService::onRequest, this)) {}
+
+bool StartupService::onRequest(Request& request, Response& response) {
+  try {
+    follow(request);
+  } catch (...) {
+    response.status = toMessage(currentFailure());
+  }
+  response.steps = toMessages(startup_.steps());
+  return true;
+}
+
+void StartupService::follow(const Request& request) {
+  switch (request.command) {
+    case Request::RUN:
+      if (request.step.empty()) return startup_.run(std::nullopt);
+      return startup_.run(stepByName(request.step));
+    case Request::CONFIRM:
+      return confirm(request);
+    case Request::ABORT:
+      return startup_.abort();
+    default:
+      throw InvalidInput("command is " + std::to_string(request.command) +
+                         "; expected RUN, CONFIRM or ABORT");
+  }
+}
+
+void StartupService::confirm(const Request& request) {
+  const StartupStep step = stepByName(request.step);
+  if (step != StartupStep::TransferProgram) return startup_.confirm(step);
+  const ProgramIdentity program = identityOfFile(request.program);
+  requireWhole(program, request.bytes, request.crc32);
+  startup_.transferred(program);
+}
+
+}  // namespace lamina
