@@ -20,6 +20,12 @@ struct HeightRange {
   std::size_t points = 0;
 };
 
+/// A temperature and when it was told.
+struct TimedTemperature {
+  double time_s = 0.0;
+  double value_c = 0.0;
+};
+
 /// What a machine has told last of what its start-up is about. Whatever was not told is nothing.
 ///
 /// Read are Marlin's temperatures, values after the labels of the settings, and the rows of numbers that
@@ -33,6 +39,7 @@ class MachineReports {
 
   /// Forgets how fast the bed has heated.
   void watchBed();
+  void forgetDryer() { dryer_.reset(); }
   void forgetZones() { zone_kpa_.clear(); }
   void forgetHomed() { homed_.reset(); }
   void forgetHeights() { heights_.reset(); }
@@ -40,7 +47,7 @@ class MachineReports {
   std::optional<double> bed() const { return bed_c_; }
   /// Fastest the bed has heated over two minutes since `watchBed` [K/min].
   double fastestBed() const { return fastest_bed_c_min_; }
-  std::optional<double> dryer() const { return dryer_c_; }
+  std::optional<TimedTemperature> dryer() const { return dryer_; }
   /// Absolute pressures by zone [kPa].
   const std::map<int, double>& zones() const { return zone_kpa_; }
   /// Letters of the homed axes.
@@ -48,13 +55,8 @@ class MachineReports {
   const std::optional<HeightRange>& heights() const { return heights_; }
 
  private:
-  struct BedSample {
-    double time_s = 0.0;
-    double bed_c = 0.0;
-  };
-
   void readBed(double bed_c, double now_s);
-  void readLabels(std::string_view text);
+  void readLabels(std::string_view text, double now_s);
   void readHeights(std::string_view text);
 
   std::string dryer_label_;
@@ -62,9 +64,9 @@ class MachineReports {
   std::map<int, std::string> zone_labels_;
 
   std::optional<double> bed_c_;
-  std::optional<BedSample> window_start_;
+  std::optional<TimedTemperature> window_start_;
   double fastest_bed_c_min_ = 0.0;
-  std::optional<double> dryer_c_;
+  std::optional<TimedTemperature> dryer_;
   std::map<int, double> zone_kpa_;
   std::optional<std::string> homed_;
   std::optional<HeightRange> heights_;

@@ -33,7 +33,7 @@ class Startup {
   std::vector<StartupStatus> steps() const;
   /// Whether the step is in the sequence and not left out.
   bool awaits(StartupStep step) const;
-  /// Whether the machine was made to do anything that is still so, or under way.
+  /// Whether the machine was made to do, or reports, anything that is done or under way.
   bool hasMachineAtWork() const;
   /// Whether every step is satisfied.
   bool isReady() const;
@@ -99,8 +99,10 @@ class Startup {
   void finishVacuum(Entry& entry, double now_s);
   void advanceDrying(Entry& entry, double now_s);
   void watch(Entry& entry);
+  void halt(const std::string& why);
 
   void lose(StartupStep step, const std::string& why);
+  void loseWith(StartupStep step, const std::string& reason, const std::string& cause);
   void loseHoming(const std::string& axes, const std::string& why);
   void expire(double now_s);
 

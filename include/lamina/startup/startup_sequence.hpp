@@ -32,8 +32,9 @@ struct SequencedStep {
 /// The sequence that the settings stand for; empty if there is none.
 ///
 /// @throws InvalidConfig naming key and reason if a name is unknown or stands twice, the order contradicts
-/// what a step needs or what `startup.after_*` says (so that no cycle is left), a step needs one that is
-/// missing, a rate is 0 or above its bound, or a machine that switches the vacuum does not report it
+/// what a step needs or what `startup.after_*` says (which is about the order only, so that no cycle is
+/// left), a step needs one that is missing, a rate is 0 or above its bound, or a machine that switches the
+/// vacuum does not report it
 std::vector<SequencedStep> makeStartupSequence(const StartupSettings& settings);
 
 }  // namespace lamina

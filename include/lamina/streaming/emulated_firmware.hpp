@@ -45,9 +45,10 @@ struct EmulatedCounts {
 /// still sending: no motion begins with a queue that is not full unless the host was quiet for 50 ms or waits
 /// for the end of the motions, so that the same program gives the same motions however busy the computer is.
 ///
-/// Known: N and checksum, G0 to G4, G20, G21, G28, G90 to G92, M82, M83, M104, M105, M108, M109, M110, M112,
-/// M114, M115, M140, M154, M155, M190, M220, M221, M400, M410, and those that change nothing here (fans,
-/// motors, limits). Anything else is answered by "echo:Unknown command" and ok.
+/// Known: N and checksum, G0 to G4, G20, G21, G28, G29 (prints a height map), G90 to G92, M18, M82 to M84,
+/// M104, M105, M108, M109, M110, M112, M114, M115, M119 (tells the homed axes), M140, M154, M155, M190, M220,
+/// M221, M400, M410; with a dryer M141 and M191; with vacuum zones M42 and M43; and those that change nothing
+/// here (fans, limits). Anything else is answered by "echo:Unknown command" and ok.
 class EmulatedFirmware {
  public:
   EmulatedFirmware(const EmulatedSettings& settings, std::vector<Fault> faults, EmulatedObserver observer);

@@ -60,7 +60,7 @@ MachineReports::MachineReports(const StartupSettings& settings)
 
 void MachineReports::read(const MarlinReply& reply, double now_s) {
   if (reply.temperatures && reply.temperatures->bed_c) readBed(*reply.temperatures->bed_c, now_s);
-  readLabels(reply.text);
+  readLabels(reply.text, now_s);
   if (reply.kind == ReplyKind::Ok) is_in_grid_ = false;
   readHeights(reply.text);
 }
@@ -72,15 +72,15 @@ void MachineReports::watchBed() {
 
 void MachineReports::readBed(double bed_c, double now_s) {
   bed_c_ = bed_c;
-  if (!window_start_) window_start_ = BedSample{now_s, bed_c};
+  if (!window_start_) window_start_ = TimedTemperature{now_s, bed_c};
   const double passed = now_s - window_start_->time_s;
   if (passed < kRateWindow) return;
-  fastest_bed_c_min_ = std::max(fastest_bed_c_min_, (bed_c - window_start_->bed_c) / passed * 60.0);
-  window_start_ = BedSample{now_s, bed_c};
+  fastest_bed_c_min_ = std::max(fastest_bed_c_min_, (bed_c - window_start_->value_c) / passed * 60.0);
+  window_start_ = TimedTemperature{now_s, bed_c};
 }
 
-void MachineReports::readLabels(std::string_view text) {
-  if (const auto dryer = numberAfter(text, dryer_label_)) dryer_c_ = dryer;
+void MachineReports::readLabels(std::string_view text, double now_s) {
+  if (const auto dryer = numberAfter(text, dryer_label_)) dryer_ = TimedTemperature{now_s, *dryer};
   for (const auto& [zone, label] : zone_labels_)
     if (const auto kpa = numberAfter(text, label)) zone_kpa_[zone] = *kpa;
   if (const auto letters = after(text, homed_label_)) homed_ = std::string(*letters);

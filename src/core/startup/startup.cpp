@@ -76,8 +76,9 @@ bool Startup::awaits(StartupStep step) const {
 bool Startup::hasMachineAtWork() const {
   return std::any_of(entries_.begin(), entries_.end(), [this](const Entry& entry) {
     const StartupState state = entry.status.state;
-    const bool is_by_hand = isDoneByHand(entry.status.step, settings_);
-    return !is_by_hand && (state == StartupState::Running || state == StartupState::Done);
+    const bool concerns =
+        !isDoneByHand(entry.status.step, settings_) || isReported(entry.status.step, settings_);
+    return concerns && (state == StartupState::Running || state == StartupState::Done);
   });
 }
 
@@ -130,7 +131,7 @@ void Startup::requireMayBegin(const Entry& entry) const {
   for (const Entry& later : entries_)
     for (const Prerequisite& before : later.after)
       if (before.step == entry.status.step && before.on_loss == OnLoss::Spreads &&
-          later.status.state != StartupState::Pending && later.status.state != StartupState::Skipped)
+          (later.status.state == StartupState::Running || later.status.state == StartupState::Done))
         throw Rejected(name + " is done, and " + toString(later.status.step) +
                        " after it; expected that to be " + "lost first");
 }
@@ -153,6 +154,7 @@ void Startup::enter(StartupStep step, double now_s) {
     dried_s_ = 0.0;
     was_dryer_hot_ = settings_.dry_label.empty();
     dryer_looked_at_s_ = now_s;
+    reports_.forgetDryer();
   }
   measure(entry);
 }
@@ -204,7 +206,9 @@ void Startup::addRemark(StartupStep step, const std::string& remark) {
 }
 
 void Startup::giveUp(StartupStep step, const std::string& why) {
-  if (stateOf(step) == StartupState::Running) lose(step, why);
+  // A dryer that the operator has switched on goes on drying.
+  const bool goes_on = step == StartupStep::DryPellets && isDoneByHand(step, settings_);
+  if (stateOf(step) == StartupState::Running && !goes_on) lose(step, why);
 }
 
 }  // namespace lamina

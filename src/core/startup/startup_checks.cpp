@@ -49,10 +49,10 @@ StartupCheck checkDrying(double dried_s, const StartupSettings& settings) {
 StartupCheck checkDryer(const MachineReports& reports, const StartupSettings& settings) {
   const double least = settings.dry_target_c - settings.dry_tolerance_c;
   const std::string expected = "at least " + shortNumber(least) + " °C";
-  const auto dryer_c = reports.dryer();
-  if (!dryer_c) return unknown("the dryer's temperature", "°C", expected);
-  return {verdictOf(*dryer_c >= least),
-          "the dryer is at " + shortNumber(*dryer_c) + " °C; expected " + expected, dryer_c, "°C", expected};
+  if (!reports.dryer()) return unknown("the dryer's temperature", "°C", expected);
+  const double dryer_c = reports.dryer()->value_c;
+  return {verdictOf(dryer_c >= least),
+          "the dryer is at " + shortNumber(dryer_c) + " °C; expected " + expected, dryer_c, "°C", expected};
 }
 
 StartupCheck checkHomed(char axis, const MachineReports& reports) {

@@ -79,4 +79,18 @@ bool isDoneByHand(StartupStep step, const StartupSettings& settings) {
   }
 }
 
+bool isReported(StartupStep step, const StartupSettings& settings) {
+  switch (step) {
+    case StartupStep::DryPellets:
+      return !settings.dry_label.empty();
+    case StartupStep::HeatBed:
+    case StartupStep::MapHeights:
+      return true;
+    case StartupStep::DrawVacuum:
+      return !settings.vacuum_label.empty();
+    default:
+      return homedAxis(step) && !settings.home_label.empty();
+  }
+}
+
 }  // namespace lamina

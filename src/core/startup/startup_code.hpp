@@ -31,4 +31,7 @@ std::vector<std::string> vacuumOffCommands(const StartupSettings& settings);
 /// Whether the step is done by the operator, who confirms it.
 bool isDoneByHand(StartupStep step, const StartupSettings& settings);
 
+/// Whether the machine reports what the step is about.
+bool isReported(StartupStep step, const StartupSettings& settings);
+
 }  // namespace lamina

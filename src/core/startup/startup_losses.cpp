@@ -39,18 +39,21 @@ std::string axesOf(const std::string& command) {
 }  // namespace
 
 /// The step is Pending again, and with it what rests on it.
-void Startup::lose(StartupStep step, const std::string& why) {
+/// @param cause  of the first loss
+void Startup::loseWith(StartupStep step, const std::string& reason, const std::string& cause) {
   Entry* const entry = find(step);
   if (entry == nullptr) return;
   const StartupState before = entry->status.state;
   if (before != StartupState::Running && before != StartupState::Done) return;
   entry->status.state = StartupState::Pending;
-  entry->status.reason = why;
+  entry->status.reason = reason;
   for (const Entry& later : entries_)
     for (const Prerequisite& needed : later.after)
       if (needed.step == step && needed.on_loss == OnLoss::Spreads)
-        lose(later.status.step, std::string(toString(step)) + " was lost (" + why + ")");
+        loseWith(later.status.step, std::string(toString(step)) + " was lost: " + cause, cause);
 }
+
+void Startup::lose(StartupStep step, const std::string& why) { loseWith(step, why, why); }
 
 void Startup::loseHoming(const std::string& axes, const std::string& why) {
   for (const Step step : {Step::HomeX, Step::HomeY, Step::HomeZ, Step::HomeZAgain})
@@ -93,12 +96,13 @@ void Startup::elapse(double now_s) {
 void Startup::advanceDrying(Entry& entry, double now_s) {
   const bool is_running = entry.status.state == StartupState::Running;
   if (!is_running && entry.status.state != StartupState::Done) return;
-  const bool tells = !settings_.dry_label.empty();
+  const bool tells = isReported(Step::DryPellets, settings_);
   const bool is_hot = !tells || checkDryer(reports_, settings_).verdict == Verdict::Met;
-  if (is_hot && was_dryer_hot_ && is_running) dried_s_ += now_s - dryer_looked_at_s_;
-  if (is_hot && (tells || is_running)) last_dry_s_ = now_s;
+  const double told_s = !tells ? now_s : reports_.dryer() ? reports_.dryer()->time_s : dryer_looked_at_s_;
+  if (is_hot && was_dryer_hot_ && is_running) dried_s_ += told_s - dryer_looked_at_s_;
+  if (is_hot && (tells || is_running)) last_dry_s_ = told_s;
   was_dryer_hot_ = is_hot;
-  dryer_looked_at_s_ = now_s;
+  dryer_looked_at_s_ = told_s;
   if (!is_running) return;
   measure(entry);
   const StartupCheck check = checkDrying(dried_s_, settings_);

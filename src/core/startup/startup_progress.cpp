@@ -121,11 +121,18 @@ void Startup::read(const MarlinReply& reply, double now_s) {
     }
   }
   if (reply.kind == ReplyKind::Start) losePower("the machine was reset");
+  if (reply.kind == ReplyKind::Fatal) halt("the machine halted: \"" + reply.text + "\"");
   const bool asks_for_home = reply.text.find("ome") != std::string::npos &&
                              reply.text.find("irst") != std::string::npos &&
                              reply.text.substr(0, 5) == "echo:";
   if (asks_for_home) loseHoming("XYZ", "the machine says \"" + reply.text + "\"");
   elapse(now_s);
+}
+
+void Startup::halt(const std::string& why) {
+  for (const Entry& entry : entries_)
+    if (!isDoneByHand(entry.status.step, settings_)) fail(entry.status.step, why);
+  losePower(why);
 }
 
 /// Fails a step that runs out of its bounds, loses one that no longer holds.

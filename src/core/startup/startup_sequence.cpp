@@ -99,7 +99,7 @@ void addConfigured(SequencedStep& sequenced, const std::vector<Step>& order,
     if (!isBefore(order, first, sequenced.step))
       throw InvalidConfig(key + " has " + toString(first) + ", which is not before " +
                           toString(sequenced.step) + " in startup.sequence: each would wait for the other");
-    sequenced.after.push_back({first, key + " says so", OnLoss::Spreads});
+    sequenced.after.push_back({first, key + " says so", OnLoss::Stays});
   }
 }
 

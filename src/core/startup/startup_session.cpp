@@ -109,12 +109,7 @@ void StartupSession::Impl::confirm(StartupStep step) {
   Lock lock(mutex_);
   requireNoJob();
   startup_.confirm(step, now());
-  // A bed heated by the operator is watched like one that is heated by the machine.
-  if (step == StartupStep::HeatBed && task_ == Task::None) {
-    task_ = Task::Step;
-    step_ = step;
-    wake_.notify_all();
-  }
+
   tell(lock);
 }
 

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kPoll = 0.05;  // s
+constexpr double kPoll = 0.1;  // s
 
 /// Leaves a mutex alone while it lives.
 class Unlocked {
@@ -98,6 +98,8 @@ void StartupSession::Impl::look(Lock& lock) {
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Cancelled) startup_.losePower(error.what());
   }
+  // A bed that the operator heats has nobody else who looks when it is hot.
+  if (task_ == Task::None) startup_.finished(StartupStep::HeatBed, now());
   port_user_ = PortUser::Nobody;
   wake_.notify_all();
 }

@@ -196,8 +196,14 @@ bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
   const bool is_starting_up = !job && startup_.isBusy();
   response.success = job != nullptr || is_starting_up;
   response.message = response.success ? "stopping the machine" : "no job is under way";
-  if (is_starting_up) startup_.abort();
   if (job) job->abort({ErrorCode::Cancelled, "aborted on request"});
+  if (!is_starting_up) return true;
+  try {
+    startup_.abort();
+  } catch (const Error& error) {
+    response.success = false;
+    response.message = error.what();
+  }
   return true;
 }
 

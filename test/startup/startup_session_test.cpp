@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs start-ups on emulated machines over pseudo-terminals, a thousand times as fast as real.
+#include "lamina/startup/startup_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/emulated_machine.hpp"
+#include "startup/large_gantry.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace lamina {
+namespace {
+
+using Step = StartupStep;
+using State = StartupState;
+
+constexpr double kSpeedUp = 1000.0;
+
+class StartupSessionTest : public testing::Test {
+ protected:
+  StartupSessionTest() {
+    settings_.speed_up = kSpeedUp;
+    settings_.check_interval_s = 0.05;
+    settings_.skip = "dry_pellets power_on transfer_program";
+    settings_.bed_target_c = 40.0;
+    settings_.bed_max_rate_c_min = 1000.0;  // a busy computer looks late
+    stream_.probe_after_s = 0.3;
+    stream_.temperature_interval_s = 20;
+    emulated_.speed_up = kSpeedUp;
+  }
+
+  void plugIn(const std::vector<Fault>& faults = {}) {
+    EmulatedObserver observer;
+    observer.line = [this](const ExecutedLine& line) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      commands_.push_back(line.command);
+    };
+    machine_ = std::make_unique<EmulatedMachine>(emulated_, faults, EmulatedPorts{port(), {}}, observer);
+  }
+  void startSession() {
+    session_ = std::make_unique<StartupSession>(settings_, stream_, MachinePort{port(), 115200},
+                                                StartupSession::Observer());
+  }
+  std::string port() const { return folder_.file("machine"); }
+
+  StartupStatus statusOf(Step step) const {
+    for (const StartupStatus& status : session_->steps())
+      if (status.step == step) return status;
+    ADD_FAILURE() << "no step " << toString(step);
+    return {};
+  }
+  static bool waitUntil(const std::function<bool()>& is_true) {
+    for (int i = 0; i < 6000 && !is_true(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return is_true();
+  }
+  void expectState(Step step, State state) const {
+    EXPECT_TRUE(waitUntil([&] { return statusOf(step).state == state; }))
+        << toString(step) << " is " << toString(statusOf(step).state) << ": " << statusOf(step).reason;
+  }
+  void run(std::optional<Step> step = std::nullopt) {
+    EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+    EXPECT_NO_THROW(session_->run(step));
+  }
+  void runAll() {
+    run();
+    expectState(Step::HomeZ, State::Done);
+    session_->confirm(Step::PlaceSheet);
+    run();
+    expectState(Step::MapHeights, State::Done);
+    EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  }
+  bool hasRun(const std::string& command) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::find(commands_.begin(), commands_.end(), command) != commands_.end();
+  }
+  static ErrorCode codeOf(const std::function<void()>& request) {
+    try {
+      request();
+      return ErrorCode::Ok;
+    } catch (const Error& error) {
+      return error.code();
+    }
+  }
+  /// A job as the node runs it.
+  StreamStatus stream(const std::string& text) {
+    const auto program = StreamableProgram::fromText("part", text, 96);
+    session_->beginJob({program.name(), 0, 0});
+    StreamSession job(program, stream_, {port(), 115200}, {},
+                      [this](const MarlinReply& reply) { session_->heard(reply); });
+    EXPECT_TRUE(job.waitFor(60.0));
+    session_->endJob(program, job.status());
+    return job.status();
+  }
+
+  test::TemporaryFolder folder_;
+  StartupSettings settings_ = test::largeGantry();
+  EmulatedSettings emulated_ = test::emulatedLargeGantry();
+  StreamSettings stream_;
+  mutable std::mutex mutex_;
+  std::vector<std::string> commands_;
+  std::unique_ptr<EmulatedMachine> machine_;
+  std::unique_ptr<StartupSession> session_;
+};
+
+TEST_F(StartupSessionTest, RunsAllStepsAndLendsThePortToJobs) {
+  plugIn();
+  startSession();
+  EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
+  runAll();
+  EXPECT_EQ(stream("G90\nG1 X10 F6000").state, PackmlState::Complete);
+  EXPECT_EQ(stream("G1 X20\nM84").state, PackmlState::Complete);
+  EXPECT_EQ(statusOf(Step::HomeX).state, State::Pending);
+  EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
+}
+
+TEST_F(StartupSessionTest, SeesMotorsThatSomebodyElseSwitchedOff) {
+  plugIn();
+  startSession();
+  runAll();
+  const auto program = StreamableProgram::fromText("elsewhere", "M84 X", 96);
+  {
+    StreamSession other(program, stream_, {port(), 115200}, {});
+    other.waitFor(60.0);
+  }
+  expectState(Step::HomeX, State::Pending);
+  EXPECT_NE(statusOf(Step::HomeX).reason.find("homed: YZ"), std::string::npos)
+      << statusOf(Step::HomeX).reason;
+}
+
+TEST_F(StartupSessionTest, SwitchesOffABedThatDoesNotGetHot) {
+  emulated_.bed_limit_c = 33.0;
+  settings_.bed_timeout_min = 10.0;
+  plugIn();
+  startSession();
+  run(Step::HeatBed);
+  expectState(Step::HeatBed, State::Failed);
+  EXPECT_NE(statusOf(Step::HeatBed).reason.find("the bed is at 33 °C; expected 40 ± 1 °C within 10 min"),
+            std::string::npos)
+      << statusOf(Step::HeatBed).reason;
+  EXPECT_TRUE(waitUntil([&] { return machine_->bedTarget() == 0.0 && hasRun("M42 P4 S0"); }));
+}
+
+TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItIsAborted) {
+  plugIn();
+  settings_.bed_target_c = 150.0;
+  startSession();
+  run();
+  EXPECT_TRUE(waitUntil([&] { return machine_->bedTarget() > 26.0; }));
+  EXPECT_EQ(codeOf([&] { session_->run(Step::HomeX); }), ErrorCode::Rejected);
+  session_->abort();
+  expectState(Step::HeatBed, State::Pending);
+  EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
+  EXPECT_EQ(statusOf(Step::HeatBed).reason.substr(0, 18), "aborted on request");
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
+  EXPECT_TRUE(hasRun("M42 P1 S0"));
+}
+
+TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
+  plugIn();
+  startSession();
+  run(Step::HeatBed);
+  expectState(Step::HeatBed, State::Done);
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
+  session_.reset();
+  EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
+}
+
+TEST_F(StartupSessionTest, TellsThatNoMachineIsThere) {
+  startSession();
+  run(Step::HeatBed);
+  expectState(Step::HeatBed, State::Failed);
+  EXPECT_NE(statusOf(Step::HeatBed).reason.find("look after it"), std::string::npos)
+      << statusOf(Step::HeatBed).reason;
+}
+
+TEST_F(StartupSessionTest, LosesEverythingWhenTheMachineIsGone) {
+  plugIn();
+  startSession();
+  run(Step::HeatBed);
+  expectState(Step::HeatBed, State::Done);
+  machine_.reset();
+  expectState(Step::HeatBed, State::Pending);
+}
+
+TEST_F(StartupSessionTest, RefusesCodesThatCannotBeStreamed) {
+  settings_.abort_code = "M104 S0*12";
+  EXPECT_EQ(codeOf([&] { startSession(); }), ErrorCode::InvalidConfig);
+}
+
+TEST_F(StartupSessionTest, WithoutASequenceLetsJobsStart) {
+  settings_ = {};
+  plugIn();
+  startSession();
+  EXPECT_TRUE(session_->isEmpty());
+  EXPECT_EQ(stream("G1 X1").state, PackmlState::Complete);
+  EXPECT_EQ(codeOf([&] { session_->abort(); }), ErrorCode::Rejected);
+}
+
+}  // namespace
+}  // namespace lamina
