@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "lamina/startup/startup_sequence.hpp"
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
@@ -49,6 +50,27 @@ TEST(NodeConfig, OfGcodeStreamerIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("gcode_streamer", schema);
+}
+
+/// Sets everything that a shipped file states.
+void load(const std::string& file, lamina::SettingsSchema& schema) {
+  const std::string path = std::string(LAMINA_SOURCE_DIR) + "/config/" + file;
+  for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path))
+    schema.set(setting.key, setting.text);
+}
+
+TEST(NodeConfig, OfTheLargeGantryLoadsAndHasAStartupSequence) {
+  lamina::GcodeStreamerSettings streamer;
+  lamina::SettingsSchema streamer_schema;
+  describe(streamer_schema, streamer);
+  load("large_gantry_45_startup.yaml", streamer_schema);
+  EXPECT_EQ(lamina::makeStartupSequence(streamer.startup).size(), lamina::kStartupStepCount);
+  lamina::EmulatedMachineSettings machine;
+  lamina::SettingsSchema machine_schema;
+  describe(machine_schema, machine);
+  load("large_gantry_45_emulator.yaml", machine_schema);
+  EXPECT_EQ(machine.machine_name, streamer.machine_name);
+  EXPECT_EQ(machine.emulator.vacuum_zones, static_cast<int>(lamina::vacuumZones(streamer.startup).size()));
 }
 
 TEST(NodeConfig, OfSlicingServiceIsCompleteAndHasTheDefaults) {

@@ -65,7 +65,8 @@ class EmulatedFirmware::Board {
   void switchPin(std::string_view command);
   void sayPin(std::string_view command);
   void sayHomed();
-  bool mayMove(const Point3& to);
+  bool mayMove(const GcodeMotion& motion);
+  Point3 placeAfter(const GcodeMotion& motion) const;
   void mapHeights();
   void setReport(double& interval_s, double& next_s, std::string_view command) const;
   void sayPosition(const Point3& position);

@@ -96,11 +96,12 @@ void EmulatedFirmware::Board::answer() {
 }
 
 void EmulatedFirmware::Board::request(const GcodeMotion& motion) {
-  if (!mayMove(motion.end)) return;
-  RequestedMotion requested{planned_, motion.end, motion.extrusion_mm, motion.feed_mm_s * feed_factor_};
+  if (!mayMove(motion)) return;
+  RequestedMotion requested{planned_, placeAfter(motion), motion.extrusion_mm,
+                            motion.feed_mm_s * feed_factor_};
   const bool is_in_place = (motion.end - motion.start).norm() == 0.0;
   if (!is_in_place) requested.filament_mm *= flow_factor_;
-  planned_ = motion.end;
+  planned_ = requested.end;
   requested_.push_back(requested);
 }
 

@@ -72,15 +72,24 @@ void EmulatedFirmware::Board::sayPin(std::string_view command) {
 }
 
 /// Says which axes must be homed first, as Marlin does, if the motion needs them.
-bool EmulatedFirmware::Board::mayMove(const Point3& to) {
+bool EmulatedFirmware::Board::mayMove(const GcodeMotion& motion) {
   if (settings_.moves_unhomed) return true;
   std::string unhomed;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
-    if (!is_homed_[axis] && to[i] != planned_[i]) unhomed += kAxes[axis];
+    if (!is_homed_[axis] && motion.end[i] != motion.start[i]) unhomed += kAxes[axis];
   }
   if (!unhomed.empty()) replies_.say("echo:Home " + unhomed + " First\n");
   return unhomed.empty();
+}
+
+/// Axes that a motion leaves alone stay where they are, which after a motion that was refused or stopped is
+/// not where the program is.
+Point3 EmulatedFirmware::Board::placeAfter(const GcodeMotion& motion) const {
+  Point3 place = planned_;
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    if (motion.end[axis] != motion.start[axis]) place[axis] = motion.end[axis];
+  return place;
 }
 
 void EmulatedFirmware::Board::mapHeights() {

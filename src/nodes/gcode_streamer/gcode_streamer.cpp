@@ -9,6 +9,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/program/gcode_writer.hpp"
 #include "names.hpp"
+#include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
 

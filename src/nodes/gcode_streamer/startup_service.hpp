@@ -9,9 +9,6 @@
 
 namespace lamina {
 
-/// @return one message per step, in order
-std::vector<lamina_msgs::StartupStep> toMessages(const std::vector<StartupStatus>& steps);
-
 /// The service run_startup: runs, confirms and aborts the steps of a start-up.
 class StartupService {
  public:
