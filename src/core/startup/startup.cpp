@@ -55,6 +55,8 @@ std::string Startup::reasonOf(const Entry& entry) const {
   const std::string so_far = entry.status.reason.empty() ? "not done yet" : entry.status.reason;
   if (const Prerequisite* const before = firstUnmet(entry))
     return so_far + "; waits for " + toString(before->step) + ": " + before->because;
+  if (entry.status.step == StartupStep::TransferProgram)
+    return so_far + "; to be confirmed with the program's length and checksum";
   return so_far +
          (isDoneByHand(entry.status.step, settings_) ? "; to be confirmed by the operator" : "; to be run");
 }
