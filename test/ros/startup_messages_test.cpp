@@ -23,8 +23,12 @@ TEST(StartupMessages, HaveTheNumbersOfTheStates) {
 }
 
 TEST(StartupMessages, TellStateReasonAndWhatWasMeasured) {
-  const StartupStatus hot{
-      lamina::StartupStep::HeatBed, StartupState::Running, "the bed is at 71 °C", 71.0, "°C", "90 ± 1 °C"};
+  const StartupStatus hot{lamina::StartupStep::HeatBed,
+                          StartupState::Running,
+                          "the bed is at 71 degC",
+                          71.0,
+                          "degC",
+                          "89 to 91 degC"};
   const StartupStatus open{
       lamina::StartupStep::PlaceSheet, StartupState::Pending, "not done yet", {}, "", ""};
   const auto messages = lamina::toMessages({hot, open});
@@ -32,10 +36,10 @@ TEST(StartupMessages, TellStateReasonAndWhatWasMeasured) {
   EXPECT_EQ(messages[0].name, "heat_bed");
   EXPECT_EQ(messages[0].state, StartupStep::RUNNING + 0);
   EXPECT_EQ(messages[0].state_name, "Running");
-  EXPECT_EQ(messages[0].reason, "the bed is at 71 °C");
+  EXPECT_EQ(messages[0].reason, "the bed is at 71 degC");
   EXPECT_DOUBLE_EQ(messages[0].value, 71.0);
-  EXPECT_EQ(messages[0].unit, "°C");
-  EXPECT_EQ(messages[0].expected, "90 ± 1 °C");
+  EXPECT_EQ(messages[0].unit, "degC");
+  EXPECT_EQ(messages[0].expected, "89 to 91 degC");
   EXPECT_EQ(messages[1].name, "place_sheet");
   EXPECT_TRUE(std::isnan(messages[1].value));
 }

@@ -54,7 +54,7 @@ struct StartupStatus {
   std::string reason;           ///< why it is in that state, in words
   std::optional<double> value;  ///< what was measured last
   std::string unit;             ///< of the value
-  std::string expected;         ///< "89 to 91 °C"; empty if nothing is measured
+  std::string expected;         ///< "89 to 91 degC"; empty if nothing is measured
 };
 
 /// Done or skipped.

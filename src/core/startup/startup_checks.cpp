@@ -23,11 +23,12 @@ StartupCheck unknown(const std::string& what, const std::string& unit, const std
 
 StartupCheck checkBed(const MachineReports& reports, const StartupSettings& settings, Strictness strictness) {
   const double tolerance = settings.bed_tolerance_c * (strictness == Strictness::Keeping ? 2.0 : 1.0);
-  const std::string expected = shortNumber(settings.bed_target_c) + " ± " + shortNumber(tolerance) + " °C";
+  const std::string expected = shortNumber(settings.bed_target_c - tolerance) + " to " +
+                               shortNumber(settings.bed_target_c + tolerance) + " degC";
   const auto bed_c = reports.bed();
-  if (!bed_c) return unknown("the bed's temperature", "°C", expected);
+  if (!bed_c) return unknown("the bed's temperature", "degC", expected);
   return {verdictOf(std::abs(*bed_c - settings.bed_target_c) <= tolerance),
-          "the bed is at " + shortNumber(*bed_c) + " °C; expected " + expected, bed_c, "°C", expected};
+          "the bed is at " + shortNumber(*bed_c) + " degC; expected " + expected, bed_c, "degC", expected};
 }
 
 StartupCheck checkBedRate(const MachineReports& reports, const StartupSettings& settings) {
@@ -40,7 +41,7 @@ StartupCheck checkBedRate(const MachineReports& reports, const StartupSettings& 
 StartupCheck checkDrying(double dried_s, const StartupSettings& settings) {
   const double dried_h = dried_s / 3600.0;
   const std::string expected =
-      "at least " + shortNumber(settings.dry_h) + " h at " + shortNumber(settings.dry_target_c) + " °C";
+      "at least " + shortNumber(settings.dry_h) + " h at " + shortNumber(settings.dry_target_c) + " degC";
   return {verdictOf(dried_h >= settings.dry_h),
           "the pellets were dried for " + shortNumber(dried_h) + " h; expected " + expected, dried_h, "h",
           expected};
@@ -48,11 +49,12 @@ StartupCheck checkDrying(double dried_s, const StartupSettings& settings) {
 
 StartupCheck checkDryer(const MachineReports& reports, const StartupSettings& settings) {
   const double least = settings.dry_target_c - settings.dry_tolerance_c;
-  const std::string expected = "at least " + shortNumber(least) + " °C";
-  if (!reports.dryer()) return unknown("the dryer's temperature", "°C", expected);
+  const std::string expected = "at least " + shortNumber(least) + " degC";
+  if (!reports.dryer()) return unknown("the dryer's temperature", "degC", expected);
   const double dryer_c = reports.dryer()->value_c;
   return {verdictOf(dryer_c >= least),
-          "the dryer is at " + shortNumber(dryer_c) + " °C; expected " + expected, dryer_c, "°C", expected};
+          "the dryer is at " + shortNumber(dryer_c) + " degC; expected " + expected, dryer_c, "degC",
+          expected};
 }
 
 StartupCheck checkHomed(char axis, const MachineReports& reports) {

@@ -75,7 +75,7 @@ void Startup::sent(const std::string& command) {
     const Entry* const bed = find(Step::HeatBed);
     if (is_other && bed != nullptr && bed->status.state == StartupState::Done)
       lose(Step::HeatBed,
-           command + " has set another target than " + shortNumber(settings_.bed_target_c) + " °C");
+           command + " has set another target than " + shortNumber(settings_.bed_target_c) + " degC");
   }
   if (std::find(vacuum_off_.begin(), vacuum_off_.end(), command) != vacuum_off_.end())
     lose(Step::DrawVacuum, command + " has closed a zone");

@@ -17,6 +17,13 @@ std::string withChecks(const std::string& code, const StartupSettings& settings)
   return code + "\n" + settings.check_code + "\n";
 }
 
+/// Whether firmware refuses to move before homing: Marlin's "echo:Home XYZ First", RepRapFirmware's "Error:
+/// G0/G1: insufficient axes homed".
+bool asksForHoming(const std::string& text) {
+  if (text.find("insufficient axes homed") != std::string::npos) return true;
+  return text.compare(0, 10, "echo:Home ") == 0 && text.find("irst") != std::string::npos;
+}
+
 }  // namespace
 
 std::optional<std::string> Startup::nextCode(StartupStep step) {
@@ -122,10 +129,7 @@ void Startup::read(const MarlinReply& reply, double now_s) {
   }
   if (reply.kind == ReplyKind::Start) losePower("the machine was reset");
   if (reply.kind == ReplyKind::Fatal) halt("the machine halted: \"" + reply.text + "\"");
-  const bool asks_for_home = reply.text.find("ome") != std::string::npos &&
-                             reply.text.find("irst") != std::string::npos &&
-                             reply.text.substr(0, 5) == "echo:";
-  if (asks_for_home) loseHoming("XYZ", "the machine says \"" + reply.text + "\"");
+  if (asksForHoming(reply.text)) loseHoming("XYZ", "the machine says \"" + reply.text + "\"");
   elapse(now_s);
 }
 

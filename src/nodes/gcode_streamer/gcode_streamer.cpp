@@ -18,6 +18,19 @@ namespace {
 
 constexpr double kFeedbackPeriod = 0.1;  // s
 
+/// Tells of steps that are no longer in the state they were in.
+void logChanges(const std::vector<lamina_msgs::StartupStep>& before,
+                const std::vector<lamina_msgs::StartupStep>& now) {
+  for (std::size_t i = 0; i < before.size() && i < now.size(); ++i) {
+    if (before[i].state == now[i].state) continue;
+    const ros::console::Level level = now[i].state == lamina_msgs::StartupStep::FAILED
+                                          ? ros::console::levels::Error
+                                          : ros::console::levels::Info;
+    ROS_LOG(level, ROSCONSOLE_DEFAULT_NAME, "start-up: %s is %s: %s", now[i].name.c_str(),
+            now[i].state_name.c_str(), now[i].reason.c_str());
+  }
+}
+
 }  // namespace
 
 GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& settings)
@@ -240,7 +253,9 @@ void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
   StreamStatus status;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    steps_ = toMessages(steps);
+    auto messages = toMessages(steps);
+    logChanges(steps_, messages);
+    steps_ = std::move(messages);
     if (session_) return;
     status = status_;
   }
@@ -257,6 +272,7 @@ void GcodeStreamer::publishPosition(const MarlinPosition& position) {
 void GcodeStreamer::diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
   const std::lock_guard<std::mutex> lock(mutex_);
   fillDiagnostics(status_, diagnostics);
+  for (const auto& step : steps_) diagnostics.add("start-up: " + step.name, step.state_name);
 }
 
 }  // namespace lamina
