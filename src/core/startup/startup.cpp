@@ -8,6 +8,17 @@
 #include "startup/startup_code.hpp"
 
 namespace lamina {
+namespace {
+
+/// The entry of a step, or null.
+template <class Entries>
+auto* findIn(Entries& entries, StartupStep step) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const auto& entry) { return entry.status.step == step; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
 
 Startup::Startup(const StartupSettings& settings)
     : settings_(settings), reports_(settings), vacuum_off_(vacuumOffCommands(settings)) {
@@ -23,13 +34,9 @@ Startup::Startup(const StartupSettings& settings)
   }
 }
 
-Startup::Entry* Startup::find(StartupStep step) {
-  const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.status.step == step; });
-  return found == entries_.end() ? nullptr : &*found;
-}
+Startup::Entry* Startup::find(StartupStep step) { return findIn(entries_, step); }
 
-const Startup::Entry* Startup::find(StartupStep step) const { return const_cast<Startup*>(this)->find(step); }
+const Startup::Entry* Startup::find(StartupStep step) const { return findIn(entries_, step); }
 
 Startup::Entry& Startup::entryOf(StartupStep step) {
   Entry* const entry = find(step);
