@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <set>
+
 #include "support/shapes.hpp"
 
 namespace lamina {
@@ -40,6 +42,19 @@ TEST(LoopSeam, ShortensEveryLoopByItsGap) {
     RC_ASSERT(std::abs(length(run.points) + gap - whole) < 1e-4);
     for (const Point2& point : run.points) RC_ASSERT(test::distanceToOutline({loop}, point) < 1e-5);
   }));
+}
+
+TEST(LoopSeam, StartsEachIslandElsewhereAtRandom) {
+  const Polygon loop = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  std::set<double> starts;
+  for (std::size_t i = 0; i < 4; ++i) {
+    InfillRequest request;
+    request.island = i / 2;
+    request.layer = i % 2;
+    request.settings.perimeters.seam = PerimeterSeam::Random;
+    starts.insert(LoopSeam(request).startOn(loop, 0));
+  }
+  EXPECT_EQ(starts.size(), 4U);
 }
 
 TEST(LoopSeam, StartsWithinTheLoop) {

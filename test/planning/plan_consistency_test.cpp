@@ -62,6 +62,25 @@ TEST_P(DropConsistency, RefusesDropsNearerThanTheirOverlapAllows) {
             std::string::npos);
 }
 
+TEST(VaseConsistency, RefusesWhatAVaseDoesNotFollow) {
+  EXPECT_EQ(refusalOf("vase", {"vase.base_layers=3", "walls.count=2"}), "");
+  EXPECT_EQ(refusalOf("vase", {"walls.count=0"}), "");
+  for (const char* assignment : {"walls.count=7", "infill.density=0.3", "voids.refill=beads"})
+    EXPECT_NE(refusalOf("vase", {assignment}).find(settingFromAssignment(assignment).key), std::string::npos)
+        << assignment;
+}
+
+TEST(HybridConsistency, RefusesWhatTheDocumentedLinesDoNotFollow) {
+  const std::string documented = "hybrid.lines=documented";
+  EXPECT_EQ(refusalOf("hybrid", {documented}), "");
+  EXPECT_EQ(refusalOf("hybrid", {"raster.direction=fewest_turns"}), "");
+  EXPECT_NE(refusalOf("hybrid", {documented, "raster.direction=fewest_turns"}).find("raster.direction"),
+            std::string::npos);
+  const std::string refusal =
+      refusalOf("hybrid", {documented, "hybrid.add_above=1", "hybrid.delete_below=5"});
+  EXPECT_NE(refusal.find("hybrid.add_above is 1 spacings"), std::string::npos) << refusal;
+}
+
 TEST(PitchConsistency, IsHalfToTwiceTheWidthThatABeadFills) {
   // Of a bead of 0.4 x 0.2 mm: 0.4 - (1 - pi / 4) 0.2 = 0.35708 mm.
   EXPECT_NO_THROW(requireSensiblePitch({0.4, 0.0}, 0.2));

@@ -21,8 +21,12 @@ struct InfillRequest {
   double turn_rad = 0.0;    ///< part of that angle by which this layer is turned against the first one
   Point2 start = Point2::Zero();  ///< where the nozzle comes from
   std::size_t layer = 0;          ///< index, from 0: for seeds and for what changes from layer to layer
+  std::size_t island = 0;         ///< index within the layer, from 0: for seeds
   FillSettings settings;          ///< what single strategies ask for besides
 };
+
+/// Whether neighbouring lines lie side by side at the pitch.
+bool isSolid(const InfillRequest& request);
 
 /// Covers regions with beads, or drops: the centre lines of beads of the nominal width keep half a pitch from
 /// the border, those of others half their width. No region gives no path. The same regions give the same

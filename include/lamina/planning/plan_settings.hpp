@@ -37,6 +37,9 @@ struct InfillSettings {
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
 };
 
+/// Whether the density is 1, but for rounding.
+inline bool isSolid(const InfillSettings& settings) { return settings.density > 1.0 - 1e-6; }
+
 /// What becomes of voids that walls and infill leave.
 enum class VoidRefill { None, Beads };
 

@@ -47,20 +47,22 @@ enum class RestFill { Loops, None };
 class TreeGrower {
  public:
   TreeGrower(const InfillRequest& request, RestFill rest_fill)
-      : pitch_(request.pitch_mm), spacing_(request.spacing_mm), rest_fill_(rest_fill) {
+      : pitch_(request.pitch_mm),
+        spacing_(request.spacing_mm),
+        is_solid_(isSolid(request)),
+        rest_fill_(rest_fill) {
     tree_.parents.push_back(0);
   }
 
   OpenContourTree grow(const Region& region) && {
-    const bool is_solid = std::abs(spacing_ / pitch_ - 1.0) < 1e-6;
-    if (is_solid)
+    if (is_solid_)
       take(partByWidth({region}, pitch_), 0);
     else
       add(offset({region}, -0.5 * pitch_), 0);
     for (std::size_t i = 0; i < growing_.size(); ++i) {
       const Growing from = std::exchange(growing_[i], {});
       const std::size_t node = addNode(from.centre_lines, from.parent);
-      if (is_solid)
+      if (is_solid_)
         growSolid(from, node);
       else
         add(offset({from.centre_lines}, -spacing_), node);
@@ -138,6 +140,7 @@ class TreeGrower {
 
   double pitch_;
   double spacing_;
+  bool is_solid_;
   RestFill rest_fill_;
   ContourTree tree_;
   std::vector<NarrowRest> rests_;

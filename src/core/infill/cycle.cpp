@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "infill/fill_seed.hpp"
 #include "infill/ring_link.hpp"
-#include "lamina/base/random.hpp"
 
 namespace lamina {
 namespace {
@@ -20,13 +20,12 @@ constexpr std::array<LinkLimits, 3> kLimits = {LinkLimits{}, LinkLimits{0.85, 1.
 
 class Joiner {
  public:
-  Joiner(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::uint64_t salt)
+  Joiner(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::size_t region)
       : net_(net),
         tree_(tree),
         settings_(request.settings.contour),
         scale_(request.spacing_mm / request.pitch_mm),
-        random_(Random(Random(static_cast<std::uint64_t>(settings_.seed)).bits() + request.layer).bits() +
-                salt),
+        random_(randomOf(settings_.seed, request, region)),
         rings_of_(tree.parents.size()),
         children_(tree.parents.size()) {
     for (std::size_t ring = 0; ring < tree.loops.size(); ++ring)
@@ -179,8 +178,8 @@ RingNet ringsOf(const ContourTree& tree) {
   return RingNet(std::move(rings));
 }
 
-void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::uint64_t salt) {
-  Joiner(net, tree, request, salt).join();
+void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::size_t region) {
+  Joiner(net, tree, request, region).join();
 }
 
 }  // namespace lamina

@@ -13,7 +13,7 @@ RingNet ringsOf(const ContourTree& tree);
 
 /// Joins all rings that do not hang together yet: neighbours are cut open by a gap nearly as wide as they are
 /// apart, and joined by two links across. Rings that have no neighbour near enough stay by themselves.
-/// @param salt  of the seed: a number for the region
-void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::uint64_t salt);
+/// @param region  its index among those that are filled, for the seed
+void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::size_t region);
 
 }  // namespace lamina

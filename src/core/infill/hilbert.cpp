@@ -104,12 +104,14 @@ Polyline outOfLattice(const Polyline& points, const LatticeFrame& frame) {
 
 FillAtAngle fillAt(const Region& centre_lines, const InfillRequest& request, double angle_rad) {
   const Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
+  const double width = beadWidth(lattice.frame, request);
   FillAtAngle fill;
   const std::vector<RunOnOutlines> runs = CurveCutter(lattice).cut();
   for (const Polyline& joined : joinAlongOutlines(runs, lattice.rows.outlines, kLongestLink)) {
     FillPath path;
     path.points = outOfLattice(joined, lattice.frame);
     if (path.points.size() < 2) continue;
+    path.width_mm.assign(path.points.size(), width);
     fill.covered += length(path.points);
     fill.paths.push_back(std::move(path));
   }

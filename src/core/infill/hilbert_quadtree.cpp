@@ -39,8 +39,7 @@ std::vector<LatticeWalk> fewestWalks(Lattice& lattice) {
 
 FillAtAngle fillAt(const Region& centre_lines, const InfillRequest& request, double angle_rad) {
   Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
-  // A cell's bead is as much wider as the cell is larger than one of the requested spacing.
-  const double width = request.pitch_mm * lattice.frame.step().prod() / std::pow(request.spacing_mm, 2);
+  const double width = beadWidth(lattice.frame, request);
   FillAtAngle fill;
   for (const LatticeWalk& walk : fewestWalks(lattice)) {
     fill.covered += static_cast<double>(walk.cells.size());

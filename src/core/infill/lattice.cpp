@@ -71,6 +71,10 @@ LatticeFrame::LatticeFrame(const Region& region, double spacing_mm, double angle
   }
 }
 
+double beadWidth(const LatticeFrame& frame, const InfillRequest& request) {
+  return request.pitch_mm * frame.step().prod() / std::pow(request.spacing_mm, 2);
+}
+
 Point2 LatticeFrame::intoLattice(const Point2& point) const {
   return (turn_.intoRaster(point) - corner_).cwiseQuotient(step_);
 }

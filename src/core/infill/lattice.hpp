@@ -8,6 +8,7 @@
 #include "infill/hilbert_order.hpp"
 #include "infill/raster.hpp"
 #include "lamina/geometry/polygon.hpp"
+#include "lamina/infill/strategy.hpp"
 
 namespace lamina {
 
@@ -34,6 +35,9 @@ class LatticeFrame {
   int columns_ = 0;
   int rows_ = 0;
 };
+
+/// As much wider than nominal as a cell is larger than one of the requested spacing [mm].
+double beadWidth(const LatticeFrame& frame, const InfillRequest& request);
 
 /// The cells of a lattice whose centres lie in a region, and the steps between neighbours that stay in it.
 struct Lattice {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "infill/fill_seed.hpp"
+
 namespace lamina {
 namespace {
 
@@ -59,7 +61,7 @@ LoopSeam::LoopSeam(const InfillRequest& request)
     : placement_(request.settings.perimeters.seam),
       step_(request.settings.perimeters.seam_step * request.pitch_mm),
       layer_(static_cast<double>(request.layer)),
-      random_(Random(static_cast<std::uint64_t>(request.settings.perimeters.seed)).bits() + request.layer) {}
+      random_(randomOf(request.settings.perimeters.seed, request, 0)) {}
 
 double LoopSeam::startOn(const Polygon& loop, std::size_t level) {
   const double whole = perimeter(loop);

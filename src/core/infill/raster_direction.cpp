@@ -29,7 +29,9 @@ std::vector<Point2> edgesByDirection(const Regions& regions) {
       const bool is_turned = edge.y() < 0.0 || (edge.y() == 0.0 && edge.x() < 0.0);
       edges.emplace_back(is_turned ? Point2(-edge) : edge);
     }
-  std::sort(edges.begin(), edges.end(), [](const Point2& a, const Point2& b) { return cross(a, b) > 0.0; });
+  std::sort(edges.begin(), edges.end(), [](const Point2& a, const Point2& b) {
+    return std::atan2(a.y(), a.x()) < std::atan2(b.y(), b.x());
+  });
   return edges;
 }
 

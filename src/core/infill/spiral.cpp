@@ -10,7 +10,7 @@
 #include "geometry/plane_vectors.hpp"
 #include "infill/contour_tree.hpp"
 #include "infill/cycle.hpp"
-#include "lamina/base/random.hpp"
+#include "infill/fill_seed.hpp"
 
 namespace lamina {
 namespace {
@@ -92,14 +92,13 @@ class SpiralBuilder {
   double scale_;
 };
 
-std::vector<FillPath> spiralOf(const Region& region, const InfillRequest& request, std::uint64_t salt) {
+std::vector<FillPath> spiralOf(const Region& region, const InfillRequest& request, std::size_t index) {
   const ContourTree tree = contourTree(region, request);
   RingNet net = ringsOf(tree);
   const std::vector<std::size_t> rings = mainRings(tree, net);
   if (rings.empty()) return {};
   const SpiralBuilder builder(net, request);
-  Random random(Random(static_cast<std::uint64_t>(request.settings.contour.seed)).bits() + request.layer +
-                salt);
+  Random random = randomOf(request.settings.contour.seed, request, index);
   std::vector<RingGap> best;
   for (int i = 0; i < kTrials && best.size() < rings.size(); ++i) {
     std::vector<RingGap> gaps =
@@ -107,7 +106,7 @@ std::vector<FillPath> spiralOf(const Region& region, const InfillRequest& reques
     if (gaps.size() > best.size()) best = std::move(gaps);
   }
   net.chain(best);
-  joinRings(net, tree, request, salt);
+  joinRings(net, tree, request, index);
   return net.lines();
 }
 

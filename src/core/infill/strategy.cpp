@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/infill/strategy.hpp"
 
+#include <cmath>
 #include <map>
 
 #include "infill/contour.hpp"
@@ -45,6 +46,11 @@ const std::map<std::string, InfillStrategy>& strategies() {
 }
 
 }  // namespace
+
+bool isSolid(const InfillRequest& request) {
+  constexpr double kRounding = 1e-6;
+  return std::abs(request.spacing_mm - request.pitch_mm) < kRounding * request.pitch_mm;
+}
 
 InfillStrategy infillStrategy(const std::string& name) {
   const auto found = strategies().find(name);

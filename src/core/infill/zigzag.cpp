@@ -147,10 +147,6 @@ class RunBuilder {
 
 }  // namespace
 
-bool isSolid(const InfillRequest& request) {
-  return std::abs(request.spacing_mm - request.pitch_mm) < 1e-9 * request.pitch_mm;
-}
-
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
   if (isSolid(request))
     return inBestDirection(offset(regions, -0.5 * narrowestBead(request)), request, stripRuns);

@@ -12,9 +12,6 @@ namespace lamina {
 /// Parts of a region that lie between two lines get none.
 std::vector<FillPath> rasterRuns(const Regions& centre_lines, const InfillRequest& request);
 
-/// Whether lines lie side by side at the pitch.
-bool isSolid(const InfillRequest& request);
-
 /// `stripRuns` if the fill is solid, otherwise `rasterRuns` where centre lines may run.
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request);
 

@@ -80,6 +80,7 @@ class LayerPlanner {
     }
     for (const OrderedRun& next : orderRuns(islands, nozzle_)) {
       const Region& island = material[next.run];
+      island_ = next.run;
       const std::size_t before = result_.paths.size();
       const double unprinted = addIsland(island);
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
@@ -96,7 +97,7 @@ class LayerPlanner {
   /// @return area [mm²] that gets no bead
   double addIsland(const Region& island) {
     if (laysDrops()) {
-      addInfill(settings_.infill.density > 0.0 ? Regions{island} : Regions{});
+      addInfill({island});
       return 0.0;
     }
     Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
@@ -110,9 +111,8 @@ class LayerPlanner {
     if (settings_.infill.density > 0.0) addInfill(walls.infill);
     starts_ += startsOf(walls.infill, fillsSince(before), pitch_);
     addShortest(std::move(walls.narrow_infill), {});
-    if (settings_.infill.density < 1.0)
-      sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
-    return walls.unprinted_mm2 + (settings_.infill.density < 1.0 ? 0.0 : areaMissed(walls.infill, before));
+    if (!isSolid(settings_.infill)) sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
+    return walls.unprinted_mm2 + (isSolid(settings_.infill) ? areaMissed(walls.infill, before) : 0.0);
   }
 
   /// Area [mm²] of those regions into which none of the paths goes that were laid since there were so many.
@@ -182,7 +182,7 @@ class LayerPlanner {
   void refillVoids(const Regions& material) {
     RefillSettings settings;
     settings.least_area = settings_.voids.least_area;
-    const Regions solid = settings_.infill.density < 1.0 ? difference(material, sparse_) : material;
+    const Regions solid = isSolid(settings_.infill) ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addShortest(refill(findVoids(solid, result_, {}), settings), material);
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
@@ -197,12 +197,13 @@ class LayerPlanner {
     const InfillSettings& infill = settings_.infill;
     InfillRequest request;
     request.pitch_mm = pitch_;
-    request.spacing_mm = pitch_ / infill.density;
+    request.spacing_mm = isSolid(infill) ? pitch_ : pitch_ / infill.density;
     const double turn = infill.alternation_deg * static_cast<double>(index_);
     request.angle_rad = std::fmod(infill.angle_deg + turn, 360.0) * M_PI / 180.0;
     request.turn_rad = std::fmod(turn, 360.0) * M_PI / 180.0;
     request.start = nozzle_;
     request.layer = index_;
+    request.island = island_;
     request.settings = settings_.fill;
     return request;
   }
@@ -248,6 +249,7 @@ class LayerPlanner {
   const PlanContext& context_;
   const PlanSettings& settings_;
   std::size_t index_;
+  std::size_t island_ = 0;
   Point2 nozzle_;
   Seam seam_;
   double top_;

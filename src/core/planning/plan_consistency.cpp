@@ -41,10 +41,7 @@ void requireDistance(const std::string& key, double distance_mm, const DropSetti
                       " mm, (1 - drops.most_overlap) times drops.diameter_mm: nearer drops are left out");
 }
 
-}  // namespace
-
-void requireConsistent(const PlanSettings& settings) {
-  if (infillStrategy(settings.infill.strategy).deposit != Deposit::Drops) return;
+void requireConsistentDrops(const PlanSettings& settings) {
   const PlanSettings usual;
   const double density = settings.infill.density;
   if (density != 1.0 && density != usual.infill.density)
@@ -58,6 +55,44 @@ void requireConsistent(const PlanSettings& settings) {
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);
+}
+
+void requireConsistentVase(const PlanSettings& settings) {
+  const PlanSettings usual;
+  const auto require = [](const std::string& key, double value, double default_value) {
+    if (value == default_value) return;
+    throw InvalidConfig(key + " is " + text(value) +
+                        " with infill.strategy 'vase', which is its own wall; expected the default " +
+                        text(default_value));
+  };
+  if (settings.walls.count != 0) require("walls.count", settings.walls.count, usual.walls.count);
+  require("infill.density", settings.infill.density, usual.infill.density);
+  if (settings.voids.refill != VoidRefill::None)
+    throw InvalidConfig(
+        "voids.refill is 'beads' with infill.strategy 'vase', which is hollow; expected 'none'");
+}
+
+void requireConsistentHybrid(const PlanSettings& settings) {
+  const HybridSettings& hybrid = settings.fill.hybrid;
+  if (hybrid.lines != HybridLines::Documented) return;
+  if (settings.fill.raster.direction != RasterDirection::Given)
+    throw InvalidConfig(
+        "raster.direction is not 'given' with hybrid.lines 'documented', whose lines follow the grid; "
+        "expected "
+        "'given', or hybrid.lines 'fitted'");
+  if (hybrid.add_above < hybrid.delete_below)
+    throw InvalidConfig("hybrid.add_above is " + text(hybrid.add_above) +
+                        " spacings; must be at least hybrid.delete_below, which is " +
+                        text(hybrid.delete_below));
+}
+
+}  // namespace
+
+void requireConsistent(const PlanSettings& settings) {
+  const InfillStrategy strategy = infillStrategy(settings.infill.strategy);
+  if (strategy.deposit == Deposit::Drops) requireConsistentDrops(settings);
+  if (strategy.link == LayerLink::Rising) requireConsistentVase(settings);
+  if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

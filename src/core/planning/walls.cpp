@@ -104,7 +104,7 @@ class WallMaker {
 }  // namespace
 
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
-  const bool fits = contact == WallContact::Fitted && settings.infill.density == 1.0;
+  const bool fits = contact == WallContact::Fitted && isSolid(settings.infill);
   const bool overlaps = contact != WallContact::Beside && !fits;
   const double overlap = overlaps ? settings.infill.wall_overlap * settings.bead.width_mm : 0.0;
   const WallMaker maker(material, settings, pitch_mm, overlap);
