@@ -30,22 +30,18 @@ std_msgs::ColorRGBA colour(PathRole role) {
 }
 
 /// Collects the segments, and drops, of each role and gives them away as markers at the ends of layers.
-class MarkerChunks {
+class MarkerChunker {
  public:
-  explicit MarkerChunks(const std::string& frame) : frame_(frame) {
-    Marker clear;
-    clear.header.frame_id = frame;
-    clear.action = Marker::DELETEALL;
-    markers_.markers.push_back(clear);
+  explicit MarkerChunker(const std::string& frame) : frame_(frame) {
     for (std::size_t role = 0; role < kRoles; ++role) {
-      open_[role] = emptyMarker(static_cast<PathRole>(role), Marker::LINE_LIST);
-      open_[kRoles + role] = emptyMarker(static_cast<PathRole>(role), Marker::SPHERE_LIST);
+      open_[role].marker = emptyMarker(static_cast<PathRole>(role), Marker::LINE_LIST);
+      open_[kRoles + role].marker = emptyMarker(static_cast<PathRole>(role), Marker::SPHERE_LIST);
     }
   }
 
   void add(const Path& path) {
     if (path.deposit == Deposit::Drops) return addDrops(path);
-    Marker& marker = open_[static_cast<std::size_t>(path.role)];
+    Marker& marker = open_[static_cast<std::size_t>(path.role)].marker;
     const bool is_travel = path.role == PathRole::Travel;
     marker.scale.x = toMetres(is_travel ? kTravelWidth : kLineShare * path.bead.at(0).width_mm);
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
@@ -55,19 +51,22 @@ class MarkerChunks {
   }
 
   void endLayer() {
-    for (Marker& marker : open_)
-      if (marker.points.size() >= kPointsPerMarker) close(marker);
+    ++layers_;
+    for (MarkerChunk& chunk : open_) {
+      chunk.points_up_to.push_back(static_cast<std::uint32_t>(chunk.marker.points.size()));
+      if (chunk.marker.points.size() >= kPointsPerMarker) close(chunk);
+    }
   }
 
-  MarkerArray finish() {
-    for (Marker& marker : open_)
-      if (!marker.points.empty()) close(marker);
-    return std::move(markers_);
+  std::vector<MarkerChunk> finish() {
+    for (MarkerChunk& chunk : open_)
+      if (!chunk.marker.points.empty()) close(chunk);
+    return std::move(closed_);
   }
 
  private:
   void addDrops(const Path& path) {
-    Marker& marker = open_[kRoles + static_cast<std::size_t>(path.role)];
+    Marker& marker = open_[kRoles + static_cast<std::size_t>(path.role)].marker;
     marker.scale.x = marker.scale.y = toMetres(path.bead.at(0).width_mm);
     marker.scale.z = toMetres(path.bead.at(0).height_mm);
     for (const Point3& drop : path.points) marker.points.push_back(toMessage(drop));
@@ -84,27 +83,41 @@ class MarkerChunks {
     return marker;
   }
 
-  void close(Marker& marker) {
-    Marker next = emptyMarker(pathRoleFromString(marker.ns), marker.type);
-    markers_.markers.push_back(std::move(marker));
-    marker = std::move(next);
+  void close(MarkerChunk& chunk) {
+    MarkerChunk next;
+    next.marker = emptyMarker(pathRoleFromString(chunk.marker.ns), chunk.marker.type);
+    next.first_layer = layers_;
+    closed_.push_back(std::move(chunk));
+    chunk = std::move(next);
   }
 
   std::string frame_;
   int next_id_ = 0;
-  std::array<Marker, 2 * kRoles> open_;  ///< of beads, then of drops
-  MarkerArray markers_;
+  std::size_t layers_ = 0;
+  std::array<MarkerChunk, 2 * kRoles> open_;  ///< of beads, then of drops
+  std::vector<MarkerChunk> closed_;
 };
 
 }  // namespace
 
-MarkerArray toolpathMarkers(const Toolpath& toolpath, const std::string& frame) {
-  MarkerChunks chunks(frame);
+std::vector<MarkerChunk> toolpathMarkerChunks(const Toolpath& toolpath, const std::string& frame) {
+  MarkerChunker chunker(frame);
   for (const ToolpathLayer& layer : toolpath.layers) {
-    for (const Path& path : layer.paths) chunks.add(path);
-    chunks.endLayer();
+    for (const Path& path : layer.paths) chunker.add(path);
+    chunker.endLayer();
   }
-  return chunks.finish();
+  return chunker.finish();
+}
+
+MarkerArray toolpathMarkers(const Toolpath& toolpath, const std::string& frame) {
+  MarkerArray markers;
+  Marker clear;
+  clear.header.frame_id = frame;
+  clear.action = Marker::DELETEALL;
+  markers.markers.push_back(clear);
+  for (MarkerChunk& chunk : toolpathMarkerChunks(toolpath, frame))
+    markers.markers.push_back(std::move(chunk.marker));
+  return markers;
 }
 
 }  // namespace lamina

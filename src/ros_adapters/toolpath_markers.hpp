@@ -4,7 +4,9 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -18,5 +20,16 @@ namespace lamina {
 ///
 /// @param frame  that the markers are given in: the part frame
 visualization_msgs::MarkerArray toolpathMarkers(const Toolpath& toolpath, const std::string& frame);
+
+/// One of the markers of a toolpath, and which layers its points belong to.
+struct MarkerChunk {
+  visualization_msgs::Marker marker;
+  std::size_t first_layer = 0;
+  /// Points of the layers from the first one up to and with layer first_layer + i.
+  std::vector<std::uint32_t> points_up_to;
+};
+
+/// The same markers, without the one that deletes, for a viewer that shows some of the layers.
+std::vector<MarkerChunk> toolpathMarkerChunks(const Toolpath& toolpath, const std::string& frame);
 
 }  // namespace lamina

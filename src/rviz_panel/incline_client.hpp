@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "incline_form.hpp"
+
+namespace lamina {
+
+/// How a run ended.
+struct InclineOutcome {
+  enum class End { Written, Stopped, Failed };
+  End end = End::Failed;
+  std::string message;  ///< for the person: what was done, or why not
+  std::string output;   ///< the file that was written; empty unless it was
+};
+
+/// Client of the action `incline_gcode` that never waits: `poll` does what there is to do and returns at
+/// once, and calls the functions below. All calls come from one thread, that of the panel's window. ROS must
+/// have been started.
+class InclineClient {
+ public:
+  InclineClient();
+  ~InclineClient();
+
+  std::function<void(const std::string& stage, double fraction)> onProgress;
+  /// Once for each run; also if there is no node, if it does not answer a cancel, or if it dies meanwhile.
+  std::function<void(const InclineOutcome& outcome)> onEnd;
+
+  /// Does nothing while a run is under way.
+  void run(const InclineRequest& request);
+  void cancel();
+  bool isRunning() const;
+  void poll();
+
+ private:
+  class Connection;
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "incline_panel.hpp"
+
+#include <ros/console.h>
+#include <rviz/properties/property.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
+#include <rviz/visualization_manager.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+#include "panel_content.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kDistance = 1.6;  // of the camera, in diagonals of what is shown
+
+/// Leads the camera to a box [mm].
+void lookAt(rviz::ViewManager& views, const Box3& box) {
+  rviz::ViewController* view = views.getCurrent();
+  if (view == nullptr) return;
+  const Point3 middle = 0.5 * (box.low + box.high);
+  view->lookAt(Ogre::Vector3(static_cast<float>(toMetres(middle.x())),
+                             static_cast<float>(toMetres(middle.y())),
+                             static_cast<float>(toMetres(middle.z()))));
+  view->subProp("Distance")->setValue(toMetres(kDistance * (box.high - box.low).norm()));
+}
+
+}  // namespace
+
+InclinePanel::InclinePanel(QWidget* parent) : rviz::Panel(parent), content_(new PanelContent(this)) {
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(content_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(scroll);
+  content_->onChanged = [this] { Q_EMIT configChanged(); };
+  content_->onShown = [this](const Box3& box) {
+    if (vis_manager_ != nullptr) lookAt(*vis_manager_->getViewManager(), box);
+  };
+}
+
+void InclinePanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  std::vector<SettingText> texts;
+  for (const auto& [key, text] : textsOf({})) {
+    QString saved;
+    if (config.mapGetString(QString::fromStdString(key), &saved)) texts.push_back({key, saved.toStdString()});
+  }
+  try {
+    content_->setForm(formFrom(texts));
+  } catch (const Error& error) {
+    ROS_ERROR_STREAM("the saved form is not taken: " << error.what());
+  }
+}
+
+void InclinePanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  for (const auto& [key, text] : textsOf(content_->form()))
+    config.mapSetValue(QString::fromStdString(key), QString::fromStdString(text));
+}
+
+}  // namespace lamina
+
+PLUGINLIB_EXPORT_CLASS(lamina::InclinePanel, rviz::Panel)

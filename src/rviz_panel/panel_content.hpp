@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+
+#include "background_reader.hpp"
+#include "incline_client.hpp"
+#include "incline_form.hpp"
+#include "part_view.hpp"
+
+class QLabel;
+class QSlider;
+
+namespace lamina {
+
+class FormWidget;
+class RunStrip;
+
+/// All of the panel, in any window: the form, the run, and the parts it shows. ROS must have been started.
+class PanelContent : public QWidget {
+ public:
+  explicit PanelContent(QWidget* parent);
+  ~PanelContent() override;
+
+  InclineForm form() const;
+  void setForm(const InclineForm& form);
+
+  std::function<void()> onChanged;               ///< the form
+  std::function<void(const Box3& box)> onShown;  ///< parts that stand elsewhere than before [mm, bed frame]
+
+ private:
+  QWidget* makeSlider();
+  void run();
+  void end(const InclineOutcome& outcome);
+  void drawSource(const std::string& path);
+  void drawInclined(const std::string& path);
+  void tellShown();
+  void showLayers();
+
+  FormWidget* form_;
+  RunStrip* strip_;
+  QSlider* slider_ = nullptr;
+  QLabel* shown_layers_ = nullptr;
+  InclineClient client_;
+  PartView view_;
+  BackgroundReader source_reader_;
+  BackgroundReader inclined_reader_;
+  QTimer poll_;
+  QTimer slide_;  ///< so that a fast slider does not send every layer on its way
+};
+
+}  // namespace lamina

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <functional>
+#include <string>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace lamina {
+
+/// How the last run stands; shown by the light.
+enum class RunState {
+  Idle,     ///< grey
+  Running,  ///< amber
+  Done,     ///< green
+  Failed,   ///< red
+};
+
+/// Run and Cancel, the light with a message beside it, progress and elapsed time.
+class RunStrip : public QWidget {
+ public:
+  explicit RunStrip(QWidget* parent);
+
+  std::function<void()> onRun;
+  std::function<void()> onCancel;
+
+  /// Amber; the time begins to count.
+  void begin(const std::string& message);
+  /// @param fraction  of this stage, 0 to 1
+  void progress(const std::string& stage, double fraction);
+  /// The time stops.
+  void end(RunState state, const std::string& message);
+
+  RunState state() const { return state_; }
+
+ private:
+  void showState(RunState state, const std::string& message);
+  void showTime();
+
+  RunState state_ = RunState::Idle;
+  QPushButton* run_;
+  QPushButton* cancel_;
+  QProgressBar* bar_;
+  QLabel* light_;
+  QLabel* message_;
+  QLabel* time_;
+  QElapsedTimer clock_;
+  QTimer tick_;
+};
+
+}  // namespace lamina
