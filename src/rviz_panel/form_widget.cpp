@@ -19,6 +19,11 @@
 #include "position_field.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr int kTabsHeight = 180;  // pixels
+
+}  // namespace
 
 FormWidget::FormWidget(QWidget* parent)
     : QWidget(parent),
@@ -37,6 +42,7 @@ FormWidget::FormWidget(QWidget* parent)
   column->addWidget(makeTurn());
   auto* tabs = new QTabWidget(this);
   tabs->setObjectName("tabs");
+  tabs->setMaximumHeight(kTabsHeight);
   tabs->addTab(makePlace(), "Place");
   tabs->addTab(makeCode("begin_code", "G-code after the comments at the head", begin_code_), "Begin code");
   tabs->addTab(makeCode("end_code", "G-code after all else", end_code_), "End code");

@@ -7,6 +7,7 @@
 #include <ros/node_handle.h>
 
 #include <chrono>
+#include <cstdio>
 #include <optional>
 
 #include "messages.hpp"
@@ -43,6 +44,9 @@ InclineGoal goalOf(const InclineRequest& request) {
 std::string summaryOf(const lamina_msgs::InclineSummary& summary) {
   std::string text = std::to_string(summary.lines) + " lines, " + std::to_string(summary.layers) + " layers";
   if (!summary.slicer.empty()) text += " of " + summary.slicer;
+  char computed[40];
+  std::snprintf(computed, sizeof computed, ", computed in %.3f s", summary.wall_time);
+  text += computed;
   if (summary.homings_annulled > 0) text += "; home the machine before, the program does not";
   if (summary.stands_on_edge)
     text += "; the part stands on an edge: was the mesh tilted by the opposite angle?";

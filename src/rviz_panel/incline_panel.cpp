@@ -21,14 +21,13 @@ namespace {
 
 constexpr double kDistance = 1.6;  // of the camera, in diagonals of what is shown
 
-/// Leads the camera to a box [mm].
+/// Leads the camera to a box [mm] from where it looks now, if it is one that orbits.
 void lookAt(rviz::ViewManager& views, const Box3& box) {
   rviz::ViewController* view = views.getCurrent();
   if (view == nullptr) return;
   const Point3 middle = 0.5 * (box.low + box.high);
-  view->lookAt(Ogre::Vector3(static_cast<float>(toMetres(middle.x())),
-                             static_cast<float>(toMetres(middle.y())),
-                             static_cast<float>(toMetres(middle.z()))));
+  rviz::Property* focus = view->subProp("Focal Point");
+  for (const char axis : {'X', 'Y', 'Z'}) focus->subProp(QChar(axis))->setValue(toMetres(middle[axis - 'X']));
   view->subProp("Distance")->setValue(toMetres(kDistance * (box.high - box.low).norm()));
 }
 

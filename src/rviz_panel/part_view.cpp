@@ -51,11 +51,11 @@ void PartView::removeInclined() { showInclined({}); }
 
 Point3 PartView::sourceShift() const {
   if (!source_.box || !inclined_.box) return Point3::Zero();
-  const double gap = kGap * std::max(source_.box->size().x(), inclined_.box->size().x());
-  return {
-      inclined_.box->low.x() - gap - source_.box->high.x(),
-      0.5 * (inclined_.box->low.y() + inclined_.box->high.y() - source_.box->low.y() - source_.box->high.y()),
-      0.0};
+  const Box3& source = *source_.box;
+  const Box3& inclined = *inclined_.box;
+  const double gap = kGap * std::max(source.size().y(), inclined.size().y());
+  return {0.5 * (inclined.low.x() + inclined.high.x() - source.low.x() - source.high.x()),
+          inclined.low.y() - gap - source.high.y(), 0.0};
 }
 
 void PartView::standApart() {

@@ -14,7 +14,7 @@
 namespace lamina {
 
 /// The original and the inclined part side by side as markers. The original stands where its program puts it;
-/// once there is an inclined part it moves beside that, towards -x, for the two would stand in each other.
+/// once there is an inclined part it moves beside that, towards -y, for the two would stand in each other.
 ///
 /// Publishes `source_layers`, `inclined_layers` (visualization_msgs/MarkerArray): what changes, and to
 /// newcomers everything
