@@ -73,6 +73,7 @@ QWidget* FormWidget::makeTurn() {
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(dial_);
   auto* rows = new QFormLayout();
+  dial_->setObjectName("dial");
   angle_->setObjectName("angle");
   angle_->setRange(kLeastInclination, kGreatestInclination);
   angle_->setDecimals(2);

@@ -11,7 +11,6 @@
 #include <optional>
 
 #include "messages.hpp"
-#include "names.hpp"
 
 namespace lamina {
 namespace {
@@ -71,9 +70,9 @@ class InclineClient::Connection {
  public:
   using Client = actionlib::SimpleActionClient<InclineAction>;
 
-  explicit Connection(InclineClient& owner) : owner_(owner) {
+  Connection(InclineClient& owner, std::string action) : owner_(owner), action_(std::move(action)) {
     node_.setCallbackQueue(&queue_);
-    client_ = std::make_unique<Client>(node_, names::kInclineGcode, false);
+    client_ = std::make_unique<Client>(node_, action_, false);
   }
 
   void run(const InclineRequest& request) {
@@ -99,8 +98,8 @@ class InclineClient::Connection {
     if (is_connected) last_connected_ = Clock::now();
     if (waiting_ && is_connected) return send();
     if (waiting_ && Clock::now() - since_ > kServerPatience)
-      return fail(
-          "no node offers the action incline_gcode; start one: roslaunch lamina gcode_incliner.launch");
+      return fail("no node offers the action " + action_ +
+                  "; start one: roslaunch lamina gcode_incliner.launch");
     if (is_sent_ && Clock::now() - last_connected_ > kGonePatience)
       return fail("the node that was inclining is gone; the output is whole or was not written");
     if (is_cancelling_ && Clock::now() - since_ > kCancelPatience)
@@ -133,6 +132,7 @@ class InclineClient::Connection {
   }
 
   InclineClient& owner_;
+  std::string action_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   std::unique_ptr<Client> client_;
@@ -143,7 +143,8 @@ class InclineClient::Connection {
   Clock::time_point last_connected_;
 };
 
-InclineClient::InclineClient() : connection_(std::make_unique<Connection>(*this)) {}
+InclineClient::InclineClient(const std::string& action)
+    : connection_(std::make_unique<Connection>(*this, action)) {}
 InclineClient::~InclineClient() = default;
 void InclineClient::run(const InclineRequest& request) { connection_->run(request); }
 void InclineClient::cancel() { connection_->cancel(); }

@@ -18,12 +18,13 @@ struct InclineOutcome {
   std::string output;   ///< the file that was written; empty unless it was
 };
 
-/// Client of the action `incline_gcode` that never waits: `poll` does what there is to do and returns at
+/// Client of an action lamina/Incline that never waits: `poll` does what there is to do and returns at
 /// once, and calls the functions below. All calls come from one thread, that of the panel's window. ROS must
 /// have been started.
 class InclineClient {
  public:
-  InclineClient();
+  /// @param action  name of it
+  explicit InclineClient(const std::string& action);
   ~InclineClient();
 
   std::function<void(const std::string& stage, double fraction)> onProgress;

@@ -14,6 +14,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
+#include "names.hpp"
 #include "panel_content.hpp"
 
 namespace lamina {
@@ -33,7 +34,8 @@ void lookAt(rviz::ViewManager& views, const Box3& box) {
 
 }  // namespace
 
-InclinePanel::InclinePanel(QWidget* parent) : rviz::Panel(parent), content_(new PanelContent(this)) {
+InclinePanel::InclinePanel(QWidget* parent)
+    : rviz::Panel(parent), content_(new PanelContent(this, names::kInclineGcode)) {
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(content_);
   scroll->setWidgetResizable(true);

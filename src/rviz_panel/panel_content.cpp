@@ -22,10 +22,11 @@ constexpr int kSlideMs = 40;
 
 }  // namespace
 
-PanelContent::PanelContent(QWidget* parent)
+PanelContent::PanelContent(QWidget* parent, const std::string& action)
     : QWidget(parent),
       form_(new FormWidget(this)),
       strip_(new RunStrip(this)),
+      client_(action),
       view_(names::kBedFrame),
       source_reader_(names::kBedFrame),
       inclined_reader_(names::kBedFrame) {

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <string>
 
 #include "background_reader.hpp"
 #include "incline_client.hpp"
@@ -22,7 +23,8 @@ class RunStrip;
 /// All of the panel, in any window: the form, the run, and the parts it shows. ROS must have been started.
 class PanelContent : public QWidget {
  public:
-  explicit PanelContent(QWidget* parent);
+  /// @param action  of the node that inclines
+  PanelContent(QWidget* parent, const std::string& action);
   ~PanelContent() override;
 
   InclineForm form() const;
