@@ -47,6 +47,7 @@ int runCommandLine(int argc, char** argv) {
   addPreview(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);
+  addTurn(app, chosen);
   addVoids(app, chosen);
   try {
     app.parse(argc, argv);

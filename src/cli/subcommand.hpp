@@ -49,6 +49,7 @@ void addPart(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
+void addTurn(CLI::App& app, Chosen& chosen);
 void addVoids(CLI::App& app, Chosen& chosen);
 
 }  // namespace lamina::cli

@@ -309,6 +309,21 @@ class CommandLine(unittest.TestCase):
             self.assert_fails_with(code, "incline", *arguments)
             self.assertEqual(sorted(os.listdir(self.folder.name)), names, arguments)
 
+    def test_a_mesh_is_turned_and_put_on_the_bed(self):
+        for part in ("box", self.make_part("box")):
+            done = run("turn", part, "--angle-deg", "-45", "-o", self.path("turned.stl"), "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            size = json.loads(done.stdout)["size_mm"]  # a cube of 20 mm on an edge
+            for side, expected in zip(size, (20.0, 20.0 * 2 ** 0.5, 20.0 * 2 ** 0.5)):
+                self.assertAlmostEqual(side, expected, 4)
+            told = json.loads(run("info", self.path("turned.stl"), "--json").stdout)
+            self.assertAlmostEqual(told["volume_mm3"], 8000.0, 1)
+        mesh = self.path("box.stl")
+        before = content(mesh)
+        self.assert_fails_with("InvalidInput", "turn", mesh, "-o", mesh)
+        self.assert_fails_with("InvalidConfig", "turn", mesh, "--axis", "w", "-o", self.path("w.stl"))
+        self.assertEqual(content(mesh), before)
+
     def test_a_part_is_written_as_stl_only(self):
         self.assert_fails_with("InvalidConfig", "part", "box", "-o", self.path("box.obj"))
         self.assertEqual(os.listdir(self.folder.name), [])
