@@ -25,8 +25,7 @@ void incline(Server& server, const InclineGoalConstPtr& goal) {
   feedback.stage = "write";
   for (int tick = 0; ros::ok(); ++tick) {
     if (goal->program == "die.gcode" && tick == 5) std::_Exit(0);
-    if (goal->program == "deaf.gcode" && tick > 400) break;
-    if (goal->program != "deaf.gcode" && server.isPreemptRequested()) break;
+    if (server.isPreemptRequested()) break;
     feedback.fraction = 0.25F;
     server.publishFeedback(feedback);
     ros::Duration(kTick).sleep();
