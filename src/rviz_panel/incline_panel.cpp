@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kDistance = 1.6;  // of the camera, in diagonals of what is shown
+constexpr double kDistance = 1.3;  // of the camera, in diagonals of what is shown
 
 /// Leads the camera to a box [mm] from where it looks now, if it is one that orbits.
 void lookAt(rviz::ViewManager& views, const Box3& box) {

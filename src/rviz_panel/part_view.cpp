@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kGap = 0.4;  // between the parts, of the wider one
+constexpr double kGap = 0.25;  // between the parts, of the wider one
 
 }  // namespace
 
