@@ -66,7 +66,7 @@ void AngleDial::turnTo(const QPointF& place) {
   const QPointF hand = centre() - place;
   if (hand.isNull()) return;
   setAngle(std::clamp(std::round(std::atan2(hand.y(), hand.x()) / kDegree), 0.0, kGreatest));
-  if (onTurned) onTurned(angle_deg_);
+  if (turned) turned(angle_deg_);
 }
 
 void AngleDial::mousePressEvent(QMouseEvent* event) { turnTo(event->localPos()); }

@@ -16,7 +16,7 @@ class AngleDial : public QWidget {
   double angle() const { return angle_deg_; }
   void setAngle(double angle_deg);
 
-  std::function<void(double angle_deg)> onTurned;  ///< by the mouse
+  std::function<void(double angle_deg)> turned;  ///< by the mouse
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

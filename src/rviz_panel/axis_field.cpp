@@ -33,14 +33,14 @@ AxisField::AxisField(QWidget* parent) : QWidget(parent), choice_(new QComboBox(t
     vector_[i]->hide();
     row->addWidget(vector_[i], 1);
     connect(vector_[i], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
-      if (onChanged) onChanged();
+      if (changed) changed();
     });
   }
   vector_[0]->setValue(1.0);
   row->addStretch();
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
     for (QDoubleSpinBox* number : vector_) number->setVisible(index == kVector);
-    if (onChanged) onChanged();
+    if (changed) changed();
   });
 }
 

@@ -22,7 +22,7 @@ class AxisField : public QWidget {
   /// @param axis  as above
   void setAxis(const std::string& axis);
 
-  std::function<void()> onChanged;
+  std::function<void()> changed;
 
  private:
   QComboBox* choice_;

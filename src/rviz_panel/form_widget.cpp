@@ -48,9 +48,9 @@ FormWidget::FormWidget(QWidget* parent)
   tabs->addTab(makeCode("end_code", "G-code after all else", end_code_), "End code");
   column->addWidget(tabs);
   joinDialAndNumber();
-  source_->onChosen = [this] { chooseSource(); };
+  source_->chosen = [this] { chooseSource(); };
   const auto tell = [this] { tellChange(); };
-  source_->onEdited = output_->onEdited = axis_->onChanged = table_->onChanged = final_->onChanged = tell;
+  source_->edited = output_->edited = axis_->changed = table_->changed = final_->changed = tell;
   connect(drops_aids_, &QCheckBox::toggled, this, tell);
   connect(machine_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, tell);
   setForm({});
@@ -114,7 +114,7 @@ QWidget* FormWidget::makeCode(const QString& name, const QString& hint, QPlainTe
 }
 
 void FormWidget::joinDialAndNumber() {
-  dial_->onTurned = [this](double angle_deg) { angle_->setValue(angle_deg); };
+  dial_->turned = [this](double angle_deg) { angle_->setValue(angle_deg); };
   connect(angle_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double angle_deg) {
     dial_->setAngle(angle_deg);
     tellChange();
@@ -128,11 +128,11 @@ void FormWidget::chooseSource() {
   if (output.empty() || output == outputFor(shown_source_))
     output_->setPath(QString::fromStdString(outputFor(source)));
   shown_source_ = source;
-  if (onSourceChosen) onSourceChosen(source);
+  if (source_chosen) source_chosen(source);
 }
 
 void FormWidget::tellChange() {
-  if (onChanged) onChanged();
+  if (changed) changed();
 }
 
 InclineForm FormWidget::form() const {

@@ -28,8 +28,8 @@ class FormWidget : public QWidget {
   InclineForm form() const;
   void setForm(const InclineForm& form);
 
-  std::function<void(const std::string& path)> onSourceChosen;
-  std::function<void()> onChanged;
+  std::function<void(const std::string& path)> source_chosen;
+  std::function<void()> changed;
 
  private:
   QWidget* makeFiles();

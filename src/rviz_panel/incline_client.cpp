@@ -115,7 +115,7 @@ class InclineClient::Connection {
       finish(outcomeOf(state, result));
     };
     const auto feedback = [this](const InclineFeedbackConstPtr& message) {
-      if (owner_.onProgress) owner_.onProgress(message->stage, static_cast<double>(message->fraction));
+      if (owner_.progressed) owner_.progressed(message->stage, static_cast<double>(message->fraction));
     };
     client_->sendGoal(goal, done, Client::SimpleActiveCallback(), feedback);
   }
@@ -128,7 +128,7 @@ class InclineClient::Connection {
   void finish(const InclineOutcome& outcome) {
     waiting_.reset();
     is_sent_ = is_cancelling_ = false;
-    if (owner_.onEnd) owner_.onEnd(outcome);
+    if (owner_.ended) owner_.ended(outcome);
   }
 
   InclineClient& owner_;

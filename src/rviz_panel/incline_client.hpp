@@ -27,9 +27,9 @@ class InclineClient {
   explicit InclineClient(const std::string& action);
   ~InclineClient();
 
-  std::function<void(const std::string& stage, double fraction)> onProgress;
+  std::function<void(const std::string& stage, double fraction)> progressed;
   /// Once for each run; also if there is no node, if it does not answer a cancel, or if it dies meanwhile.
-  std::function<void(const InclineOutcome& outcome)> onEnd;
+  std::function<void(const InclineOutcome& outcome)> ended;
 
   /// Does nothing while a run is under way.
   void run(const InclineRequest& request);

@@ -43,8 +43,8 @@ InclinePanel::InclinePanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(scroll);
-  content_->onChanged = [this] { Q_EMIT configChanged(); };
-  content_->onShown = [this](const Box3& box) {
+  content_->changed = [this] { Q_EMIT configChanged(); };
+  content_->shown = [this](const Box3& box) {
     if (vis_manager_ != nullptr) lookAt(*vis_manager_->getViewManager(), box);
   };
 }

@@ -35,16 +35,16 @@ PanelContent::PanelContent(QWidget* parent, const std::string& action)
   column->addWidget(strip_);
   column->addWidget(makeSlider());
   column->addStretch();
-  form_->onChanged = [this] {
-    if (onChanged) onChanged();
+  form_->changed = [this] {
+    if (changed) changed();
   };
-  form_->onSourceChosen = [this](const std::string& path) { drawSource(path); };
-  strip_->onRun = [this] { run(); };
-  strip_->onCancel = [this] { client_.cancel(); };
-  client_.onProgress = [this](const std::string& stage, double fraction) {
+  form_->source_chosen = [this](const std::string& path) { drawSource(path); };
+  strip_->run_pressed = [this] { run(); };
+  strip_->cancel_pressed = [this] { client_.cancel(); };
+  client_.progressed = [this](const std::string& stage, double fraction) {
     strip_->progress(stage, fraction);
   };
-  client_.onEnd = [this](const InclineOutcome& outcome) { end(outcome); };
+  client_.ended = [this](const InclineOutcome& outcome) { end(outcome); };
   connect(&poll_, &QTimer::timeout, this, [this] {
     client_.poll();
     view_.poll();
@@ -134,7 +134,7 @@ void PanelContent::tellShown() {
   shown_layers_->setText(layers > 0 ? QString("%1 of %1").arg(layers) : QString("–"));
   showLayers();
   const std::optional<Box3> box = view_.box();
-  if (box && onShown) onShown(*box);
+  if (box && shown) shown(*box);
 }
 
 void PanelContent::showLayers() { view_.showLayers(static_cast<std::size_t>(slider_->value())); }

@@ -30,8 +30,8 @@ class PanelContent : public QWidget {
   InclineForm form() const;
   void setForm(const InclineForm& form);
 
-  std::function<void()> onChanged;               ///< the form
-  std::function<void(const Box3& box)> onShown;  ///< parts that stand elsewhere than before [mm, bed frame]
+  std::function<void()> changed;               ///< the form
+  std::function<void(const Box3& box)> shown;  ///< parts that stand elsewhere than before [mm, bed frame]
 
  private:
   QWidget* makeSlider();

@@ -25,10 +25,10 @@ PathField::PathField(const QString& name, Mode mode, QWidget* parent)
   row->addWidget(button);
   connect(button, &QPushButton::clicked, this, [this, mode] { browse(mode); });
   connect(edit_, &QLineEdit::editingFinished, this, [this] {
-    if (onChosen) onChosen();
+    if (chosen) chosen();
   });
   connect(edit_, &QLineEdit::textChanged, this, [this] {
-    if (onEdited) onEdited();
+    if (edited) edited();
   });
 }
 
@@ -45,7 +45,7 @@ void PathField::browse(Mode mode) {
                              : QFileDialog::getSaveFileName(this, "Write to", path(), kFilter);
   if (chosen.isEmpty()) return;
   setPath(chosen);
-  if (onChosen) onChosen();
+  if (chosen) chosen();
 }
 
 }  // namespace lamina

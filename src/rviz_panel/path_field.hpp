@@ -20,8 +20,8 @@ class PathField : public QWidget {
   void setPath(const QString& path);
   void setHint(const QString& text);
 
-  std::function<void()> onChosen;  ///< a path was entered, or chosen in the dialog
-  std::function<void()> onEdited;  ///< the text changes
+  std::function<void()> chosen;  ///< a path was entered, or chosen in the dialog
+  std::function<void()> edited;  ///< the text changes
 
  private:
   void browse(Mode mode);

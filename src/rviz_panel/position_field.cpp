@@ -35,12 +35,12 @@ PositionField::PositionField(const QString& name, const QString& label, std::siz
     row->addWidget(number);
     coordinates_.push_back(number);
     connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
-      if (onChanged) onChanged();
+      if (changed) changed();
     });
   }
   connect(is_given_, &QCheckBox::toggled, this, [this](bool is_given) {
     for (QDoubleSpinBox* number : coordinates_) number->setEnabled(is_given);
-    if (onChanged) onChanged();
+    if (changed) changed();
   });
 }
 

@@ -23,7 +23,7 @@ class PositionField : public QWidget {
   /// @param position  as many as the field has, or none
   void setPosition(const std::vector<double>& position);
 
-  std::function<void()> onChanged;
+  std::function<void()> changed;
 
  private:
   QCheckBox* is_given_;

@@ -59,8 +59,8 @@ RunStrip::RunStrip(QWidget* parent)
   grid->addWidget(message_, 2, 1, 1, 3);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(2, 1);
-  connect(run_, &QPushButton::clicked, this, [this] { onRun(); });
-  connect(cancel_, &QPushButton::clicked, this, [this] { onCancel(); });
+  connect(run_, &QPushButton::clicked, this, [this] { run_pressed(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { cancel_pressed(); });
   connect(&tick_, &QTimer::timeout, this, [this] { showTime(); });
   showState(RunState::Idle, "choose a program and press Run");
 }

@@ -27,8 +27,8 @@ class RunStrip : public QWidget {
  public:
   explicit RunStrip(QWidget* parent);
 
-  std::function<void()> onRun;
-  std::function<void()> onCancel;
+  std::function<void()> run_pressed;
+  std::function<void()> cancel_pressed;
 
   /// Amber; the time begins to count.
   void begin(const std::string& message);

@@ -32,7 +32,7 @@ void type(QWidget& field, const QString& text) {
 class FormWindow : public testing::Test {
  protected:
   void SetUp() override {
-    form_.onSourceChosen = [this](const std::string& path) { chosen_.push_back(path); };
+    form_.source_chosen = [this](const std::string& path) { chosen_.push_back(path); };
     form_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&form_));
   }
@@ -132,7 +132,7 @@ TEST_F(FormWindow, ShowsTheFormItIsGiven) {
   given.final_position_mm = {3.0, 4.0, 5.0};
   given.drops_build_aids = true;
   int changes = 0;
-  form_.onChanged = [&changes] { ++changes; };
+  form_.changed = [&changes] { ++changes; };
   form_.setForm(given);
   EXPECT_GT(changes, 0);
   const auto texts = lamina::textsOf(given);
