@@ -82,7 +82,10 @@ void PanelContent::setForm(const InclineForm& form) { form_->setForm(form); }
 
 void PanelContent::run() {
   try {
-    client_.run(requestOf(form_->form()));
+    const InclineRequest request = requestOf(form_->form());
+    if (QFileInfo(QString::fromStdString(request.program)).lastModified() != drawn_source_time_)
+      drawSource(request.program);  // it was written anew
+    client_.run(request);
     strip_->begin("running");
   } catch (const Error& error) {
     strip_->end(RunState::Failed, error.what());
@@ -106,7 +109,9 @@ void PanelContent::drawSource(const std::string& path) {
   view_.removeInclined();
   view_.showSource({});
   tellShown();
-  if (!QFileInfo(QString::fromStdString(path)).isFile()) return source_reader_.stop();
+  const QFileInfo file(QString::fromStdString(path));
+  drawn_source_time_ = file.lastModified();
+  if (!file.isFile()) return source_reader_.stop();
   source_reader_.read(path, [this](DrawnPart part) {
     if (!part.failure.empty() && !client_.isRunning())
       strip_->end(RunState::Idle, "not drawn: " + part.failure);

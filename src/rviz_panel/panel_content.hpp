@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QDateTime>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -46,6 +47,7 @@ class PanelContent : public QWidget {
   RunStrip* strip_;
   QSlider* slider_ = nullptr;
   QLabel* shown_layers_ = nullptr;
+  QDateTime drawn_source_time_;  ///< when the source that is drawn was written
   InclineClient client_;
   PartView view_;
   BackgroundReader source_reader_;

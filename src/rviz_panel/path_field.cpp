@@ -40,11 +40,11 @@ void PathField::setPath(const QString& path) {
 void PathField::setHint(const QString& text) { edit_->setPlaceholderText(text); }
 
 void PathField::browse(Mode mode) {
-  const QString chosen = mode == Mode::Open
+  const QString picked = mode == Mode::Open
                              ? QFileDialog::getOpenFileName(this, "Choose a program", path(), kFilter)
                              : QFileDialog::getSaveFileName(this, "Write to", path(), kFilter);
-  if (chosen.isEmpty()) return;
-  setPath(chosen);
+  if (picked.isEmpty()) return;
+  setPath(picked);
   if (chosen) chosen();
 }
 

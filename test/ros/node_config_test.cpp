@@ -101,4 +101,10 @@ TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {
   expectDefaults("layer_height_monitor", schema);
 }
 
+TEST(NodeConfig, OfTheDemosHoldsSettingsThereAre) {
+  const std::string folder = std::string(LAMINA_SOURCE_DIR) + "/config/";
+  EXPECT_EQ(lamina::loadJobSettings(folder + "demo.yaml", {}).scan.every_layers, 1);
+  EXPECT_EQ(lamina::loadJobSettings(folder + "demo_inclined.yaml", {}).skirt.count, 0);
+}
+
 }  // namespace

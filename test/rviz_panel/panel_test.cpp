@@ -36,9 +36,9 @@ const char* const kGreen = "#2e9e3f";
 const char* const kRed = "#cc2222";
 
 /// A wall 10 mm long of layers 0.5 mm high, tilted by -45 deg about x: upright once it is inclined.
-std::string tiltedWall() {
+std::string tiltedWall(int layers) {
   std::string text = "M83\n;Layer height: 0.5\n";
-  for (int layer = 0; layer < kLayers; ++layer)
+  for (int layer = 0; layer < layers; ++layer)
     text += ";LAYER:" + std::to_string(layer) + "\nG0 X5 Y" + std::to_string(100.0 + 0.5 * layer) + " Z" +
             std::to_string(0.5 * layer + 0.5) + " F3000\nG1 X15 E1 F900\n";
   return text + "; end of the part\n";
@@ -102,7 +102,7 @@ class Panel : public testing::Test {
 TEST_F(Panel, InclinesTheProgramThatIsChosenAndShowsBothParts) {
   Display original("source_layers");
   auto inclined = std::make_unique<Display>("inclined_layers");
-  std::ofstream(folder_.file("wall.gcode")) << tiltedWall();
+  std::ofstream(folder_.file("wall.gcode")) << tiltedWall(kLayers);
   EXPECT_TRUE(shines(kGrey));
   typeSource(folder_.file("wall.gcode"));
   ASSERT_TRUE(waitFor([&] { return original.segments() == kLayers; })) << original.segments();
@@ -128,6 +128,18 @@ TEST_F(Panel, InclinesTheProgramThatIsChosenAndShowsBothParts) {
   inclined.reset();
   inclined = std::make_unique<Display>("inclined_layers");
   EXPECT_TRUE(waitFor([&] { return inclined->segments() == 2; })) << "a newcomer sees what the others see";
+}
+
+TEST_F(Panel, DrawsTheSourceAnewIfItWasWrittenAnewBeforeTheRun) {
+  Display original("source_layers");
+  std::ofstream(folder_.file("wall.gcode")) << tiltedWall(8);
+  typeSource(folder_.file("wall.gcode"));
+  ASSERT_TRUE(waitFor([&] { return original.segments() == 8; }));
+  QTest::qWait(20);
+  std::ofstream(folder_.file("wall.gcode")) << tiltedWall(5);
+  press("run");
+  EXPECT_TRUE(waitFor([&] { return original.segments() == 5; })) << original.segments();
+  EXPECT_TRUE(waitFor([&] { return shines(kGreen); }));
 }
 
 TEST_F(Panel, TellsInRedWhatTheNodeRefuses) {
