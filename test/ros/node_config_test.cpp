@@ -104,7 +104,7 @@ TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {
 TEST(NodeConfig, OfTheDemosHoldsSettingsThereAre) {
   const std::string folder = std::string(LAMINA_SOURCE_DIR) + "/config/";
   EXPECT_EQ(lamina::loadJobSettings(folder + "demo.yaml", {}).scan.every_layers, 1);
-  EXPECT_EQ(lamina::loadJobSettings(folder + "demo_inclined.yaml", {}).skirt.count, 0);
+  EXPECT_EQ(lamina::loadJobSettings(folder + "demo_inclined.yaml", {}).planning.skirt.count, 0);
 }
 
 }  // namespace
