@@ -113,6 +113,7 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   if (isJetOffNormal(report))
     answer.status.message = "the machine holds its nozzle at " + std::to_string(report.jet_off_normal_deg) +
                             " deg from the normal of the layers; expected 0";
+  progress.report("view", 0.0);
   view(request.program, settings, answer);
   return answer;
 }
