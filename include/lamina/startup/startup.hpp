@@ -48,7 +48,8 @@ class Startup {
 
   /// Begins a step that the machine does.
   /// @throws InvalidInput if the step is not in the sequence
-  /// @throws Rejected if it is done by the operator, is running or done, or something must come before it
+  /// @throws Rejected if it is done by the operator, is running, something must come before it, or it is done
+  /// and something that rests on it too
   void begin(StartupStep step, double now_s);
   /// The operator has done a step, or has begun one that takes time (the dryer, the bed).
   /// @throws InvalidInput, Rejected as `begin`; Rejected if the machine does the step
