@@ -32,6 +32,26 @@ void lookAt(rviz::ViewManager& views, const Box3& box) {
   view->subProp("Distance")->setValue(toMetres(kDistance * (box.high - box.low).norm()));
 }
 
+/// What RViz's configuration holds of the form.
+std::vector<SettingText> savedIn(const rviz::Config& config) {
+  std::vector<SettingText> texts;
+  for (const auto& [key, text] : textsOf({})) {
+    QString saved;
+    if (config.mapGetString(QString::fromStdString(key), &saved)) texts.push_back({key, saved.toStdString()});
+  }
+  return texts;
+}
+
+/// The form that was saved, or an untouched one if it is none.
+InclineForm formOrDefault(const std::vector<SettingText>& texts) {
+  try {
+    return formFrom(texts);
+  } catch (const Error& error) {
+    ROS_ERROR("the saved form of the panel is not taken: %s", error.what());
+    return {};
+  }
+}
+
 }  // namespace
 
 InclinePanel::InclinePanel(QWidget* parent)
@@ -51,16 +71,7 @@ InclinePanel::InclinePanel(QWidget* parent)
 
 void InclinePanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  std::vector<SettingText> texts;
-  for (const auto& [key, text] : textsOf({})) {
-    QString saved;
-    if (config.mapGetString(QString::fromStdString(key), &saved)) texts.push_back({key, saved.toStdString()});
-  }
-  try {
-    content_->setForm(formFrom(texts));
-  } catch (const Error& error) {
-    ROS_ERROR_STREAM("the saved form is not taken: " << error.what());
-  }
+  content_->setForm(formOrDefault(savedIn(config)));
 }
 
 void InclinePanel::save(rviz::Config config) const {
