@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "incline_panel.hpp"
 
-#include <ros/console.h>
 #include <rviz/properties/property.h>
 #include <rviz/view_controller.h>
 #include <rviz/view_manager.h>
@@ -13,7 +12,6 @@
 #include <QVBoxLayout>
 
 #include "conversions.hpp"
-#include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "panel_content.hpp"
 
@@ -42,16 +40,6 @@ std::vector<SettingText> savedIn(const rviz::Config& config) {
   return texts;
 }
 
-/// The form that was saved, or an untouched one if it is none.
-InclineForm formOrDefault(const std::vector<SettingText>& texts) {
-  try {
-    return formFrom(texts);
-  } catch (const Error& error) {
-    ROS_ERROR("the saved form of the panel is not taken: %s", error.what());
-    return {};
-  }
-}
-
 }  // namespace
 
 InclinePanel::InclinePanel(QWidget* parent)
@@ -71,7 +59,7 @@ InclinePanel::InclinePanel(QWidget* parent)
 
 void InclinePanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  content_->setForm(formOrDefault(savedIn(config)));
+  content_->load(savedIn(config));
 }
 
 void InclinePanel::save(rviz::Config config) const {

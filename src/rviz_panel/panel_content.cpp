@@ -78,7 +78,14 @@ QWidget* PanelContent::makeSlider() {
 }
 
 InclineForm PanelContent::form() const { return form_->form(); }
-void PanelContent::setForm(const InclineForm& form) { form_->setForm(form); }
+
+void PanelContent::load(const std::vector<SettingText>& texts) {
+  try {
+    form_->setForm(formFrom(texts));
+  } catch (const Error& error) {
+    strip_->end(RunState::Failed, std::string("the saved form is not taken: ") + error.what());
+  }
+}
 
 void PanelContent::run() {
   try {

@@ -7,6 +7,7 @@
 #include <QWidget>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "background_reader.hpp"
 #include "incline_client.hpp"
@@ -29,7 +30,8 @@ class PanelContent : public QWidget {
   ~PanelContent() override;
 
   InclineForm form() const;
-  void setForm(const InclineForm& form);
+  /// Shows a form that was saved (`textsOf`), or tells why it cannot.
+  void load(const std::vector<SettingText>& texts);
 
   std::function<void()> changed;               ///< the form
   std::function<void(const Box3& box)> shown;  ///< parts that stand elsewhere than before [mm, bed frame]

@@ -220,6 +220,13 @@ TEST(RvizPanel, IsFoundByRvizAndKeepsItsFormInRvizsConfiguration) {
   EXPECT_EQ(part<QPlainTextEdit>(*panel, "end_code").toPlainText().toStdString(), "M104 S0\nM84");
 }
 
+TEST_F(Panel, TellsWhatIsWrongWithASavedForm) {
+  content_->load({{"source", "part.gcode"}, {"angle_deg", "steep"}});
+  EXPECT_TRUE(shines(kRed));
+  EXPECT_NE(message().find("steep"), std::string::npos) << message();
+  EXPECT_EQ(part<QLineEdit>(*content_, "source").text().toStdString(), "");
+}
+
 /// Last, for the node is gone afterwards.
 TEST_F(Panel, TellsThatTheNodeDiedAmidTheRun) {
   open("slow_incline");
