@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kVector = 3;  // index of that choice, after x, y and z
 constexpr int kDecimals = 4;
+constexpr int kNarrow = 48;  // pixels
 constexpr double kGreatest = 1000.0;
 
 }  // namespace
@@ -19,10 +20,11 @@ constexpr double kGreatest = 1000.0;
 AxisField::AxisField(QWidget* parent) : QWidget(parent), choice_(new QComboBox(this)) {
   choice_->setObjectName("axis");
   choice_->addItems({"x", "y", "z", "vector"});
+  choice_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   choice_->setToolTip("Axis of the turn, right-handed; for the other sense give the opposite vector");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(choice_);
+  row->addWidget(choice_, 0, Qt::AlignLeft);
   for (std::size_t i = 0; i < 3; ++i) {
     vector_[i] = new QDoubleSpinBox(this);
     vector_[i]->setObjectName(QString("axis_%1").arg("xyz"[i]));
@@ -30,6 +32,8 @@ AxisField::AxisField(QWidget* parent) : QWidget(parent), choice_(new QComboBox(t
     vector_[i]->setDecimals(kDecimals);
     vector_[i]->setSingleStep(0.1);
     vector_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    vector_[i]->setMinimumWidth(kNarrow);  // the vector must not widen the panel
+    vector_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     vector_[i]->hide();
     row->addWidget(vector_[i], 1);
     connect(vector_[i], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
@@ -37,7 +41,6 @@ AxisField::AxisField(QWidget* parent) : QWidget(parent), choice_(new QComboBox(t
     });
   }
   vector_[0]->setValue(1.0);
-  row->addStretch();
   connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
     for (QDoubleSpinBox* number : vector_) number->setVisible(index == kVector);
     if (changed) changed();
