@@ -110,7 +110,9 @@ TEST_F(GcodeIncliner, TellsTheMachineAndWhereItsHeadIsAnother) {
   const auto made = call(program(tiltedWall(2)), {setting("machine.name", "large_gantry_45")});
   EXPECT_EQ(made.status.message, "");
   EXPECT_EQ(latched<lamina_msgs::Toolpath>(lamina::names::kToolpath)->machine, "large_gantry_45");
-  const auto other = call(program(tiltedWall(2)), {setting("machine.name", "large_gantry_45_reverse")});
+  const auto reverse = setting("machine.name", "large_gantry_45_reverse");
+  EXPECT_EQ(call(program(tiltedWall(2)), {reverse}).status.code, Status::UNREACHABLE + 0);
+  const auto other = call(program(tiltedWall(2)), {reverse, setting("incline.jet", "machine")});
   EXPECT_EQ(other.status.code, Status::OK + 0);
   EXPECT_NE(other.status.message.find("90.0"), std::string::npos) << other.status.message;
 }
@@ -156,23 +158,19 @@ TEST_F(GcodeIncliner, PublishesNothingWhereTheProgramIsTooLargeToBeSeen) {
   EXPECT_EQ(latched<lamina_msgs::Toolpath>(lamina::names::kToolpath)->id, before.toolpath_id);
 }
 
-TEST_F(GcodeIncliner, ReportsProgressAndServesOneProgramAtATime) {
+TEST_F(GcodeIncliner, ServesAGoalAsItServesARequest) {
   Client client(lamina::names::kInclineGcode, true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   lamina_msgs::InclineGoal goal;
   goal.program = program(tiltedWall(100));
-  std::vector<std::string> stages;
-  client.sendGoal(goal, {}, {}, [&](const lamina_msgs::InclineFeedbackConstPtr& feedback) {
-    stages.push_back(feedback->stage);
-  });
+  client.sendGoal(goal);
   ASSERT_TRUE(client.waitForResult(ros::Duration(kPatience)));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::SUCCEEDED);
   EXPECT_EQ(client.getResult()->output, file("wall_rotate.gcode"));
   EXPECT_EQ(client.getResult()->summary.layers, 100U);
-  EXPECT_FALSE(stages.empty());
 }
 
-TEST_F(GcodeIncliner, LeavesNoOutputWhenTheGoalIsCancelled) {
+TEST_F(GcodeIncliner, ReportsProgressServesOneAtATimeAndLeavesNoOutputWhenCancelled) {
   Client client(lamina::names::kInclineGcode, true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   // Large enough to be still under way when it is cancelled.
@@ -189,13 +187,18 @@ TEST_F(GcodeIncliner, LeavesNoOutputWhenTheGoalIsCancelled) {
   lamina_msgs::InclineGoal goal;
   goal.program = large;
   goal.output = file("never.gcode");
-  client.sendGoal(goal);
+  std::vector<std::string> stages;
+  client.sendGoal(goal, {}, {}, [&](const lamina_msgs::InclineFeedbackConstPtr& feedback) {
+    stages.push_back(feedback->stage);
+  });
   ros::Duration(0.2).sleep();
   EXPECT_EQ(call(large).status.code, Status::REJECTED + 0) << "one program at a time";
   client.cancelGoal();
   ASSERT_TRUE(client.waitForResult(ros::Duration(kPatience)));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED + 0);
+  ASSERT_FALSE(stages.empty());
+  EXPECT_EQ(stages.front(), "measure");
   EXPECT_EQ(files(), 1U);
 }
 

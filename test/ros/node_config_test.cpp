@@ -69,7 +69,7 @@ TEST(NodeConfig, OfTheLargeGantryLoadsAndHasAStartupSequence) {
   lamina::SettingsSchema machine_schema;
   describe(machine_schema, machine);
   load("large_gantry_45_emulator.yaml", machine_schema);
-  EXPECT_EQ(machine.machine_name, streamer.machine_name);
+  EXPECT_EQ(machine.machine.name, streamer.machine.name);
   EXPECT_EQ(machine.emulator.vacuum_zones, static_cast<int>(lamina::vacuumZones(streamer.startup).size()));
 }
 
