@@ -110,8 +110,8 @@ class Table {
   template <class Cell>
   void row(const char* name, const Cell& cell) const {
     std::printf("%-16s", name);
-    if (before_) std::printf("%18s", cell(*before_).c_str());
-    std::printf("%18s\n", cell(account_).c_str());
+    if (before_) std::printf("%24s", cell(*before_).c_str());
+    std::printf("%24s\n", cell(account_).c_str());
   }
 
  private:
@@ -135,7 +135,7 @@ void printStretch(const UnsupportedStretch& stretch) {
 
 void printText(const Account& account, const std::optional<Account>& before, std::size_t worst) {
   const Table table(account, before);
-  if (before) std::printf("%-16s%18s%18s\n", "", "before", "after");
+  if (before) std::printf("%-16s%24s%24s\n", "", "before", "after");
   table.row("layers inclined", [](const Account& a) { return figure("%.4g deg", a.inclination_deg); });
   table.row("deposition", [](const Account& a) { return figure("%.2f m", a.sums.all.deposited_mm / 1e3); });
   table.row("unsupported", [](const Account& a) {

@@ -50,6 +50,11 @@ double filledArea(const FillPath& run) {
 }
 
 // T5 of the curved paths.
+Polygon scaledAboutOrigin(Polygon polygon, double factor) {
+  for (Point2& point : polygon) point *= factor;
+  return polygon;
+}
+
 TEST(Contour, JoinsEachRegionIntoOneClosedCycle) {
   for (const Region& region : outlinesWithIslands())
     for (const ContourLink link : {ContourLink::Average, ContourLink::Tangential})
@@ -66,6 +71,22 @@ TEST(Contour, LaysAsMuchAsTheRegionHolds) {
     double filled = 0.0;
     for (const FillPath& cycle : contour({region}, solid())) filled += filledArea(cycle);
     EXPECT_NEAR(filled / area({region}), 1.0, 0.01);
+  }
+}
+
+TEST(Contour, LinksNothingAcrossAHole) {
+  // The ring between both stars is one or two beads wide: the nearest loops may lie on the hole's other side.
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    const Polygon hole = test::star(random, {0, 0}, 1.0, 3.0, 12);
+    const Regions ring = unite({test::star(random, {0, 0}, 5.0, 12.0, 24), test::reversed(hole)});
+    const Polygon core = scaledAboutOrigin(hole, 0.7);
+    for (const FillPath& path : contour(ring, test::solidRequestOf(2.0, 0.0)))
+      for (std::size_t i = 0; i + (path.is_closed ? 0 : 1) < path.points.size(); ++i) {
+        const Point2& a = path.points[i];
+        const Point2& b = path.points[(i + 1) % path.points.size()];
+        for (double t = 0.0; t <= 1.0; t += 0.05) ASSERT_FALSE(contains({core}, a + t * (b - a))) << seed;
+      }
   }
 }
 

@@ -54,7 +54,10 @@ TEST_P(EveryBead, CrossesItselfNowhere) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions regions = unite({test::star(random, {0, 0}, 5.0, 12.0, 24),
                                    test::reversed(test::star(random, {0, 0}, 1.0, 3.0, 12))});
-    const InfillRequest request = test::requestOf(random.uniform(0.6, 3.0), random.uniform(-7.0, 7.0));
+    const double spacing = random.uniform(0.6, 3.0);
+    const double angle = random.uniform(-7.0, 7.0);
+    const InfillRequest request =
+        random.below(2) == 0 ? test::requestOf(spacing, angle) : test::solidRequestOf(spacing, angle);
     const std::vector<Motion> motions = motionsOf(strategy.fill(regions, request));
     for (std::size_t i = 0; i < motions.size(); ++i)
       for (std::size_t j = i + 1; j < motions.size(); ++j)

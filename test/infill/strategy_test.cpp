@@ -20,9 +20,12 @@ using test::reversed;
 
 /// Centre lines may leave the region by this much: the grid of outlines, and rounding [mm].
 constexpr double kInsideTolerance = 1e-4;
+/// Turns of solid fills cut notches of the border that lie between two lines, in pitches.
+constexpr double kNotch = 0.2;
 
-bool isInside(const std::vector<Polygon>& borders, const Point2& point) {
-  return contains(borders, point) || test::distanceToOutline(borders, point) < kInsideTolerance;
+bool isInside(const std::vector<Polygon>& borders, const Point2& point, const InfillRequest& request) {
+  const double tolerance = isSolid(request) ? kNotch * request.pitch_mm : kInsideTolerance;
+  return contains(borders, point) || test::distanceToOutline(borders, point) < tolerance;
 }
 
 /// Points of a bead no farther apart than `step` [mm], or the drops: between those nothing is laid.
@@ -53,7 +56,8 @@ Regions randomRegions(Random& random) {
 
 InfillRequest randomRequest(Random& random) {
   const double spacing = random.uniform(0.3, 3.0);
-  return requestOf(spacing, random.uniform(-7.0, 7.0));
+  const double angle = random.uniform(-7.0, 7.0);
+  return random.below(2) == 0 ? requestOf(spacing, angle) : test::solidRequestOf(spacing, angle);
 }
 
 /// What every strategy promises.
@@ -70,9 +74,11 @@ TEST_P(EveryStrategy, StaysInsideTheRegion) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions regions = randomRegions(random);
     const std::vector<Polygon> borders = outlines(regions);
-    for (const FillPath& path : fill(regions, randomRequest(random))) {
+    const InfillRequest request = randomRequest(random);
+    for (const FillPath& path : fill(regions, request)) {
       RC_ASSERT(path.points.size() >= (path.deposit == Deposit::Drops ? 1U : 2U));
-      for (const Point2& point : sampled(path, 0.2)) RC_ASSERT(point.allFinite() && isInside(borders, point));
+      for (const Point2& point : sampled(path, 0.2))
+        RC_ASSERT(point.allFinite() && isInside(borders, point, request));
     }
   }));
 }
@@ -80,11 +86,12 @@ TEST_P(EveryStrategy, StaysInsideTheRegion) {
 TEST_P(EveryStrategy, GivesTheSamePathsForTheSameRegion) {
   Random random(7);
   const Regions regions = randomRegions(random);
-  const InfillRequest request = randomRequest(random);
-  const std::vector<FillPath> once = fill(regions, request);
-  const std::vector<FillPath> again = fill(regions, request);
-  ASSERT_EQ(once.size(), again.size());
-  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].points, again[i].points);
+  for (const InfillRequest& request : {requestOf(0.9, 0.4), test::solidRequestOf(0.9, 0.4)}) {
+    const std::vector<FillPath> once = fill(regions, request);
+    const std::vector<FillPath> again = fill(regions, request);
+    ASSERT_EQ(once.size(), again.size());
+    for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].points, again[i].points);
+  }
 }
 
 TEST_P(EveryStrategy, GivesNoPathWithoutARegion) {

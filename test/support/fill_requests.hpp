@@ -17,4 +17,11 @@ inline InfillRequest requestOf(double spacing_mm, double angle_rad) {
   return request;
 }
 
+/// Of beads that lie side by side.
+inline InfillRequest solidRequestOf(double pitch_mm, double angle_rad) {
+  InfillRequest request = requestOf(pitch_mm, angle_rad);
+  request.pitch_mm = pitch_mm;
+  return request;
+}
+
 }  // namespace lamina::test

@@ -55,6 +55,7 @@ class TreeGrower {
   }
 
   OpenContourTree grow(const Region& region) && {
+    tree_.border = outlines({region});
     if (is_solid_)
       take(partByWidth({region}, pitch_), 0);
     else

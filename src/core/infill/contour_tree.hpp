@@ -16,6 +16,7 @@ namespace lamina {
 struct ContourTree {
   std::vector<std::size_t> parents;  ///< of each node; 0 for the root, which is the first
   std::vector<ContourLoop> loops;    ///< from the outside in: those of a node after those of its parent
+  std::vector<Polygon> border;       ///< of the region that the loops fill
 };
 
 /// What contours of a solid fill leave: too narrow for a further one with a bead's room inside.

@@ -18,6 +18,28 @@ namespace {
 constexpr std::array<LinkLimits, 3> kLimits = {LinkLimits{}, LinkLimits{0.85, 1.4, 0.5, 1.7, 0.4},
                                                LinkLimits{0.5, 2.3, 0.2, 3.0, 0.1}};
 
+/// Points that stand nearer together than this are one [mm].
+constexpr double kSamePoint = 1e-6;
+
+Ring ringOf(const ContourLoop& loop) {
+  Polygon points;
+  std::vector<double> width;
+  for (std::size_t i = 0; i < loop.points.size(); ++i) {
+    const Point2& last = points.empty() ? loop.points.back() : points.back();
+    if ((loop.points[i] - last).norm() < kSamePoint) continue;
+    points.push_back(loop.points[i]);
+    width.push_back(loop.width_mm[i]);
+  }
+  return Ring(std::move(points), std::move(width));
+}
+
+std::vector<Ring> bordersOf(const ContourTree& tree) {
+  std::vector<Ring> borders;
+  for (const Polygon& outline : tree.border)
+    borders.push_back(ringOf({outline, std::vector<double>(outline.size(), 0.0), 0}));
+  return borders;
+}
+
 class Joiner {
  public:
   Joiner(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::size_t region)
@@ -39,6 +61,7 @@ class Joiner {
     groups_ = 0;
     for (std::size_t ring = 0; ring < count; ++ring) groups_ += net_.groupOf(ring) == ring ? 1 : 0;
     for (const LinkLimits& limits : kLimits) {
+      if (groups_ > 1 && &limits != &kLimits.front() && borders_.empty()) borders_ = bordersOf(tree_);
       // From the innermost out, each first to its parent.
       for (std::size_t ring = count; ring-- > 0 && groups_ > 1;)
         joinToOthers(ring, outerNeighbours(ring), limits);
@@ -100,8 +123,9 @@ class Joiner {
       if (net_.isLinkCrossedBy(from[side], onto[side])) return true;
       // Short links between rings that are neighbours have no other ring to cross.
       if (&limits == &kLimits.front()) continue;
-      for (const Ring& ring : net_.rings())
-        if (ring.isCrossedBy(from[side], onto[side])) return true;
+      for (const std::vector<Ring>* lines : {&net_.rings(), &borders_})
+        for (const Ring& line : *lines)
+          if (line.isCrossedBy(from[side], onto[side])) return true;
     }
     return false;
   }
@@ -149,25 +173,11 @@ class Joiner {
   const ContourSettings& settings_;
   double scale_;
   Random random_;
+  std::vector<Ring> borders_;                       ///< once links are tried that may reach across a hole
   std::vector<std::vector<std::size_t>> rings_of_;  ///< of each node
   std::vector<std::vector<std::size_t>> children_;  ///< of each node
   std::size_t groups_ = 0;
 };
-
-/// Points that stand nearer together than this are one [mm].
-constexpr double kSamePoint = 1e-6;
-
-Ring ringOf(const ContourLoop& loop) {
-  Polygon points;
-  std::vector<double> width;
-  for (std::size_t i = 0; i < loop.points.size(); ++i) {
-    const Point2& last = points.empty() ? loop.points.back() : points.back();
-    if ((loop.points[i] - last).norm() < kSamePoint) continue;
-    points.push_back(loop.points[i]);
-    width.push_back(loop.width_mm[i]);
-  }
-  return Ring(std::move(points), std::move(width));
-}
 
 }  // namespace
 
