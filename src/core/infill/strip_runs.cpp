@@ -295,9 +295,11 @@ std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& reque
     SectionTour within;
     for (; i < tour.size() && tour[i].section >= begin[region] && tour[i].section < end; ++i)
       within.push_back({tour[i].section - begin[region], tour[i].entry});
-    const BorderConnection connection{narrowestBead(request), 2.0 * request.pitch_mm,
-                                      request.settings.raster.longest_connection_mm,
-                                      request.settings.raster.most_connection * area({links[region]})};
+    // A tour that leaves a region and comes back shares out what may be overfilled there.
+    const double share = static_cast<double>(within.size()) / static_cast<double>(end - begin[region]);
+    const BorderConnection connection{
+        narrowestBead(request), 2.0 * request.pitch_mm, request.settings.raster.longest_connection_mm,
+        share * request.settings.raster.most_connection * area({links[region]})};
     for (FillPath& run : connectAlongBorder(regions[region]->runs(within), {links[region]}, connection))
       runs.push_back(std::move(run));
   }
