@@ -20,25 +20,25 @@ nlohmann::ordered_json toJson(const Box3& box) {
 }
 
 void printJson(const TransformReport& report, const std::string& output, double seconds) {
-  const nlohmann::ordered_json json = {{"slicer", report.slicer},
-                                       {"lines", report.lines},
-                                       {"layers", report.layers},
-                                       {"motions", report.motions},
-                                       {"depositions", report.depositions},
-                                       {"arcs", report.arcs},
-                                       {"deferred", report.deferred},
-                                       {"homings_annulled", report.homings_annulled},
-                                       {"aids_dropped", report.aids_dropped},
-                                       {"shift_mm", {report.shift.x(), report.shift.y(), report.shift.z()}},
-                                       {"layer_height_mm", report.layer_height_mm},
-                                       {"part", toJson(report.part)},
-                                       {"footprint", toJson(report.footprint)},
-                                       {"stands_on_edge", standsOnEdge(report)},
-                                       {"jet_off_normal_deg", report.jet_off_normal_deg},
-                                       {"nozzle", toJson(report.nozzle)},
-                                       {"seconds", seconds},
-                                       {"lines_per_s", static_cast<double>(report.lines) / seconds},
-                                       {"output", output}};
+  nlohmann::ordered_json json = {{"slicer", report.slicer},
+                                 {"lines", report.lines},
+                                 {"layers", report.layers},
+                                 {"motions", report.motions},
+                                 {"depositions", report.depositions},
+                                 {"arcs", report.arcs},
+                                 {"deferred", report.deferred},
+                                 {"homings_annulled", report.homings_annulled},
+                                 {"aids_dropped", report.aids_dropped},
+                                 {"shift_mm", {report.shift.x(), report.shift.y(), report.shift.z()}},
+                                 {"layer_height_mm", report.layer_height_mm},
+                                 {"part", toJson(report.part)},
+                                 {"stands_on_edge", standsOnEdge(report)},
+                                 {"jet_off_normal_deg", report.jet_off_normal_deg},
+                                 {"nozzle", toJson(report.nozzle)},
+                                 {"seconds", seconds},
+                                 {"lines_per_s", static_cast<double>(report.lines) / seconds},
+                                 {"output", output}};
+  if (!report.footprint.isEmpty()) json["footprint"] = toJson(report.footprint);
   std::printf("%s\n", json.dump(2).c_str());
 }
 
