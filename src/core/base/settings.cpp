@@ -127,6 +127,7 @@ void SettingsSchema::numbers(const std::string& key, std::vector<double>& field,
   };
   const auto get = [&field] {
     std::vector<std::string> texts;
+    texts.reserve(field.size());
     for (const double value : field) texts.push_back(shortest(value));
     return listed(texts, ",");
   };

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/incline_settings.hpp"
 
-#include <limits>
 #include <memory>
 
 #include "lamina/base/error.hpp"
@@ -10,7 +9,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr char kNoMachine[] = "none";
 
 void describeMap(SettingsSchema& schema, InclineSettings& settings) {
