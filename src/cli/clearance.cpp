@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/kinematics/machine.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 #include "toolpath_input.hpp"
@@ -20,8 +21,7 @@ constexpr int kCollides = 2;  // 1 is that of a check that could not be made
 struct ClearanceArguments {
   std::string input;
   std::string machine;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
 };
 
 nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
@@ -71,9 +71,9 @@ void printText(const ClearanceReport& report, const std::string& machine) {
 }
 
 void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
-  std::vector<std::string> assignments = arguments.settings;
-  if (!arguments.machine.empty()) assignments.push_back("machine.name=" + arguments.machine);
-  const JobSettings settings = settingsFrom(arguments.config, assignments);
+  SettingOptions options = arguments.settings;
+  if (!arguments.machine.empty()) options.assignments.push_back("machine.name=" + arguments.machine);
+  const JobSettings settings = jobSettingsFrom(options);
   validate(settings);
   const Machine machine = machineOf(settings.machine);
   const ToolpathInput input = readInclinedToolpath(arguments.input, settings);
@@ -99,9 +99,7 @@ void addClearance(CLI::App& app, Chosen& chosen) {
       ->required();
   subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
       ->check(CLI::IsMember(machineNames()));
-  subcommand->add_option("--config", arguments->config, "Settings (YAML) for slicing and reading");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { checkClearanceOf(*arguments, chosen); }; });

@@ -10,6 +10,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/streaming/emulated_machine.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -32,10 +33,7 @@ EmulatedSettings settingsFrom(const EmulateArguments& arguments) {
   SettingsSchema schema;
   describe(schema, settings);
   schema.set("emulator.speed_up", std::to_string(arguments.speed_up));
-  for (const std::string& assignment : arguments.settings) {
-    const SettingText setting = settingFromAssignment(assignment);
-    schema.set(setting.key, setting.text);
-  }
+  for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
   return settings;
 }
 

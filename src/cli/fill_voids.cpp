@@ -11,6 +11,7 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/void_filling.hpp"
 #include "lamina/program/drop_program.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -22,8 +23,7 @@ struct FillVoidsArguments {
   std::string program;
   std::string part;
   std::string output;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
   std::vector<double> offset;
   RefillSettings refill;
   DropFillArguments drops;
@@ -47,9 +47,9 @@ void requireNone(const std::vector<std::string>& given, const std::string& progr
 
 JobSettings settingsFrom(const FillVoidsArguments& arguments) {
   std::vector<SettingText> overrides = overridesOf(arguments.drops);
-  for (const std::string& assignment : arguments.settings)
-    overrides.push_back(settingFromAssignment(assignment));
-  return loadJobSettings(arguments.config, overrides);
+  for (SettingText& setting : overridesFrom(arguments.settings.assignments))
+    overrides.push_back(std::move(setting));
+  return loadJobSettings(arguments.settings.config, overrides);
 }
 
 VoidFillingJob jobFrom(const FillVoidsArguments& arguments) {
@@ -101,7 +101,7 @@ void fillVoids(const FillVoidsArguments& arguments, OutputFormat format) {
   requireSuffix(arguments.output, {".gcode"});
   requireSuffix(arguments.drops.sweep, {".csv"});
   requireApart({arguments.output, arguments.drops.sweep},
-               {arguments.program, arguments.part, arguments.config});
+               {arguments.program, arguments.part, arguments.settings.config});
   const JobSettings settings = settingsFrom(arguments);
   if (isDropProgram(readFile(arguments.program), settings.program.drops)) {
     requireNone(arguments.for_beads, arguments.program, "drops");
@@ -144,9 +144,7 @@ void addFillVoids(CLI::App& app, Chosen& chosen) {
       ->delimiter(',')
       ->expected(2);
   addTo(*subcommand, arguments->drops);
-  subcommand->add_option("--config", arguments->config, "Settings (YAML) for reading and for the new runs");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading and for the new runs");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, subcommand, &chosen] {
     arguments->for_beads = givenOf(*subcommand, {"--part", "--offset", "--least-area", "--least-width"});

@@ -83,7 +83,8 @@ void incline(const InclineArguments& arguments, OutputFormat format) {
   }
   InclineJob job = jobFrom(arguments);
   if (job.output.empty()) job.output = inclinedName(job.program);
-  requireApart({job.output}, {arguments.program, arguments.config, arguments.begin_code, arguments.end_code});
+  requireApart({job.output},
+               {arguments.program, arguments.settings.config, arguments.begin_code, arguments.end_code});
   TransformReport report;
   const auto begin = std::chrono::steady_clock::now();
   {

@@ -61,7 +61,7 @@ std::string helpOf(const Setting& setting) {
          (usual.empty() ? "" : "; " + usual) + ")";
 }
 
-void addSettingOptions(CLI::App& subcommand, InclineArguments& arguments) {
+void addShorthands(CLI::App& subcommand, InclineArguments& arguments) {
   InclineSettings usual;
   SettingsSchema schema;
   describe(schema, usual);
@@ -82,13 +82,11 @@ void addOptions(CLI::App& subcommand, InclineArguments& arguments) {
   subcommand.add_option("program", arguments.program, "Program (.gcode)");
   subcommand.add_option("-o,--output", arguments.output,
                         "Program to write (.gcode); <program>_rotate.gcode beside the program if not given");
-  addSettingOptions(subcommand, arguments);
+  addShorthands(subcommand, arguments);
   subcommand.add_option("--begin-code", arguments.begin_code, "File to put after the comments at the head")
       ->group("Code");
   subcommand.add_option("--end-code", arguments.end_code, "File to put at the end")->group("Code");
-  subcommand.add_option("--config", arguments.config, "Settings (YAML); those not given keep their defaults");
-  subcommand.add_option("--set", arguments.assignments, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(subcommand, arguments.settings, "Settings (YAML); those not given keep their defaults");
   subcommand.add_flag("--print-config", arguments.prints_config,
                       "Print the default settings as YAML and stop");
 }
@@ -99,9 +97,10 @@ InclineJob jobFrom(const InclineArguments& arguments) {
   if (!arguments.begin_code.empty())
     overrides.push_back({"incline.begin_code", readFile(arguments.begin_code)});
   if (!arguments.end_code.empty()) overrides.push_back({"incline.end_code", readFile(arguments.end_code)});
-  for (const std::string& assignment : arguments.assignments)
-    overrides.push_back(settingFromAssignment(assignment));
-  return inclineJob(loadInclineSettings(arguments.config, overrides), arguments.program, arguments.output);
+  for (SettingText& setting : overridesFrom(arguments.settings.assignments))
+    overrides.push_back(std::move(setting));
+  return inclineJob(loadInclineSettings(arguments.settings.config, overrides), arguments.program,
+                    arguments.output);
 }
 
 }  // namespace lamina::cli

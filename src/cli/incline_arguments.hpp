@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/job/incline_settings.hpp"
+#include "setting_options.hpp"
 
 namespace lamina::cli {
 
@@ -14,11 +15,10 @@ namespace lamina::cli {
 struct InclineArguments {
   std::string program;
   std::string output;
-  std::string config;
-  std::vector<SettingText> options;      ///< those that are settings
-  std::vector<std::string> assignments;  ///< --set
-  std::string begin_code;                ///< file
-  std::string end_code;                  ///< file
+  SettingOptions settings;
+  std::vector<SettingText> options;  ///< those that are settings
+  std::string begin_code;            ///< file
+  std::string end_code;              ///< file
   bool prints_config = false;
 };
 

@@ -12,6 +12,7 @@
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/overhang_picture.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 #include "toolpath_input.hpp"
@@ -24,8 +25,7 @@ struct OverhangArguments {
   std::string input;
   std::string before;
   std::string picture;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
   std::size_t worst = 5;
 };
 
@@ -163,10 +163,10 @@ void printText(const Account& account, const std::optional<Account>& before, std
 }
 
 void overhang(const OverhangArguments& arguments, OutputFormat format) {
-  const JobSettings settings = settingsFrom(arguments.config, arguments.settings);
+  const JobSettings settings = jobSettingsFrom(arguments.settings);
   validate(settings);
   requireSuffix(arguments.picture, {".png"});
-  requireApart({arguments.picture}, {arguments.input, arguments.before, arguments.config});
+  requireApart({arguments.picture}, {arguments.input, arguments.before, arguments.settings.config});
   const ToolpathInput input = readInclinedToolpath(arguments.input, settings);
   const Account account = accountOf(input, settings);
   if (!arguments.picture.empty()) drawOverhangs(input.toolpath, account.report, arguments.picture);
@@ -193,9 +193,7 @@ void addOverhang(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--worst", arguments->worst, "How many of the longest stretches of a kind are told")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  subcommand->add_option("--config", arguments->config, "Settings (YAML) for slicing and reading");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { overhang(*arguments, chosen.format); }; });

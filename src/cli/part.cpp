@@ -7,6 +7,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/geometry/parts.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -49,10 +50,7 @@ void makeAndWrite(const PartOptions& options, OutputFormat format) {
   if (options.output.empty()) throw InvalidConfig("no output named; expected -o FILE.stl");
   if (std::filesystem::path(options.output).extension() != ".stl")
     throw InvalidConfig("output is '" + options.output + "'; its suffix must be .stl");
-  std::vector<SettingText> parameters;
-  for (const std::string& assignment : options.assignments)
-    parameters.push_back(settingFromAssignment(assignment));
-  const Mesh mesh = makePart(options.name, parameters);
+  const Mesh mesh = makePart(options.name, overridesFrom(options.assignments));
   writeStl(options.output, mesh);
   const Point3 size = boundingBox(mesh).size();
   if (format == OutputFormat::Json) {

@@ -9,6 +9,7 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "layer_overlay.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 #include "toolpath_input.hpp"
@@ -21,8 +22,7 @@ struct PreviewArguments {
   std::string input;
   std::string output = "preview.png";
   std::string part;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
   std::optional<std::size_t> layer;
   std::string view = "oblique";
   std::string colour = "role";
@@ -50,7 +50,7 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
   if (arguments.part.empty()) return {};
   VoidJob job;
   job.part = arguments.part;
-  job.settings = settingsFrom(arguments.config, arguments.settings);
+  job.settings = jobSettingsFrom(arguments.settings);
   TerminalProgress progress;
   VoidReport report;
   report.part = placeContours(toolpath, job, progress);
@@ -64,10 +64,10 @@ LayerOverlay overlayFor(const Toolpath& toolpath, const PreviewArguments& argume
 void preview(const PreviewArguments& arguments, OutputFormat format) {
   if (arguments.output.empty()) throw InvalidInput("output has no name; expected a picture to write (.png)");
   requireSuffix(arguments.output, {".png"});
-  requireApart({arguments.output}, {arguments.input, arguments.part, arguments.config});
+  requireApart({arguments.output}, {arguments.input, arguments.part, arguments.settings.config});
   if (!arguments.part.empty() && !arguments.layer)
     throw InvalidInput("--part is '" + arguments.part + "' without --layer; voids are drawn in one layer");
-  const JobSettings job = settingsFrom(arguments.config, arguments.settings);
+  const JobSettings job = jobSettingsFrom(arguments.settings);
   const Toolpath toolpath = readToolpath(arguments.input, job).toolpath;
   ToolpathPictureSettings settings;
   settings.view = arguments.view == "top" ? PictureView::Top : PictureView::Oblique;
@@ -100,9 +100,7 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--colour", arguments->colour, "What the colours tell")
       ->check(CLI::IsMember({"role", "height"}))
       ->capture_default_str();
-  subcommand->add_option("--config", arguments->config, "Settings (YAML) for slicing and reading");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { preview(*arguments, chosen.format); }; });

@@ -9,6 +9,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -19,8 +20,7 @@ namespace {
 struct SliceArguments {
   std::string part;
   std::string output;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
   int threads = 0;
   bool is_strict = false;
   bool prints_config = false;
@@ -29,11 +29,9 @@ struct SliceArguments {
 SliceJob jobFrom(const SliceArguments& arguments) {
   if (arguments.part.empty())
     throw InvalidInput("no part is given; expected a mesh file or the name of a part");
-  std::vector<SettingText> overrides;
-  for (const std::string& assignment : arguments.settings)
-    overrides.push_back(settingFromAssignment(assignment));
-  if (arguments.is_strict) overrides.push_back({"input.repair", "strict"});
-  return {arguments.part, arguments.output, loadJobSettings(arguments.config, overrides)};
+  SettingOptions options = arguments.settings;
+  if (arguments.is_strict) options.assignments.emplace_back("input.repair=strict");
+  return {arguments.part, arguments.output, jobSettingsFrom(options)};
 }
 
 double perLayer(std::size_t count, std::size_t layers) {
@@ -122,7 +120,7 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
     return printConfig(schema, format);
   }
   const SliceJob job = jobFrom(arguments);
-  requireApart({job.output}, {job.part, arguments.config});
+  requireApart({job.output}, {job.part, arguments.settings.config});
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
   SliceSummary summary;
@@ -145,10 +143,7 @@ void addSlice(CLI::App& app, Chosen& chosen) {
                          "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part");
   subcommand->add_option("-o,--output", arguments->output,
                          "File to write: .gcode or .csv; without it nothing is written");
-  subcommand->add_option("--config", arguments->config,
-                         "Settings (YAML); those not given keep their defaults");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");
   subcommand->add_option("--threads", arguments->threads, "At most this many threads")
       ->check(CLI::Range(1, 1024));
   subcommand->add_flag("--strict", arguments->is_strict, "Refuse a broken mesh instead of repairing it");

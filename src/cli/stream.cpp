@@ -8,6 +8,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/stream_session.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -24,10 +25,7 @@ StreamSettings settingsFrom(const StreamArguments& arguments) {
   StreamSettings settings;
   SettingsSchema schema;
   describe(schema, settings);
-  for (const std::string& assignment : arguments.settings) {
-    const SettingText setting = settingFromAssignment(assignment);
-    schema.set(setting.key, setting.text);
-  }
+  for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
   validate(settings);
   return settings;
 }

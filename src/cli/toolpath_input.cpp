@@ -23,13 +23,6 @@ std::string suffixOf(const std::string& input) { return std::filesystem::path(in
 
 }  // namespace
 
-JobSettings settingsFrom(const std::string& config, const std::vector<std::string>& assignments) {
-  std::vector<SettingText> overrides;
-  overrides.reserve(assignments.size());
-  for (const std::string& assignment : assignments) overrides.push_back(settingFromAssignment(assignment));
-  return loadJobSettings(config, overrides);
-}
-
 bool isPart(const std::string& input) { return suffixOf(input) != ".gcode" && suffixOf(input) != ".csv"; }
 
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings) {

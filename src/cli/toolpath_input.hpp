@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <string>
-#include <vector>
 
 #include "lamina/job/job_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -16,9 +15,6 @@ struct ToolpathInput {
   Toolpath toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
 };
-
-/// The settings of a file (none if its name is empty), overridden by assignments key=value.
-JobSettings settingsFrom(const std::string& config, const std::vector<std::string>& assignments);
 
 /// Whether the input is a part to be sliced: neither program nor toolpath.
 bool isPart(const std::string& input);

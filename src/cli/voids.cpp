@@ -14,6 +14,7 @@
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "lamina/voids/void_totals.hpp"
 #include "layer_overlay.hpp"
+#include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 #include "void_json.hpp"
@@ -27,19 +28,15 @@ struct VoidArguments {
   std::string part;
   std::string output;
   std::string picture;
-  std::string config;
-  std::vector<std::string> settings;
+  SettingOptions settings;
   std::vector<double> offset;
   std::optional<std::size_t> layer;
 };
 
 VoidJob jobFrom(const VoidArguments& arguments) {
-  std::vector<SettingText> overrides;
-  for (const std::string& assignment : arguments.settings)
-    overrides.push_back(settingFromAssignment(assignment));
   VoidJob job;
   job.part = arguments.part;
-  job.settings = loadJobSettings(arguments.config, overrides);
+  job.settings = jobSettingsFrom(arguments.settings);
   if (!arguments.offset.empty()) job.offset = Point2(arguments.offset[0], arguments.offset[1]);
   return job;
 }
@@ -104,7 +101,8 @@ void requireLayer(const VoidArguments& arguments, std::size_t layers) {
 void requireOutputs(const VoidArguments& arguments) {
   requireSuffix(arguments.output, {".csv", ".json"});
   requireSuffix(arguments.picture, {".png"});
-  requireApart({arguments.output, arguments.picture}, {arguments.program, arguments.part, arguments.config});
+  requireApart({arguments.output, arguments.picture},
+               {arguments.program, arguments.part, arguments.settings.config});
 }
 
 void write(const std::vector<LayerVoids>& layers, const std::string& output) {
@@ -151,9 +149,7 @@ void addVoids(CLI::App& app, Chosen& chosen) {
                    "Where the part's origin is in the program, x,y in mm; found if not given")
       ->delimiter(',')
       ->expected(2);
-  subcommand->add_option("--config", arguments->config, "Settings (YAML) for reading");
-  subcommand->add_option("--set", arguments->settings, "One setting as key=value; may be repeated")
-      ->allow_extra_args(false);
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback([arguments, &chosen] {
     chosen.run = [arguments, &chosen] { findVoidsOf(*arguments, chosen.format); };
