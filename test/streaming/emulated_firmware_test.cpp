@@ -7,35 +7,18 @@
 #include <cmath>
 
 #include "lamina/streaming/marlin_protocol.hpp"
+#include "streaming/asked_firmware.hpp"
 
 namespace lamina {
 namespace {
 
-class EmulatedFirmwareTest : public testing::Test {
+class EmulatedFirmwareTest : public test::AskedFirmware {
  protected:
   void makeFirmware(double speed_up, std::vector<Fault> faults = {}) {
     EmulatedSettings settings;
     settings.speed_up = speed_up;
-    EmulatedObserver observer;
-    observer.line = [this](const ExecutedLine& line) { lines_.push_back(line.command); };
-    observer.motion = [this](const ExecutedMotion& motion) { motions_.push_back(motion); };
-    firmware_ = std::make_unique<EmulatedFirmware>(settings, std::move(faults), observer);
-    firmware_->elapse(0.0);
+    make(settings, std::move(faults));
   }
-  std::string ask(const std::string& text, double wall_s = 0.0) {
-    firmware_->receive(text, wall_s);
-    return firmware_->takeOutput();
-  }
-  /// Lets time pass from deadline to deadline.
-  std::string wait(double until_s) {
-    while (firmware_->nextDeadline() <= until_s) firmware_->elapse(firmware_->nextDeadline());
-    firmware_->elapse(until_s);
-    return firmware_->takeOutput();
-  }
-
-  std::unique_ptr<EmulatedFirmware> firmware_;
-  std::vector<std::string> lines_;
-  std::vector<ExecutedMotion> motions_;
 };
 
 TEST_F(EmulatedFirmwareTest, AnswersAPlainTerminal) {

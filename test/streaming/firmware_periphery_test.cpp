@@ -5,29 +5,12 @@
 
 #include <cmath>
 
-#include "lamina/streaming/emulated_firmware.hpp"
+#include "streaming/asked_firmware.hpp"
 
 namespace lamina {
 namespace {
 
-class FirmwarePeriphery : public testing::Test {
- protected:
-  void make(const EmulatedSettings& settings) {
-    firmware_ = std::make_unique<EmulatedFirmware>(settings, std::vector<Fault>(), EmulatedObserver());
-    firmware_->elapse(0.0);
-  }
-  std::string ask(const std::string& text, double wall_s = 0.0) {
-    firmware_->receive(text, wall_s);
-    return firmware_->takeOutput();
-  }
-  std::string wait(double until_s) {
-    while (firmware_->nextDeadline() <= until_s) firmware_->elapse(firmware_->nextDeadline());
-    firmware_->elapse(until_s);
-    return firmware_->takeOutput();
-  }
-
-  std::unique_ptr<EmulatedFirmware> firmware_;
-};
+class FirmwarePeriphery : public test::AskedFirmware {};
 
 TEST_F(FirmwarePeriphery, LosesHomingWithM84) {
   make({});
