@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "names.hpp"
 
 namespace lamina {
 namespace {
@@ -193,6 +194,13 @@ void requireRunsOn(const MachineToolpath& placed, const Machine& machine) {
     throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node has '" + machine.name +
                        "'");
   requireReachable(placed.toolpath, placed.bed_from_part, machine);
+}
+
+lamina_msgs::Toolpath stamped(const MachineToolpath& placed, const ros::Time& stamp) {
+  lamina_msgs::Toolpath message = toMessage(placed);
+  message.header.stamp = stamp;
+  message.header.frame_id = names::kPartFrame;
+  return message;
 }
 
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message) {

@@ -59,6 +59,8 @@ struct MachineToolpath {
 
 /// The message with an empty header: stamp and frame belong to the publisher.
 lamina_msgs::Toolpath toMessage(const MachineToolpath& placed);
+/// The message as it is published: in the frame of the part.
+lamina_msgs::Toolpath stamped(const MachineToolpath& placed, const ros::Time& stamp);
 /// The id is taken as it stands in the message: the values were rounded on the way through metres.
 /// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "messages.hpp"
+#include "request_settings.hpp"
 
 namespace lamina {
 namespace {
@@ -31,12 +32,7 @@ InclineGoal goalOf(const InclineRequest& request) {
   InclineGoal goal;
   goal.program = request.program;
   goal.output = request.output;
-  for (const auto& [key, text] : request.settings) {
-    lamina_msgs::Setting setting;
-    setting.key = key;
-    setting.value = text;
-    goal.settings.push_back(setting);
-  }
+  for (const auto& [key, text] : request.settings) goal.settings.push_back(settingMessage(key, text));
   return goal;
 }
 

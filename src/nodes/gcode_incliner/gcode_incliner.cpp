@@ -10,12 +10,14 @@
 #include <filesystem>
 #include <optional>
 
+#include "action_end.hpp"
 #include "action_progress.hpp"
 #include "conversions.hpp"
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
 #include "toolpath_markers.hpp"
@@ -68,12 +70,7 @@ void GcodeIncliner::onGoal(const lamina_msgs::InclineGoalConstPtr& goal) {
   result.output = given.output;
   result.toolpath_id = given.toolpath_id;
   result.summary = given.summary;
-  if (given.status.code == lamina_msgs::Status::OK)
-    action_.setSucceeded(result, given.status.message);
-  else if (given.status.code == lamina_msgs::Status::CANCELLED)
-    action_.setPreempted(result, given.status.message);
-  else
-    action_.setAborted(result, given.status.message);
+  endGoal(action_, result);
 }
 
 GcodeIncliner::Answer GcodeIncliner::answer(const Request& request, Progress& progress) {
@@ -101,7 +98,7 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   GcodeInclinerSettings settings = settings_;
   SettingsSchema schema;
   describe(schema, settings);
-  for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
+  applyRequest(schema, request.settings);
   Answer answer;
   answer.output = request.output.empty() ? inclinedName(request.program) : request.output;
   const auto begin = std::chrono::steady_clock::now();
@@ -138,10 +135,7 @@ std::string GcodeIncliner::publish(const std::string& program, const GcodeInclin
   placed.toolpath = toolpathFromGcodeFile(output, settings.program);
   placed.id = toolpathId(placed.toolpath);
   if (const auto machine = machineOf(settings.incline)) placed.machine = machine->name;
-  lamina_msgs::Toolpath message = toMessage(placed);
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = names::kPartFrame;
-  toolpath_.publish(message);
+  toolpath_.publish(stamped(placed, ros::Time::now()));
   source_markers_.publish(source);
   markers_.publish(toolpathMarkers(placed.toolpath, names::kBedFrame));
   return placed.id;

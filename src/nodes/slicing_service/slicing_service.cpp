@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing_service.hpp"
 
+#include "action_end.hpp"
 #include "action_progress.hpp"
 #include "collision_markers.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "overhang_markers.hpp"
+#include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
 #include "toolpath_markers.hpp"
@@ -47,12 +49,7 @@ void SlicingService::onGoal(const lamina_msgs::SliceGoalConstPtr& goal) {
   result.status = given.status;
   result.toolpath_id = given.toolpath_id;
   result.summary = given.summary;
-  if (given.status.code == lamina_msgs::Status::OK)
-    action_.setSucceeded(result);
-  else if (given.status.code == lamina_msgs::Status::CANCELLED)
-    action_.setPreempted(result, given.status.message);
-  else
-    action_.setAborted(result, given.status.message);
+  endGoal(action_, result);
 }
 
 SlicingService::Answer SlicingService::answer(const Request& request, Progress& progress) {
@@ -82,7 +79,7 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   SliceJob job{request.part, request.output, settings_};
   SettingsSchema schema;
   describe(schema, job.settings);
-  for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
+  applyRequest(schema, request.settings);
   SlicedPart sliced = runSliceJob(job, progress);
   const Machine machine = machineOf(job.settings.machine);
   const Findings findings = find(sliced, machine, job.settings, progress);
@@ -114,10 +111,7 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Ma
 }
 
 void SlicingService::publish(const MachineToolpath& placed, const Findings& findings) {
-  lamina_msgs::Toolpath message = toMessage(placed);
-  message.header.stamp = ros::Time::now();
-  message.header.frame_id = names::kPartFrame;
-  toolpath_.publish(message);
+  toolpath_.publish(stamped(placed, ros::Time::now()));
   markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
   overhang_markers_.publish(overhangMarkers(findings.overhangs, names::kPartFrame));
   collision_markers_.publish(collisionMarkers(findings.clearance, names::kBedFrame));

@@ -6,6 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
 #include "void_messages.hpp"
@@ -40,7 +41,7 @@ lamina_msgs::FillVoids::Response VoidFiller::fill(const lamina_msgs::FillVoids::
   ProgramVoidJob job{request.program, request.output, request.part, settings_};
   SettingsSchema schema;
   describe(schema, job.settings);
-  for (const auto& setting : request.settings) schema.set(setting.key, setting.value);
+  applyRequest(schema, request.settings);
   ServiceProgress progress;
   const ProgramVoidReport report = runProgramVoidJob(job, progress);
   lamina_msgs::FillVoids::Response response;
