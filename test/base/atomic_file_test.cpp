@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lamina/base/error.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -23,20 +23,20 @@ std::string everyByte() {
 }
 
 TEST(AtomicFile, HoldsWhatWasWrittenAfterCommit) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   writeWhole(folder.file("a"), everyByte());
   EXPECT_EQ(readFile(folder.file("a")), everyByte());
   EXPECT_EQ(folder.fileCount(), 1U);
 }
 
 TEST(AtomicFile, MayBeEmpty) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   writeWhole(folder.file("a"), "");
   EXPECT_EQ(readFile(folder.file("a")), "");
 }
 
 TEST(AtomicFile, LeavesNothingBehindWithoutCommit) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   {
     AtomicFile file(folder.file("a"));
     file.write("half");
@@ -45,7 +45,7 @@ TEST(AtomicFile, LeavesNothingBehindWithoutCommit) {
 }
 
 TEST(AtomicFile, LeavesAnExistingFileUntouchedUntilCommit) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   writeWhole(folder.file("a"), "old");
   {
     AtomicFile file(folder.file("a"));
@@ -58,7 +58,7 @@ TEST(AtomicFile, LeavesAnExistingFileUntouchedUntilCommit) {
 }
 
 TEST(AtomicFile, TakesWhatALibraryWroteUnderTheTemporaryName) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   AtomicFile file(folder.file("a"));
   std::FILE* other = std::fopen(file.temporaryPath().c_str(), "wb");
   ASSERT_NE(other, nullptr);
@@ -69,7 +69,7 @@ TEST(AtomicFile, TakesWhatALibraryWroteUnderTheTemporaryName) {
 }
 
 TEST(AtomicFile, InAFolderThatIsMissingIsRefusedNamingThePath) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   try {
     AtomicFile file(folder.file("missing/a"));
     FAIL() << "nothing thrown";
@@ -79,7 +79,7 @@ TEST(AtomicFile, InAFolderThatIsMissingIsRefusedNamingThePath) {
 }
 
 TEST(AtomicFile, CannotReplaceAFolder) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   std::filesystem::create_directory(folder.file("a"));
   EXPECT_THROW(writeWhole(folder.file("a"), "x"), FileError);
   EXPECT_TRUE(std::filesystem::is_directory(folder.file("a")));
@@ -87,7 +87,7 @@ TEST(AtomicFile, CannotReplaceAFolder) {
 }
 
 TEST(ReadFile, RefusesAFolderAndAMissingFile) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   EXPECT_THROW(readFile(folder.file("missing")), FileError);
   EXPECT_THROW(readFile(folder.file(".")), FileError);
 }

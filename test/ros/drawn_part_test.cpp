@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
@@ -18,7 +18,7 @@ DrawnPart drawnFile(const std::string& path, bool is_given_up = false) {
 }
 
 DrawnPart drawn(const std::string& program, bool is_given_up = false) {
-  const lamina::test::TemporaryFolder folder;
+  const lamina::test::ScratchFolder folder;
   std::ofstream(folder.file("part.gcode")) << program;
   return drawnFile(folder.file("part.gcode"), is_given_up);
 }

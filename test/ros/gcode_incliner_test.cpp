@@ -4,7 +4,6 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <unistd.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
@@ -14,22 +13,18 @@
 #include "lamina/base/atomic_file.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using lamina::settingMessage;
 using lamina_msgs::InclineGcode;
 using lamina_msgs::Status;
 using Client = actionlib::SimpleActionClient<lamina_msgs::InclineAction>;
 
 constexpr double kPatience = 30.0;  // s: far above what a job takes, for loaded machines
-
-lamina_msgs::Setting setting(const std::string& key, const std::string& value) {
-  lamina_msgs::Setting message;
-  message.key = key;
-  message.value = value;
-  return message;
-}
 
 /// A wall 10 mm long at y = 100 mm of layers 0.5 mm high, tilted by -45 deg about x.
 std::string tiltedWall(int layers) {
@@ -44,14 +39,9 @@ std::string tiltedWall(int layers) {
 
 class GcodeIncliner : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_gcode_incliner_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience)));
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience))); }
 
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name) const { return folder_.file(name); }
 
   std::string program(const std::string& text) const {
     std::ofstream(file("wall.gcode")) << text;
@@ -74,11 +64,9 @@ class GcodeIncliner : public testing::Test {
     return ros::topic::waitForMessage<Message>(topic, node_, ros::Duration(2.0));
   }
 
-  std::size_t files() const { return std::distance(fs::directory_iterator(folder_), {}); }
-
   ros::NodeHandle node_;
   ros::ServiceClient client_ = node_.serviceClient<InclineGcode>(lamina::names::kInclineGcode);
-  fs::path folder_;
+  const lamina::test::ScratchFolder folder_;
 };
 
 TEST_F(GcodeIncliner, WritesTheProgramAndShowsItBeforeAndAfter) {
@@ -107,22 +95,23 @@ TEST_F(GcodeIncliner, WritesTheProgramAndShowsItBeforeAndAfter) {
 }
 
 TEST_F(GcodeIncliner, TellsTheMachineAndWhereItsHeadIsAnother) {
-  const auto made = call(program(tiltedWall(2)), {setting("machine.name", "large_gantry_45")});
+  const auto made = call(program(tiltedWall(2)), {settingMessage("machine.name", "large_gantry_45")});
   EXPECT_EQ(made.status.message, "");
   EXPECT_EQ(latched<lamina_msgs::Toolpath>(lamina::names::kToolpath)->machine, "large_gantry_45");
-  const auto reverse = setting("machine.name", "large_gantry_45_reverse");
+  const auto reverse = settingMessage("machine.name", "large_gantry_45_reverse");
   EXPECT_EQ(call(program(tiltedWall(2)), {reverse}).status.code, Status::UNREACHABLE + 0);
-  const auto other = call(program(tiltedWall(2)), {reverse, setting("incline.jet", "machine")});
+  const auto other = call(program(tiltedWall(2)), {reverse, settingMessage("incline.jet", "machine")});
   EXPECT_EQ(other.status.code, Status::OK + 0);
   EXPECT_NE(other.status.message.find("90.0"), std::string::npos) << other.status.message;
 }
 
 TEST_F(GcodeIncliner, TakesBeginAndEndCodeAsText) {
-  const auto response = call(
-      program(tiltedWall(1)),
-      {setting("incline.begin_code", "M117 begin"), setting("incline.end_code", "M117 end\nM84"),
-       setting("incline.table_position_mm", "650,1250"), setting("incline.final_position_mm", "1,2,900")},
-      file("out.gcode"));
+  const auto response = call(program(tiltedWall(1)),
+                             {settingMessage("incline.begin_code", "M117 begin"),
+                              settingMessage("incline.end_code", "M117 end\nM84"),
+                              settingMessage("incline.table_position_mm", "650,1250"),
+                              settingMessage("incline.final_position_mm", "1,2,900")},
+                             file("out.gcode"));
   ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
   const std::string text = lamina::readFile(file("out.gcode"));
   EXPECT_NE(text.find("M117 begin\nM83\n"), std::string::npos) << text;
@@ -138,19 +127,19 @@ TEST_F(GcodeIncliner, TellsWhatItRefusesAndLeavesNothing) {
     EXPECT_FALSE(response.status.message.empty());
     EXPECT_EQ(response.output, "");
     EXPECT_EQ(response.toolpath_id, "");
-    EXPECT_EQ(files(), 1U);
+    EXPECT_EQ(folder_.fileCount(), 1U);
   };
   expectRefused(call(file("none.gcode")), Status::FILE_ERROR);
   expectRefused(call(wall, {}, wall), Status::INVALID_INPUT);
-  expectRefused(call(wall, {setting("incline.angel_deg", "45")}), Status::INVALID_CONFIG);
-  expectRefused(call(wall, {setting("incline.table_position_mm", "650")}), Status::INVALID_CONFIG);
-  expectRefused(call(wall, {setting("incline.table_position_mm", "1,1")}), Status::UNREACHABLE);
+  expectRefused(call(wall, {settingMessage("incline.angel_deg", "45")}), Status::INVALID_CONFIG);
+  expectRefused(call(wall, {settingMessage("incline.table_position_mm", "650")}), Status::INVALID_CONFIG);
+  expectRefused(call(wall, {settingMessage("incline.table_position_mm", "1,1")}), Status::UNREACHABLE);
   expectRefused(call(program("G1 X5\n")), Status::INVALID_PROGRAM);
 }
 
 TEST_F(GcodeIncliner, PublishesNothingWhereTheProgramIsTooLargeToBeSeen) {
   const auto before = call(program(tiltedWall(2)));
-  const auto response = call(program(tiltedWall(3)), {setting("view.largest_program_mb", "0")});
+  const auto response = call(program(tiltedWall(3)), {settingMessage("view.largest_program_mb", "0")});
   EXPECT_EQ(response.status.code, Status::OK + 0);
   EXPECT_NE(response.status.message.find("view.largest_program_mb"), std::string::npos);
   EXPECT_EQ(response.toolpath_id, "");
@@ -199,7 +188,7 @@ TEST_F(GcodeIncliner, ReportsProgressServesOneAtATimeAndLeavesNoOutputWhenCancel
   EXPECT_EQ(client.getResult()->status.code, Status::CANCELLED + 0);
   ASSERT_FALSE(stages.empty());
   EXPECT_EQ(stages.front(), "measure");
-  EXPECT_EQ(files(), 1U);
+  EXPECT_EQ(folder_.fileCount(), 1U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "conversions.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -20,12 +21,7 @@ lamina_msgs::SliceMesh::Response slice(const std::vector<std::pair<std::string, 
   lamina_msgs::SliceMesh service;
   service.request.part = "box";  // a cube of 20 mm
   service.request.output = output;
-  for (const auto& [key, value] : settings) {
-    lamina_msgs::Setting setting;
-    setting.key = key;
-    setting.value = value;
-    service.request.settings.push_back(setting);
-  }
+  for (const auto& [key, value] : settings) service.request.settings.push_back(settingMessage(key, value));
   EXPECT_TRUE(ros::service::waitForService(names::kSliceMesh, ros::Duration(30.0)));
   EXPECT_TRUE(ros::service::call(names::kSliceMesh, service));
   return service.response;

@@ -4,7 +4,6 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <unistd.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <filesystem>
@@ -13,31 +12,22 @@
 #include "lamina/base/atomic_file.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
+using lamina::settingMessage;
 using lamina_msgs::SliceMesh;
 using lamina_msgs::Status;
 using Client = actionlib::SimpleActionClient<lamina_msgs::SliceAction>;
 
 constexpr double kPatience = 30.0;  // s: far above what a job takes, for loaded machines
 
-lamina_msgs::Setting setting(const std::string& key, const std::string& value) {
-  lamina_msgs::Setting message;
-  message.key = key;
-  message.value = value;
-  return message;
-}
-
 class SlicingService : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_slicing_service_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience)));
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { ASSERT_TRUE(client_.waitForExistence(ros::Duration(kPatience))); }
 
   SliceMesh::Response call(const std::string& part, const std::vector<lamina_msgs::Setting>& settings = {},
                            const std::string& output = "") {
@@ -55,7 +45,7 @@ class SlicingService : public testing::Test {
                                                              ros::Duration(2.0));
   }
 
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name) const { return folder_.file(name); }
 
   /// A file that a refused request must not touch.
   std::string precious() {
@@ -69,13 +59,13 @@ class SlicingService : public testing::Test {
     EXPECT_EQ(response.toolpath_id, "");
     if (fs::exists(file("precious.gcode"))) {
       EXPECT_EQ(lamina::readFile(file("precious.gcode")), "G28\n");
-      EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "something was left behind";
+      EXPECT_EQ(folder_.fileCount(), 1U) << "something was left behind";
     }
   }
 
   ros::NodeHandle node_;
   ros::ServiceClient client_ = node_.serviceClient<SliceMesh>(lamina::names::kSliceMesh);
-  fs::path folder_;
+  const lamina::test::ScratchFolder folder_;
 };
 
 TEST_F(SlicingService, SlicesAParametricPartAndPublishesItsToolpath) {
@@ -99,8 +89,8 @@ TEST_F(SlicingService, GivesTheSameIdForTheSameRequest) {
 
 TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
   const auto fine = call("box");
-  const auto coarse = call(
-      "box", {setting("slicing.layer_height_mm", "0.4"), setting("slicing.first_layer_height_mm", "0.4")});
+  const auto coarse = call("box", {settingMessage("slicing.layer_height_mm", "0.4"),
+                                   settingMessage("slicing.first_layer_height_mm", "0.4")});
   const auto fine_again = call("box");
   ASSERT_EQ(coarse.status.code, Status::OK + 0) << coarse.status.message;
   EXPECT_EQ(2 * coarse.summary.layers, fine.summary.layers);
@@ -114,7 +104,7 @@ TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
     return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
   };
   // Sparse infill bridges the gaps of the layer before.
-  ASSERT_EQ(call("box", {setting("overhang.report", "true")}).status.code, Status::OK + 0);
+  ASSERT_EQ(call("box", {settingMessage("overhang.report", "true")}).status.code, Status::OK + 0);
   ASSERT_EQ(markers().size(), 2U);
   EXPECT_EQ(markers()[1].ns, "bridge");
   EXPECT_EQ(markers()[1].header.frame_id, lamina::names::kPartFrame);
@@ -129,14 +119,14 @@ TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
         lamina::names::kCollisionMarkers, node_, ros::Duration(2.0));
     return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
   };
-  const std::vector<lamina_msgs::Setting> steep = {setting("slicing.plane.angle_deg", "75"),
-                                                   setting("slicing.plane.jet", "down"),
-                                                   setting("clearance.report", "true")};
+  const std::vector<lamina_msgs::Setting> steep = {settingMessage("slicing.plane.angle_deg", "75"),
+                                                   settingMessage("slicing.plane.jet", "down"),
+                                                   settingMessage("clearance.report", "true")};
   ASSERT_EQ(call("box", steep).status.code, Status::OK + 0);
   ASSERT_GT(markers().size(), 2U);
   EXPECT_EQ(markers().back().ns, "first_collision");
   EXPECT_EQ(markers().back().header.frame_id, lamina::names::kBedFrame);
-  ASSERT_EQ(call("box", {setting("clearance.report", "true")}).status.code, Status::OK + 0);
+  ASSERT_EQ(call("box", {settingMessage("clearance.report", "true")}).status.code, Status::OK + 0);
   EXPECT_EQ(markers().size(), 1U) << "a nozzle upright over level layers clears them";
 }
 
@@ -158,17 +148,17 @@ TEST_F(SlicingService, RefusesAMeshThatIsNotFinite) {
 }
 
 TEST_F(SlicingService, RefusesAnUnknownSetting) {
-  expectRefused(call("box", {setting("slicing.layer_heigth_mm", "0.2")}, precious()), Status::INVALID_CONFIG,
-                "slicing.layer_height_mm");
+  expectRefused(call("box", {settingMessage("slicing.layer_heigth_mm", "0.2")}, precious()),
+                Status::INVALID_CONFIG, "slicing.layer_height_mm");
 }
 
 TEST_F(SlicingService, RefusesALayerHeightOfZero) {
-  expectRefused(call("box", {setting("slicing.layer_height_mm", "0")}, precious()), Status::INVALID_CONFIG,
-                "slicing.layer_height_mm is '0'");
+  expectRefused(call("box", {settingMessage("slicing.layer_height_mm", "0")}, precious()),
+                Status::INVALID_CONFIG, "slicing.layer_height_mm is '0'");
 }
 
 TEST_F(SlicingService, RefusesAPartLargerThanTheMachine) {
-  expectRefused(call("box", {setting("input.scale", "100")}, precious()), Status::UNREACHABLE, "mm");
+  expectRefused(call("box", {settingMessage("input.scale", "100")}, precious()), Status::UNREACHABLE, "mm");
 }
 
 TEST_F(SlicingService, RefusesAnOutputItCannotWrite) {
@@ -196,8 +186,8 @@ TEST_F(SlicingService, StopsWhenTheGoalIsCancelledAndServesTheNext) {
   const auto before = call("box");
   lamina_msgs::SliceGoal goal;
   goal.part = "sphere";
-  goal.settings = {setting("slicing.layer_height_mm", "0.001"),
-                   setting("slicing.first_layer_height_mm", "0.001")};
+  goal.settings = {settingMessage("slicing.layer_height_mm", "0.001"),
+                   settingMessage("slicing.first_layer_height_mm", "0.001")};
   goal.output = precious();
   client.sendGoal(goal);
   ros::Duration(0.2).sleep();

@@ -14,6 +14,7 @@
 #include "lamina/job/slice_job.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "request_settings.hpp"
 #include "support/drop_programs.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -187,10 +188,8 @@ TEST_F(VoidFiller, RefusesAProgramOfBeadsWithoutItsPart) {
 
 TEST_F(VoidFiller, RefusesAMissingProgramAndAnUnknownSetting) {
   expectRefused(call(folder_.file("none.gcode")), Status::FILE_ERROR, "none.gcode");
-  lamina_msgs::Setting setting;
-  setting.key = "drop_voids.overlapp";
-  setting.value = "0.3";
-  expectRefused(call(written("d.gcode", lamina::test::squareProgram({{4, 4}})), "", {setting}),
+  expectRefused(call(written("d.gcode", lamina::test::squareProgram({{4, 4}})), "",
+                     {lamina::settingMessage("drop_voids.overlapp", "0.3")}),
                 Status::INVALID_CONFIG, "drop_voids.overlap");
 }
 

@@ -20,7 +20,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "panel_content.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 #include "window.hpp"
 
 namespace {
@@ -95,7 +95,7 @@ class Panel : public testing::Test {
   std::string message() { return part<QLabel>(*content_, "message").text().toStdString(); }
   double elapsed() { return part<QLabel>(*content_, "elapsed").text().split(' ').first().toDouble(); }
 
-  lamina::test::TemporaryFolder folder_;
+  lamina::test::ScratchFolder folder_;
   std::unique_ptr<PanelContent> content_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -18,7 +18,7 @@ TEST(ProgramIdentity, HasTheChecksumOfIso3309) {
 }
 
 TEST(ProgramIdentity, OfAFileIsThatOfItsBytes) {
-  const test::TemporaryFolder folder;
+  const test::ScratchFolder folder;
   const std::string path = folder.file("part.gcode");
   std::string text;
   for (int i = 0; i < 200000; ++i)

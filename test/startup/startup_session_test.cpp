@@ -14,7 +14,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/emulated_machine.hpp"
 #include "startup/large_gantry.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -100,7 +100,7 @@ class StartupSessionTest : public testing::Test {
     return job.status();
   }
 
-  test::TemporaryFolder folder_;
+  test::ScratchFolder folder_;
   StartupSettings settings_ = test::largeGantry();
   EmulatedSettings emulated_ = test::emulatedLargeGantry();
   StreamSettings stream_;

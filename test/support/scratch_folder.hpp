@@ -4,9 +4,12 @@
 
 #include <stdlib.h>
 
+#include <cstddef>
 #include <filesystem>
+#include <iterator>
+#include <stdexcept>
 #include <string>
-#include <vector>
+#include <system_error>
 
 namespace lamina::test {
 
@@ -15,15 +18,22 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "lamina_test_XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder '" + name + "' can be made");
+    path_ = name;
   }
-  ~ScratchFolder() { std::filesystem::remove_all(path_); }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   /// Path of a file in the folder.
   std::string file(const std::string& name) const { return (path_ / name).string(); }
 
+  std::size_t fileCount() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
   bool isEmpty() const { return std::filesystem::is_empty(path_); }
 
  private:
