@@ -11,8 +11,10 @@ import sys
 ARROWS = {
     "base": [],
     "geometry": ["base"],
-    "slicing": ["geometry"],
+    "surface": ["geometry"],
+    "slicing": ["surface"],
     "toolpath": ["geometry"],
+    "orientation": ["toolpath", "surface"],
     "infill": ["geometry", "toolpath"],
     "voids": ["infill"],
     "planning": ["slicing", "infill", "voids", "toolpath"],
@@ -26,7 +28,7 @@ ARROWS = {
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang"],
-    "job": ["planning", "voids", "program", "transform", "kinematics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
+    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

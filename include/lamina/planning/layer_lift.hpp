@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Carries a layer that was planned in its plan to where it is laid in the part: positions, orientations, and
+/// beads that fill what their plan filled. Called for several layers at a time.
+using LayerLift = std::function<ToolpathLayer(std::size_t layer, ToolpathLayer planned)>;
+
+}  // namespace lamina

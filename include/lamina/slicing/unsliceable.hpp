@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh.hpp"
+
+namespace lamina {
+
+/// A part that cannot be sliced as asked for. The message gives the reason and where; the region shows it.
+class Unsliceable : public InvalidMesh {
+ public:
+  Unsliceable(const std::string& message, Mesh region) : InvalidMesh(message), region_(std::move(region)) {}
+
+  /// The part of the surface that stands in the way [mm, part frame].
+  const Mesh& region() const { return region_; }
+
+ private:
+  Mesh region_;
+};
+
+}  // namespace lamina
