@@ -2,9 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "lamina/base/settings.hpp"
 
 namespace lamina {
+
+/// What kind of layers a part is cut into.
+enum class SlicingMode {
+  Planar,       ///< in parallel planes: level, or as `slicing.plane` says
+  Inclined,     ///< the same, where `slicing.plane` must incline them
+  Adapted,      ///< of a single wall that grows along the tool axis
+  Curved,       ///< equidistant to the part's lower and upper surface, level between them
+  Conformal,    ///< equidistant to a given base surface
+  HeightField,  ///< bent upwards to follow the part's upper side, for machines that cannot tilt
+  Auto,         ///< one of these, chosen by the part and the machine
+};
+
+/// As written in settings: "planar", "heightfield".
+const char* toString(SlicingMode mode);
 
 /// How the nozzle is held over inclined layers.
 enum class Jet {
@@ -21,6 +37,7 @@ struct PlaneSettings {
 
 /// How a part is cut into layers.
 struct SlicingSettings {
+  SlicingMode mode = SlicingMode::Planar;
   PlaneSettings plane;
   double layer_height_mm = 0.2;
   double first_layer_height_mm = 0.2;

@@ -21,6 +21,9 @@ void describe(SettingsSchema& schema, InputSettings& input) {
 /// Over inclined layers no line of a sensor lies level, and no loop round them keeps to the bed.
 void requireConsistentPlane(const JobSettings& settings) {
   const double angle_deg = settings.slicing.plane.angle_deg;
+  if (angle_deg == 0.0 && settings.slicing.mode == SlicingMode::Inclined)
+    throw InvalidConfig(
+        "slicing.mode is 'inclined' with slicing.plane.angle_deg 0; expected an angle above 0");
   if (angle_deg == 0.0) return;
   const std::string inclined = " with slicing.plane.angle_deg " + std::to_string(angle_deg);
   if (settings.scan.every_layers != 0)

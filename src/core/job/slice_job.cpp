@@ -6,73 +6,27 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "job/inclined_layers.hpp"
+#include "job/laps.hpp"
+#include "job/part_planning.hpp"
 #include "job/part_source.hpp"
-#include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/copies.hpp"
-#include "lamina/job/drop_void_job.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/kinematics/machine.hpp"
-#include "lamina/planning/planner.hpp"
-#include "lamina/slicing/layer.hpp"
-#include "lamina/slicing/layer_plane.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
 namespace {
 
-/// Time since the last lap [s].
-class Laps {
- public:
-  double lap() {
-    const double now = clock_.now();
-    const double passed = now - last_;
-    last_ = now;
-    return passed;
-  }
-
- private:
-  SteadyClock clock_;
-  double last_ = clock_.now();
-};
-
 double peakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-/// @param source  turned so that the layers are level
-std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettings& settings,
-                                   Progress& progress) {
-  const Box3 box = boundingBox(source.mesh);
-  const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
-  if (slabs.empty())
-    throw InvalidInput("the part is " + std::to_string(box.size().z()) +
-                       " mm high across its layers; the first layer of " +
-                       std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
-  std::vector<double> heights;
-  heights.reserve(slabs.size());
-  for (const LayerSlab& slab : slabs) heights.push_back(slab.cut());
-  std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
-  std::vector<Layer> layers(slabs.size());
-  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {slabs[i], std::move(sections[i])};
-  return layers;
-}
-
-void addSections(SliceSummary& summary, const std::vector<Layer>& layers) {
-  summary.layers = layers.size();
-  for (const Layer& layer : layers) {
-    summary.contours += layer.section.contours.size();
-    summary.open_contours += layer.section.open_contours.size();
-    summary.sliced_volume_mm3 += signedArea(layer.section.contours) * layer.slab.height();
-  }
 }
 
 bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
@@ -127,35 +81,31 @@ void requireFits(const Box3& part, const Box3& bed, const std::string& machine) 
                     sizeText(bed.size()));
 }
 
-/// Reads and slices; the mesh is gone when the layers are planned, and is turned in its own memory.
-std::vector<Layer> layersOf(const SliceJob& job, const Machine& machine, SlicedPart& sliced,
-                            Progress& progress) {
+/// Reads the part and says where it stands.
+SourcePart readOnto(const Machine& machine, const SliceJob& job, SlicedPart& sliced, Progress& progress) {
   Laps laps;
   progress.report("read", 0.0);
   SourcePart source = readPart(job.part, job.settings.input);
   const Box3 box = boundingBox(source.mesh);
-  const Box3 bed = workspace(machine);
-  requireFits(box, bed, machine.name);
+  requireFits(box, workspace(machine), machine.name);
   sliced.bed_from_part = placePart(box, machine, job.settings.placement);
   sliced.summary.triangles = source.mesh.triangles.size();
   sliced.summary.mesh_volume_mm3 = volume(source.mesh);
   sliced.summary.repairs = std::move(source.repairs);
   sliced.summary.read_s = laps.lap();
-  const PlaneSettings& plane = job.settings.slicing.plane;
-  if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
-  std::vector<Layer> layers = sliceIntoLayers(source, job.settings.slicing, progress);
-  addSections(sliced.summary, layers);
-  sliced.summary.slice_s = laps.lap();
-  return layers;
+  return source;
 }
 
-/// In the frame of the layers.
-Plan planOf(const SliceJob& job, const std::vector<Layer>& layers, const Eigen::Isometry3d& bed_from_part,
-            Progress& progress) {
-  const std::string name = std::filesystem::path(job.part).stem().string();
-  const PlaneSettings& plane = job.settings.slicing.plane;
-  if (plane.angle_deg == 0.0) return planPart(name, layers, job.settings.planning, progress);
-  return planPart(name, layers, job.settings.planning, bedBeneath(plane, bed_from_part), progress);
+void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
+  summary.layers = planned.counts.layers;
+  summary.contours = planned.counts.contours;
+  summary.open_contours = planned.counts.open_contours;
+  summary.sliced_volume_mm3 = planned.counts.sliced_volume_mm3;
+  summary.slice_s = planned.counts.slice_s;
+  summary.unprinted_mm3 = planned.plan.unprinted_mm3;
+  summary.refilling = planned.plan.refilling;
+  summary.starts = planned.plan.starts;
+  summary.anchored = planned.plan.anchored;
 }
 
 void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
@@ -176,6 +126,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
 
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
   job.settings.slicing.plane = {};
+  job.settings.slicing.mode = SlicingMode::Planar;
   validate(job.settings);
   return runSliceJob(job, withUprightHead(machineOf(job.settings.machine)), progress);
 }
@@ -187,26 +138,18 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   requireApart({job.output}, {job.part, job.settings.machine.urdf});
   requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
-  std::vector<Layer> layers = layersOf(job, machine, sliced, progress);
+  SourcePart source = readOnto(machine, job, sliced, progress);
   Laps laps;
-  Plan plan = planOf(job, layers, sliced.bed_from_part, progress);
-  sliced.toolpath = std::move(plan.toolpath);
-  sliced.summary.unprinted_mm3 = plan.unprinted_mm3;
-  sliced.summary.refilling = plan.refilling;
-  sliced.summary.starts = plan.starts;
-  sliced.summary.anchored = plan.anchored;
-  layers = {};
-  if (job.settings.drop_voids.is_on)
-    sliced.toolpath = withDropVoidsFilled(std::move(sliced.toolpath), job.settings.drop_voids,
-                                          job.settings.planning.travel.feed_mm_s, progress);
+  PlannedPart planned = planByMode(std::move(source), job.settings.slicing.mode,
+                                   {job, machine, sliced.bed_from_part}, progress);
+  addPlanned(sliced.summary, planned);
+  sliced.toolpath = std::move(planned.plan.toolpath);
   requireDeposition(sliced.toolpath, job.settings.planning);
-  sliced.toolpath = withScanPasses(std::move(sliced.toolpath), job.settings.scan, sensorOffset(machine));
-  sliced.toolpath = inPartFrame(std::move(sliced.toolpath), job.settings.slicing.plane);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
   requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  sliced.summary.plan_s = laps.lap();
+  sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
