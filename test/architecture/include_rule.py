@@ -24,7 +24,7 @@ ARROWS = {
     "streaming": ["program"],
     "startup": ["streaming"],
     "deposition": ["toolpath"],
-    "overhang": ["toolpath"],
+    "overhang": ["toolpath", "surface"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang"],
