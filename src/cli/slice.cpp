@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -9,6 +11,8 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/picture/region_picture.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
@@ -47,8 +51,25 @@ void printFill(const SliceSummary& s) {
               100.0 * gap);
 }
 
+/// Walls that lean so far that a bead still lies on the one beneath need no word.
+void printLean(const WallLean& lean) {
+  if (lean.beyond_bead_mm2 <= 0.0) return;
+  std::printf("overhang    %.1f %% of the surface puts a layer out by more than a bead",
+              100.0 * lean.shareBeyondBead());
+  std::printf(", at most %.1f deg at (%.2f, %.2f, %.2f)\n", lean.steepest_rad * 180.0 / M_PI,
+              lean.steepest.x(), lean.steepest.y(), lean.steepest.z());
+}
+
 void printJson(const SliceSummary& s, const std::string& output) {
   const nlohmann::ordered_json json = {
+      {"mode", toString(s.mode)},
+      {"mode_reason", s.mode_reason},
+      {"notes", s.notes},
+      {"steepest_lean_deg", s.lean.steepest_rad * 180.0 / M_PI},
+      {"steepest_lean_at_mm", {s.lean.steepest.x(), s.lean.steepest.y(), s.lean.steepest.z()}},
+      {"overhang_per_layer_mm", std::isfinite(s.lean.overhang_mm) ? nlohmann::ordered_json(s.lean.overhang_mm)
+                                                                  : nlohmann::ordered_json()},
+      {"beyond_bead_mm2", s.lean.beyond_bead_mm2},
       {"triangles", s.triangles},
       {"layers", s.layers},
       {"contours", s.contours},
@@ -89,6 +110,9 @@ void printJson(const SliceSummary& s, const std::string& output) {
 
 void printText(const SliceSummary& s, const std::string& output) {
   for (const std::string& repair : s.repairs) std::printf("repaired: %s\n", repair.c_str());
+  std::printf("mode        %s%s%s\n", toString(s.mode), s.mode_reason.empty() ? "" : ": ",
+              s.mode_reason.c_str());
+  for (const std::string& note : s.notes) std::printf("note        %s\n", note.c_str());
   std::printf("mesh        %zu triangles, %.2f cm3\n", s.triangles, s.mesh_volume_mm3 / 1e3);
   std::printf("layers      %zu, %zu contours", s.layers, s.contours);
   if (s.open_contours > 0) std::printf(", and %zu open", s.open_contours);
@@ -104,12 +128,28 @@ void printText(const SliceSummary& s, const std::string& output) {
   if (s.anchored.moved + s.anchored.in_air > 0)
     std::printf("anchored    %zu starts of runs moved onto bed or material, %zu remain in the air\n",
                 s.anchored.moved, s.anchored.in_air);
+  printLean(s.lean);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);
   std::printf("computed in %.3f s (read %.3f, slice %.3f, plan %.3f, write %.3f), %.0f MiB\n", s.wall_s,
               s.read_s, s.slice_s, s.plan_s, s.write_s, s.peak_memory_mb);
   if (!output.empty()) std::printf("written to  %s\n", output.c_str());
+}
+
+/// Draws the region of a part that cannot be sliced beside the file that is not written.
+SliceSummary runShown(const SliceJob& job) {
+  try {
+    TerminalProgress progress;
+    return runSliceJob(job, progress).summary;
+  } catch (const Unsliceable& refusal) {
+    if (job.output.empty() || refusal.region().triangles.empty()) throw;
+    const std::string picture = std::filesystem::path(job.output).replace_extension(".refused.png").string();
+    drawRegion(
+        {std::filesystem::path(job.part).stem().string(), refusal.what(), refusal.part(), refusal.region()},
+        picture);
+    throw InvalidMesh(std::string(refusal.what()) + "; see " + picture);
+  }
 }
 
 void slice(const SliceArguments& arguments, OutputFormat format) {
@@ -123,11 +163,7 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
   requireApart({job.output}, {job.part, arguments.settings.config});
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
-  SliceSummary summary;
-  {
-    TerminalProgress progress;
-    summary = runSliceJob(job, progress).summary;
-  }
+  const SliceSummary summary = runShown(job);
   if (format == OutputFormat::Json)
     printJson(summary, job.output);
   else

@@ -149,6 +149,13 @@ Bead fromMessage(const lamina_msgs::Bead& bead) {
 
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   lamina_msgs::SliceSummary message;
+  message.mode = toString(summary.mode);
+  message.mode_reason = summary.mode_reason;
+  message.notes = summary.notes;
+  message.steepest_lean = summary.lean.steepest_rad;
+  message.steepest_lean_at = toMessage(summary.lean.steepest);
+  message.overhang_per_layer = toMetres(summary.lean.overhang_mm);
+  message.beyond_bead = summary.lean.beyond_bead_mm2 * 1e-6;
   message.triangles = static_cast<std::uint32_t>(summary.triangles);
   message.layers = static_cast<std::uint32_t>(summary.layers);
   message.contours = static_cast<std::uint32_t>(summary.contours);

@@ -13,6 +13,8 @@ inline constexpr char kSourceToolpathMarkers[] =
                                 ///< inclined
 inline constexpr char kOverhangMarkers[] = "overhang_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCollisionMarkers[] = "collision_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kFrameMarkers[] = "frame_markers";          ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kRefusalMarkers[] = "refusal_markers";      ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kVoidMarkers[] = "void_markers";            ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kMachineState[] = "machine_state";          ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =

@@ -12,6 +12,7 @@
 #include "lamina/job/placement.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/overhang/overhang_settings.hpp"
+#include "lamina/picture/frame_settings.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -41,6 +42,7 @@ struct JobSettings {
   DropVoidSettings drop_voids;
   OverhangSettings overhang;
   ClearanceSettings clearance;
+  FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;
   ProgramSettings program;

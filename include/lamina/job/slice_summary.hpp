@@ -6,16 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "lamina/overhang/wall_lean.hpp"
 #include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/fill_starts.hpp"
 #include "lamina/planning/planner.hpp"
+#include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/repositions.hpp"
 
 namespace lamina {
 
 /// What slicing a part gave, and what it took.
 struct SliceSummary {
-  std::size_t triangles = 0;  ///< of the repaired mesh
+  SlicingMode mode = SlicingMode::Planar;  ///< that the layers were made by; never `Auto`
+  std::string mode_reason;                 ///< why it was chosen; empty if the settings name it
+  std::vector<std::string> notes;          ///< what to know of the layers and the tool, a sentence each
+  WallLean lean;                           ///< of the part's walls over its layers
+  std::size_t triangles = 0;               ///< of the repaired mesh
   std::size_t layers = 0;
   std::size_t contours = 0;       ///< closed ones, of all layers
   std::size_t open_contours = 0;  ///< none on a closed mesh

@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// Title in the top left corner and a smaller line beneath it; together 70 px high.
+/// Title in the top left corner and a smaller line beneath it; together 70 px high, and 22 px more for each
+/// further line of the subtitle.
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& subtitle);
 
 /// A bar of a round length (1, 2 or 5 times a power of ten mm), at most 200 px long, labelled with it.

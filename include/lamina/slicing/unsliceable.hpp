@@ -17,9 +17,18 @@ class Unsliceable : public InvalidMesh {
 
   /// The part of the surface that stands in the way [mm, part frame].
   const Mesh& region() const { return region_; }
+  /// All of the part, to show the region on; empty until somebody who has it gives it.
+  const Mesh& part() const { return part_; }
+
+  /// The same with the part.
+  Unsliceable on(Mesh part) && {
+    part_ = std::move(part);
+    return std::move(*this);
+  }
 
  private:
   Mesh region_;
+  Mesh part_;
 };
 
 }  // namespace lamina

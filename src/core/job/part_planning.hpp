@@ -39,6 +39,7 @@ struct LayerCounts {
 struct PlannedPart {
   Plan plan;
   LayerCounts counts;
+  WallLean lean;
   std::vector<std::string> notes;  ///< what a user should know of the layers, a sentence each
 };
 

@@ -49,8 +49,11 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   Laps laps;
   if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
   std::vector<Layer> layers = sliceIntoLayers(source, settings.slicing, progress);
-  source = {};
   PlannedPart planned;
+  planned.lean = wallLean(source.mesh, Point3::UnitZ(),
+                          {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
+  planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
+  source = {};
   planned.counts = countsOf(layers);
   planned.counts.slice_s = laps.lap();
   planned.plan = planOf(layers, request, progress);

@@ -97,6 +97,8 @@ SourcePart readOnto(const Machine& machine, const SliceJob& job, SlicedPart& sli
 }
 
 void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
+  summary.notes = planned.notes;
+  summary.lean = planned.lean;
   summary.layers = planned.counts.layers;
   summary.contours = planned.counts.contours;
   summary.open_contours = planned.counts.open_contours;
@@ -140,8 +142,9 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   SlicedPart sliced;
   SourcePart source = readOnto(machine, job, sliced, progress);
   Laps laps;
-  PlannedPart planned = planByMode(std::move(source), job.settings.slicing.mode,
-                                   {job, machine, sliced.bed_from_part}, progress);
+  sliced.summary.mode = job.settings.slicing.mode;
+  PlannedPart planned =
+      planByMode(std::move(source), sliced.summary.mode, {job, machine, sliced.bed_from_part}, progress);
   addPlanned(sliced.summary, planned);
   sliced.toolpath = std::move(planned.plan.toolpath);
   requireDeposition(sliced.toolpath, job.settings.planning);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace lamina {
 namespace {
@@ -30,7 +31,10 @@ double roundLength(double limit) {
 
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& subtitle) {
   canvas.text({28.0, 40.0}, title, {22.0, kInk, TextAnchor::Left, TextWeight::Bold});
-  canvas.text({28.0, 63.0}, subtitle, {15.0, kFaintInk, TextAnchor::Left, TextWeight::Normal});
+  std::istringstream lines(subtitle);
+  double base = 63.0;
+  for (std::string line; std::getline(lines, line); base += 22.0)
+    canvas.text({28.0, base}, line, {15.0, kFaintInk, TextAnchor::Left, TextWeight::Normal});
 }
 
 void drawScaleBar(Canvas& canvas, const Point2& at) {

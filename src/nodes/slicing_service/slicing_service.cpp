@@ -5,9 +5,12 @@
 #include "action_end.hpp"
 #include "action_progress.hpp"
 #include "collision_markers.hpp"
+#include "frame_markers.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "names.hpp"
 #include "overhang_markers.hpp"
+#include "region_markers.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
@@ -26,6 +29,8 @@ SlicingService::SlicingService(ros::NodeHandle node, const JobSettings& settings
       markers_(node.advertise<visualization_msgs::MarkerArray>(names::kToolpathMarkers, 1, true)),
       overhang_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kOverhangMarkers, 1, true)),
       collision_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kCollisionMarkers, 1, true)),
+      frame_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kFrameMarkers, 1, true)),
+      refusal_markers_(node.advertise<visualization_msgs::MarkerArray>(names::kRefusalMarkers, 1, true)),
       service_(node.advertiseService(names::kSliceMesh, &SlicingService::onService, this)),
       action_(
           node, names::kSlice, [this](const lamina_msgs::SliceGoalConstPtr& goal) { onGoal(goal); }, false) {
@@ -80,7 +85,7 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   SettingsSchema schema;
   describe(schema, job.settings);
   applyRequest(schema, request.settings);
-  SlicedPart sliced = runSliceJob(job, progress);
+  SlicedPart sliced = runShown(job, progress);
   const Machine machine = machineOf(job.settings.machine);
   const Findings findings = find(sliced, machine, job.settings, progress);
   MachineToolpath placed;
@@ -88,11 +93,20 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   placed.machine = machine.name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
-  publish(placed, findings);
+  publish(placed, findings, job.settings.frames);
   Answer answer;
   answer.toolpath_id = placed.id;
   answer.summary = toMessage(sliced.summary);
   return answer;
+}
+
+SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
+  try {
+    return runSliceJob(job, progress);
+  } catch (const Unsliceable& refusal) {
+    refusal_markers_.publish(regionMarkers(refusal, names::kPartFrame));
+    throw;
+  }
 }
 
 SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Machine& machine,
@@ -110,11 +124,14 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Ma
   return findings;
 }
 
-void SlicingService::publish(const MachineToolpath& placed, const Findings& findings) {
+void SlicingService::publish(const MachineToolpath& placed, const Findings& findings,
+                             const FrameSettings& frames) {
   toolpath_.publish(stamped(placed, ros::Time::now()));
   markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
   overhang_markers_.publish(overhangMarkers(findings.overhangs, names::kPartFrame));
   collision_markers_.publish(collisionMarkers(findings.clearance, names::kBedFrame));
+  frame_markers_.publish(frameMarkers(placed.toolpath, frames, names::kPartFrame));
+  refusal_markers_.publish(noRegionMarkers(names::kPartFrame));
 }
 
 }  // namespace lamina

@@ -24,10 +24,13 @@ namespace lamina {
 /// Publishes   toolpath (lamina/Toolpath, latched), and as visualization_msgs/MarkerArray, latched:
 ///             toolpath_markers;
 ///             overhang_markers, what is laid with nothing beneath it: empty unless overhang.report says so;
-///             collision_markers, where the head collides: empty unless clearance.report says so
+///             collision_markers, where the head collides: empty unless clearance.report says so;
+///             frame_markers, how the nozzle is held: empty unless frames.every_mm is set;
+///             refusal_markers, which region of a part stands in the way of slicing it: empty when it is
+///             sliced
 ///
-/// One part at a time: a request during another one is answered with REJECTED. A request that fails publishes
-/// and writes nothing.
+/// One part at a time: a request during another one is answered with REJECTED. A request that fails writes
+/// nothing, and publishes nothing but refusal_markers if a region of the part is the reason.
 class SlicingService {
  public:
   /// @param settings  of every job, as far as its request does not override them
@@ -56,9 +59,11 @@ class SlicingService {
   void onGoal(const lamina_msgs::SliceGoalConstPtr& goal);
   Answer answer(const Request& request, Progress& progress);
   Answer slice(const Request& request, Progress& progress);
+  /// Shows the region of a part that cannot be sliced.
+  SlicedPart runShown(const SliceJob& job, Progress& progress);
   static Findings find(const SlicedPart& sliced, const Machine& machine, const JobSettings& settings,
                        Progress& progress);
-  void publish(const MachineToolpath& placed, const Findings& findings);
+  void publish(const MachineToolpath& placed, const Findings& findings, const FrameSettings& frames);
 
   JobSettings settings_;
   std::mutex job_;
@@ -66,6 +71,8 @@ class SlicingService {
   ros::Publisher markers_;
   ros::Publisher overhang_markers_;
   ros::Publisher collision_markers_;
+  ros::Publisher frame_markers_;
+  ros::Publisher refusal_markers_;
   ros::ServiceServer service_;
   actionlib::SimpleActionServer<lamina_msgs::SliceAction> action_;
 };

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "lamina/picture/frame_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// How the nozzle is held, as RViz shows it: at the first waypoint of each deposition path and then about
+/// every so many millimetres a frame, its x blue, y red and z, the jet, green, in the namespaces `nozzle_x`,
+/// `nozzle_y` and `nozzle_z`. The first marker deletes those of an earlier toolpath.
+/// (metal-deposition-paths.md, the colours of its pictures)
+///
+/// @param frame  that the markers are given in: the part frame
+visualization_msgs::MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings,
+                                             const std::string& frame);
+
+}  // namespace lamina
