@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// How a curved layer gets its plan.
+enum class FlatteningMethod {
+  Rigid,  ///< triangles keep their shape as well as they can, from the plan of Mds
+  Mds,    ///< classical multidimensional scaling of geodesic distances
+};
+
+/// How curved layers are laid out flat.
+struct FlatteningSettings {
+  FlatteningMethod method = FlatteningMethod::Rigid;
+  int landmarks = 24;
+  double tolerance = 0.15;
+};
+
+void describe(SettingsSchema& schema, FlatteningSettings& settings);
+
+}  // namespace lamina

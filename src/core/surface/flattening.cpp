@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/surface/flattening.hpp"
+
+#include "surface/classical_scaling.hpp"
+#include "surface/rigid_plan.hpp"
+
+namespace lamina {
+namespace {
+
+/// Geodesic distances do not tell a surface from its mirror image.
+void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
+  double area = 0.0;
+  for (const Triangle& corner : surface.triangles) {
+    const Point2 ab = plan[corner[1]] - plan[corner[0]];
+    const Point2 ac = plan[corner[2]] - plan[corner[0]];
+    area += ab.x() * ac.y() - ab.y() * ac.x();
+  }
+  if (area >= 0.0) return;
+  for (Point2& place : plan) place.x() = -place.x();
+}
+
+}  // namespace
+
+std::vector<Point2> flatten(const Mesh& surface, const FlatteningSettings& settings) {
+  if (surface.vertices.empty()) return {};
+  const GeodesicDistances geodesics(surface);
+  std::vector<Point2> plan = classicalScaling(
+      spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks)));
+  turnCounterClockwise(surface, plan);
+  if (settings.method == FlatteningMethod::Rigid) plan = relaxRigidly(surface, std::move(plan));
+  return plan;
+}
+
+}  // namespace lamina
