@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/surface/flattening_settings.hpp"
+#include "lamina/surface/layer_surface.hpp"
+
+namespace lamina {
+
+/// A layer as charts: laid out flat, and cut where it does not lie flat. A piece of the layer stays whole if
+/// in its plan no triangle is flipped, none overlap, and lengths differ by no more than the tolerance;
+/// otherwise it is cut in two along the line midway between two far places, and each half is tried again.
+/// Halves share their border exactly. Plane pieces keep their shape to rounding.
+///
+/// Each plan lies on the projection of its chart to the xy plane as well as it can by turning and moving, so
+/// that directions mean the same in all layers. Where the boxes of two plans overlap, the later one is moved
+/// along x, 10 mm past all before it.
+///
+/// @return in the order of the triangles of the layer, as far as they were not cut; none for an empty layer
+/// @throws InvalidMesh naming the place [mm] if a piece the size of a bead still does not lie flat
+std::vector<LayerChart> layerCharts(const LayerSurface& layer, const FlatteningSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/chart_placement.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <complex>
+
+#include "lamina/geometry/polygon.hpp"
+
+namespace lamina {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kGap_mm = 10.0;
+// A fit is told by less than this share of what a perfect one would have: no direction.
+constexpr double kLeastFit = 0.05;
+
+std::vector<double> areaOfVertices(const Mesh& mesh) {
+  std::vector<double> area(mesh.vertices.size(), 0.0);
+  for (const Triangle& corner : mesh.triangles) {
+    const Point3 ab = mesh.vertices[corner[1]] - mesh.vertices[corner[0]];
+    const Point3 ac = mesh.vertices[corner[2]] - mesh.vertices[corner[0]];
+    for (const std::uint32_t vertex : corner) area[vertex] += ab.cross(ac).norm();
+  }
+  return area;
+}
+
+struct Centres {
+  Point2 plan = Point2::Zero();
+  Point3 surface = Point3::Zero();
+};
+
+Centres centresOf(const LayerChart& chart, const std::vector<double>& weight) {
+  Centres centres;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    centres.plan += weight[i] * chart.plan[i];
+    centres.surface += weight[i] * chart.surface.middle.vertices[i];
+    sum += weight[i];
+  }
+  if (sum > 0.0) {
+    centres.plan /= sum;
+    centres.surface /= sum;
+  }
+  return centres;
+}
+
+/// How the plan must be turned, a number of length 1.
+Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const Centres& centres) {
+  Complex fit = 0.0, towards_x = 0.0, towards_y = 0.0;
+  double size = 0.0;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    const Point2 place = chart.plan[i] - centres.plan;
+    const Point3 above = chart.surface.middle.vertices[i] - centres.surface;
+    const Complex back = weight[i] * Complex(place.x(), -place.y());
+    fit += back * Complex(above.x(), above.y());
+    towards_x += back * above.x();
+    towards_y += back * above.y();
+    size += weight[i] * place.squaredNorm();
+  }
+  Complex turn = fit;
+  if (!(std::abs(turn) > kLeastFit * size)) turn = towards_x;
+  if (!(std::abs(turn) > kLeastFit * size)) turn = Complex(0.0, 1.0) * towards_y;
+  if (!(std::abs(turn) > kLeastFit * size)) return 1.0;
+  return turn / std::abs(turn);
+}
+
+bool overlap(const Box2& a, const Box2& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+}  // namespace
+
+void layOverProjection(LayerChart& chart) {
+  const std::vector<double> weight = areaOfVertices(chart.surface.middle);
+  const Centres centres = centresOf(chart, weight);
+  const Complex turn = turnOf(chart, weight, centres);
+  for (Point2& place : chart.plan) {
+    const Complex turned = turn * Complex(place.x() - centres.plan.x(), place.y() - centres.plan.y());
+    place = {turned.real() + centres.surface.x(), turned.imag() + centres.surface.y()};
+  }
+}
+
+void moveApart(std::vector<LayerChart>& charts) {
+  std::vector<Box2> taken;
+  Box2 all;
+  for (LayerChart& chart : charts) {
+    Box2 box = boundingBox(std::vector<Polygon>{chart.plan});
+    bool is_free = true;
+    for (const Box2& other : taken) is_free = is_free && !overlap(box, other);
+    if (!is_free) {
+      const Point2 shift(all.high.x() + kGap_mm - box.low.x(), 0.0);
+      for (Point2& place : chart.plan) place += shift;
+      box = {box.low + shift, box.high + shift};
+    }
+    taken.push_back(box);
+    all.include(box.low);
+    all.include(box.high);
+  }
+}
+
+}  // namespace lamina
