@@ -19,8 +19,8 @@ Path cycleOf(const Polygon& outline) {
 
 TEST(OpenedCycle, RunsRoundFromItsStartAndStopsShort) {
   const Path square = cycleOf(test::rectangle(0, 0, 10, 10));
-  const CyclePlace start = nearestPlace(square, {4, -1});
-  EXPECT_EQ(start.point, Point2(4, 0));
+  const CyclePlace start = nearestPlace(square, {4, -1, 0});
+  EXPECT_EQ(start.point, Point3(4, 0, 0.4));
   const Path as_given = opened(square, {start, CycleSense::AsGiven, 1.5});
   EXPECT_FALSE(as_given.is_closed);
   EXPECT_EQ(as_given.firstPoint(), Point3(4, 0, 0.4));
@@ -36,7 +36,8 @@ TEST(OpenedCycle, EndsWhereItIsForetoldToEnd) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Path cycle = cycleOf(test::star(random, {3, 1}, 2.0, 9.0, *rc::gen::inRange(3, 60)));
     CycleOpening opening;
-    opening.start = nearestPlace(cycle, {random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)});
+    opening.start = nearestPlace(
+        cycle, {random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), random.uniform(-1.0, 1.0)});
     opening.left_out_mm = random.uniform(0.0, 5.0);
     for (const CycleSense sense : {CycleSense::AsGiven, CycleSense::Reversed}) {
       opening.sense = sense;

@@ -9,6 +9,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/fill_starts.hpp"
+#include "lamina/planning/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -41,6 +42,15 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// @throws as `planToolpath`
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const BedPlane& bed, Progress& progress);
+
+/// The plan of a part whose layers are planned in a plan each, and lifted to where they are laid: without
+/// skirt; chained layers and travels between layers are joined in space (`lifting.md`). What the plan tells
+/// besides its toolpath is measured in the plans.
+/// @param layers  the plans; their slabs give the height that beads are planned with
+/// @throws as `planToolpath`, and what `lift` throws; InvalidConfig for strategies that rise from layer to
+///         layer
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const LayerLift& lift, Progress& progress);
 
 /// The toolpath of a part cut into planar layers: skirt, walls and infill of each layer, ordered to shorten
 /// travel and joined by travel paths. The nozzle points down; its tip runs at the top of each layer. Layers

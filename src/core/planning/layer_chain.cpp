@@ -3,11 +3,13 @@
 #include "planning/layer_chain.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "planning/nozzle_frame.hpp"
 #include "planning/opened_cycle.hpp"
-#include "planning/travel.hpp"
+#include "planning/space_travel.hpp"
 
 namespace lamina {
 namespace {
@@ -23,8 +25,9 @@ bool isCycle(const Path& path, double pitch) {
 
 class LayerChain {
  public:
-  LayerChain(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point2& anchor)
-      : layers_(layers), settings_(settings), nozzle_(anchor) {}
+  LayerChain(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,
+             const TravelMaker& travel)
+      : layers_(layers), settings_(settings), travel_(travel), nozzle_{anchor, nozzleDown()} {}
 
   void join() {
     for (ToolpathLayer& layer : layers_) dropTravels(layer);
@@ -52,8 +55,8 @@ class LayerChain {
       const ToolpathLayer& layer = layers_[i];
       if (layer.paths.empty()) continue;
       const Path& path = layer.paths.back();
-      const Point2 above = places_[i + 1] ? *places_[i + 1] : Point2(path.firstPoint().head<2>());
-      places_[i] = path.is_closed ? nearestPlace(path, above).point : Point2(path.firstPoint().head<2>());
+      const Point3 above = places_[i + 1] ? *places_[i + 1] : path.firstPoint();
+      places_[i] = path.is_closed ? nearestPlace(path, above).point : path.firstPoint();
     }
   }
 
@@ -66,36 +69,45 @@ class LayerChain {
       const bool is_last = i + 1 == layer.paths.size();
       const bool is_cycle = isCycle(path, pitch);
       if (is_cycle) {
-        if (!last_ && places_[index]) nozzle_ = *places_[index];
+        if (!has_begun_ && places_[index]) nozzle_.point = *places_[index];
         path = openedTowards(path, pitch, is_last ? places_[index + 1] : std::nullopt);
       }
       if (!paths.empty()) {
-        std::optional<Path> travel = makeTravel(*last_, path.firstPoint(), settings_.travel);
+        std::optional<Path> travel = travel_(paths.back(), path, index);
         if (travel) paths.push_back(std::move(*travel));
-      } else if (is_cycle && last_ && (last_->head<2>() - path.firstPoint().head<2>()).norm() <= pitch) {
-        path = risingFrom(*last_, path);
+      } else if (is_cycle && has_begun_ && isWithinReach(path, pitch, layer.height_mm)) {
+        path = risingFrom(nozzle_, path);
       }
-      last_ = path.lastPoint();
-      nozzle_ = last_->head<2>();
+      has_begun_ = true;
+      nozzle_ = endPose(path);
       paths.push_back(std::move(path));
     }
     layer.paths = std::move(paths);
   }
 
-  Path openedTowards(const Path& cycle, double pitch, const std::optional<Point2>& next) const {
-    const CycleOpening as_given = {nearestPlace(cycle, nozzle_), CycleSense::AsGiven, kLeftOut * pitch};
+  /// Whether the path starts where a bead from the nozzle can rise to.
+  bool isWithinReach(const Path& path, double pitch, double height) const {
+    const Point3 way = path.firstPoint() - nozzle_.point;
+    const Point3 up = againstJet(path.orientation.at(0));
+    const double rise = up.dot(way);
+    return (way - rise * up).norm() <= pitch && std::abs(rise) <= 2.0 * height;
+  }
+
+  Path openedTowards(const Path& cycle, double pitch, const std::optional<Point3>& next) const {
+    const CycleOpening as_given = {nearestPlace(cycle, nozzle_.point), CycleSense::AsGiven, kLeftOut * pitch};
     if (!next) return opened(cycle, as_given);
     CycleOpening reversed = as_given;
     reversed.sense = CycleSense::Reversed;
     const auto distance = [&](const CycleOpening& opening) {
-      return (endOfOpened(cycle, opening).head<2>() - *next).norm();
+      return (endOfOpened(cycle, opening) - *next).norm();
     };
     return opened(cycle, distance(reversed) < distance(as_given) ? reversed : as_given);
   }
 
   /// The path with a bead from that point to its start put first.
-  static Path risingFrom(const Point3& point, Path path) {
-    path.points.insert(path.points.begin(), point);
+  static Path risingFrom(const NozzlePose& from, Path path) {
+    path.points.insert(path.points.begin(), from.point);
+    const std::size_t count = path.points.size();
     const auto prolong = [&](auto& quantity) {
       if (quantity.isCommon()) return;
       auto values = quantity.values();
@@ -105,21 +117,27 @@ class LayerChain {
     };
     prolong(path.bead);
     prolong(path.feed_mm_s);
-    prolong(path.orientation);
+    if (path.orientation.isCommon() && path.orientation.at(0).coeffs() == from.orientation.coeffs())
+      return path;
+    std::vector<Eigen::Quaterniond> orientations = {from.orientation};
+    for (std::size_t i = 0; i + 1 < count; ++i) orientations.push_back(path.orientation.at(i));
+    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(orientations));
     return path;
   }
 
   std::vector<ToolpathLayer>& layers_;
   const PlanSettings& settings_;
-  Point2 nozzle_;
-  std::optional<Point3> last_;
-  std::vector<std::optional<Point2>> places_;  ///< of each layer, to keep near to
+  const TravelMaker& travel_;
+  NozzlePose nozzle_;  ///< where the last path ended, or the anchor
+  bool has_begun_ = false;
+  std::vector<std::optional<Point3>> places_;  ///< of each layer, to keep near to
 };
 
 }  // namespace
 
-void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point2& anchor) {
-  LayerChain(layers, settings, anchor).join();
+void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,
+                 const TravelMaker& travel) {
+  LayerChain(layers, settings, anchor, travel).join();
 }
 
 }  // namespace lamina

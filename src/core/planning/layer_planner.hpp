@@ -8,6 +8,7 @@
 
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/anchoring.hpp"
+#include "lamina/planning/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
@@ -21,6 +22,7 @@ struct PlanContext {
   InfillStrategy strategy;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
   std::optional<BedPlane> bed;     ///< beneath inclined layers
+  LayerLift lift;                  ///< of layers planned in a plan; none of those planned where they are
 };
 
 /// A layer and the one it is laid on, if there is one.

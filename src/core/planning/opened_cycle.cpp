@@ -13,14 +13,22 @@ namespace {
 /// Stretches shorter than this are left out [mm].
 constexpr double kShortest = 1e-6;
 
+/// Where the nozzle is and how it is held.
+struct Pose {
+  Point3 point;
+  Eigen::Quaterniond orientation;
+};
+
 /// Waypoints of an open path: where each is, and which waypoint of the cycle tells of the way to it.
 struct Waypoints {
   std::vector<Point3> points;
+  std::vector<Eigen::Quaterniond> orientations;
   std::vector<std::size_t> from;
 
-  void add(const Point3& point, std::size_t waypoint) {
-    if (!points.empty() && (point - points.back()).norm() < kShortest) return;
-    points.push_back(point);
+  void add(const Pose& pose, std::size_t waypoint) {
+    if (!points.empty() && (pose.point - points.back()).norm() < kShortest) return;
+    points.push_back(pose.point);
+    orientations.push_back(pose.orientation);
     from.push_back(waypoint);
   }
 
@@ -31,10 +39,13 @@ struct Waypoints {
       const double length = back.norm();
       if (length > left_out + kShortest) {
         points.back() += left_out / length * back;
+        orientations.back() =
+            orientations.back().slerp(left_out / length, orientations[orientations.size() - 2]);
         return;
       }
       left_out -= length;
       points.pop_back();
+      orientations.pop_back();
       from.pop_back();
     }
   }
@@ -43,6 +54,16 @@ struct Waypoints {
 Point3 startOf(const Path& cycle, const CyclePlace& place) {
   const Point3& from = cycle.points[place.motion];
   return from + place.part * (cycle.points[cycle.motionEnd(place.motion)] - from);
+}
+
+Pose poseAt(const Path& cycle, std::size_t waypoint) {
+  return {cycle.points[waypoint], cycle.orientation.at(waypoint)};
+}
+
+Pose startPoseOf(const Path& cycle, const CyclePlace& place) {
+  const Eigen::Quaterniond& from = cycle.orientation.at(place.motion);
+  const Eigen::Quaterniond& to = cycle.orientation.at(cycle.motionEnd(place.motion));
+  return {startOf(cycle, place), from.slerp(place.part, to)};
 }
 
 template <class Value>
@@ -56,15 +77,15 @@ AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::
 
 }  // namespace
 
-CyclePlace nearestPlace(const Path& cycle, const Point2& point) {
+CyclePlace nearestPlace(const Path& cycle, const Point3& point) {
   CyclePlace best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t motion = 0; motion < cycle.motionCount(); ++motion) {
-    const Point2 from = cycle.points[motion].head<2>();
-    const Point2 along = cycle.points[cycle.motionEnd(motion)].head<2>() - from;
+    const Point3& from = cycle.points[motion];
+    const Point3 along = cycle.points[cycle.motionEnd(motion)] - from;
     const double squared = along.squaredNorm();
     const double part = squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
-    const Point2 place = from + part * along;
+    const Point3 place = from + part * along;
     const double distance = (place - point).squaredNorm();
     if (distance >= least) continue;
     least = distance;
@@ -77,15 +98,15 @@ Path opened(const Path& cycle, const CycleOpening& opening) {
   const std::size_t count = cycle.points.size();
   const std::size_t motion = opening.start.motion;
   const std::size_t end = cycle.motionEnd(motion);
-  const Point3 start = startOf(cycle, opening.start);
+  const Pose start = startPoseOf(cycle, opening.start);
   Waypoints waypoints;
   waypoints.add(start, end);
   for (std::size_t i = 0; i < count; ++i) {
     // The way to a waypoint is told by itself forwards, and by the one after it backwards.
     if (opening.sense == CycleSense::AsGiven)
-      waypoints.add(cycle.points[(end + i) % count], (end + i) % count);
+      waypoints.add(poseAt(cycle, (end + i) % count), (end + i) % count);
     else
-      waypoints.add(cycle.points[(motion + count - i) % count], (motion + count - i + 1) % count);
+      waypoints.add(poseAt(cycle, (motion + count - i) % count), (motion + count - i + 1) % count);
   }
   waypoints.add(start, end);
   waypoints.shorten(opening.left_out_mm);
@@ -94,7 +115,8 @@ Path opened(const Path& cycle, const CycleOpening& opening) {
   path.points = std::move(waypoints.points);
   path.bead = taken(cycle.bead, waypoints.from);
   path.feed_mm_s = taken(cycle.feed_mm_s, waypoints.from);
-  path.orientation = taken(cycle.orientation, waypoints.from);
+  if (!cycle.orientation.isCommon())
+    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(waypoints.orientations));
   return path;
 }
 

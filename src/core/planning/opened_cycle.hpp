@@ -9,15 +9,15 @@
 
 namespace lamina {
 
-/// A place on a closed path, in the plane of its layer.
+/// A place on a closed path.
 struct CyclePlace {
   std::size_t motion = 0;  ///< that passes it
   double part = 0.0;       ///< of that motion, from its start
-  Point2 point = Point2::Zero();
+  Point3 point = Point3::Zero();
 };
 
 /// The place of a closed path that is nearest to a point.
-CyclePlace nearestPlace(const Path& cycle, const Point2& point);
+CyclePlace nearestPlace(const Path& cycle, const Point3& point);
 
 enum class CycleSense { AsGiven, Reversed };
 
@@ -28,7 +28,8 @@ struct CycleOpening {
   double left_out_mm = 0.0;  ///< of its arc, at the end
 };
 
-/// The closed path as an open one. What is left out must be shorter than the path.
+/// The closed path as an open one; the nozzle is turned evenly along motions that are cut. What is left out
+/// must be shorter than the path.
 Path opened(const Path& cycle, const CycleOpening& opening);
 
 /// Where that path ends.

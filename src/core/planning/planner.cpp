@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 #include "planning/anchored_starts.hpp"
@@ -11,6 +12,7 @@
 #include "planning/layer_planner.hpp"
 #include "planning/near_origin.hpp"
 #include "planning/rising_wall.hpp"
+#include "planning/space_travel.hpp"
 #include "planning/travel.hpp"
 
 namespace lamina {
@@ -58,17 +60,25 @@ PlanContext baseContext(PlanContext context) {
 }
 
 /// Layers are planned apart from each other; only here does each learn where the nozzle comes from.
-void joinLayers(std::vector<ToolpathLayer>& layers, const TravelSettings& settings) {
+void joinLayers(std::vector<ToolpathLayer>& layers, const TravelMaker& travel_between) {
   const Path* previous = nullptr;
-  for (ToolpathLayer& layer : layers) {
-    if (layer.paths.empty()) continue;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    std::vector<Path>& paths = layers[i].paths;
+    if (paths.empty()) continue;
     if (previous != nullptr) {
-      std::optional<Path> travel =
-          makeTravel(previous->lastPoint(), layer.paths.front().firstPoint(), settings);
-      if (travel) layer.paths.insert(layer.paths.begin(), std::move(*travel));
+      std::optional<Path> travel = travel_between(*previous, paths.front(), i);
+      if (travel) paths.insert(paths.begin(), std::move(*travel));
     }
-    previous = &layer.paths.back();
+    previous = &paths.back();
   }
+}
+
+/// Where a chain of layers starts. On lifted ones the planner's anchor is a place of the plan.
+Point3 chainAnchor(const std::vector<ToolpathLayer>& layers, const PlanContext& context) {
+  if (context.lift)
+    for (const ToolpathLayer& layer : layers)
+      if (!layer.paths.empty()) return layer.paths.front().firstPoint();
+  return {context.anchor.x(), context.anchor.y(), layers.empty() ? 0.0 : layers.front().z_mm};
 }
 
 Plan inOne(std::vector<PlannedLayer> planned) {
@@ -113,13 +123,18 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
       layers.size(),
       [&](std::size_t i) {
         planned[i] = planAnywhere(stackedAt(layers, i), i, i < base_layers ? base : context);
+        if (context.lift) planned[i].layer = context.lift(i, std::move(planned[i].layer));
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
-  if (context.strategy.link == LayerLink::Chained) chainLayers(paths, of_settings.settings, context.anchor);
-  if (isVase(context)) raiseWall(paths, base_layers, of_settings.settings.travel);
-  joinLayers(paths, of_settings.settings.travel);
+  const TravelSettings& travel_settings = of_settings.settings.travel;
+  const TravelMaker travel =
+      context.lift ? spaceTravels(paths, travel_settings) : levelTravels(travel_settings);
+  if (context.strategy.link == LayerLink::Chained)
+    chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
+  if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
+  joinLayers(paths, travel);
   if (context.bed)
     plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
   return plan;
@@ -138,6 +153,19 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
               const BedPlane& bed, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   context.bed = bed;
+  Plan plan = planInContext(layers, context, progress);
+  plan.toolpath.part_name = part_name;
+  return plan;
+}
+
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const LayerLift& lift, Progress& progress) {
+  PlanContext context = contextFor(layers, settings);
+  if (isVase(context))
+    throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
+                        "', which rises from one level layer to the next; curved layers need another");
+  context.settings.skirt.count = 0;
+  context.lift = lift;
   Plan plan = planInContext(layers, context, progress);
   plan.toolpath.part_name = part_name;
   return plan;

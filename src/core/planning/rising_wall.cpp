@@ -155,7 +155,8 @@ class WallRaiser {
         add(std::move(path), paths);
     }
     const Point2 start = nozzle_ ? Point2(nozzle_->head<2>()) : Point2(loop.firstPoint().head<2>());
-    Path own = opened(loop, {nearestPlace(loop, start), CycleSense::AsGiven, 0.0});
+    Path own = opened(
+        loop, {nearestPlace(loop, {start.x(), start.y(), loop.firstPoint().z()}), CycleSense::AsGiven, 0.0});
     std::vector<TurnPoint> turn = turnOf(own);
     if (beneath_) {
       drawDown(turn, *beneath_, own.bead.at(1).width_mm);

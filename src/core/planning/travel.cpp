@@ -21,4 +21,10 @@ std::optional<Path> makeTravel(const Point3& from, const Point3& to, const Trave
   return path;
 }
 
+TravelMaker levelTravels(const TravelSettings& settings) {
+  return [settings](const Path& from, const Path& to, std::size_t) {
+    return makeTravel(from.lastPoint(), to.firstPoint(), settings);
+  };
+}
+
 }  // namespace lamina

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "lamina/planning/plan_settings.hpp"
@@ -21,5 +23,12 @@ enum class TravelOver {
 /// retracted.
 std::optional<Path> makeTravel(const Point3& from, const Point3& to, const TravelSettings& settings,
                                TravelOver over = TravelOver::Anything);
+
+/// Makes the motion without deposition from the end of a path to the start of the next, which is of that
+/// layer; none if they join.
+using TravelMaker = std::function<std::optional<Path>(const Path& from, const Path& to, std::size_t layer)>;
+
+/// That of `makeTravel`, over anything.
+TravelMaker levelTravels(const TravelSettings& settings);
 
 }  // namespace lamina

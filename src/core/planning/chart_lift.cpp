@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/chart_lift.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/surface/chart_lookup.hpp"
+#include "planning/lifted_line.hpp"
+#include "planning/nozzle_frame.hpp"
+#include "planning/path_lift.hpp"
+#include "planning/space_travel.hpp"
+
+namespace lamina {
+namespace {
+
+/// By which travels that follow a layer are raised, in tolerances: nowhere lower than a convex layer, which
+/// their ends leave in a parabola.
+constexpr double kRaise = 4.0;
+
+class LayerLifter {
+ public:
+  LayerLifter(const ChartLookup& charts, const LiftSettings& settings, const TravelSettings& travel,
+              double highest_mm)
+      : charts_(charts), settings_(settings), travel_(travel), highest_mm_(highest_mm) {}
+
+  std::vector<Path> lift(const std::vector<Path>& planned) && {
+    const Path* travel = nullptr;
+    for (const Path& path : planned) {
+      if (path.role == PathRole::Travel)
+        travel = &path;
+      else
+        addRun(path, std::exchange(travel, nullptr));
+    }
+    return std::move(lifted_);
+  }
+
+ private:
+  void addRun(const Path& planned, const Path* travel) {
+    Path run = liftedPath(charts_, planned, settings_);
+    if (travel != nullptr && !lifted_.empty()) {
+      const NozzlePose from = endPose(lifted_.back());
+      const NozzlePose to = startPose(run);
+      std::optional<Path> there = followed(*travel, from, to);
+      if (!there) there = makeSpaceTravel(from, to, travel_, highest_mm_);
+      if (there) lifted_.push_back(std::move(*there));
+    }
+    lifted_.push_back(std::move(run));
+  }
+
+  /// The travel along the layer, if it may and can follow it.
+  std::optional<Path> followed(const Path& planned, const NozzlePose& from, const NozzlePose& to) const {
+    if (planned.process.is_retracted || (to.point - from.point).norm() < 1e-6) return std::nullopt;
+    const std::optional<LiftedLine> line =
+        liftedLine(charts_, planned.firstPoint().head<2>(), planned.lastPoint().head<2>(), 1.0);
+    if (!line) return std::nullopt;
+    Path path = planned;
+    const std::vector<std::size_t> needed = neededPoints(*line, travelSettings());
+    std::vector<Eigen::Quaterniond> orientations;
+    path.points.clear();
+    for (const std::size_t i : needed) {
+      const SurfacePoint& point = line->points[i];
+      path.points.emplace_back(point.tip + kRaise * settings_.position_tolerance_mm * point.normal);
+      orientations.push_back(settings_.jet == Jet::Down ? nozzleDown() : nozzleAgainst(point.normal));
+    }
+    path.points.front() = from.point;
+    path.points.back() = to.point;
+    orientations.front() = from.orientation;
+    orientations.back() = to.orientation;
+    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(orientations));
+    if (settings_.jet == Jet::Down) path.orientation = nozzleDown();
+    return path;
+  }
+
+  /// Travels have no height.
+  LiftSettings travelSettings() const {
+    LiftSettings settings = settings_;
+    settings.height_tolerance = std::numeric_limits<double>::infinity();
+    return settings;
+  }
+
+  const ChartLookup& charts_;
+  const LiftSettings& settings_;
+  const TravelSettings& travel_;
+  double highest_mm_;
+  std::vector<Path> lifted_;
+};
+
+/// z of the highest tip of each layer and of those before it.
+std::vector<double> highestTips(const std::vector<std::vector<LayerChart>>& layers) {
+  std::vector<double> highest;
+  double z = -std::numeric_limits<double>::infinity();
+  for (const std::vector<LayerChart>& charts : layers) {
+    for (const LayerChart& chart : charts)
+      for (const Point3& tip : chart.surface.tip) z = std::max(z, tip.z());
+    highest.push_back(z);
+  }
+  return highest;
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, LiftSettings& settings) {
+  schema.number("lifting.position_tolerance_mm", settings.position_tolerance_mm, {1e-5, 1.0, false},
+                "How far paths may leave a curved layer between their waypoints.");
+  schema.number("lifting.normal_tolerance_deg", settings.normal_tolerance_deg, {1e-3, 30.0, false},
+                "How far the nozzle may leave the normal of a curved layer between waypoints.");
+  schema.number("lifting.height_tolerance", settings.height_tolerance, {1e-3, 1.0, false},
+                "Part by which the height of a curved layer may vary along one motion.");
+}
+
+ToolpathLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
+                       const LiftSettings& settings, const TravelSettings& travel, double highest_mm) {
+  if (planned.paths.empty()) return planned;
+  const ChartLookup lookup(charts);
+  planned.paths = LayerLifter(lookup, settings, travel, highest_mm).lift(planned.paths);
+  return planned;
+}
+
+LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const LiftSettings& settings,
+                    const TravelSettings& travel) {
+  return
+      [&layers, settings, travel, highest = highestTips(layers)](std::size_t layer, ToolpathLayer planned) {
+        if (layer >= layers.size())
+          throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
+                             std::to_string(layers.size()) + " layers");
+        return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
+      };
+}
+
+}  // namespace lamina
