@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// The nozzle's frame about a jet that does not spin (metal-deposition-paths.md section 2.4, for any
+/// heading): with the heading u = (cos a, sin a, 0) and v = z x u, the nozzle's x is perpendicular to the jet
+/// and to v, and points along u wherever the jet points down. It turns steadily with the jet, also past the
+/// horizontal. Heading 0 gives `nozzleDown()` for a vertical jet, 180 the w 0, x 0, y 1, z 0 of the source.
+///
+/// @param jet  of unit length [part frame]
+/// @return part_from_nozzle, of unit length; its scalar product with that of a vertical jet is not negative
+/// @throws InvalidInput if the jet lies along v within 1e-6, where no such frame is
+Eigen::Quaterniond noSpinFrame(const Point3& jet, double heading_deg);
+
+/// The frames along a run. Where the jet lies along v, the nozzle's x of the waypoint before is kept as far
+/// as it can, before the first other jet that of the waypoint after. No two that follow each other have a
+/// negative scalar product.
+///
+/// @param jets  one or more, of unit length
+/// @throws InvalidInput if all of them lie along v
+std::vector<Eigen::Quaterniond> noSpinFrames(const std::vector<Point3>& jets, double heading_deg);
+
+/// The direction of the jet: z of the nozzle.
+inline Point3 jetOf(const Eigen::Quaterniond& part_from_nozzle) { return part_from_nozzle * Point3::UnitZ(); }
+
+/// The sign of a quaternion that is nearer to another one.
+inline Eigen::Quaterniond signedLike(const Eigen::Quaterniond& value, const Eigen::Quaterniond& other) {
+  return value.dot(other) < 0.0 ? Eigen::Quaterniond(-value.coeffs()) : value;
+}
+
+}  // namespace lamina

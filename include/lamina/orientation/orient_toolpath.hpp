@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/mesh.hpp"
+#include "lamina/orientation/orientation_report.hpp"
+#include "lamina/orientation/orientation_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A toolpath with its nozzle oriented, and how it turns.
+struct OrientedToolpath {
+  Toolpath toolpath;
+  OrientationReport report;
+};
+
+/// Holds the nozzle along a toolpath as the settings say: the jet by mode, lead and tilt, smoothing, limits
+/// on tilt and then on turn, and about each jet the frame that does not spin. Points, beads and feeds stay.
+/// Runs whose orientation is the same at all waypoints hold it once. Travels turn from the end of one run to
+/// the start of the next in proportion to their length, the shortest way; before the first run and after the
+/// last they hold what that has. From waypoint to waypoint, also from path to path, quaternions keep their
+/// sign.
+///
+/// @param toolpath  with the orientations the slicer gave, jets against the layers' normals
+/// @param part      what it was sliced from [mm, part frame]; read in mode wall only
+/// @return the same for any number of threads
+/// @throws InvalidConfig as `validate`; InvalidInput if a whole run's jet lies across the heading, or a part
+/// has no walls to follow; Cancelled
+OrientedToolpath orientToolpath(Toolpath toolpath, const OrientationSettings& settings, const Mesh& part,
+                                Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace lamina {
+
+/// A waypoint by its numbers, from 0.
+struct WaypointPlace {
+  std::size_t layer = 0;
+  std::size_t path = 0;
+  std::size_t waypoint = 0;
+};
+
+/// The greatest value of a quantity and where it is.
+struct GreatestAngle {
+  double value = 0.0;
+  WaypointPlace at;
+};
+
+enum class OrientationLimit { Tilt, Turn };
+
+/// A run on which a limit changed the jet.
+struct LimitHit {
+  OrientationLimit limit = OrientationLimit::Tilt;
+  WaypointPlace worst;        ///< where wanted and given differ most
+  double wanted_deg = 0.0;    ///< there: the tilt; for a turn limit the turn on the way there
+  double given_deg = 0.0;     ///< there: what it became
+  std::size_t waypoints = 0;  ///< of the run at which the jet was changed
+};
+
+/// How the nozzle turns along a toolpath, and what limits changed.
+struct OrientationReport {
+  GreatestAngle tilt_deg;                  ///< of the jet from straight down
+  GreatestAngle step_deg;                  ///< turn of the nozzle between waypoints that follow each other
+  GreatestAngle turn_deg_per_mm;           ///< the same over the length of the motion, in runs
+  GreatestAngle travel_deg_per_mm;         ///< and in travels, which no limit changes
+  std::vector<LimitHit> limits_hit;        ///< in the order of the runs
+  std::size_t waypoints_without_wall = 0;  ///< of walls, in mode wall (`wallFollowingJets`)
+};
+
+}  // namespace lamina

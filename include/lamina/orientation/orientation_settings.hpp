@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// Where the jet of a run points before lead, tilt, smoothing and limits.
+enum class OrientationMode {
+  LayerNormal,  ///< as the slicer gave it: against the layer's normal
+  Fixed,        ///< one direction everywhere
+  Wall,         ///< walls: in the wall and across the path; other runs as the slicer gave it
+};
+
+/// One direction for the whole part: the nozzle's body leans from the vertical towards a heading.
+struct FixedDirection {
+  double tilt_deg = 0.0;     ///< from the vertical; 0 is straight down
+  double heading_deg = 0.0;  ///< to which the body leans, from x towards y
+};
+
+/// What of a mesh is a wall.
+struct WallFaces {
+  double max_lean_deg = 60.0;  ///< faces that lean more from the layers' normal are none
+};
+
+/// Bounds on how the nozzle is held.
+struct OrientationLimits {
+  double max_tilt_deg = 180.0;       ///< of the jet from straight down; 180 is no limit
+  double max_turn_deg_per_mm = 0.0;  ///< of the jet along a run; 0 is no limit
+};
+
+/// How the nozzle is held along a toolpath.
+struct OrientationSettings {
+  OrientationMode mode = OrientationMode::LayerNormal;
+  FixedDirection fixed;
+  WallFaces wall;
+  double lead_deg = 0.0;     ///< leans the nozzle's body towards where it travels
+  double tilt_deg = 0.0;     ///< leans it to the left of the path, seen along the path from the nozzle
+  int smoothing_window = 1;  ///< waypoints, odd; 1 is none
+  OrientationLimits limits;
+  double heading_deg = 0.0;  ///< of the nozzle's x, from x towards y
+};
+
+/// Adds the keys orientation.*.
+void describe(SettingsSchema& schema, OrientationSettings& settings);
+
+/// Checks what bounds of single keys cannot say.
+/// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a tilt limit of more than
+/// 90 degrees (of two jets within such a limit the shortest way between them may leave it)
+void validate(const OrientationSettings& settings);
+
+}  // namespace lamina

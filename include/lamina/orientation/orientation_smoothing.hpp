@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Moving average of the jets over `window` waypoints, made unit length again (metal-deposition-paths.md
+/// section 2.5). Circular on a closed path; on an open one the window shrinks evenly towards the ends, whose
+/// jets stay. Where an average vanishes, as between opposite jets, the jet stays. Time is linear in the
+/// waypoints.
+///
+/// @param window  odd; 1 changes nothing. On a closed path of fewer waypoints it runs round more than once.
+/// @throws InvalidConfig if it is even or not positive
+std::vector<Point3> smoothedJets(const std::vector<Point3>& jets, bool is_closed, int window);
+
+}  // namespace lamina

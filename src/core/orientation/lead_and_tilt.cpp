@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/orientation/lead_and_tilt.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace lamina {
+
+Point3 withLeadAndTilt(const Point3& jet, const Point3& tangent, double lead_deg, double tilt_deg) {
+  constexpr double kAlong = 1e-9;  // sine of the angle between jet and tangent
+  constexpr double kDegree = M_PI / 180.0;
+  const Point3 left = tangent.cross(jet);
+  if (left.norm() < kAlong) return jet;
+  const Point3 led = Eigen::AngleAxisd(lead_deg * kDegree, left.normalized()) * jet;
+  return (Eigen::AngleAxisd(-tilt_deg * kDegree, tangent) * led).normalized();
+}
+
+}  // namespace lamina

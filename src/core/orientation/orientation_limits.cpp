@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/orientation/orientation_limits.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kOpposite = 1e-9;
+
+double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// From one direction towards another by at most an angle [rad], the shortest way; between opposite ones the
+/// way through straight down, which no tilt limit forbids.
+Point3 towards(const Point3& from, const Point3& to, double at_most) {
+  if (angleBetween(from, to) <= at_most) return to;
+  Point3 side = to - to.dot(from) * from;
+  if (side.norm() < kOpposite) side = -Point3::UnitZ() + from.z() * from;
+  if (side.norm() < kOpposite) side = from.unitOrthogonal();
+  return (std::cos(at_most) * from + std::sin(at_most) * side.normalized()).normalized();
+}
+
+Point3 between(const Point3& a, const Point3& b) { return towards(a, b, 0.5 * angleBetween(a, b)); }
+
+/// The turn that each motion allows [rad].
+std::vector<double> allowances(const std::vector<double>& lengths, double max_deg_per_mm) {
+  std::vector<double> allowed;
+  allowed.reserve(lengths.size());
+  for (const double length : lengths) allowed.push_back(length * max_deg_per_mm * kDegree);
+  return allowed;
+}
+
+/// Each jet as near to the wanted one as the jet before allows. A closed path is run round twice, so that
+/// its start follows its end.
+std::vector<Point3> followed(const std::vector<Point3>& wanted, const std::vector<double>& allowed) {
+  std::vector<Point3> jets = wanted;
+  const std::size_t count = jets.size();
+  const std::size_t steps = allowed.size() == count ? 2 * count : count - 1;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const std::size_t i = step % count;
+    const std::size_t next = (i + 1) % count;
+    jets[next] = towards(jets[i], wanted[next], allowed[i]);
+  }
+  return jets;
+}
+
+std::vector<Point3> followedBackwards(std::vector<Point3> wanted, std::vector<double> allowed) {
+  // The closing motion of a closed path stays the last one when the points before it are run backwards.
+  std::reverse(wanted.begin(), wanted.end());
+  const bool is_closed = allowed.size() == wanted.size();
+  std::reverse(allowed.begin(), is_closed ? allowed.end() - 1 : allowed.end());
+  std::vector<Point3> jets = followed(wanted, allowed);
+  std::reverse(jets.begin(), jets.end());
+  return jets;
+}
+
+std::size_t leastChanged(const std::vector<Point3>& wanted, const std::vector<Point3>& jets) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < jets.size(); ++i)
+    if (angleBetween(wanted[i], jets[i]) < angleBetween(wanted[best], jets[best]) - 1e-9) best = i;
+  return best;
+}
+
+/// Follows the wanted jets round from the start so that the start is reached again within what is allowed.
+void followRound(std::vector<Point3>& jets, const std::vector<double>& allowed, std::size_t start) {
+  constexpr double kRounding = 1e-12;
+  const std::size_t count = jets.size();
+  const Point3 home = jets[start];
+  double rest = 0.0;
+  for (const double allowance : allowed) rest += allowance;
+  for (std::size_t step = 0; step + 1 < count; ++step) {
+    const std::size_t i = (start + step) % count;
+    const std::size_t next = (i + 1) % count;
+    rest -= allowed[i];
+    const Point3 reachable = towards(home, jets[next], std::min(rest, M_PI));
+    const Point3 near = towards(jets[i], reachable, allowed[i]);
+    // Homewards is always within reach, if nothing else is.
+    jets[next] = angleBetween(near, home) <= rest + kRounding ? near : towards(jets[i], home, allowed[i]);
+  }
+}
+
+}  // namespace
+
+double angleDeg(const Point3& a, const Point3& b) { return angleBetween(a, b) / kDegree; }
+
+double tiltDeg(const Point3& jet) { return std::atan2(jet.head<2>().norm(), -jet.z()) / kDegree; }
+
+Point3 withTiltLimit(const Point3& jet, double max_deg) {
+  if (tiltDeg(jet) <= max_deg) return jet;
+  const double sideways = jet.head<2>().norm();
+  const Point2 heading = sideways > 0.0 ? Point2(jet.head<2>() / sideways) : Point2::UnitX();
+  const double tilt = max_deg * kDegree;
+  return {std::sin(tilt) * heading.x(), std::sin(tilt) * heading.y(), -std::cos(tilt)};
+}
+
+std::vector<Point3> withTurnLimit(const std::vector<Point3>& wanted, const std::vector<double>& lengths,
+                                  double max_deg_per_mm) {
+  if (wanted.size() < 2) return wanted;
+  const std::vector<double> allowed = allowances(lengths, max_deg_per_mm);
+  // Halfway between following at twice the speed from either side, a sudden turn is made at just the speed
+  // allowed, half before its place and half after it.
+  const std::vector<double> doubled = allowances(lengths, 2.0 * max_deg_per_mm);
+  std::vector<Point3> jets = followed(wanted, doubled);
+  const std::vector<Point3> backwards = followedBackwards(wanted, doubled);
+  for (std::size_t i = 0; i < jets.size(); ++i) jets[i] = between(jets[i], backwards[i]);
+  if (allowed.size() < wanted.size()) return followed(jets, allowed);
+  followRound(jets, allowed, leastChanged(wanted, jets));
+  return jets;
+}
+
+}  // namespace lamina

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/orientation/orientation_settings.hpp"
+
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, OrientationSettings& settings) {
+  schema.choice<OrientationMode>(
+      "orientation.mode", settings.mode,
+      {{"layer_normal", OrientationMode::LayerNormal},
+       {"fixed", OrientationMode::Fixed},
+       {"wall", OrientationMode::Wall}},
+      "Jet against the layer's normal, in one direction everywhere, or along the wall in walls.");
+  const Bounds turn{-360.0, 360.0, false};
+  schema.number("orientation.fixed_tilt_deg", settings.fixed.tilt_deg, {0.0, 90.0, false},
+                "Mode fixed: lean of the nozzle from the vertical.");
+  schema.number("orientation.fixed_heading_deg", settings.fixed.heading_deg, turn,
+                "Mode fixed: where the nozzle leans to; 0 is x, 90 is y.");
+  schema.number("orientation.wall_max_lean_deg", settings.wall.max_lean_deg, {0.0, 89.0, true},
+                "Mode wall: faces that lean more from the layers' normal are no walls.");
+  const Bounds lean{-60.0, 60.0, false};
+  schema.number("orientation.lead_deg", settings.lead_deg, lean,
+                "Lean of the nozzle towards where it travels.");
+  schema.number("orientation.tilt_deg", settings.tilt_deg, lean,
+                "Lean of the nozzle to the left of the path.");
+  schema.integer("orientation.smoothing_window", settings.smoothing_window, {1, 9999, false},
+                 "Waypoints over which the jet is averaged, an odd number; 1 is none.");
+  schema.number("orientation.max_tilt_deg", settings.limits.max_tilt_deg, {0.0, 180.0, false},
+                "Greatest angle between the jet and straight down; 180 is no limit.");
+  schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0, false},
+                "Greatest turn of the jet along a run; 0 is no limit.");
+  schema.number("orientation.heading_deg", settings.heading_deg, turn,
+                "Heading of the nozzle's x, which does not spin about the jet; 0 is x, 180 is -x.");
+}
+
+void validate(const OrientationSettings& settings) {
+  if (settings.smoothing_window < 1 || settings.smoothing_window % 2 == 0)
+    throw InvalidConfig("orientation.smoothing_window is " + std::to_string(settings.smoothing_window) +
+                        "; must be odd and at least 1");
+  const OrientationLimits& limits = settings.limits;
+  if (limits.max_turn_deg_per_mm > 0.0 && limits.max_tilt_deg > 90.0 && limits.max_tilt_deg < 180.0)
+    throw InvalidConfig("orientation.max_tilt_deg is " + std::to_string(limits.max_tilt_deg) +
+                        " deg; with orientation.max_turn_deg_per_mm it must be at most 90, or 180 for none");
+}
+
+}  // namespace lamina

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/orientation/orientation_smoothing.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "support/directions.hpp"
+
+namespace lamina {
+namespace {
+
+double greatestStep(const std::vector<Point3>& jets, bool is_closed) {
+  double greatest = is_closed ? test::chordAngleDeg(jets.back(), jets.front()) : 0.0;
+  for (std::size_t i = 1; i < jets.size(); ++i)
+    greatest = std::max(greatest, test::chordAngleDeg(jets[i - 1], jets[i]));
+  return greatest;
+}
+
+TEST(OrientationSmoothing, ConstantInputIsUnchanged) {
+  const std::vector<Point3> jets(7, Point3(0.6, 0.0, -0.8));
+  for (const int window : {1, 3, 7, 21})
+    for (const bool is_closed : {false, true})
+      for (const Point3& jet : smoothedJets(jets, is_closed, window))
+        EXPECT_LE((jet - jets[0]).norm(), 1e-14);
+}
+
+TEST(OrientationSmoothing, AnEvenWindowIsRefused) {
+  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, false, 4), InvalidConfig);
+  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, false, 0), InvalidConfig);
+}
+
+TEST(OrientationSmoothing, IsTheMeanOfTheWindowRoundTheLoop) {
+  EXPECT_TRUE(rc::check([] {
+    const std::size_t count = *rc::gen::inRange<std::size_t>(2, 12);
+    const auto half = *rc::gen::inRange<std::size_t>(1, 20);
+    const std::vector<Point3> jets = test::anyJets(count, 80.0);
+    const std::vector<Point3> smoothed = smoothedJets(jets, true, static_cast<int>(2 * half + 1));
+    for (std::size_t i = 0; i < count; ++i) {
+      Point3 sum = Point3::Zero();
+      // Whole rounds more, so that no index is negative.
+      for (std::size_t k = 0; k <= 2 * half; ++k) sum += jets[(i + 40 * count + k - half) % count];
+      RC_ASSERT((smoothed[i] - sum.normalized()).norm() <= 1e-12);
+    }
+  }));
+}
+
+TEST(OrientationSmoothing, TheGreatestStepDecreases) {
+  std::vector<Point3> jets(10, Point3(0, 0, -1));
+  std::fill(jets.begin() + 5, jets.end(), Point3(0.6, 0.0, -0.8));
+  for (const bool is_closed : {false, true}) {
+    double before = greatestStep(jets, is_closed);
+    for (const int window : {3, 5}) {
+      const double after = greatestStep(smoothedJets(jets, is_closed, window), is_closed);
+      EXPECT_LT(after, before - 1.0);
+      before = after;
+    }
+  }
+}
+
+TEST(OrientationSmoothing, TheLoopWraps) {
+  std::vector<Point3> jets(9, Point3(0, 0, -1));
+  jets[0] = Point3(0.6, 0.0, -0.8);
+  const std::vector<Point3> smoothed = smoothedJets(jets, true, 3);
+  EXPECT_LE((smoothed[8] - smoothed[1]).norm(), 1e-14);
+  EXPECT_GT(smoothed[8].x(), 0.1);
+}
+
+TEST(OrientationSmoothing, EndsOfAnOpenPathStay) {
+  EXPECT_TRUE(rc::check([] {
+    const std::vector<Point3> jets = test::anyJets(9, 60.0);
+    const std::vector<Point3> smoothed = smoothedJets(jets, false, 5);
+    RC_ASSERT((smoothed.front() - jets.front()).norm() <= 1e-12);
+    RC_ASSERT((smoothed.back() - jets.back()).norm() <= 1e-12);
+  }));
+}
+
+}  // namespace
+}  // namespace lamina

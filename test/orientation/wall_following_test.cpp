@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/orientation/wall_following.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/parts.hpp"
+#include "support/lofted_solid.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMaxLean = 60.0;
+constexpr int kAround = 720;
+
+/// An outer wall along the surface of a solid about the z axis, counter-clockwise from above.
+Path ringAt(double radius, double z) {
+  Path ring;
+  ring.role = PathRole::OuterWall;
+  ring.is_closed = true;
+  for (int j = 0; j < kAround; ++j) {
+    const double phi = 2.0 * M_PI * j / kAround;
+    ring.points.emplace_back(radius * std::cos(phi), radius * std::sin(phi), z);
+  }
+  return ring;
+}
+
+Path reversedPath(Path path) {
+  std::reverse(path.points.begin(), path.points.end());
+  return path;
+}
+
+/// The case A6: the wall leans outwards by `theta_deg`.
+void requireToolInTheWall(const Path& ring, const std::vector<Point3>& jets, double theta_deg) {
+  for (std::size_t i = 0; i < jets.size(); ++i) {
+    EXPECT_NEAR(std::acos(-jets[i].z()) * 180.0 / M_PI, theta_deg, 0.05);
+    EXPECT_LT(jets[i].z(), 0.0);
+    const Point3 along = (ring.points[(i + 1) % jets.size()] - ring.points[i]).normalized();
+    EXPECT_LE(std::abs(std::asin(jets[i].dot(along))) * 180.0 / M_PI, 0.5);
+    // Growing against the jet follows the wall outwards.
+    EXPECT_LE(jets[i].head<2>().dot(ring.points[i].head<2>()), 1e-9);
+  }
+}
+
+TEST(WallFollowing, TheToolLiesInConesOfEveryLean) {
+  for (const double theta_deg : {0.0, 7.12, 20.0, 30.0, 45.0}) {
+    const double slope = std::tan(theta_deg * M_PI / 180.0);
+    const Mesh cone =
+        test::loftedSolid({0.0, 10.0, 20.0}, kAround, [&](double, double z) { return 20.0 + slope * z; });
+    const WallNormals walls(cone, Point3::UnitZ(), kMaxLean);
+    const Path ring = ringAt(20.0 + slope * 6.0, 6.0);
+    for (const Path& path : {ring, reversedPath(ring)}) {
+      const WallJets following = wallFollowingJets(path, walls);
+      EXPECT_EQ(following.waypoints_without_wall, 0U);
+      requireToolInTheWall(path, following.jets, theta_deg);
+    }
+  }
+}
+
+TEST(WallFollowing, TheTopOfThePartIsNotTakenForAWall) {
+  const Mesh box = test::boxBetween({0, 0, 0}, {20, 20, 5});
+  const WallNormals walls(box, Point3::UnitZ(), kMaxLean);
+  // Nearer to the top than to the side.
+  EXPECT_LE((walls.at(Point3(10.0, 0.5, 5.0)) - Point3(0, -1, 0)).norm(), 1e-12);
+  EXPECT_THROW(WallNormals(box, Point3(std::sqrt(1.0 / 3), std::sqrt(1.0 / 3), std::sqrt(1.0 / 3)), 20.0),
+               InvalidInput);
+}
+
+TEST(WallFollowing, EdgesBetweenFacetsHaveTheMeanAndCornersNot) {
+  const Mesh prism = makePart("cylinder", {{"segments", "12"}});
+  const WallNormals walls(prism, Point3::UnitZ(), kMaxLean);
+  for (const Point3& vertex : prism.vertices) {
+    const double radius = vertex.head<2>().norm();
+    if (radius < 1e-6) continue;
+    const Point3 middle(vertex.x(), vertex.y(), 5.0);
+    EXPECT_LE((walls.at(middle) - Point3(vertex.x(), vertex.y(), 0.0) / radius).norm(), 1e-9);
+  }
+  const Mesh box = test::boxBetween({0, 0, 0}, {20, 20, 5});
+  const Point3 at_corner = WallNormals(box, Point3::UnitZ(), kMaxLean).at(Point3(20, 20, 2));
+  EXPECT_NEAR(at_corner.cwiseAbs().maxCoeff(), 1.0, 1e-12);
+}
+
+TEST(WallFollowing, WhereThePathRunsIntoTheWallItsNeighbourIsTaken) {
+  const Mesh box = test::boxBetween({0, 0, 0}, {20, 20, 5});
+  const WallNormals walls(box, Point3::UnitZ(), kMaxLean);
+  Path path;
+  path.role = PathRole::OuterWall;
+  path.points = {{0.1, 10, 2}, {2, 10, 2}, {10, 10, 2}};
+  const WallJets following = wallFollowingJets(path, walls);
+  EXPECT_GE(following.waypoints_without_wall, 2U);
+  for (const Point3& jet : following.jets) EXPECT_EQ(jet, Point3(0, 0, -1));
+}
+
+}  // namespace
+}  // namespace lamina
