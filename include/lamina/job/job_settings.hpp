@@ -11,12 +11,15 @@
 #include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/overhang/overhang_settings.hpp"
 #include "lamina/picture/frame_settings.hpp"
+#include "lamina/planning/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
+#include "lamina/surface/flattening_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/voids/drop_void_settings.hpp"
 
@@ -38,6 +41,9 @@ struct JobSettings {
   CopySettings copies;
   MachineSettings machine;
   SlicingSettings slicing;
+  FlatteningSettings flattening;
+  LiftSettings lifting;
+  OrientationSettings orientation;
   PlanSettings planning;
   DropVoidSettings drop_voids;
   OverhangSettings overhang;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/orientation/orientation_report.hpp"
 #include "lamina/overhang/wall_lean.hpp"
 #include "lamina/planning/anchoring.hpp"
 #include "lamina/planning/fill_starts.hpp"
@@ -21,6 +22,7 @@ struct SliceSummary {
   std::string mode_reason;                 ///< why it was chosen; empty if the settings name it
   std::vector<std::string> notes;          ///< what to know of the layers and the tool, a sentence each
   WallLean lean;                           ///< of the part's walls over its layers
+  OrientationReport orientation;           ///< all zero if the nozzle is held as the slicer gave it
   std::size_t triangles = 0;               ///< of the repaired mesh
   std::size_t layers = 0;
   std::size_t contours = 0;       ///< closed ones, of all layers

@@ -90,4 +90,9 @@ Point2 sensorOffset(const Machine& machine);
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                       const Machine& machine);
 
+/// The same for the nozzle tip alone, whichever way the jet points.
+/// @throws Unreachable as above if an axis would leave its limits
+void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                          const Machine& machine);
+
 }  // namespace lamina

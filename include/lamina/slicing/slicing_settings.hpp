@@ -22,6 +22,9 @@ enum class SlicingMode {
 /// As written in settings: "planar", "heightfield".
 const char* toString(SlicingMode mode);
 
+/// Whether its layers lie in parallel planes.
+bool hasPlaneLayers(SlicingMode mode);
+
 /// How the nozzle is held over inclined layers.
 enum class Jet {
   Normal,  ///< along the layers' normal

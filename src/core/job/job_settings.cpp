@@ -37,6 +37,22 @@ void requireConsistentPlane(const JobSettings& settings) {
                         ": only level layers have a skirt");
 }
 
+/// Over layers that are not plane nothing is scanned, and drops have no voids in a plan.
+void requireLevelLayersFor(const JobSettings& settings) {
+  const SlicingMode mode = settings.slicing.mode;
+  if (hasPlaneLayers(mode) || mode == SlicingMode::Auto) return;
+  const std::string with = std::string(" with slicing.mode '") + toString(mode) + "'; expected ";
+  if (settings.slicing.plane.angle_deg != 0.0)
+    throw InvalidConfig("slicing.plane.angle_deg is " + std::to_string(settings.slicing.plane.angle_deg) +
+                        with + "0: only plane layers are inclined");
+  if (settings.scan.every_layers != 0)
+    throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + with +
+                        "0: only level layers are scanned");
+  if (settings.drop_voids.is_on)
+    throw InvalidConfig("drop_voids.fill is true" + with +
+                        "false: voids between drops are filled in level layers");
+}
+
 }  // namespace
 
 void describe(SettingsSchema& schema, JobSettings& settings) {
@@ -47,6 +63,9 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.copies);
   describe(schema, settings.machine, "Machine that prints the part.");
   describe(schema, settings.slicing);
+  describe(schema, settings.flattening);
+  describe(schema, settings.lifting);
+  describe(schema, settings.orientation);
   describe(schema, settings.planning);
   describe(schema, settings.drop_voids);
   describe(schema, settings.overhang);
@@ -71,7 +90,9 @@ void validate(const JobSettings& settings) {
   describe(schema, checked);
   schema.validate();
   requireConsistent(settings.planning);
+  validate(settings.orientation);
   requireConsistentPlane(settings);
+  requireLevelLayersFor(settings);
   const std::string& strategy = settings.planning.infill.strategy;
   if (settings.drop_voids.is_on && infillStrategy(strategy).deposit != Deposit::Drops)
     throw InvalidConfig(

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "job/inclined_layers.hpp"
 #include "job/laps.hpp"
 #include "job/part_planning.hpp"
 #include "job/part_source.hpp"
+#include "job/tool_orientation.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -18,6 +20,8 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "lamina/orientation/orient_toolpath.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -110,6 +114,56 @@ void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
   summary.anchored = planned.plan.anchored;
 }
 
+bool needsPart(const JobSettings& settings) {
+  return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
+}
+
+/// A refusal gets the part that its region is shown on.
+PlannedPart planShown(SourcePart source, const Mesh& part, const PlanningRequest& request,
+                      Progress& progress) {
+  try {
+    return planByMode(std::move(source), request.job.settings.slicing.mode, request, progress);
+  } catch (Unsliceable& refusal) {
+    throw std::move(refusal).on(part);
+  }
+}
+
+Toolpath plannedAndOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
+                            Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  const bool is_plane = hasPlaneLayers(settings.slicing.mode);
+  const Mesh part = needsPart(settings) ? source.mesh : Mesh();
+  PlannedPart planned = planShown(std::move(source), part, request, progress);
+  summary.mode = settings.slicing.mode;
+  addPlanned(summary, planned);
+  if (is_plane && !changesOrientation(settings.orientation)) return std::move(planned.plan.toolpath);
+  OrientedToolpath oriented =
+      orientToolpath(std::move(planned.plan.toolpath), settings.orientation, part, progress);
+  summary.orientation = oriented.report;
+  for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
+  if (!part.triangles.empty())
+    summary.lean = wallLean(part, oriented.toolpath, settings.planning.bead.width_mm);
+  return std::move(oriented.toolpath);
+}
+
+/// A program must be one for the machine; poses may be for another head.
+void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
+  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode";
+  const bool is_as_planned =
+      hasPlaneLayers(job.settings.slicing.mode) && !changesOrientation(job.settings.orientation);
+  if (is_program || is_as_planned) return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  const double tilt_deg = sliced.summary.orientation.tilt_deg.value;
+  if (tilt_deg < 0.01) return;
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "the nozzle tilts by up to %.1f deg: poses for a head that can, a program for the fixed head of %s "
+      "is refused unless orientation.mode is fixed",
+      tilt_deg, machine.name.c_str());
+  sliced.summary.notes.emplace_back(text);
+}
+
 void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
   if (job.output.empty()) return;
   ProgramSettings program = job.settings.program;
@@ -138,20 +192,17 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
   requireApart({job.output}, {job.part, job.settings.machine.urdf});
-  requireJet(job.settings.slicing.plane, machine);
+  if (hasPlaneLayers(job.settings.slicing.mode)) requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   SourcePart source = readOnto(machine, job, sliced, progress);
   Laps laps;
-  sliced.summary.mode = job.settings.slicing.mode;
-  PlannedPart planned =
-      planByMode(std::move(source), sliced.summary.mode, {job, machine, sliced.bed_from_part}, progress);
-  addPlanned(sliced.summary, planned);
-  sliced.toolpath = std::move(planned.plan.toolpath);
+  sliced.toolpath =
+      plannedAndOriented(std::move(source), {job, machine, sliced.bed_from_part}, sliced.summary, progress);
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
-  requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  requireWithin(machine, job, sliced);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");

@@ -50,17 +50,22 @@ std::string jetFault(const Machine& machine, const Point3& jet) {
          machine.name + " is fixed";
 }
 
+enum class Checked { Pose, Tip };
+
 /// Checks the paths of one layer with what it needs once.
 class ReachCheck {
  public:
-  ReachCheck(const Machine& machine, const Eigen::Isometry3d& bed_from_part)
-      : machine_(machine), bed_from_part_(bed_from_part), values_from_bed_(directions(machine).inverse()) {}
+  ReachCheck(const Machine& machine, const Eigen::Isometry3d& bed_from_part, Checked checked)
+      : machine_(machine),
+        bed_from_part_(bed_from_part),
+        values_from_bed_(directions(machine).inverse()),
+        checked_(checked) {}
 
   std::string fault(const Path& path, std::size_t waypoint) const {
     const Point3 position = bed_from_part_ * path.points[waypoint];
     const AxisValues values = values_from_bed_ * (position - machine_.bed_from_nozzle_at_zero.translation());
     std::string found = limitFault(machine_, values);
-    if (found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
+    if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
       found = jetFault(machine_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
     return found;
   }
@@ -69,6 +74,7 @@ class ReachCheck {
   const Machine& machine_;
   const Eigen::Isometry3d& bed_from_part_;
   Eigen::Matrix3d values_from_bed_;
+  Checked checked_;
 };
 
 std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
@@ -81,6 +87,17 @@ std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
     }
   }
   return "";
+}
+
+/// @throws Unreachable with the first fault
+void requireNoFault(const Toolpath& toolpath, const ReachCheck& check) {
+  std::vector<std::string> faults(toolpath.layers.size());
+  NoProgress nobody;
+  parallelFor(
+      faults.size(), [&](std::size_t l) { faults[l] = firstFault(toolpath.layers[l], check); }, nobody,
+      "check");
+  for (std::size_t l = 0; l < faults.size(); ++l)
+    if (!faults[l].empty()) throw Unreachable("layer " + std::to_string(l) + ", " + faults[l]);
 }
 
 }  // namespace
@@ -147,14 +164,12 @@ AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed
 
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                       const Machine& machine) {
-  const ReachCheck check(machine, bed_from_part);
-  std::vector<std::string> faults(toolpath.layers.size());
-  NoProgress nobody;
-  parallelFor(
-      faults.size(), [&](std::size_t l) { faults[l] = firstFault(toolpath.layers[l], check); }, nobody,
-      "check");
-  for (std::size_t l = 0; l < faults.size(); ++l)
-    if (!faults[l].empty()) throw Unreachable("layer " + std::to_string(l) + ", " + faults[l]);
+  requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Pose));
+}
+
+void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                          const Machine& machine) {
+  requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Tip));
 }
 
 }  // namespace lamina

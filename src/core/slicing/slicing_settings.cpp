@@ -50,6 +50,8 @@ const char* toString(SlicingMode mode) {
   return "";
 }
 
+bool hasPlaneLayers(SlicingMode mode) { return mode == SlicingMode::Planar || mode == SlicingMode::Inclined; }
+
 void describe(SettingsSchema& schema, SlicingSettings& settings) {
   schema.choice<SlicingMode>("slicing.mode", settings.mode, modes(),
                              "Kind of layers; docs/modes.md tells them apart.");
