@@ -10,6 +10,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/surface/chart_lookup.hpp"
+#include "planning/held_along.hpp"
 #include "planning/lifted_line.hpp"
 #include "planning/nozzle_frame.hpp"
 #include "planning/path_lift.hpp"
@@ -71,8 +72,7 @@ class LayerLifter {
     path.points.back() = to.point;
     orientations.front() = from.orientation;
     orientations.back() = to.orientation;
-    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(orientations));
-    if (settings_.jet == Jet::Down) path.orientation = nozzleDown();
+    path.orientation = heldAlong(std::move(orientations));
     return path;
   }
 

@@ -13,10 +13,10 @@ namespace {
 constexpr int kMostParts = 100;
 
 int partsFor(double from_mm, double to_mm, double tolerance) {
-  const double mean = 0.5 * (from_mm + to_mm);
-  if (!(mean > 0.0)) return 1;
-  return std::clamp(static_cast<int>(std::ceil(std::abs(to_mm - from_mm) / (tolerance * mean))), 1,
-                    kMostParts);
+  const double change = std::abs(to_mm - from_mm);
+  const double allowed = tolerance * std::min(from_mm, to_mm);
+  if (change > kMostParts * allowed) return kMostParts;
+  return change > allowed ? static_cast<int>(std::ceil(change / allowed)) : 1;
 }
 
 class Thinning {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "planning/held_along.hpp"
 #include "planning/lifted_line.hpp"
 #include "planning/nozzle_frame.hpp"
 
@@ -15,17 +16,9 @@ namespace lamina {
 namespace {
 
 /// Waypoints nearer to each other than this are one [mm].
-constexpr double kShortest = 1e-6;
+constexpr double kShortest = 1e-9;
 /// What rounding leaves of equal quantities.
 constexpr double kRounding = 1e-9;
-
-/// One value if all are the same.
-template <class Value, class IsSame>
-AlongPath<Value> along(std::vector<Value> values, const IsSame& is_same) {
-  for (const Value& value : values)
-    if (!is_same(value, values.front())) return AlongPath<Value>(std::move(values));
-  return values.front();
-}
 
 /// What lies on the layer between two waypoints.
 struct Laid {
@@ -123,13 +116,11 @@ class RunLifter {
     path.is_closed = planned_.is_closed;
     path.process = planned_.process;
     path.points = std::move(points_);
-    path.orientation = along(std::move(orientations_), [](const auto& a, const auto& b) {
-      return (a.coeffs() - b.coeffs()).norm() < kRounding;
-    });
-    path.bead = along(std::move(beads), [](const Bead& a, const Bead& b) {
+    path.orientation = heldAlong(std::move(orientations_));
+    path.bead = alongPath(std::move(beads), [](const Bead& a, const Bead& b) {
       return std::abs(a.width_mm - b.width_mm) + std::abs(a.height_mm - b.height_mm) < kRounding;
     });
-    path.feed_mm_s = along(std::move(feeds), [](double a, double b) { return a == b; });
+    path.feed_mm_s = alongPath(std::move(feeds), [](double a, double b) { return a == b; });
     return path;
   }
 
@@ -154,7 +145,7 @@ Path liftedDrops(const ChartLookup& charts, const Path& planned, const LiftSetti
     orientations.push_back(settings.jet == Jet::Down ? nozzleDown() : nozzleAgainst(point.normal));
     drops.push_back({planned.bead.at(i).width_mm * std::sqrt(charts.areaRatio(place.in)), point.height_mm});
   }
-  path.orientation = AlongPath<Eigen::Quaterniond>(std::move(orientations));
+  path.orientation = heldAlong(std::move(orientations));
   path.bead = AlongPath<Bead>(std::move(drops));
   return path;
 }

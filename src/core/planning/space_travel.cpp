@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "planning/held_along.hpp"
 #include "planning/nozzle_frame.hpp"
 
 namespace lamina {
@@ -90,12 +91,7 @@ std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to
   path.process.is_retracted = distance > settings.retraction_threshold_mm;
   Route route = path.process.is_retracted ? above(from, to, settings.hop_mm, highest_mm) : nearby(from, to);
   path.points = std::move(route.points);
-  const bool is_common = std::all_of(route.orientations.begin(), route.orientations.end(),
-                                     [&](const auto& q) { return q.coeffs() == from.orientation.coeffs(); });
-  if (is_common)
-    path.orientation = from.orientation;
-  else
-    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(route.orientations));
+  path.orientation = heldAlong(std::move(route.orientations));
   return path;
 }
 
