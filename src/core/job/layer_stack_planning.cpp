@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/layer_stack_planning.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "job/laps.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/planning/chart_lift.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+#include "lamina/surface/layer_charts.hpp"
+#include "lamina/surface/plan_outline.hpp"
+
+namespace lamina {
+namespace {
+
+/// What is planned of a layer, and how it comes back.
+struct ChartedLayer {
+  Layer plan;
+  std::vector<LayerChart> charts;  // none if the layer is plane
+  double volume_mm3 = 0.0;
+  double highest_mm = -std::numeric_limits<double>::infinity();  // nozzle tip
+};
+
+double meanHeight(const LayerSurface& surface) {
+  double sum = 0.0;
+  for (const double height : surface.height_mm) sum += height;
+  return sum / static_cast<double>(surface.height_mm.size());
+}
+
+double volumeOf(const LayerSurface& surface) {
+  double volume = 0.0;
+  for (const Triangle& corner : surface.middle.triangles) {
+    const std::vector<Point3>& vertices = surface.middle.vertices;
+    const Point3 doubled = (vertices[corner[1]] - vertices[corner[0]])
+                               .cross(Point3(vertices[corner[2]] - vertices[corner[0]]));
+    const double height =
+        surface.height_mm[corner[0]] + surface.height_mm[corner[1]] + surface.height_mm[corner[2]];
+    volume += 0.5 * doubled.norm() * height / 3.0;
+  }
+  return volume;
+}
+
+std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings) {
+  try {
+    return layerCharts(surface, settings);
+  } catch (const InvalidMesh& fault) {
+    throw Unsliceable(fault.what(), surface.middle);
+  }
+}
+
+ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
+  ChartedLayer result;
+  if (layer.surface.middle.triangles.empty()) {
+    result.plan = std::move(layer.plane);
+    result.volume_mm3 = signedArea(result.plan.section.contours) * result.plan.slab.height();
+    result.highest_mm = result.plan.slab.top_mm;
+    return result;
+  }
+  for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
+  result.volume_mm3 = volumeOf(layer.surface);
+  result.plan.slab = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
+  result.charts = chartsOf(layer.surface, settings);
+  for (const LayerChart& chart : result.charts)
+    for (Polygon& outline : outlineOf(chart)) result.plan.section.contours.push_back(std::move(outline));
+  return result;
+}
+
+LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
+  LayerCounts counts;
+  counts.layers = layers.size();
+  for (const ChartedLayer& layer : layers) {
+    counts.contours += layer.plan.section.contours.size();
+    counts.open_contours += layer.plan.section.open_contours.size();
+    counts.sliced_volume_mm3 += layer.volume_mm3;
+  }
+  return counts;
+}
+
+/// Up to and with each layer.
+std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers) {
+  std::vector<double> highest;
+  double so_far = -std::numeric_limits<double>::infinity();
+  for (const ChartedLayer& layer : layers) {
+    so_far = std::max(so_far, layer.highest_mm);
+    highest.push_back(so_far);
+  }
+  return highest;
+}
+
+}  // namespace
+
+PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& request, Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  Laps laps;
+  std::vector<ChartedLayer> layers(stack.size());
+  parallelFor(
+      layers.size(), [&](std::size_t i) { layers[i] = charted(std::move(stack[i]), settings.flattening); },
+      progress, "flatten");
+  PlannedPart planned;
+  planned.counts = countsOf(layers);
+  planned.counts.slice_s = laps.lap();
+  const std::vector<double> highest = highestUpTo(layers);
+  std::vector<Layer> plans;
+  plans.reserve(layers.size());
+  for (ChartedLayer& layer : layers) plans.push_back(std::move(layer.plan));
+  const LayerLift lift = [&](std::size_t i, ToolpathLayer plan) {
+    if (layers[i].charts.empty()) return plan;
+    return liftOnto(layers[i].charts, std::move(plan), settings.lifting, settings.planning.travel, highest[i]);
+  };
+  planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
+  return planned;
+}
+
+}  // namespace lamina
