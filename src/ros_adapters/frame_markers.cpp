@@ -24,7 +24,7 @@ class FrameLines {
  public:
   FrameLines(const FrameSettings& settings, std::string frame)
       : settings_(settings), frame_(std::move(frame)) {
-    for (int axis = 0; axis < 3; ++axis) open_[static_cast<std::size_t>(axis)] = emptyMarker(axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) open_[axis].marker = emptyMarker(axis);
   }
 
   void add(const Path& path) {
@@ -37,64 +37,79 @@ class FrameLines {
     }
   }
 
-  std::vector<Marker> finish() {
-    for (int axis = 0; axis < 3; ++axis) close(axis);
+  void endLayer() {
+    ++layers_;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      MarkerChunk& chunk = open_[axis];
+      chunk.points_up_to.push_back(static_cast<std::uint32_t>(chunk.marker.points.size()));
+      if (chunk.marker.points.size() >= kPointsPerMarker) close(axis);
+    }
+  }
+
+  std::vector<MarkerChunk> finish() {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (!open_[axis].marker.points.empty()) close(axis);
     return std::move(closed_);
   }
 
  private:
   void addFrame(const Point3& origin, const Eigen::Matrix3d& part_from_nozzle) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Marker& marker = open_[static_cast<std::size_t>(axis)];
-      marker.points.push_back(toMessage(origin));
-      marker.points.push_back(toMessage(Point3(origin + settings_.length_mm * part_from_nozzle.col(axis))));
-      if (marker.points.size() >= kPointsPerMarker) close(axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Point3 direction = part_from_nozzle.col(static_cast<Eigen::Index>(axis));
+      open_[axis].marker.points.push_back(toMessage(origin));
+      open_[axis].marker.points.push_back(toMessage(Point3(origin + settings_.length_mm * direction)));
     }
   }
 
-  Marker emptyMarker(int axis) {
-    const auto i = static_cast<std::size_t>(axis);
+  Marker emptyMarker(std::size_t axis) {
     Marker marker;
     marker.header.frame_id = frame_;
-    marker.ns = kNamespaces[i];
+    marker.ns = kNamespaces[axis];
     marker.id = next_id_++;
     marker.type = Marker::LINE_LIST;
     marker.pose.orientation.w = 1.0;
     marker.scale.x = toMetres(kLineShare * settings_.length_mm);
-    marker.color.r = kColours[i][0];
-    marker.color.g = kColours[i][1];
-    marker.color.b = kColours[i][2];
+    marker.color.r = kColours[axis][0];
+    marker.color.g = kColours[axis][1];
+    marker.color.b = kColours[axis][2];
     marker.color.a = 1.0F;
     return marker;
   }
 
-  void close(int axis) {
-    Marker& marker = open_[static_cast<std::size_t>(axis)];
-    if (marker.points.empty()) return;
-    closed_.push_back(std::move(marker));
-    marker = emptyMarker(axis);
+  void close(std::size_t axis) {
+    closed_.push_back(std::move(open_[axis]));
+    open_[axis] = {emptyMarker(axis), layers_, {}};
   }
 
   FrameSettings settings_;
   std::string frame_;
   std::int32_t next_id_ = 0;
-  std::array<Marker, 3> open_;
-  std::vector<Marker> closed_;
+  std::size_t layers_ = 0;
+  std::array<MarkerChunk, 3> open_;
+  std::vector<MarkerChunk> closed_;
 };
 
 }  // namespace
+
+std::vector<MarkerChunk> frameMarkerChunks(const Toolpath& toolpath, const FrameSettings& settings,
+                                           const std::string& frame) {
+  if (settings.every_mm == 0.0) return {};
+  FrameLines lines(settings, frame);
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel) lines.add(path);
+    lines.endLayer();
+  }
+  return lines.finish();
+}
 
 MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings, const std::string& frame) {
   MarkerArray markers;
   markers.markers.emplace_back();
   markers.markers.back().header.frame_id = frame;
   markers.markers.back().action = Marker::DELETEALL;
-  if (settings.every_mm == 0.0) return markers;
-  FrameLines lines(settings, frame);
-  for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : layer.paths)
-      if (path.role != PathRole::Travel) lines.add(path);
-  for (Marker& marker : lines.finish()) markers.markers.push_back(std::move(marker));
+  for (MarkerChunk& chunk : frameMarkerChunks(toolpath, settings, frame))
+    markers.markers.push_back(std::move(chunk.marker));
   return markers;
 }
 

@@ -5,9 +5,11 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <string>
+#include <vector>
 
 #include "lamina/picture/frame_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "toolpath_markers.hpp"
 
 namespace lamina {
 
@@ -19,5 +21,9 @@ namespace lamina {
 /// @param frame  that the markers are given in: the part frame
 visualization_msgs::MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings,
                                              const std::string& frame);
+
+/// The same frames, without the marker that deletes, for a viewer that shows some of the layers.
+std::vector<MarkerChunk> frameMarkerChunks(const Toolpath& toolpath, const FrameSettings& settings,
+                                           const std::string& frame);
 
 }  // namespace lamina

@@ -3,14 +3,11 @@
 #include "panel_content.hpp"
 
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 
 #include "form_widget.hpp"
 #include "lamina/base/error.hpp"
+#include "layer_slider.hpp"
 #include "names.hpp"
 #include "run_strip.hpp"
 
@@ -18,7 +15,6 @@ namespace lamina {
 namespace {
 
 constexpr int kPollMs = 30;
-constexpr int kSlideMs = 40;
 
 }  // namespace
 
@@ -26,6 +22,7 @@ PanelContent::PanelContent(QWidget* parent, const std::string& action)
     : QWidget(parent),
       form_(new FormWidget(this)),
       strip_(new RunStrip(this)),
+      slider_(new LayerSlider(this)),
       client_(action),
       view_(names::kBedFrame),
       source_reader_(names::kBedFrame),
@@ -33,13 +30,14 @@ PanelContent::PanelContent(QWidget* parent, const std::string& action)
   auto* column = new QVBoxLayout(this);
   column->addWidget(form_);
   column->addWidget(strip_);
-  column->addWidget(makeSlider());
+  column->addWidget(slider_);
   column->addStretch();
   form_->changed = [this] {
     if (changed) changed();
   };
   form_->source_chosen = [this](const std::string& path) { drawSource(path); };
   strip_->run_pressed = [this] { run(); };
+  slider_->slid = [this](std::size_t layers) { view_.showLayers(layers); };
   strip_->cancel_pressed = [this] { client_.cancel(); };
   client_.progressed = [this](const std::string& stage, double fraction) {
     strip_->progress(stage, fraction);
@@ -53,29 +51,6 @@ PanelContent::PanelContent(QWidget* parent, const std::string& action)
 }
 
 PanelContent::~PanelContent() = default;
-
-QWidget* PanelContent::makeSlider() {
-  auto* widget = new QWidget(this);
-  auto* row = new QHBoxLayout(widget);
-  row->setContentsMargins(0, 0, 0, 0);
-  slider_ = new QSlider(Qt::Horizontal, widget);
-  slider_->setObjectName("layers");
-  slider_->setRange(0, 0);
-  slider_->setEnabled(false);
-  shown_layers_ = new QLabel("–", widget);
-  shown_layers_->setObjectName("shown_layers");
-  row->addWidget(new QLabel("Layers", widget));
-  row->addWidget(slider_, 1);
-  row->addWidget(shown_layers_);
-  slide_.setSingleShot(true);
-  slide_.setInterval(kSlideMs);
-  connect(slider_, &QSlider::valueChanged, this, [this](int layers) {
-    shown_layers_->setText(QString("%1 of %2").arg(layers).arg(slider_->maximum()));
-    if (!slide_.isActive()) slide_.start();
-  });
-  connect(&slide_, &QTimer::timeout, this, [this] { showLayers(); });
-  return widget;
-}
 
 InclineForm PanelContent::form() const { return form_->form(); }
 
@@ -136,19 +111,10 @@ void PanelContent::drawInclined(const std::string& path) {
 }
 
 void PanelContent::tellShown() {
-  const int layers = static_cast<int>(view_.layerCount());
-  {
-    const QSignalBlocker blocker(slider_);
-    slider_->setRange(layers > 0 ? 1 : 0, layers);
-    slider_->setValue(layers);
-  }
-  slider_->setEnabled(layers > 1);
-  shown_layers_->setText(layers > 0 ? QString("%1 of %1").arg(layers) : QString("–"));
-  showLayers();
+  slider_->setLayerCount(view_.layerCount());
+  view_.showLayers(slider_->shownLayers());
   const std::optional<Box3> box = view_.box();
   if (box && shown) shown(*box);
 }
-
-void PanelContent::showLayers() { view_.showLayers(static_cast<std::size_t>(slider_->value())); }
 
 }  // namespace lamina

@@ -14,12 +14,10 @@
 #include "incline_form.hpp"
 #include "part_view.hpp"
 
-class QLabel;
-class QSlider;
-
 namespace lamina {
 
 class FormWidget;
+class LayerSlider;
 class RunStrip;
 
 /// All of the panel, in any window: the form, the run, and the parts it shows. ROS must have been started.
@@ -37,25 +35,21 @@ class PanelContent : public QWidget {
   std::function<void(const Box3& box)> shown;  ///< parts that stand elsewhere than before [mm, bed frame]
 
  private:
-  QWidget* makeSlider();
   void run();
   void end(const InclineOutcome& outcome);
   void drawSource(const std::string& path);
   void drawInclined(const std::string& path);
   void tellShown();
-  void showLayers();
 
   FormWidget* form_;
   RunStrip* strip_;
-  QSlider* slider_ = nullptr;
-  QLabel* shown_layers_ = nullptr;
+  LayerSlider* slider_;
   QDateTime drawn_source_time_;  ///< when the source that is drawn was written
   InclineClient client_;
   PartView view_;
   BackgroundReader source_reader_;
   BackgroundReader inclined_reader_;
   QTimer poll_;
-  QTimer slide_;  ///< so that a fast slider does not send every layer on its way
 };
 
 }  // namespace lamina

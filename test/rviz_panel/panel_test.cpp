@@ -5,7 +5,6 @@
 #include <ros/ros.h>
 #include <rviz/config.h>
 #include <rviz/panel.h>
-#include <visualization_msgs/MarkerArray.h>
 #include <pluginlib/class_loader.hpp>
 
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include <map>
 
 #include "lamina/base/atomic_file.hpp"
+#include "marker_display.hpp"
 #include "panel_content.hpp"
 #include "support/scratch_folder.hpp"
 #include "window.hpp"
@@ -26,6 +26,7 @@
 namespace {
 
 using lamina::PanelContent;
+using Display = lamina::test::MarkerDisplay;
 using lamina::test::part;
 using lamina::test::waitFor;
 
@@ -43,37 +44,6 @@ std::string tiltedWall(int layers) {
             std::to_string(0.5 * layer + 0.5) + " F3000\nG1 X15 E1 F900\n";
   return text + "; end of the part\n";
 }
-
-/// The segments of deposition that a display holds of a topic.
-class Display {
- public:
-  explicit Display(const std::string& topic)
-      : subscriber_(node_.subscribe<visualization_msgs::MarkerArray>(
-            topic, 100,
-            boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)>(
-                [this](const visualization_msgs::MarkerArrayConstPtr& array) { take(*array); }))) {}
-
-  std::size_t segments() {
-    ros::spinOnce();
-    std::size_t points = 0;
-    for (const auto& held : held_)
-      if (held.first.first != "travel") points += held.second.points.size();
-    return points / 2;
-  }
-
- private:
-  void take(const visualization_msgs::MarkerArray& array) {
-    for (const auto& marker : array.markers) {
-      if (marker.action == marker.DELETEALL) held_.clear();
-      if (marker.action == marker.DELETE) held_.erase({marker.ns, marker.id});
-      if (marker.action == marker.ADD) held_[{marker.ns, marker.id}] = marker;
-    }
-  }
-
-  ros::NodeHandle node_;
-  std::map<std::pair<std::string, int>, visualization_msgs::Marker> held_;
-  ros::Subscriber subscriber_;
-};
 
 class Panel : public testing::Test {
  protected:
