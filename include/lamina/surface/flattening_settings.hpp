@@ -15,7 +15,7 @@ enum class FlatteningMethod {
 /// How curved layers are laid out flat.
 struct FlatteningSettings {
   FlatteningMethod method = FlatteningMethod::Rigid;
-  int landmarks = 24;
+  int landmarks = 8;
   double tolerance = 0.15;
 };
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/surface/triangle_fans.hpp"
 
 namespace lamina {
 
@@ -25,6 +25,7 @@ class GeodesicDistances {
  public:
   /// @throws InvalidMesh if a triangle names a vertex that the mesh does not have
   explicit GeodesicDistances(const Mesh& mesh);
+  explicit GeodesicDistances(TriangleFans fans);
 
   /// @return distance of each vertex [mm], infinity where no way leads
   /// @throws InvalidInput if there is no such vertex
@@ -41,20 +42,7 @@ class GeodesicDistances {
   std::vector<std::uint32_t> descend(const std::vector<double>& distance, std::uint32_t vertex) const;
 
  private:
-  friend class GeodesicMarch;
-
-  /// A triangle seen from one of its corners, to cross either of the sides that start there.
-  struct Corner {
-    std::uint32_t next = 0;      // vertices counter-clockwise after the corner
-    std::uint32_t previous = 0;  //
-    double to_next = 0.0;        // [mm]
-    double to_previous = 0.0;    // [mm]
-    double dot = 0.0;            // of the vectors to both [mm²]
-    double cross = 0.0;          // twice the area [mm²]
-  };
-
-  std::vector<std::uint32_t> first_;  // of each vertex in corners_, and the end
-  std::vector<Corner> corners_;
+  TriangleFans fans_;
 };
 
 }  // namespace lamina

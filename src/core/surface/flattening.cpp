@@ -2,11 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/surface/flattening.hpp"
 
+#include <utility>
+
+#include "lamina/surface/plan_distortion.hpp"
 #include "surface/classical_scaling.hpp"
 #include "surface/rigid_plan.hpp"
+#include "surface/unfolding.hpp"
 
 namespace lamina {
 namespace {
+
+// Surfaces that keep their lengths to this share when they are unrolled need no better plan.
+constexpr double kUnrolls = 0.005;
+
+bool isTrue(const Mesh& surface, const std::vector<Point2>& plan) {
+  const PlanDistortion distortion = measureDistortion(surface, plan);
+  return distortion.flipped == 0 && distortion.least_stretch > 1.0 - kUnrolls &&
+         distortion.greatest_stretch < 1.0 + kUnrolls;
+}
 
 /// Geodesic distances do not tell a surface from its mirror image.
 void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
@@ -24,11 +37,14 @@ void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
 
 std::vector<Point2> flatten(const Mesh& surface, const FlatteningSettings& settings) {
   if (surface.vertices.empty()) return {};
-  const GeodesicDistances geodesics(surface);
+  TriangleFans fans = gatherFans(surface);
+  if (settings.method == FlatteningMethod::Rigid)
+    if (auto plan = unfold(surface, fans, kUnrolls); plan && isTrue(surface, *plan)) return std::move(*plan);
+  const GeodesicDistances geodesics(std::move(fans));
   std::vector<Point2> plan = classicalScaling(
       spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks)));
   turnCounterClockwise(surface, plan);
-  if (settings.method == FlatteningMethod::Rigid) plan = relaxRigidly(surface, std::move(plan));
+  if (settings.method == FlatteningMethod::Rigid) return relaxRigidly(surface, std::move(plan));
   return plan;
 }
 

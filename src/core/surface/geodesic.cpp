@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/surface/geodesic.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 
@@ -54,15 +54,13 @@ double acrossAsLine(const Crossing& triangle, double a, double b) {
   return a + slope * triangle.x + rise * triangle.y;
 }
 
-}  // namespace
-
 /// One run of the front over a mesh.
 class GeodesicMarch {
  public:
-  GeodesicMarch(const GeodesicDistances& mesh, const std::vector<GeodesicSource>& sources)
-      : mesh_(mesh),
+  GeodesicMarch(const TriangleFans& fans, const std::vector<GeodesicSource>& sources)
+      : fans_(fans),
         sources_(sources),
-        distance_(mesh.first_.size() - 1, kInfinity),
+        distance_(fans.vertices(), kInfinity),
         origin_(sources.size() > 1 ? distance_.size() : 0, 0) {
     for (std::uint32_t i = 0; i < sources.size(); ++i) lower(sources[i].vertex, sources[i].start_mm, i);
   }
@@ -99,8 +97,8 @@ class GeodesicMarch {
   }
 
   void spreadFrom(std::uint32_t vertex) {
-    for (std::uint32_t i = mesh_.first_[vertex]; i < mesh_.first_[vertex + 1]; ++i) {
-      const GeodesicDistances::Corner& corner = mesh_.corners_[i];
+    for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i) {
+      const FanCorner& corner = fans_.corners[i];
       run(vertex, corner.next, corner.to_next);
       run(vertex, corner.previous, corner.to_previous);
       cross(vertex, corner.previous, corner.next,
@@ -127,37 +125,18 @@ class GeodesicMarch {
     }
   }
 
-  const GeodesicDistances& mesh_;
+  const TriangleFans& fans_;
   const std::vector<GeodesicSource>& sources_;
   std::vector<double> distance_;
   std::vector<std::uint32_t> origin_;  // number of the source that is nearest; empty if there is only one
   std::vector<Reached> front_;
 };
 
-GeodesicDistances::GeodesicDistances(const Mesh& mesh) : first_(mesh.vertices.size() + 1, 0) {
-  for (const Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) {
-      if (vertex >= mesh.vertices.size())
-        throw InvalidMesh("a triangle names vertex " + std::to_string(vertex) + "; the mesh has " +
-                          std::to_string(mesh.vertices.size()));
-      ++first_[vertex + 1];
-    }
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  corners_.resize(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> next_free(first_.begin(), first_.end() - 1);
-  for (const Triangle& triangle : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      Corner& corner = corners_[next_free[triangle[i]]++];
-      corner.next = triangle[(i + 1) % 3];
-      corner.previous = triangle[(i + 2) % 3];
-      const Point3 to_next = mesh.vertices[corner.next] - mesh.vertices[triangle[i]];
-      const Point3 to_previous = mesh.vertices[corner.previous] - mesh.vertices[triangle[i]];
-      corner.to_next = to_next.norm();
-      corner.to_previous = to_previous.norm();
-      corner.dot = to_next.dot(to_previous);
-      corner.cross = to_next.cross(to_previous).norm();
-    }
-}
+}  // namespace
+
+GeodesicDistances::GeodesicDistances(const Mesh& mesh) : fans_(gatherFans(mesh)) {}
+
+GeodesicDistances::GeodesicDistances(TriangleFans fans) : fans_(std::move(fans)) {}
 
 std::vector<double> GeodesicDistances::from(std::uint32_t source) const {
   return from(std::vector<GeodesicSource>{{source, 0.0}});
@@ -165,14 +144,14 @@ std::vector<double> GeodesicDistances::from(std::uint32_t source) const {
 
 std::vector<double> GeodesicDistances::from(const std::vector<GeodesicSource>& sources) const {
   for (const GeodesicSource& source : sources) {
-    if (source.vertex + 1 >= first_.size())
+    if (source.vertex >= fans_.vertices())
       throw InvalidInput("distances are asked for from vertex " + std::to_string(source.vertex) +
-                         "; the mesh has " + std::to_string(first_.size() - 1));
+                         "; the mesh has " + std::to_string(fans_.vertices()));
     if (!(source.start_mm >= 0.0) || !std::isfinite(source.start_mm))
       throw InvalidInput("the distance at a source is " + std::to_string(source.start_mm) +
                          " mm; expected a finite number of at least 0");
   }
-  return GeodesicMarch(*this, sources).run();
+  return GeodesicMarch(fans_, sources).run();
 }
 
 std::vector<std::uint32_t> GeodesicDistances::descend(const std::vector<double>& distance,
@@ -188,9 +167,9 @@ std::vector<std::uint32_t> GeodesicDistances::descend(const std::vector<double>&
       steepest = length > 0.0 ? fall / length : kInfinity;
       next = other;
     };
-    for (std::uint32_t i = first_[here]; i < first_[here + 1]; ++i) {
-      consider(corners_[i].next, corners_[i].to_next);
-      consider(corners_[i].previous, corners_[i].to_previous);
+    for (std::uint32_t i = fans_.first[here]; i < fans_.first[here + 1]; ++i) {
+      consider(fans_.corners[i].next, fans_.corners[i].to_next);
+      consider(fans_.corners[i].previous, fans_.corners[i].to_previous);
     }
   }
   return way;
