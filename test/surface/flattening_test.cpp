@@ -7,6 +7,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/surface/plan_distortion.hpp"
 #include "support/surfaces.hpp"
+#include "surface/stress_majorisation.hpp"
 
 namespace lamina {
 namespace {
@@ -70,8 +71,18 @@ TEST_P(EveryFlattening, WhatDoesNotHangTogetherIsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Flattening, EveryFlattening,
-                         testing::Values(by(FlatteningMethod::Rigid, 24), by(FlatteningMethod::Mds, 24),
-                                         by(FlatteningMethod::Mds, 1000)));
+                         testing::Values(by(FlatteningMethod::Rigid, 8), by(FlatteningMethod::Mds, 8),
+                                         by(FlatteningMethod::Stress, 8), by(FlatteningMethod::Mds, 1000)));
+
+TEST(Flattening, StressIsLessened) {
+  const Mesh bump = capMesh(24, 8, 10.0, 0.8);
+  const GeodesicDistances geodesics(bump);
+  const Landmarks landmarks = spreadLandmarks(geodesics, bump.vertices.size(), 12);
+  const std::vector<Point2> plan = classicalScaling(landmarks);
+  const double before = stressOf(plan, geodesics.fans(), landmarks);
+  EXPECT_LT(stressOf(lessenStress(plan, geodesics.fans(), landmarks), geodesics.fans(), landmarks),
+            0.9 * before);
+}
 
 TEST(Flattening, NothingGivesNothing) { EXPECT_TRUE(flatten({}, {}).empty()); }
 

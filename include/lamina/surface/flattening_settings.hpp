@@ -8,8 +8,9 @@ namespace lamina {
 
 /// How a curved layer gets its plan.
 enum class FlatteningMethod {
-  Rigid,  ///< triangles keep their shape as well as they can, from the plan of Mds
-  Mds,    ///< classical multidimensional scaling of geodesic distances
+  Rigid,   ///< what unrolls is unrolled; otherwise triangles keep their shape as well as they can
+  Mds,     ///< classical multidimensional scaling of geodesic distances
+  Stress,  ///< least error of the lengths of sides and of geodesic distances
 };
 
 /// How curved layers are laid out flat.

@@ -41,6 +41,8 @@ class GeodesicDistances {
   /// @param distance  one value per vertex
   std::vector<std::uint32_t> descend(const std::vector<double>& distance, std::uint32_t vertex) const;
 
+  const TriangleFans& fans() const { return fans_; }
+
  private:
   TriangleFans fans_;
 };

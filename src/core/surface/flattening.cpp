@@ -7,6 +7,7 @@
 #include "lamina/surface/plan_distortion.hpp"
 #include "surface/classical_scaling.hpp"
 #include "surface/rigid_plan.hpp"
+#include "surface/stress_majorisation.hpp"
 #include "surface/unfolding.hpp"
 
 namespace lamina {
@@ -41,10 +42,13 @@ std::vector<Point2> flatten(const Mesh& surface, const FlatteningSettings& setti
   if (settings.method == FlatteningMethod::Rigid)
     if (auto plan = unfold(surface, fans, kUnrolls); plan && isTrue(surface, *plan)) return std::move(*plan);
   const GeodesicDistances geodesics(std::move(fans));
-  std::vector<Point2> plan = classicalScaling(
-      spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks)));
+  const Landmarks landmarks =
+      spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks));
+  std::vector<Point2> plan = classicalScaling(landmarks);
   turnCounterClockwise(surface, plan);
   if (settings.method == FlatteningMethod::Rigid) return relaxRigidly(surface, std::move(plan));
+  if (settings.method == FlatteningMethod::Stress)
+    return lessenStress(std::move(plan), geodesics.fans(), landmarks);
   return plan;
 }
 

@@ -5,10 +5,13 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, FlatteningSettings& settings) {
-  schema.choice<FlatteningMethod>(
-      "flattening.method", settings.method,
-      {{"rigid", FlatteningMethod::Rigid}, {"mds", FlatteningMethod::Mds}},
-      "Plan of a curved layer: triangles as rigid as can be, or scaling of geodesic distances alone.");
+  schema.choice<FlatteningMethod>("flattening.method", settings.method,
+                                  {{"rigid", FlatteningMethod::Rigid},
+                                   {"mds", FlatteningMethod::Mds},
+                                   {"stress", FlatteningMethod::Stress}},
+                                  "Plan of a curved layer: triangles as rigid as can be, scaling of geodesic "
+                                  "distances, or least error of "
+                                  "lengths.");
   schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0, false},
                  "Vertices from which geodesic distances are taken; pieces with fewer vertices use all.");
   schema.number(
