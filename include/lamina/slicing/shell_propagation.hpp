@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/slicing/vertex_motion.hpp"
+#include "lamina/slicing/vertex_neighbours.hpp"
+#include "lamina/slicing/vertex_reach.hpp"
+#include "lamina/surface/layer_surface.hpp"
+
+namespace lamina {
+
+/// On which side of a shell the nozzle is.
+enum class NozzleSide {
+  Ahead,   ///< where the surface is propagated to: shells are laid one on the other as they are propagated
+  Behind,  ///< where it comes from: shells are laid in the opposite order
+};
+
+/// Where part of a surface has nowhere to go any more.
+struct ShellEnd {
+  double offset_mm = 0.0;         ///< the greatest offset there
+  Point3 where = Point3::Zero();  ///< the place of the surface that goes farthest [mm]
+};
+
+/// Equidistant shells of an open surface, on the side that its triangles face (optimal-curved-paths.md
+/// section 2.4). Each shell is propagated from the surface itself by its whole offset, so that errors do not
+/// add up from shell to shell.
+class ShellPropagation {
+ public:
+  /// @throws InvalidInput if the surface has no triangle; Cancelled
+  ShellPropagation(Mesh surface, const ShellLimits& limits, Progress& progress);
+
+  /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
+  /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living
+  /// ones near them, so that the shell hangs together along the creases that come about; leaving the part and
+  /// crossing the bound are cut along the line where that happens.
+  ///
+  /// Triangles face as the surface does if the nozzle is ahead, the other way if it is behind; so do normals.
+  /// Heights are `height_mm`, less where the bound or the part's surface lies nearer ahead than half of it.
+  LayerSurface shell(double offset_mm, double height_mm, NozzleSide side) const;
+
+  /// The offsets `height_mm / 2`, then every `height_mm`, of the shells that have triangles: all before the
+  /// first without.
+  std::vector<LayerSurface> shells(double height_mm, NozzleSide side, Progress& progress) const;
+
+  /// No shell has triangles at greater offsets.
+  double farthest() const;
+
+  /// Where shells of this height end: every place of the surface that goes farther than its surroundings by
+  /// more than one height, the farthest first.
+  std::vector<ShellEnd> ends(double height_mm) const;
+
+  const Mesh& surface() const { return surface_; }
+
+ private:
+  double reachOf(std::uint32_t vertex) const;
+  double aheadOf(std::uint32_t vertex, double offset_mm, double height_mm) const;
+  LayerSurface insidePart(LayerSurface shell, const std::vector<std::uint32_t>& origin,
+                          double offset_mm) const;
+
+  Mesh surface_;
+  ShellLimits limits_;
+  std::vector<VertexMotion> motions_;
+  VertexReach reach_;
+  VertexNeighbours neighbours_;
+};
+
+}  // namespace lamina

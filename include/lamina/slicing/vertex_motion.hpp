@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/mesh.hpp"
+
+namespace lamina {
+
+/// A plane that a shell keeps to one side of: normal · p <= offset.
+struct ShellBound {
+  Point3 normal = Point3::UnitZ();  ///< of unit length
+  double offset_mm = 0.0;
+};
+
+/// How a vertex of a surface moves when the surface is propagated.
+struct VertexMotion {
+  Point3 per_mm = Point3::Zero();   ///< path per millimetre of propagation; may be longer than 1
+  Point3 normal = Point3::UnitZ();  ///< mean of the surface's normals, weighted by angles, of unit length
+  int planes = 0;                   ///< 1 on a smooth surface, 2 on an edge, 3 at a corner
+  double exactness = 1.0;           ///< the least advance of an incident triangle's plane per mm, not above 1
+};
+
+/// Motions by which every triangle's plane moves forward by the distance propagated, where that can be solved
+/// (optimal-curved-paths.md section 2.4): the shortest solution of N s = 1 over the normals of the triangles
+/// at a vertex, weighted by their angles. Directions in which the normals differ by less than a tenth of what
+/// they have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
+/// times the distance. A vertex on the bound's plane moves within it, if it can (spec `Planar == 1`).
+std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<ShellBound>& bound);
+
+}  // namespace lamina

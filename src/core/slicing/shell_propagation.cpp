@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/slicing/shell_propagation.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/slicing/facing_surface.hpp"
+#include "lamina/surface/surface_cut.hpp"
+#include "slicing/vertex_merging.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+// Field of vertices far from where the shell leaves the part [mm].
+constexpr double kFar = 1.0;
+constexpr double kJustOutside = 1e-9;
+
+/// Whether a triangle of a shell faces as its vertices' normals do.
+bool facesForward(const Triangle& corner, const std::vector<Point3>& place,
+                  const std::vector<VertexMotion>& motions) {
+  const Point3 doubled = (place[corner[1]] - place[corner[0]]).cross(place[corner[2]] - place[corner[0]]);
+  const Point3 forward = motions[corner[0]].normal + motions[corner[1]].normal + motions[corner[2]].normal;
+  return doubled.dot(forward) > 0.0;
+}
+
+void turnOver(LayerSurface& shell) {
+  shell.middle = turnedOver(std::move(shell.middle));
+  for (Point3& normal : shell.normal) normal = -normal;
+}
+
+LayerSurface withinBound(LayerSurface shell, const ShellBound& bound) {
+  std::vector<double> field;
+  field.reserve(shell.middle.vertices.size());
+  for (const Point3& vertex : shell.middle.vertices)
+    field.push_back(bound.offset_mm - bound.normal.dot(vertex));
+  const bool is_within = std::all_of(field.begin(), field.end(), [](double value) { return value >= 0.0; });
+  return is_within ? shell : whereNotNegative(shell, field);
+}
+
+}  // namespace
+
+ShellPropagation::ShellPropagation(Mesh surface, const ShellLimits& limits, Progress& progress)
+    : surface_(std::move(surface)),
+      limits_(limits),
+      motions_(vertexMotions(surface_, limits.bound)),
+      reach_(vertexReach(surface_, motions_, limits, progress)),
+      neighbours_(surface_) {}
+
+double ShellPropagation::reachOf(std::uint32_t vertex) const {
+  return std::min({reach_.collapse_mm[vertex], reach_.exit_mm[vertex], reach_.bound_mm[vertex]});
+}
+
+double ShellPropagation::farthest() const {
+  double farthest = 0.0;
+  for (std::uint32_t vertex = 0; vertex < surface_.vertices.size(); ++vertex)
+    farthest = std::max(farthest, reachOf(vertex));
+  return farthest;
+}
+
+/// Offset up to which the layer is filled at a vertex.
+double ShellPropagation::aheadOf(std::uint32_t vertex, double offset_mm, double height_mm) const {
+  const double limit = std::min(reach_.exit_mm[vertex], reach_.bound_mm[vertex]);
+  return std::max(offset_mm, std::min(offset_mm + 0.5 * height_mm, limit));
+}
+
+LayerSurface ShellPropagation::shell(double offset_mm, double height_mm, NozzleSide side) const {
+  const MergedVertices merged =
+      mergeCollapsed({surface_, neighbours_, motions_, reach_.collapse_mm}, offset_mm);
+  LayerSurface shell;
+  std::vector<std::uint32_t> number(surface_.vertices.size(), kNone);
+  std::vector<std::uint32_t> origin;
+  const auto vertexOf = [&](std::uint32_t root) {
+    if (number[root] != kNone) return number[root];
+    number[root] = static_cast<std::uint32_t>(origin.size());
+    origin.push_back(root);
+    const double ahead = aheadOf(root, offset_mm, height_mm);
+    const double behind = offset_mm - 0.5 * height_mm;
+    const double tip = side == NozzleSide::Ahead ? ahead : behind;
+    const VertexMotion& motion = motions_[root];
+    const Point3 path = merged.is_stopped[root] != 0 ? motion.normal : motion.per_mm;
+    shell.middle.vertices.push_back(merged.place[root]);
+    shell.tip.emplace_back(merged.place[root] + (tip - offset_mm) * path);
+    shell.normal.push_back(motion.normal);
+    shell.height_mm.push_back(ahead - behind);
+    return number[root];
+  };
+  for (const Triangle& corner : surface_.triangles) {
+    const Triangle root = {merged.root[corner[0]], merged.root[corner[1]], merged.root[corner[2]]};
+    if (root[0] == MergedVertices::kGone || root[0] == root[1] || root[1] == root[2] || root[2] == root[0])
+      continue;
+    if (facesForward(root, merged.place, motions_))
+      shell.middle.triangles.push_back({vertexOf(root[0]), vertexOf(root[1]), vertexOf(root[2])});
+  }
+  shell = insidePart(std::move(shell), origin, offset_mm);
+  if (limits_.bound) shell = withinBound(std::move(shell), *limits_.bound);
+  if (side == NozzleSide::Behind) turnOver(shell);
+  return shell;
+}
+
+LayerSurface ShellPropagation::insidePart(LayerSurface shell, const std::vector<std::uint32_t>& origin,
+                                          double offset_mm) const {
+  if (limits_.part == nullptr) return shell;
+  std::vector<char> is_inside(origin.size());
+  for (std::size_t i = 0; i < origin.size(); ++i)
+    is_inside[i] = reach_.exit_mm[origin[i]] > offset_mm ? 1 : 0;
+  if (std::all_of(is_inside.begin(), is_inside.end(), [](char inside) { return inside != 0; })) return shell;
+  std::vector<double> field(origin.size());
+  std::vector<char> is_measured(origin.size(), 0);
+  for (std::size_t i = 0; i < origin.size(); ++i) field[i] = is_inside[i] != 0 ? kFar : -kFar;
+  for (const Triangle& corner : shell.middle.triangles) {
+    const int inside = is_inside[corner[0]] + is_inside[corner[1]] + is_inside[corner[2]];
+    if (inside == 0 || inside == 3) continue;
+    for (const std::uint32_t vertex : corner) {
+      if (is_measured[vertex] != 0) continue;
+      is_measured[vertex] = 1;
+      const double distance = std::abs(limits_.part->at(shell.middle.vertices[vertex]).inside_mm);
+      field[vertex] = is_inside[vertex] != 0 ? distance : -std::max(distance, kJustOutside);
+    }
+  }
+  return whereNotNegative(shell, field);
+}
+
+std::vector<LayerSurface> ShellPropagation::shells(double height_mm, NozzleSide side,
+                                                   Progress& progress) const {
+  const double count = std::max(0.0, std::ceil(farthest() / height_mm - 0.5));
+  std::vector<LayerSurface> shells(static_cast<std::size_t>(count));
+  const auto build = [&](std::size_t i) {
+    shells[i] = shell((static_cast<double>(i) + 0.5) * height_mm, height_mm, side);
+  };
+  parallelFor(shells.size(), build, progress, "propagate shells");
+  const auto vanished = std::find_if(
+      shells.begin(), shells.end(), [](const LayerSurface& shell) { return shell.middle.triangles.empty(); });
+  shells.erase(vanished, shells.end());
+  return shells;
+}
+
+// From the greatest reach down, vertices join the areas that hang together so far. Where two areas meet, the
+// one of lesser reach ends if it stood out by more than a height.
+std::vector<ShellEnd> ShellPropagation::ends(double height_mm) const {
+  std::vector<std::uint32_t> order(surface_.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return reachOf(a) != reachOf(b) ? reachOf(a) > reachOf(b) : a < b;
+  });
+  std::vector<std::uint32_t> peak(order.size(), kNone);  // towards the vertex of greatest reach of its area
+  const auto peakOf = [&peak](std::uint32_t vertex) {
+    while (peak[vertex] != vertex) vertex = peak[vertex] = peak[peak[vertex]];
+    return vertex;
+  };
+  std::vector<ShellEnd> ends;
+  const auto isLower = [this](std::uint32_t a, std::uint32_t b) {
+    return reachOf(a) != reachOf(b) ? reachOf(a) < reachOf(b) : a > b;
+  };
+  for (const std::uint32_t vertex : order) {
+    peak[vertex] = vertex;
+    for (const std::uint32_t next : neighbours_.of(vertex)) {
+      if (peak[next] == kNone) continue;
+      std::uint32_t here = peakOf(vertex);
+      std::uint32_t there = peakOf(next);
+      if (here == there) continue;
+      if (isLower(there, here)) std::swap(here, there);
+      if (reachOf(here) - reachOf(vertex) > height_mm)
+        ends.push_back({reachOf(here), surface_.vertices[here]});
+      peak[here] = there;
+    }
+  }
+  for (const std::uint32_t vertex : order)
+    if (peak[vertex] == vertex) ends.push_back({reachOf(vertex), surface_.vertices[vertex]});
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const ShellEnd& a, const ShellEnd& b) { return a.offset_mm > b.offset_mm; });
+  return ends;
+}
+
+}  // namespace lamina
