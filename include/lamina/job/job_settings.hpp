@@ -18,6 +18,7 @@
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
+#include "lamina/slicing/curved_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/surface/flattening_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
@@ -41,6 +42,7 @@ struct JobSettings {
   CopySettings copies;
   MachineSettings machine;
   SlicingSettings slicing;
+  CurvedSettings curved;
   FlatteningSettings flattening;
   LiftSettings lifting;
   OrientationSettings orientation;

@@ -63,6 +63,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.copies);
   describe(schema, settings.machine, "Machine that prints the part.");
   describe(schema, settings.slicing);
+  describe(schema, settings.curved);
   describe(schema, settings.flattening);
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);

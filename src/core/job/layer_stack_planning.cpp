@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/layer_stack_planning.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "job/laps.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/chart_lift.hpp"
+#include "lamina/slicing/curved_layers.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "lamina/surface/layer_charts.hpp"
 #include "lamina/surface/plan_outline.hpp"
@@ -31,19 +31,6 @@ double meanHeight(const LayerSurface& surface) {
   return sum / static_cast<double>(surface.height_mm.size());
 }
 
-double volumeOf(const LayerSurface& surface) {
-  double volume = 0.0;
-  for (const Triangle& corner : surface.middle.triangles) {
-    const std::vector<Point3>& vertices = surface.middle.vertices;
-    const Point3 doubled = (vertices[corner[1]] - vertices[corner[0]])
-                               .cross(Point3(vertices[corner[2]] - vertices[corner[0]]));
-    const double height =
-        surface.height_mm[corner[0]] + surface.height_mm[corner[1]] + surface.height_mm[corner[2]];
-    volume += 0.5 * doubled.norm() * height / 3.0;
-  }
-  return volume;
-}
-
 std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings) {
   try {
     return layerCharts(surface, settings);
@@ -61,7 +48,7 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
     return result;
   }
   for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
-  result.volume_mm3 = volumeOf(layer.surface);
+  result.volume_mm3 = volume(layer.surface);
   result.plan.slab = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
   result.charts = chartsOf(layer.surface, settings);
   for (const LayerChart& chart : result.charts)
@@ -109,7 +96,8 @@ PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& 
   for (ChartedLayer& layer : layers) plans.push_back(std::move(layer.plan));
   const LayerLift lift = [&](std::size_t i, ToolpathLayer plan) {
     if (layers[i].charts.empty()) return plan;
-    return liftOnto(layers[i].charts, std::move(plan), settings.lifting, settings.planning.travel, highest[i]);
+    return liftOnto(layers[i].charts, std::move(plan), settings.lifting, settings.planning.travel,
+                    highest[i]);
   };
   planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
   return planned;

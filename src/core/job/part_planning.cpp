@@ -28,6 +28,8 @@ PlannedPart planByMode(SourcePart source, SlicingMode mode, const PlanningReques
     case SlicingMode::Planar:
     case SlicingMode::Inclined:
       return planPlanar(std::move(source), request, progress);
+    case SlicingMode::Curved:
+      return planCurved(std::move(source), request, progress);
     default:
       throw InvalidConfig(std::string("slicing.mode '") + toString(mode) + "' cannot be planned");
   }

@@ -56,4 +56,7 @@ PlannedPart planByMode(SourcePart source, SlicingMode mode, const PlanningReques
 /// By parallel planes, level or inclined.
 PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progress& progress);
 
+/// By shells of the lower and upper surface, and level layers between them.
+PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progress& progress);
+
 }  // namespace lamina
