@@ -12,6 +12,9 @@ namespace lamina {
 /// Whether the layers are other than level, by more than 1e-9 rad.
 bool isInclined(const Toolpath& toolpath);
 
+/// Whether all that is deposited lies in the planes of its layers, within 1e-6 mm.
+bool hasPlaneLayers(const Toolpath& toolpath);
+
 /// Angle between the layers and the level plane of the part's frame [deg], 0 to 180.
 double inclinationDeg(const Toolpath& toolpath);
 

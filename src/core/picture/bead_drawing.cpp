@@ -92,6 +92,11 @@ double Projection::light(const Point3& direction) const {
   return std::round(shade * kShades) / kShades;
 }
 
+double Projection::lightOn(const Point3& normal) const {
+  const Point3 to_light = (-0.35 * right_ - 0.45 * into_ + 0.8 * Point3::UnitZ()).normalized();
+  return kDarkest + (1.0 - kDarkest) * std::max(0.0, normal.dot(to_light));
+}
+
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
   if (path.deposit == Deposit::Drops) return drawDrops(canvas, projection, path, colour);
   // Of a wall its side is seen, of a fill its top, which is lit the same in every direction.
@@ -109,6 +114,19 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
     start = path.points[end];
     from = to;
   }
+}
+
+void drawBead(Canvas& canvas, const Projection& projection, const Path& path, std::size_t motion,
+              const Colour& colour) {
+  const std::size_t end = path.deposit == Deposit::Drops ? motion : path.motionEnd(motion);
+  const std::size_t start = path.deposit == Deposit::Drops ? motion
+                            : end == 0                     ? path.points.size() - 1
+                                                           : end - 1;
+  const double width_px = std::max(1.2, projection.seenHeight(path.bead.at(end)) * canvas.pixelsPerMm());
+  const Point3 upper_side = -(path.orientation.at(end) * Point3::UnitZ());
+  canvas.linePx(
+      {canvas.toPixels(projection(path.points[start])), canvas.toPixels(projection(path.points[end]))},
+      {shaded(colour, projection.lightOn(upper_side)), width_px});
 }
 
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour) {

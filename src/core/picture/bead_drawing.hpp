@@ -19,6 +19,8 @@ class Projection {
   double seenHeight(const Bead& bead) const;
   /// Light on the side of a bead that runs in this direction, about 0.6 to 1.
   double light(const Point3& direction) const;
+  /// Light on a surface of that normal, about 0.6 to 1.
+  double lightOn(const Point3& normal) const;
 
  private:
   Eigen::Matrix<double, 2, 3> plane_from_part_;
@@ -29,6 +31,10 @@ class Projection {
 
 /// Draws a path's beads or drops as they are seen from outside, lit from the left.
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour);
+
+/// Draws one motion's bead, or the drop of a waypoint, lit as its upper side along the nozzle is.
+void drawBead(Canvas& canvas, const Projection& projection, const Path& path, std::size_t motion,
+              const Colour& colour);
 
 /// Draws a path's beads or drops at their width from above, each with a darker edge.
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour);

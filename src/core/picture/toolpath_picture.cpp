@@ -138,6 +138,45 @@ void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& to
   }
 }
 
+/// A motion or drop, and how near it is to the viewer.
+struct SeenBead {
+  double depth_mm = 0.0;
+  const ToolpathLayer* layer = nullptr;
+  const Path* path = nullptr;
+  std::size_t motion = 0;
+};
+
+std::vector<SeenBead> beadsFromFarthest(const Toolpath& toolpath, const Point3& towards_viewer) {
+  std::vector<SeenBead> beads;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) continue;
+      const bool is_drops = path.deposit == Deposit::Drops;
+      const std::size_t count = is_drops ? path.points.size() : path.motionCount();
+      for (std::size_t m = 0; m < count; ++m) {
+        const Point3 middle =
+            is_drops ? path.points[m] : Point3(0.5 * (path.points[m] + path.points[path.motionEnd(m)]));
+        beads.push_back({towards_viewer.dot(middle), &layer, &path, m});
+      }
+    }
+  std::stable_sort(beads.begin(), beads.end(),
+                   [](const SeenBead& a, const SeenBead& b) { return a.depth_mm < b.depth_mm; });
+  return beads;
+}
+
+/// Layers that are not plane hide each other here and there.
+void drawCurvedLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
+                      PictureColour colouring) {
+  const HeightRange heights{box.low.z(), box.size().z()};
+  for (const SeenBead& bead : beadsFromFarthest(toolpath, projection.towardsViewer())) {
+    const double height = bead.path->points[bead.motion].z() - heights.low_mm;
+    const Colour colour = colouring == PictureColour::Role
+                              ? roleColour(bead.path->role)
+                              : colourAt(ColourMap::Sequential, height / std::max(1e-9, heights.extent_mm));
+    drawBead(canvas, projection, *bead.path, bead.motion, colour);
+  }
+}
+
 void drawKey(Canvas& canvas, const Toolpath& toolpath, const Box3& box,
              const ToolpathPictureSettings& settings) {
   const double base = settings.height_px - 30.0;
@@ -251,7 +290,10 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   Canvas canvas(settings.width_px, settings.height_px);
   canvas.show(seenBox(projection, toolpath, box), drawingArea(settings));
   drawGrid(canvas, projection, box);
-  drawLayers(canvas, projection, toolpath, box, settings.colour);
+  if (hasPlaneLayers(toolpath))
+    drawLayers(canvas, projection, toolpath, box, settings.colour);
+  else
+    drawCurvedLayers(canvas, projection, toolpath, box, settings.colour);
 
   const ToolpathTotals sums = totals(toolpath);
   const Point3 size = partSize(toolpath, box);

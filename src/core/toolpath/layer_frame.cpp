@@ -11,7 +11,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kLevel = 1e-9;  // rad: what rounding leaves of a rotation and its inverse
+constexpr double kLevel = 1e-9;           // rad: what rounding leaves of a rotation and its inverse
+constexpr double kPlaneTolerance = 1e-6;  // mm
 
 double inclination(const Toolpath& toolpath) {
   const Point3 normal = layerNormal(toolpath);
@@ -34,6 +35,16 @@ AlongPath<Eigen::Quaterniond> turned(const AlongPath<Eigen::Quaterniond>& orient
 }  // namespace
 
 bool isInclined(const Toolpath& toolpath) { return inclination(toolpath) > kLevel; }
+
+bool hasPlaneLayers(const Toolpath& toolpath) {
+  const Point3 normal = layerNormal(toolpath);
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel)
+        for (const Point3& point : path.points)
+          if (std::abs(normal.dot(point) - layer.z_mm) > kPlaneTolerance) return false;
+  return true;
+}
 
 double inclinationDeg(const Toolpath& toolpath) { return inclination(toolpath) * 180.0 / M_PI; }
 
