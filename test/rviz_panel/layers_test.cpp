@@ -36,6 +36,13 @@ lamina::MachineToolpath stack() {
     path.bead = lamina::Bead{0.4, 0.2};
     path.feed_mm_s = 20.0;
     placed.toolpath.layers.push_back({0.2 * layer, 0.2, {path}});
+    if (layer == 1) continue;
+    lamina::Path travel;
+    travel.role = lamina::PathRole::Travel;
+    travel.points = {{10, 0, 0.2 * (layer - 1)}, {0, 0, 0.2 * layer}};
+    travel.feed_mm_s = 20.0;
+    std::vector<lamina::Path>& paths = placed.toolpath.layers.back().paths;
+    paths.insert(paths.begin(), travel);
   }
   return placed;
 }
@@ -47,7 +54,8 @@ class Layers : public testing::Test {
     publisher_.publish(toMessage(stack()));
     content_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&content_));
-    ASSERT_TRUE(waitFor([&] { return display_.segments("infill") == kLayers; }));
+    ASSERT_TRUE(waitFor([&] { return display_.segments("infill") == kLayers; }))
+        << part<QLabel>(content_, "part").text().toStdString();
   }
 
   ros::NodeHandle node_;
