@@ -4,17 +4,17 @@
 
 #include <vector>
 
-#include "lamina/geometry/mesh.hpp"
+#include "surface/rigid_energy.hpp"
 
 namespace lamina {
 
-/// The plan near a guess in which the triangles keep their shape as well as they can: least sum over the
-/// sides of (difference from the turned side)² times the cotangent of the angle across it ("as rigid as
-/// possible", Liu et al. 2008). Cotangents are kept positive, so that each step lessens the sum. A guess that
-/// is exact stays.
-///
-/// @param surface  [mm] connected by edges
-/// @param guess    of each vertex [mm]
-std::vector<Point2> relaxRigidly(const Mesh& surface, std::vector<Point2> guess);
+/// The plan near a guess in which the triangles keep their shape as well as they can, by alternating between
+/// the best turn of each triangle and the best plan for these turns. A guess that is exact stays.
+/// @param guess  of each vertex [mm]; the surface must be connected by edges
+std::vector<Point2> relaxRigidly(const RigidEnergy& energy, std::vector<Point2> guess);
+
+/// Nearly the same in a fraction of the time, from a guess that is smooth and does not overlap itself: the
+/// best plan for the turns is sought by steps on a coarse grid, and steps of single vertices.
+std::vector<Point2> relaxCoarsely(const RigidEnergy& energy, std::vector<Point2> guess);
 
 }  // namespace lamina

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "surface/rigid_energy.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Bounds on cotangents, for triangles that are nearly lines.
+constexpr double kLeastWeight = 0.01;
+constexpr double kGreatestWeight = 100.0;
+
+RigidEnergy::FlatTriangle layFlat(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 ab = b - a;
+  const Point3 ac = c - a;
+  const double length = ab.norm();
+  const double area = ab.cross(ac).norm();
+  RigidEnergy::FlatTriangle flat;
+  const Complex corner_b(length, 0.0);
+  const Complex corner_c =
+      length > 0.0 ? Complex(ab.dot(ac) / length, area / length) : Complex(0.0, ac.norm());
+  flat.side = {corner_b, corner_c - corner_b, -corner_c};
+  for (std::size_t i = 0; i < 3; ++i) {
+    // Of the two sides that meet across this one; one comes in there, the other goes out.
+    const double dot = -(flat.side[(i + 1) % 3] * std::conj(flat.side[(i + 2) % 3])).real();
+    flat.weight[i] = area > 0.0 ? std::clamp(dot / area, kLeastWeight, kGreatestWeight) : kLeastWeight;
+  }
+  return flat;
+}
+
+Complex asComplex(const Point2& vector) { return {vector.x(), vector.y()}; }
+
+}  // namespace
+
+RigidEnergy::RigidEnergy(const Mesh& surface) : surface_(surface) {
+  triangles_.reserve(surface.triangles.size());
+  for (const Triangle& corner : surface.triangles)
+    triangles_.push_back(
+        layFlat(surface.vertices[corner[0]], surface.vertices[corner[1]], surface.vertices[corner[2]]));
+}
+
+RigidEnergy::Pull RigidEnergy::pullOn(const std::vector<Point2>& plan) const {
+  Pull pull;
+  pull.at_vertex.assign(plan.size(), Point2::Zero());
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const Triangle& corner = surface_.triangles[t];
+    const FlatTriangle& flat = triangles_[t];
+    std::array<Complex, 3> side;
+    Complex turn = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      side[i] = asComplex(plan[corner[(i + 1) % 3]] - plan[corner[i]]);
+      turn += flat.weight[i] * side[i] * std::conj(flat.side[i]);
+    }
+    const double size = std::sqrt(std::norm(turn));
+    turn = size > 0.0 ? turn / size : Complex(1.0, 0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Complex error = turn * flat.side[i] - side[i];
+      pull.energy += flat.weight[i] * std::norm(error);
+      const Point2 force(flat.weight[i] * error.real(), flat.weight[i] * error.imag());
+      pull.at_vertex[corner[(i + 1) % 3]] += force;
+      pull.at_vertex[corner[i]] -= force;
+    }
+  }
+  return pull;
+}
+
+}  // namespace lamina
