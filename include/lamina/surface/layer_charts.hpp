@@ -16,7 +16,7 @@ namespace lamina {
 ///
 /// Each plan lies on the projection of its chart to the xy plane as well as it can by turning and moving, so
 /// that directions mean the same in all layers. Where the boxes of two plans overlap, the later one is moved
-/// along x, 10 mm past all before it.
+/// beyond the others in y, into rows 10 mm apart.
 ///
 /// @return in the order of the triangles of the layer, as far as they were not cut; none for an empty layer
 /// @throws InvalidMesh naming the place [mm] if a piece the size of a bead still does not lie flat

@@ -3,6 +3,7 @@
 #include "surface/chart_placement.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -67,6 +68,8 @@ Complex turnOf(const LayerChart& chart, const std::vector<double>& weight, const
   return turn / std::abs(turn);
 }
 
+Box2 boxOf(const LayerChart& chart) { return boundingBox(std::vector<Polygon>{chart.plan}); }
+
 bool overlap(const Box2& a, const Box2& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
@@ -85,19 +88,33 @@ void layOverProjection(LayerChart& chart) {
 
 void moveApart(std::vector<LayerChart>& charts) {
   std::vector<Box2> taken;
+  std::vector<LayerChart*> in_the_way;
   Box2 all;
+  double moved_area = 0.0;
   for (LayerChart& chart : charts) {
-    Box2 box = boundingBox(std::vector<Polygon>{chart.plan});
-    bool is_free = true;
-    for (const Box2& other : taken) is_free = is_free && !overlap(box, other);
-    if (!is_free) {
-      const Point2 shift(all.high.x() + kGap_mm - box.low.x(), 0.0);
-      for (Point2& place : chart.plan) place += shift;
-      box = {box.low + shift, box.high + shift};
+    const Box2 box = boxOf(chart);
+    if (std::any_of(taken.begin(), taken.end(), [&](const Box2& other) { return overlap(box, other); })) {
+      in_the_way.push_back(&chart);
+      moved_area += (box.size().x() + kGap_mm) * (box.size().y() + kGap_mm);
+      continue;
     }
     taken.push_back(box);
     all.include(box.low);
     all.include(box.high);
+  }
+  const double end = all.low.x() + std::max(all.size().x(), std::sqrt(moved_area));
+  Point2 free(all.low.x(), all.high.y() + kGap_mm);
+  double row_height = 0.0;
+  for (LayerChart* chart : in_the_way) {
+    const Box2 box = boxOf(*chart);
+    if (free.x() > all.low.x() && free.x() + box.size().x() > end) {
+      free = {all.low.x(), free.y() + row_height + kGap_mm};
+      row_height = 0.0;
+    }
+    const Point2 shift = free - box.low;
+    for (Point2& place : chart->plan) place += shift;
+    free.x() += box.size().x() + kGap_mm;
+    row_height = std::max(row_height, box.size().y());
   }
 }
 

@@ -13,7 +13,8 @@ namespace lamina {
 /// surface runs towards x comes to lie along x, or, if it does not run there, the one towards y along y.
 void layOverProjection(LayerChart& chart);
 
-/// Moves plans along x such that no two of their boxes overlap.
+/// Moves plans such that no two of their boxes overlap: those in the way of earlier ones go into rows beyond
+/// the others in y, 10 mm apart.
 void moveApart(std::vector<LayerChart>& charts);
 
 }  // namespace lamina
