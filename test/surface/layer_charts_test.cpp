@@ -197,14 +197,15 @@ TEST(LayerCharts, RandomSmoothPatchesKeepTheirPromises) {
 }
 
 TEST(LayerCharts, WhatNeverLiesFlatIsRefusedWithItsPlace) {
-  // Twice around, like a spring, in a piece that is smaller than a bead, by a method that bends nothing open.
+  // Thrice around, like a spring, in a piece much smaller than a bead, by a method that bends nothing open.
   FlatteningSettings settings;
   settings.method = FlatteningMethod::Mds;
   settings.landmarks = 4;
-  const LayerSurface layer = layerOf(patch(80, 2, [](double u, double v) {
+  LayerSurface layer = layerOf(patch(120, 2, [](double u, double v) {
     const double r = 0.05 - 0.01 * v;
-    return Point3(100.0 + r * std::cos(4.0 * M_PI * u), r * std::sin(4.0 * M_PI * u), 0.01 * u);
+    return Point3(100.0 + r * std::cos(6.0 * M_PI * u), r * std::sin(6.0 * M_PI * u), 0.01 * u);
   }));
+  layer.height_mm.assign(layer.height_mm.size(), 2.0);
   try {
     layerCharts(layer, settings);
     FAIL() << "expected InvalidMesh";

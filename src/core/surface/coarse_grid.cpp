@@ -21,11 +21,15 @@ double areaInPlan(const Triangle& corner, const std::vector<Point2>& plan) {
   return 0.5 * std::abs(ab.x() * ac.y() - ab.y() * ac.x());
 }
 
-/// What a triangle resists even growth with; its area, were the weights the true cotangents.
-double resistanceOf(const RigidEnergy::FlatTriangle& triangle) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) sum += triangle.weight[i] * std::norm(triangle.side[i]);
-  return 0.25 * sum;
+/// What a triangle resists an even growth of its place in the plan with, by directions.
+Eigen::Matrix2d resistanceOf(const RigidEnergy::FlatTriangle& triangle, const Triangle& corner,
+                             const std::vector<Point2>& plan) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point2 side = plan[corner[(i + 1) % 3]] - plan[corner[i]];
+    sum += triangle.weight[i] * side * side.transpose();
+  }
+  return sum;
 }
 
 double cellSize(const Mesh& surface, const std::vector<Point2>& plan, const Point2& box) {
@@ -52,27 +56,36 @@ CoarseGrid::CoarseGrid(const RigidEnergy& energy, const std::vector<Point2>& pla
     const auto row = static_cast<std::uint32_t>(at.y());
     places_.push_back({row * columns_ + column, at.x() - column, at.y() - row});
   }
-  std::vector<double> resistance(std::size_t{columns_} * rows_, 0.0);
-  for (std::size_t t = 0; t < energy.triangles().size(); ++t)
-    for (const std::uint32_t vertex : energy.surface().triangles[t])
-      resistance[places_[vertex].node] += resistanceOf(energy.triangles()[t]) / (3.0 * cell * cell);
+  std::vector<Eigen::Matrix2d> resistance(std::size_t{columns_} * rows_, Eigen::Matrix2d::Zero());
+  for (std::size_t t = 0; t < energy.triangles().size(); ++t) {
+    const Triangle& corner = energy.surface().triangles[t];
+    const Eigen::Matrix2d share = resistanceOf(energy.triangles()[t], corner, plan) / (3.0 * cell * cell);
+    for (const std::uint32_t vertex : corner) resistance[places_[vertex].node] += share;
+  }
   factorise(resistance);
 }
 
-/// An even membrane, bilinear in each cell, that resists in each cell as its triangles do.
-void CoarseGrid::factorise(const std::vector<double>& resistance) {
+/// A membrane, bilinear in each cell, that resists in each cell as its triangles do.
+void CoarseGrid::factorise(const std::vector<Eigen::Matrix2d>& resistance) {
+  // Integrals over a cell of the products of the slopes of what is 1 at one corner and 0 at the others.
+  Eigen::Matrix4d along_x, along_y, across;
+  along_x << 2, -2, -1, 1, -2, 2, 1, -1, -1, 1, 2, -2, 1, -1, -2, 2;
+  along_y << 2, 1, -1, -2, 1, 2, -2, -1, -1, -2, 2, 1, -2, -1, 1, 2;
+  across << 1, 0, -1, 0, 0, -1, 0, 1, -1, 0, 1, 0, 0, 1, 0, -1;
   const std::array<std::uint32_t, 4> corner = {0, 1, columns_ + 1, columns_};
   std::vector<Eigen::Triplet<double>> entries;
   const auto nodes = static_cast<int>(resistance.size());
   for (int node = 0; node < nodes; ++node) entries.emplace_back(node, node, kLoose);
   for (std::uint32_t node = 0; node < resistance.size(); ++node) {
-    if (!(resistance[node] > 0.0)) continue;
-    for (std::uint32_t i = 0; i < 4; ++i)
-      for (std::uint32_t j = 0; j <= i; ++j) {
-        const double share = i == j ? 2.0 / 3.0 : (i - j == 2 ? -1.0 / 3.0 : -1.0 / 6.0);
-        const auto row = static_cast<int>(node + std::max(corner[i], corner[j]));
-        const auto column = static_cast<int>(node + std::min(corner[i], corner[j]));
-        entries.emplace_back(row, column, 2.0 * share * resistance[node]);
+    const Eigen::Matrix2d& cell = resistance[node];
+    if (cell.isZero(0.0)) continue;
+    const Eigen::Matrix4d stiffness =
+        (cell(0, 0) * along_x + cell(1, 1) * along_y) / 6.0 + 0.5 * cell(0, 1) * across;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const auto row = static_cast<int>(node + corner[static_cast<std::size_t>(i)]);
+        const auto column = static_cast<int>(node + corner[static_cast<std::size_t>(j)]);
+        if (row >= column) entries.emplace_back(row, column, stiffness(i, j));
       }
   }
   Eigen::SparseMatrix<double> matrix(nodes, nodes);

@@ -21,7 +21,7 @@ class CoarseGrid {
   void step(const std::vector<Point2>& pull, std::vector<Point2>& plan) const;
 
  private:
-  void factorise(const std::vector<double>& resistance);
+  void factorise(const std::vector<Eigen::Matrix2d>& resistance);
 
   /// A vertex in its cell.
   struct Place {

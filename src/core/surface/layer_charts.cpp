@@ -22,7 +22,11 @@ namespace {
 
 // A bead is about two layer heights wide.
 constexpr double kBeadWidths = 2.0;
-constexpr int kDeepestCut = 20;
+// Pieces this small as a share of a bead's square are not cut any more, nor those cut so often.
+constexpr double kLeastShare = 0.01;
+constexpr int kDeepestCut = 30;
+// Pieces without area are left out [mm²].
+constexpr double kNothing_mm2 = 1e-9;
 
 /// A piece of the layer, and how often it was cut out of a larger one.
 struct Piece {
@@ -61,30 +65,38 @@ Verdict judge(const Mesh& surface, const std::vector<Point2>& plan, double toler
   return verdict;
 }
 
-bool isBeadSized(const LayerSurface& piece) {
+/// Of a square as wide as a bead [mm²].
+double beadArea(const LayerSurface& piece) {
   double height = 0.0;
   for (const double one : piece.height_mm) height = std::max(height, one);
-  const double width = kBeadWidths * height;
-  return surfaceArea(piece.middle) <= width * width;
+  return kBeadWidths * height * kBeadWidths * height;
+}
+
+[[noreturn]] void refuse(const Piece& piece, const std::string& reason) {
+  const Point3 centre = boundingBox(piece.surface.middle).centre();
+  throw InvalidMesh("the layer does not lie flat near (" + written(centre.x()) + ", " + written(centre.y()) +
+                    ", " + written(centre.z()) + ") mm: a piece of " +
+                    written(surfaceArea(piece.surface.middle)) + " mm2 was cut out " +
+                    std::to_string(piece.cuts) + " times, and " + reason);
 }
 
 /// The piece's plan, if it has one that may be used.
 /// @throws InvalidMesh if it has none and is too small to be cut
 std::optional<std::vector<Point2>> planOf(const Piece& piece, const FlatteningSettings& settings) {
   const Mesh& mesh = piece.surface.middle;
-  if (!pairHalfEdges(mesh).has_border) return std::nullopt;
+  if (!pairHalfEdges(mesh).has_border) {
+    if (piece.cuts >= kDeepestCut) refuse(piece, "still has no border");
+    return std::nullopt;
+  }
   if (auto plan = planOfPlane(mesh)) return plan;
   std::vector<Point2> plan = flatten(mesh, settings);
   const Verdict verdict = judge(mesh, plan, settings.tolerance);
-  if (verdict.is_plan && verdict.is_true) return plan;
-  const bool is_small = isBeadSized(piece.surface);
-  if (verdict.is_plan && is_small) return plan;
-  if (!is_small && piece.cuts < kDeepestCut) return std::nullopt;
-  const Box3 box = boundingBox(mesh);
-  throw InvalidMesh("the layer does not lie flat near (" + written(box.centre().x()) + ", " +
-                    written(box.centre().y()) + ", " + written(box.centre().z()) + ") mm: a piece of " +
-                    written(surfaceArea(mesh)) + " mm2 was cut out " + std::to_string(piece.cuts) +
-                    " times and in its plan " + verdict.reason);
+  const double area = surfaceArea(mesh);
+  const double bead_area = beadArea(piece.surface);
+  if (verdict.is_plan && (verdict.is_true || area <= bead_area)) return plan;
+  if (area <= kLeastShare * bead_area || piece.cuts >= kDeepestCut)
+    refuse(piece, "in its plan " + verdict.reason);
+  return std::nullopt;
 }
 
 /// Both sides of the zero line of the cutting field, in connected pieces.
@@ -100,6 +112,7 @@ std::vector<Piece> cutInTwo(const Piece& piece) {
 }
 
 void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<LayerChart>& charts) {
+  if (surfaceArea(piece.surface.middle) <= kNothing_mm2) return;
   if (auto plan = planOf(piece, settings)) {
     charts.push_back({std::move(piece.surface), std::move(*plan)});
     layOverProjection(charts.back());

@@ -15,7 +15,8 @@ constexpr int kIterations = 30;
 // Iterations end when one lessens the sum by less than this share of it.
 constexpr double kConverged = 1e-3;
 constexpr double kCoarselyConverged = 0.02;
-constexpr int kCoarseIterations = 20;
+constexpr int kRounds = 2;
+constexpr int kCoarseIterations = 10;
 constexpr int kSingleSteps = 4;
 // Of the steps of single vertices, so that neighbours that step at once do not overshoot.
 constexpr double kDamping = 0.6;
@@ -101,10 +102,14 @@ std::vector<Point2> relaxCoarsely(const RigidEnergy& energy, std::vector<Point2>
     for (std::size_t i = 0; i < plan.size(); ++i)
       if (hold[i] > 0.0) plan[i] += kDamping / hold[i] * pull.at_vertex[i];
   };
-  guess = descend(
-      energy, std::move(guess), kCoarseIterations, kCoarselyConverged,
-      [&](const RigidEnergy::Pull& pull, std::vector<Point2>& plan) { grid.step(pull.at_vertex, plan); });
-  return descend(energy, std::move(guess), kSingleSteps, 0.0, stepAlone);
+  const auto stepOnGrid = [&](const RigidEnergy::Pull& pull, std::vector<Point2>& plan) {
+    grid.step(pull.at_vertex, plan);
+  };
+  for (int i = 0; i < kRounds; ++i) {
+    guess = descend(energy, std::move(guess), kCoarseIterations, kCoarselyConverged, stepOnGrid);
+    guess = descend(energy, std::move(guess), kSingleSteps, 0.0, stepAlone);
+  }
+  return guess;
 }
 
 }  // namespace lamina
