@@ -30,8 +30,10 @@ struct ShellEnd {
 /// add up from shell to shell.
 class ShellPropagation {
  public:
-  /// @throws InvalidInput if the surface has no triangle; Cancelled
-  ShellPropagation(Mesh surface, const ShellLimits& limits, Progress& progress);
+  /// @param source           faces where its shells are to be
+  /// @param longest_edge_mm  longer edges of it are halved first, so that shells can bend and end there
+  /// @throws InvalidInput if it has no triangle or the length is not positive; Cancelled
+  ShellPropagation(const Mesh& source, double longest_edge_mm, const ShellLimits& limits, Progress& progress);
 
   /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
   /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living
@@ -53,15 +55,14 @@ class ShellPropagation {
   /// more than one height, the farthest first.
   std::vector<ShellEnd> ends(double height_mm) const;
 
-  const Mesh& surface() const { return surface_; }
+  /// The source with its edges halved.
+  const Mesh& surface() const { return subdivision_.mesh; }
 
  private:
   double reachOf(std::uint32_t vertex) const;
   double aheadOf(std::uint32_t vertex, double offset_mm, double height_mm) const;
-  LayerSurface insidePart(LayerSurface shell, const std::vector<std::uint32_t>& origin,
-                          double offset_mm) const;
 
-  Mesh surface_;
+  Subdivision subdivision_;
   ShellLimits limits_;
   std::vector<VertexMotion> motions_;
   VertexReach reach_;

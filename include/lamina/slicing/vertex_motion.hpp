@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/geometry/mesh.hpp"
+#include "lamina/surface/subdivision.hpp"
 
 namespace lamina {
 
@@ -29,5 +30,10 @@ struct VertexMotion {
 /// they have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
 /// times the distance. A vertex on the bound's plane moves within it, if it can (spec `Planar == 1`).
 std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<ShellBound>& bound);
+
+/// The same on a subdivided surface: new vertices move as the middles of their edges do, so that facets stay
+/// plane and move as if they were whole.
+std::vector<VertexMotion> vertexMotions(const Mesh& source, const Subdivision& subdivision,
+                                        const std::optional<ShellBound>& bound);
 
 }  // namespace lamina

@@ -31,10 +31,11 @@ struct VertexReach {
   std::vector<double> bound_mm;
 };
 
-/// Found per vertex, not per shell: balls shrink from the farthest offset until nothing of the surface is
-/// inside them (by 1 % of their radius, so that rounding and tessellation do not count).
+/// Of the vertices of `surface`, which may be subdivided from `source`. Found per vertex, not per shell:
+/// balls shrink from the farthest offset until nothing of the surface is inside them (by 1 % of their radius,
+/// so that rounding and tessellation do not count).
 /// @throws Cancelled if `progress` is cancelled
-VertexReach vertexReach(const Mesh& surface, const std::vector<VertexMotion>& motions,
+VertexReach vertexReach(const Mesh& surface, const Mesh& source, const std::vector<VertexMotion>& motions,
                         const ShellLimits& limits, Progress& progress);
 
 }  // namespace lamina

@@ -9,7 +9,6 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/facing_surface.hpp"
-#include "lamina/surface/subdivision.hpp"
 #include "slicing/unreached_surface.hpp"
 
 namespace lamina {
@@ -90,9 +89,9 @@ struct ShellFamily {
 ShellFamily propagate(const Part& part, const TriangleNumbers& source, std::optional<ShellBound> bound,
                       NozzleSide side, Progress& progress) {
   if (source.empty()) return {};
-  Mesh inward = subdivided(turnedOver(patchOf(part.mesh, source)), part.settings.longest_edge_mm);
+  const Mesh inward = turnedOver(patchOf(part.mesh, source));
   const ShellLimits limits{&part.inside, bound, part.size_mm, part.height_mm};
-  const ShellPropagation propagation(std::move(inward), limits, progress);
+  const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
   return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};
 }
 

@@ -20,6 +20,8 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 // Field of vertices far from where the shell leaves the part [mm].
 constexpr double kFar = 1.0;
 constexpr double kJustOutside = 1e-9;
+// How far outside the part a vertex may lie that slides along its surface [mm].
+constexpr double kTouching = 1e-3;
 
 /// Whether a triangle of a shell faces as its vertices' normals do.
 bool facesForward(const Triangle& corner, const std::vector<Point3>& place,
@@ -43,14 +45,35 @@ LayerSurface withinBound(LayerSurface shell, const ShellBound& bound) {
   return is_within ? shell : whereNotNegative(shell, field);
 }
 
+/// Cuts a shell where it leaves the part, given on which side its vertices are. Only near there the distance
+/// to the part's surface is asked for.
+LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, const SignedDistance& part) {
+  if (std::all_of(is_inside.begin(), is_inside.end(), [](char inside) { return inside != 0; })) return shell;
+  std::vector<double> field(is_inside.size());
+  std::vector<char> is_measured(is_inside.size(), 0);
+  for (std::size_t i = 0; i < is_inside.size(); ++i) field[i] = is_inside[i] != 0 ? kFar : -kFar;
+  for (const Triangle& corner : shell.middle.triangles) {
+    const int inside = is_inside[corner[0]] + is_inside[corner[1]] + is_inside[corner[2]];
+    if (inside == 0 || inside == 3) continue;
+    for (const std::uint32_t vertex : corner) {
+      if (is_measured[vertex] != 0) continue;
+      is_measured[vertex] = 1;
+      const double distance = std::abs(part.at(shell.middle.vertices[vertex]).inside_mm);
+      field[vertex] = is_inside[vertex] != 0 ? distance : -std::max(distance, kJustOutside);
+    }
+  }
+  return whereNotNegative(shell, field);
+}
+
 }  // namespace
 
-ShellPropagation::ShellPropagation(Mesh surface, const ShellLimits& limits, Progress& progress)
-    : surface_(std::move(surface)),
+ShellPropagation::ShellPropagation(const Mesh& source, double longest_edge_mm, const ShellLimits& limits,
+                                   Progress& progress)
+    : subdivision_(subdivide(source, longest_edge_mm)),
       limits_(limits),
-      motions_(vertexMotions(surface_, limits.bound)),
-      reach_(vertexReach(surface_, motions_, limits, progress)),
-      neighbours_(surface_) {}
+      motions_(vertexMotions(source, subdivision_, limits.bound)),
+      reach_(vertexReach(surface(), source, motions_, limits, progress)),
+      neighbours_(surface()) {}
 
 double ShellPropagation::reachOf(std::uint32_t vertex) const {
   return std::min({reach_.collapse_mm[vertex], reach_.exit_mm[vertex], reach_.bound_mm[vertex]});
@@ -58,7 +81,7 @@ double ShellPropagation::reachOf(std::uint32_t vertex) const {
 
 double ShellPropagation::farthest() const {
   double farthest = 0.0;
-  for (std::uint32_t vertex = 0; vertex < surface_.vertices.size(); ++vertex)
+  for (std::uint32_t vertex = 0; vertex < surface().vertices.size(); ++vertex)
     farthest = std::max(farthest, reachOf(vertex));
   return farthest;
 }
@@ -71,9 +94,9 @@ double ShellPropagation::aheadOf(std::uint32_t vertex, double offset_mm, double 
 
 LayerSurface ShellPropagation::shell(double offset_mm, double height_mm, NozzleSide side) const {
   const MergedVertices merged =
-      mergeCollapsed({surface_, neighbours_, motions_, reach_.collapse_mm}, offset_mm);
+      mergeCollapsed({surface(), neighbours_, motions_, reach_.collapse_mm}, offset_mm);
   LayerSurface shell;
-  std::vector<std::uint32_t> number(surface_.vertices.size(), kNone);
+  std::vector<std::uint32_t> number(surface().vertices.size(), kNone);
   std::vector<std::uint32_t> origin;
   const auto vertexOf = [&](std::uint32_t root) {
     if (number[root] != kNone) return number[root];
@@ -90,40 +113,25 @@ LayerSurface ShellPropagation::shell(double offset_mm, double height_mm, NozzleS
     shell.height_mm.push_back(ahead - behind);
     return number[root];
   };
-  for (const Triangle& corner : surface_.triangles) {
+  for (const Triangle& corner : surface().triangles) {
     const Triangle root = {merged.root[corner[0]], merged.root[corner[1]], merged.root[corner[2]]};
     if (root[0] == MergedVertices::kGone || root[0] == root[1] || root[1] == root[2] || root[2] == root[0])
       continue;
     if (facesForward(root, merged.place, motions_))
       shell.middle.triangles.push_back({vertexOf(root[0]), vertexOf(root[1]), vertexOf(root[2])});
   }
-  shell = insidePart(std::move(shell), origin, offset_mm);
+  if (limits_.part != nullptr) {
+    std::vector<char> is_inside;
+    is_inside.reserve(origin.size());
+    for (const std::uint32_t root : origin)
+      is_inside.push_back(merged.is_stopped[root] != 0
+                              ? limits_.part->at(merged.place[root]).inside_mm >= -kTouching
+                              : reach_.exit_mm[root] > offset_mm);
+    shell = insidePart(std::move(shell), is_inside, *limits_.part);
+  }
   if (limits_.bound) shell = withinBound(std::move(shell), *limits_.bound);
   if (side == NozzleSide::Behind) turnOver(shell);
   return shell;
-}
-
-LayerSurface ShellPropagation::insidePart(LayerSurface shell, const std::vector<std::uint32_t>& origin,
-                                          double offset_mm) const {
-  if (limits_.part == nullptr) return shell;
-  std::vector<char> is_inside(origin.size());
-  for (std::size_t i = 0; i < origin.size(); ++i)
-    is_inside[i] = reach_.exit_mm[origin[i]] > offset_mm ? 1 : 0;
-  if (std::all_of(is_inside.begin(), is_inside.end(), [](char inside) { return inside != 0; })) return shell;
-  std::vector<double> field(origin.size());
-  std::vector<char> is_measured(origin.size(), 0);
-  for (std::size_t i = 0; i < origin.size(); ++i) field[i] = is_inside[i] != 0 ? kFar : -kFar;
-  for (const Triangle& corner : shell.middle.triangles) {
-    const int inside = is_inside[corner[0]] + is_inside[corner[1]] + is_inside[corner[2]];
-    if (inside == 0 || inside == 3) continue;
-    for (const std::uint32_t vertex : corner) {
-      if (is_measured[vertex] != 0) continue;
-      is_measured[vertex] = 1;
-      const double distance = std::abs(limits_.part->at(shell.middle.vertices[vertex]).inside_mm);
-      field[vertex] = is_inside[vertex] != 0 ? distance : -std::max(distance, kJustOutside);
-    }
-  }
-  return whereNotNegative(shell, field);
 }
 
 std::vector<LayerSurface> ShellPropagation::shells(double height_mm, NozzleSide side,
@@ -143,7 +151,7 @@ std::vector<LayerSurface> ShellPropagation::shells(double height_mm, NozzleSide 
 // From the greatest reach down, vertices join the areas that hang together so far. Where two areas meet, the
 // one of lesser reach ends if it stood out by more than a height.
 std::vector<ShellEnd> ShellPropagation::ends(double height_mm) const {
-  std::vector<std::uint32_t> order(surface_.vertices.size());
+  std::vector<std::uint32_t> order(surface().vertices.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return reachOf(a) != reachOf(b) ? reachOf(a) > reachOf(b) : a < b;
@@ -166,12 +174,12 @@ std::vector<ShellEnd> ShellPropagation::ends(double height_mm) const {
       if (here == there) continue;
       if (isLower(there, here)) std::swap(here, there);
       if (reachOf(here) - reachOf(vertex) > height_mm)
-        ends.push_back({reachOf(here), surface_.vertices[here]});
+        ends.push_back({reachOf(here), surface().vertices[here]});
       peak[here] = there;
     }
   }
   for (const std::uint32_t vertex : order)
-    if (peak[vertex] == vertex) ends.push_back({reachOf(vertex), surface_.vertices[vertex]});
+    if (peak[vertex] == vertex) ends.push_back({reachOf(vertex), surface().vertices[vertex]});
   std::stable_sort(ends.begin(), ends.end(),
                    [](const ShellEnd& a, const ShellEnd& b) { return a.offset_mm > b.offset_mm; });
   return ends;

@@ -9,6 +9,10 @@ namespace {
 
 // Of the edge between them: how far a vertex may collapse from the path of the edge that takes it in.
 constexpr double kSamePlace = 2.0;
+// Of the offset: how inexact collapses are known.
+constexpr double kSlack = 0.03;
+// Per millimetre of edge: how much later a neighbour collapses at most where the surface is smooth [mm].
+constexpr double kSteepest = 4.0;
 
 class Merging {
  public:
@@ -39,7 +43,8 @@ class Merging {
     if (moving_.motions[vertex].planes >= moving_.motions[on_edge].planes) return false;
     const double collapse = moving_.collapse_mm[vertex];
     const double apart = (moving_.at(vertex, collapse) - moving_.at(on_edge, collapse)).norm();
-    return apart <= kSamePlace * (moving_.surface.vertices[vertex] - moving_.surface.vertices[from]).norm();
+    const double step = (moving_.surface.vertices[vertex] - moving_.surface.vertices[from]).norm();
+    return apart <= kSamePlace * step + kSlack * collapse * moving_.motions[on_edge].per_mm.norm();
   }
 
   void mergeIntoEdges() {
@@ -73,7 +78,8 @@ class Merging {
 
   /// The place on an edge that collapses at this offset.
   Point3 crossing(std::uint32_t living, std::uint32_t collapsed) const {
-    const double spare = moving_.collapse_mm[living] - offset_;
+    const double edge = (moving_.surface.vertices[living] - moving_.surface.vertices[collapsed]).norm();
+    const double spare = std::min(moving_.collapse_mm[living] - offset_, kSteepest * edge);
     const double missing = offset_ - moving_.collapse_mm[collapsed];
     const double t = spare / (spare + missing);
     const Point3 from = moving_.at(living, offset_);

@@ -66,22 +66,33 @@ double angleAt(const Point3& corner, const Point3& next, const Point3& previous)
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+Point3 unitNormal(const Mesh& mesh, const Triangle& corner) {
+  const Point3& a = mesh.vertices[corner[0]];
+  return (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).stableNormalized();
+}
+
+/// How far the planes of the triangles at each vertex advance at least.
+void setExactness(const Mesh& mesh, std::vector<VertexMotion>& motions) {
+  for (VertexMotion& motion : motions) motion.exactness = 1.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const Point3 normal = unitNormal(mesh, triangle);
+    if (normal.isZero(0.0)) continue;
+    for (const std::uint32_t corner : triangle)
+      motions[corner].exactness = std::min(motions[corner].exactness, normal.dot(motions[corner].per_mm));
+  }
+}
+
 }  // namespace
 
 std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<ShellBound>& bound) {
   std::vector<Equations> equations(mesh.vertices.size());
-  std::vector<Point3> normals;
-  normals.reserve(mesh.triangles.size());
   for (const Triangle& corner : mesh.triangles) {
-    const Point3& a = mesh.vertices[corner[0]];
-    const Point3 doubled = (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
-    const double norm = doubled.norm();
-    normals.push_back(norm > 0.0 ? Point3(doubled / norm) : Point3(Point3::Zero()));
+    const Point3 normal = unitNormal(mesh, corner);
     for (std::size_t k = 0; k < 3; ++k) {
       const double weight = angleAt(mesh.vertices[corner[k]], mesh.vertices[corner[(k + 1) % 3]],
                                     mesh.vertices[corner[(k + 2) % 3]]);
-      equations[corner[k]].matrix += weight * normals.back() * normals.back().transpose();
-      equations[corner[k]].right += weight * normals.back();
+      equations[corner[k]].matrix += weight * normal * normal.transpose();
+      equations[corner[k]].right += weight * normal;
     }
   }
   std::vector<VertexMotion> motions;
@@ -91,11 +102,24 @@ std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<Sh
         bound && std::abs(bound->normal.dot(mesh.vertices[i]) - bound->offset_mm) <= kOnBound;
     motions.push_back(motionOf(equations[i], is_on_bound ? &*bound : nullptr));
   }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t corner : mesh.triangles[t])
-      if (!normals[t].isZero(0.0))
-        motions[corner].exactness =
-            std::min(motions[corner].exactness, normals[t].dot(motions[corner].per_mm));
+  setExactness(mesh, motions);
+  return motions;
+}
+
+std::vector<VertexMotion> vertexMotions(const Mesh& source, const Subdivision& subdivision,
+                                        const std::optional<ShellBound>& bound) {
+  const std::vector<VertexMotion> of_source = vertexMotions(source, bound);
+  std::vector<VertexMotion> motions = vertexMotions(subdivision.mesh, bound);
+  std::copy(of_source.begin(), of_source.end(), motions.begin());
+  std::size_t vertex = of_source.size();
+  for (const auto& [first, second] : subdivision.ends) {
+    motions[vertex].per_mm = 0.5 * (motions[first].per_mm + motions[second].per_mm);
+    // On a facet between edges the normal is the facet's own.
+    if (motions[first].planes == 1 && motions[second].planes == 1)
+      motions[vertex].normal = (motions[first].normal + motions[second].normal).stableNormalized();
+    ++vertex;
+  }
+  setExactness(subdivision.mesh, motions);
   return motions;
 }
 

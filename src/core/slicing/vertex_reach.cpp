@@ -77,11 +77,11 @@ double exitOf(const Point3& vertex, const VertexMotion& motion, double farthest,
 
 }  // namespace
 
-VertexReach vertexReach(const Mesh& surface, const std::vector<VertexMotion>& motions,
+VertexReach vertexReach(const Mesh& surface, const Mesh& source, const std::vector<VertexMotion>& motions,
                         const ShellLimits& limits, Progress& progress) {
   const std::size_t count = surface.vertices.size();
   VertexReach reach{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-  const NearestTriangle nearest(surface);
+  const NearestTriangle nearest(source);
   const auto measure = [&](std::size_t i) {
     const Point3& vertex = surface.vertices[i];
     reach.bound_mm[i] = boundOf(vertex, motions[i], limits.bound);

@@ -20,15 +20,16 @@ constexpr std::uint32_t kWhole = std::numeric_limits<std::uint32_t>::max();
 /// Halves edges of one mesh; both triangles of an edge get the same middle.
 class Halving {
  public:
-  Halving(Mesh& mesh, double longest_mm) : mesh_(mesh), longest_squared_(longest_mm * longest_mm) {}
+  Halving(Subdivision& result, double longest_mm)
+      : mesh_(result.mesh), ends_(result.ends), longest_squared_(longest_mm * longest_mm) {}
 
   std::uint32_t middleOf(std::uint32_t a, std::uint32_t b) {
     if ((mesh_.vertices[a] - mesh_.vertices[b]).squaredNorm() <= longest_squared_) return kWhole;
     const auto [found, is_new] = middles_.try_emplace(std::minmax(a, b), kWhole);
     if (is_new) {
       found->second = static_cast<std::uint32_t>(mesh_.vertices.size());
-      mesh_.vertices.emplace_back(0.5 *
-                                  (mesh_.vertices[found->first.first] + mesh_.vertices[found->first.second]));
+      mesh_.vertices.emplace_back(0.5 * (mesh_.vertices[a] + mesh_.vertices[b]));
+      ends_.push_back({std::min(a, b), std::max(a, b)});
     }
     return found->second;
   }
@@ -39,6 +40,7 @@ class Halving {
 
  private:
   Mesh& mesh_;
+  std::vector<std::array<std::uint32_t, 2>>& ends_;
   double longest_squared_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
@@ -87,21 +89,21 @@ void addParts(const Triangle& whole, Halving& halving, std::vector<Triangle>& pa
 
 }  // namespace
 
-Mesh subdivided(const Mesh& mesh, double longest_edge_mm) {
+Subdivision subdivide(const Mesh& mesh, double longest_edge_mm) {
   if (!(longest_edge_mm > 0.0))
     throw InvalidInput("the longest edge is " + std::to_string(longest_edge_mm) + " mm; must be positive");
-  Mesh result = mesh;
+  Subdivision result{mesh, {}};
   std::size_t before = 0;
-  while (before != result.vertices.size()) {
-    before = result.vertices.size();
+  while (before != result.mesh.vertices.size()) {
+    before = result.mesh.vertices.size();
     Halving halving(result, longest_edge_mm);
     std::vector<Triangle> parts;
-    parts.reserve(result.triangles.size());
-    for (const Triangle& triangle : result.triangles) addParts(triangle, halving, parts);
+    parts.reserve(result.mesh.triangles.size());
+    for (const Triangle& triangle : result.mesh.triangles) addParts(triangle, halving, parts);
     if (parts.size() > kMostTriangles)
       throw InvalidInput("edges of at most " + std::to_string(longest_edge_mm) +
                          " mm would give more than 20 million triangles; expected a greater length");
-    result.triangles = std::move(parts);
+    result.mesh.triangles = std::move(parts);
   }
   return result;
 }
