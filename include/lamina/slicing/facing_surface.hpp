@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/geometry/mesh.hpp"
+#include "lamina/slicing/vertex_motion.hpp"
 
 namespace lamina {
 
@@ -29,5 +30,8 @@ Mesh patchOf(const Mesh& mesh, const TriangleNumbers& triangles);
 
 /// The same surface seen from its other side.
 Mesh turnedOver(Mesh mesh);
+
+/// A patch with the faces beside its rim as walls: all those of the mesh that share a vertex with it.
+ShellSource shellSourceOf(const Mesh& mesh, const TriangleNumbers& triangles);
 
 }  // namespace lamina

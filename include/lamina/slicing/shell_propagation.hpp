@@ -30,10 +30,11 @@ struct ShellEnd {
 /// add up from shell to shell.
 class ShellPropagation {
  public:
-  /// @param source           faces where its shells are to be
+  /// @param source           its surface faces where its shells are to be
   /// @param longest_edge_mm  longer edges of it are halved first, so that shells can bend and end there
   /// @throws InvalidInput if it has no triangle or the length is not positive; Cancelled
-  ShellPropagation(const Mesh& source, double longest_edge_mm, const ShellLimits& limits, Progress& progress);
+  ShellPropagation(const ShellSource& source, double longest_edge_mm, const ShellLimits& limits,
+                   Progress& progress);
 
   /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
   /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living

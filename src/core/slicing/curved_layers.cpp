@@ -89,7 +89,8 @@ struct ShellFamily {
 ShellFamily propagate(const Part& part, const TriangleNumbers& source, std::optional<ShellBound> bound,
                       NozzleSide side, Progress& progress) {
   if (source.empty()) return {};
-  const Mesh inward = turnedOver(patchOf(part.mesh, source));
+  ShellSource inward = shellSourceOf(part.mesh, source);
+  inward.surface = turnedOver(std::move(inward.surface));
   const ShellLimits limits{&part.inside, bound, part.size_mm, part.height_mm};
   const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
   return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};

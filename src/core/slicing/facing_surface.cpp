@@ -46,6 +46,29 @@ double reach(const Mesh& mesh, const TriangleNumbers& patch, double sign) {
   return highest;
 }
 
+struct NumberedPatch {
+  Mesh patch;
+  std::vector<std::uint32_t> place;  // of each vertex of the mesh in the patch, or kNone
+};
+
+NumberedPatch numberedPatch(const Mesh& mesh, const TriangleNumbers& triangles) {
+  NumberedPatch result{{}, std::vector<std::uint32_t>(mesh.vertices.size(), kNone)};
+  result.patch.triangles.reserve(triangles.size());
+  for (const std::uint32_t number : triangles) {
+    Triangle corner = mesh.triangles[number];
+    for (std::uint32_t& vertex : corner) {
+      std::uint32_t& place = result.place[vertex];
+      if (place == kNone) {
+        place = static_cast<std::uint32_t>(result.patch.vertices.size());
+        result.patch.vertices.push_back(mesh.vertices[vertex]);
+      }
+      vertex = place;
+    }
+    result.patch.triangles.push_back(corner);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, double normal_limit) {
@@ -89,21 +112,27 @@ TriangleNumbers remainder(const Mesh& mesh, const TriangleNumbers& lower, const 
 }
 
 Mesh patchOf(const Mesh& mesh, const TriangleNumbers& triangles) {
-  std::vector<std::uint32_t> place(mesh.vertices.size(), kNone);
-  Mesh patch;
-  patch.triangles.reserve(triangles.size());
-  for (const std::uint32_t number : triangles) {
-    Triangle corner = mesh.triangles[number];
-    for (std::uint32_t& vertex : corner) {
-      if (place[vertex] == kNone) {
-        place[vertex] = static_cast<std::uint32_t>(patch.vertices.size());
-        patch.vertices.push_back(mesh.vertices[vertex]);
-      }
-      vertex = place[vertex];
+  return numberedPatch(mesh, triangles).patch;
+}
+
+ShellSource shellSourceOf(const Mesh& mesh, const TriangleNumbers& triangles) {
+  NumberedPatch numbered = numberedPatch(mesh, triangles);
+  ShellSource source{std::move(numbered.patch), {}};
+  auto next = triangles.begin();
+  for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
+    if (next != triangles.end() && *next == number) {
+      ++next;
+      continue;
     }
-    patch.triangles.push_back(corner);
+    const Triangle& corner = mesh.triangles[number];
+    const Point3& a = mesh.vertices[corner[0]];
+    const Point3 normal =
+        (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a).stableNormalized();
+    if (normal.isZero(0.0)) continue;
+    for (const std::uint32_t vertex : corner)
+      if (numbered.place[vertex] != kNone) source.walls.push_back({numbered.place[vertex], normal});
   }
-  return patch;
+  return source;
 }
 
 Mesh turnedOver(Mesh mesh) {

@@ -67,12 +67,12 @@ LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, 
 
 }  // namespace
 
-ShellPropagation::ShellPropagation(const Mesh& source, double longest_edge_mm, const ShellLimits& limits,
-                                   Progress& progress)
-    : subdivision_(subdivide(source, longest_edge_mm)),
+ShellPropagation::ShellPropagation(const ShellSource& source, double longest_edge_mm,
+                                   const ShellLimits& limits, Progress& progress)
+    : subdivision_(subdivide(source.surface, longest_edge_mm)),
       limits_(limits),
       motions_(vertexMotions(source, subdivision_, limits.bound)),
-      reach_(vertexReach(surface(), source, motions_, limits, progress)),
+      reach_(vertexReach(surface(), source.surface, motions_, limits, progress)),
       neighbours_(surface()) {}
 
 double ShellPropagation::reachOf(std::uint32_t vertex) const {

@@ -16,10 +16,17 @@ constexpr double kLongestPath = 4.0;
 // How near to the bound's plane a vertex counts as on it [mm].
 constexpr double kOnBound = 1e-6;
 
-/// The normal equations of N s = 1 at a vertex.
+// Greatest share of what is asked that a held vertex may miss.
+constexpr double kMostMiss = 0.05;
+// Cosine of the angle within which a wall goes on from the surface.
+constexpr double kSmooth = 0.87;
+
+/// The normal equations of N s = 1 at a vertex, with weights that add up to 1, and of H s = 0.
 struct Equations {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Point3 right = Point3::Zero();
+  double weight = 0.0;
+  Eigen::Matrix3d walls = Eigen::Matrix3d::Zero();
 };
 
 struct Solution {
@@ -27,18 +34,43 @@ struct Solution {
   int rank = 0;
 };
 
-Solution shortest(const Equations& equations, double scale) {
+/// The shortest solution within the directions that `within` projects to.
+Solution shortest(const Equations& equations, const Eigen::Matrix3d& within) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(equations.matrix);
+  solver.computeDirect(within * equations.matrix * within);
   Solution solution;
   for (int i = 0; i < 3; ++i) {
     const double value = solver.eigenvalues()[i];
-    if (!(value > kLeastEigenvalue * scale)) continue;
+    if (!(value > kLeastEigenvalue)) continue;
     const Point3 direction = solver.eigenvectors().col(i);
-    solution.path += direction.dot(equations.right) / value * direction;
+    solution.path += direction.dot(within * equations.right) / value * direction;
     ++solution.rank;
   }
   return solution;
+}
+
+/// The directions in which planes of the given normals (as the sum of n n^T) can be slid along.
+Eigen::Matrix3d alongAll(const Eigen::Matrix3d& normals) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(normals);
+  Eigen::Matrix3d projection = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Point3 direction = solver.eigenvectors().col(i);
+    if (solver.eigenvalues()[i] <= kLeastEigenvalue * solver.eigenvalues()[2])
+      projection += direction * direction.transpose();
+  }
+  return projection;
+}
+
+/// The path held to planes, if the surface's own planes still move as they should.
+std::optional<Point3> heldPath(const Equations& equations, const Eigen::Matrix3d& normals) {
+  if (normals.isZero(0.0)) return std::nullopt;
+  const Point3 path = shortest(equations, alongAll(normals)).path;
+  if (path.norm() > kLongestPath) return std::nullopt;
+  // |N s - 1|^2 by weights, of which those of `right` are part.
+  const double missed = path.dot(equations.matrix * path) - 2.0 * path.dot(equations.right) + 1.0;
+  if (missed > kMostMiss * kMostMiss) return std::nullopt;
+  return path;
 }
 
 VertexMotion motionOf(const Equations& equations, const ShellBound* bound) {
@@ -46,17 +78,18 @@ VertexMotion motionOf(const Equations& equations, const ShellBound* bound) {
   const double norm = equations.right.norm();
   if (!(norm > 0.0)) return motion;
   motion.normal = equations.right / norm;
-  const double scale = equations.matrix.trace();
-  const Solution free = shortest(equations, scale);
+  const Solution free = shortest(equations, Eigen::Matrix3d::Identity());
   motion.planes = std::max(1, free.rank);
   motion.per_mm = free.rank > 0 ? free.path : motion.normal;
-  if (bound != nullptr) {
-    const Eigen::Matrix3d level = Eigen::Matrix3d::Identity() - bound->normal * bound->normal.transpose();
-    const Solution held = shortest({level * equations.matrix * level, level * equations.right}, scale);
-    if (held.rank > 0 && held.path.norm() <= kLongestPath) motion.per_mm = held.path;
-  }
   const double length = motion.per_mm.norm();
   if (length > kLongestPath) motion.per_mm *= kLongestPath / length;
+  const Eigen::Matrix3d level =
+      bound == nullptr ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : bound->normal * bound->normal.transpose();
+  for (const Eigen::Matrix3d& held : {Eigen::Matrix3d(level + equations.walls), level, equations.walls})
+    if (const auto path = heldPath(equations, held)) {
+      motion.per_mm = *path;
+      break;
+    }
   return motion;
 }
 
@@ -82,19 +115,29 @@ void setExactness(const Mesh& mesh, std::vector<VertexMotion>& motions) {
   }
 }
 
-}  // namespace
-
-std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<ShellBound>& bound) {
+std::vector<Equations> equationsOf(const Mesh& mesh) {
   std::vector<Equations> equations(mesh.vertices.size());
   for (const Triangle& corner : mesh.triangles) {
     const Point3 normal = unitNormal(mesh, corner);
+    if (normal.isZero(0.0)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const double weight = angleAt(mesh.vertices[corner[k]], mesh.vertices[corner[(k + 1) % 3]],
                                     mesh.vertices[corner[(k + 2) % 3]]);
       equations[corner[k]].matrix += weight * normal * normal.transpose();
       equations[corner[k]].right += weight * normal;
+      equations[corner[k]].weight += weight;
     }
   }
+  for (Equations& equation : equations) {
+    if (!(equation.weight > 0.0)) continue;
+    equation.matrix /= equation.weight;
+    equation.right /= equation.weight;
+  }
+  return equations;
+}
+
+std::vector<VertexMotion> motionsOf(const Mesh& mesh, const std::vector<Equations>& equations,
+                                    const std::optional<ShellBound>& bound) {
   std::vector<VertexMotion> motions;
   motions.reserve(mesh.vertices.size());
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
@@ -102,14 +145,26 @@ std::vector<VertexMotion> vertexMotions(const Mesh& mesh, const std::optional<Sh
         bound && std::abs(bound->normal.dot(mesh.vertices[i]) - bound->offset_mm) <= kOnBound;
     motions.push_back(motionOf(equations[i], is_on_bound ? &*bound : nullptr));
   }
-  setExactness(mesh, motions);
   return motions;
 }
 
-std::vector<VertexMotion> vertexMotions(const Mesh& source, const Subdivision& subdivision,
+std::vector<VertexMotion> motionsOf(const ShellSource& source, const std::optional<ShellBound>& bound) {
+  std::vector<Equations> equations = equationsOf(source.surface);
+  for (const RimWall& wall : source.walls) {
+    Equations& at = equations[wall.vertex];
+    if (std::abs(wall.normal.dot(at.right)) < kSmooth * at.right.norm())
+      at.walls += wall.normal * wall.normal.transpose();
+  }
+  return motionsOf(source.surface, equations, bound);
+}
+
+}  // namespace
+
+std::vector<VertexMotion> vertexMotions(const ShellSource& source, const Subdivision& subdivision,
                                         const std::optional<ShellBound>& bound) {
-  const std::vector<VertexMotion> of_source = vertexMotions(source, bound);
-  std::vector<VertexMotion> motions = vertexMotions(subdivision.mesh, bound);
+  const std::vector<VertexMotion> of_source = motionsOf(source, bound);
+  std::vector<VertexMotion> motions =
+      motionsOf(subdivision.mesh, equationsOf(subdivision.mesh), std::nullopt);
   std::copy(of_source.begin(), of_source.end(), motions.begin());
   std::size_t vertex = of_source.size();
   for (const auto& [first, second] : subdivision.ends) {
