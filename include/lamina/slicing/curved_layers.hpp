@@ -63,7 +63,4 @@ CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const 
 /// (section 2.5); one or two thinner ones where there is less room, none in less than half a height.
 std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm);
 
-/// Sum of the triangles' areas by their mean heights [mm³].
-double volume(const LayerSurface& layer);
-
 }  // namespace lamina

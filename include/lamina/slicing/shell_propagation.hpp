@@ -13,10 +13,19 @@
 
 namespace lamina {
 
+struct MergedVertices;
+
 /// On which side of a shell the nozzle is.
 enum class NozzleSide {
   Ahead,   ///< where the surface is propagated to: shells are laid one on the other as they are propagated
   Behind,  ///< where it comes from: shells are laid in the opposite order
+};
+
+/// Which shell of a surface.
+struct ShellAt {
+  double offset_mm = 0.0;  ///< of its middle from the surface
+  double height_mm = 0.2;
+  NozzleSide side = NozzleSide::Ahead;
 };
 
 /// Where part of a surface has nowhere to go any more.
@@ -35,6 +44,8 @@ class ShellPropagation {
   /// @throws InvalidInput if it has no triangle or the length is not positive; Cancelled
   ShellPropagation(const ShellSource& source, double longest_edge_mm, const ShellLimits& limits,
                    Progress& progress);
+  ShellPropagation(const ShellPropagation&) = delete;
+  ShellPropagation& operator=(const ShellPropagation&) = delete;
 
   /// The shell at an offset, without what has collapsed, has left the part or lies beyond the bound; without
   /// triangles if nothing is left. Vertices that have collapsed (past the medial axis) are merged into living
@@ -42,8 +53,9 @@ class ShellPropagation {
   /// crossing the bound are cut along the line where that happens.
   ///
   /// Triangles face as the surface does if the nozzle is ahead, the other way if it is behind; so do normals.
-  /// Heights are `height_mm`, less where the bound or the part's surface lies nearer ahead than half of it.
-  LayerSurface shell(double offset_mm, double height_mm, NozzleSide side) const;
+  /// Heights are those asked for, less where the bound or the part's surface lies nearer ahead than half of
+  /// it.
+  LayerSurface shell(const ShellAt& at) const;
 
   /// The offsets `height_mm / 2`, then every `height_mm`, of the shells that have triangles: all before the
   /// first without.
@@ -60,9 +72,19 @@ class ShellPropagation {
   const Mesh& surface() const { return subdivision_.mesh; }
 
  private:
-  double reachOf(std::uint32_t vertex) const;
-  double aheadOf(std::uint32_t vertex, double offset_mm, double height_mm) const;
+  struct Assembled {
+    LayerSurface shell;
+    std::vector<std::uint32_t> origin;  // the vertex of the surface whose place each vertex takes
+  };
 
+  double reachOf(std::uint32_t vertex) const;
+  double aheadOf(std::uint32_t vertex, const ShellAt& at) const;
+  bool isEquidistant(const Triangle& corner, const Triangle& root, const MergedVertices& merged,
+                     const ShellAt& at) const;
+  Assembled assembled(const MergedVertices& merged, const ShellAt& at) const;
+
+  Mesh source_;
+  NearestTriangle nearest_;
   Subdivision subdivision_;
   ShellLimits limits_;
   std::vector<VertexMotion> motions_;

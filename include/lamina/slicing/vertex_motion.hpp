@@ -42,7 +42,7 @@ struct VertexMotion {
 /// at a vertex, weighted by their angles. Directions in which the normals differ by less than a tenth of what
 /// they have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
 /// times the distance. As far as that can be solved too, a vertex on the bound's plane moves within it (spec
-/// `Planar == 1`) and one of the rim within the walls beside it; walls that go on from the surface within 30
+/// `Planar == 1`) and one of the rim within the walls beside it; walls that go on from the surface within 40
 /// degrees do not count.
 ///
 /// @return for the vertices of the subdivision of `source.surface`: those in between move as the middles of

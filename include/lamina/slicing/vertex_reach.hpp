@@ -11,12 +11,22 @@
 
 namespace lamina {
 
+/// The side of a part that shells stay on.
+enum class PartSide { Inside, Outside };
+
 /// What ends a shell.
 struct ShellLimits {
-  const SignedDistance* part = nullptr;  ///< shells stay inside it; nowhere an end if null
-  std::optional<ShellBound> bound;       ///< shells stay on its side
-  double farthest_mm = 0.0;              ///< no offset beyond it is asked for
-  double step_mm = 0.2;                  ///< between the offsets at which leaving the part is looked for
+  const SignedDistance* part = nullptr;  ///< shells stay on one side of its surface; no end if null
+  PartSide part_side = PartSide::Inside;
+  std::optional<ShellBound> bound;  ///< shells stay on its side
+  double farthest_mm = 0.0;         ///< no offset beyond it is asked for
+  double step_mm = 0.2;             ///< between the offsets at which leaving the part is looked for
+
+  /// How far a point lies on the side of the part that shells stay on [mm].
+  double allowed(const Point3& point) const {
+    const double inside = part->at(point).inside_mm;
+    return part_side == PartSide::Inside ? inside : -inside;
+  }
 };
 
 /// How far each vertex of a surface may be propagated.
@@ -31,11 +41,16 @@ struct VertexReach {
   std::vector<double> bound_mm;
 };
 
-/// Of the vertices of `surface`, which may be subdivided from `source`. Found per vertex, not per shell:
-/// balls shrink from the farthest offset until nothing of the surface is inside them (by 1 % of their radius,
-/// so that rounding and tessellation do not count).
+/// A surface about to move. Its vertices may be more than those of the source it is a subdivision of.
+struct MovableSurface {
+  const Mesh& surface;
+  const std::vector<VertexMotion>& motions;
+  const NearestTriangle& source;
+};
+
+/// Found per vertex, not per shell: balls shrink from the farthest offset until nothing of the surface is
+/// inside them (by 1 % of their radius, so that rounding and tessellation do not count).
 /// @throws Cancelled if `progress` is cancelled
-VertexReach vertexReach(const Mesh& surface, const Mesh& source, const std::vector<VertexMotion>& motions,
-                        const ShellLimits& limits, Progress& progress);
+VertexReach vertexReach(const MovableSurface& moving, const ShellLimits& limits, Progress& progress);
 
 }  // namespace lamina

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/curved_layers.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/facing_surface.hpp"
+#include "lamina/surface/layer_volume.hpp"
 #include "slicing/unreached_surface.hpp"
 
 namespace lamina {
@@ -91,15 +91,9 @@ ShellFamily propagate(const Part& part, const TriangleNumbers& source, std::opti
   if (source.empty()) return {};
   ShellSource inward = shellSourceOf(part.mesh, source);
   inward.surface = turnedOver(std::move(inward.surface));
-  const ShellLimits limits{&part.inside, bound, part.size_mm, part.height_mm};
+  const ShellLimits limits{&part.inside, PartSide::Inside, bound, part.size_mm, part.height_mm};
   const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
   return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};
-}
-
-double volumeOf(const std::vector<LayerSurface>& shells) {
-  double sum = 0.0;
-  for (const LayerSurface& shell : shells) sum += volume(shell);
-  return sum;
 }
 
 CurvedLayers layersOf(const Part& part, const Division& division, Progress& progress) {
@@ -111,7 +105,7 @@ CurvedLayers layersOf(const Part& part, const Division& division, Progress& prog
   const ShellBound below{-Point3::UnitZ(), -division.upper_bottom_mm};
   ShellFamily upper = propagate(part, division.upper, below, NozzleSide::Behind, progress);
   std::reverse(upper.shells.begin(), upper.shells.end());
-  layers.volumes = {volume(part.mesh), volumeOf(lower.shells), 0.0, volumeOf(upper.shells)};
+  layers.volumes = {volume(part.mesh), volume(lower.shells), 0.0, volume(upper.shells)};
   layers.lower = std::move(lower.shells);
   layers.lower_ends = std::move(lower.ends);
   layers.upper = std::move(upper.shells);
@@ -217,18 +211,6 @@ const char* toString(CurvedScheme scheme) {
     default:
       return "both sides";
   }
-}
-
-double volume(const LayerSurface& layer) {
-  double sum = 0.0;
-  for (const Triangle& corner : layer.middle.triangles) {
-    const Point3& a = layer.middle.vertices[corner[0]];
-    const double area =
-        0.5 * (layer.middle.vertices[corner[1]] - a).cross(layer.middle.vertices[corner[2]] - a).norm();
-    sum +=
-        area * (layer.height_mm[corner[0]] + layer.height_mm[corner[1]] + layer.height_mm[corner[2]]) / 3.0;
-  }
-  return sum;
 }
 
 std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm) {

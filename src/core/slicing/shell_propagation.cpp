@@ -19,6 +19,8 @@ namespace {
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 // Field of vertices far from where the shell leaves the part [mm].
 constexpr double kFar = 1.0;
+// Times its length in the source: beyond it, a side of a triangle has grown so much that it is looked at.
+constexpr double kGrown = 2.0;
 constexpr double kJustOutside = 1e-9;
 // How far outside the part a vertex may lie that slides along its surface [mm].
 constexpr double kTouching = 1e-3;
@@ -47,7 +49,7 @@ LayerSurface withinBound(LayerSurface shell, const ShellBound& bound) {
 
 /// Cuts a shell where it leaves the part, given on which side its vertices are. Only near there the distance
 /// to the part's surface is asked for.
-LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, const SignedDistance& part) {
+LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, const ShellLimits& limits) {
   if (std::all_of(is_inside.begin(), is_inside.end(), [](char inside) { return inside != 0; })) return shell;
   std::vector<double> field(is_inside.size());
   std::vector<char> is_measured(is_inside.size(), 0);
@@ -58,7 +60,7 @@ LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, 
     for (const std::uint32_t vertex : corner) {
       if (is_measured[vertex] != 0) continue;
       is_measured[vertex] = 1;
-      const double distance = std::abs(part.at(shell.middle.vertices[vertex]).inside_mm);
+      const double distance = std::abs(limits.allowed(shell.middle.vertices[vertex]));
       field[vertex] = is_inside[vertex] != 0 ? distance : -std::max(distance, kJustOutside);
     }
   }
@@ -69,10 +71,12 @@ LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, 
 
 ShellPropagation::ShellPropagation(const ShellSource& source, double longest_edge_mm,
                                    const ShellLimits& limits, Progress& progress)
-    : subdivision_(subdivide(source.surface, longest_edge_mm)),
+    : source_(source.surface),
+      nearest_(source_),
+      subdivision_(subdivide(source_, longest_edge_mm)),
       limits_(limits),
       motions_(vertexMotions(source, subdivision_, limits.bound)),
-      reach_(vertexReach(surface(), source.surface, motions_, limits, progress)),
+      reach_(vertexReach({surface(), motions_, nearest_}, limits, progress)),
       neighbours_(surface()) {}
 
 double ShellPropagation::reachOf(std::uint32_t vertex) const {
@@ -87,28 +91,53 @@ double ShellPropagation::farthest() const {
 }
 
 /// Offset up to which the layer is filled at a vertex.
-double ShellPropagation::aheadOf(std::uint32_t vertex, double offset_mm, double height_mm) const {
+double ShellPropagation::aheadOf(std::uint32_t vertex, const ShellAt& at) const {
   const double limit = std::min(reach_.exit_mm[vertex], reach_.bound_mm[vertex]);
-  return std::max(offset_mm, std::min(offset_mm + 0.5 * height_mm, limit));
+  return std::max(at.offset_mm, std::min(at.offset_mm + 0.5 * at.height_mm, limit));
 }
 
-LayerSurface ShellPropagation::shell(double offset_mm, double height_mm, NozzleSide side) const {
-  const MergedVertices merged =
-      mergeCollapsed({surface(), neighbours_, motions_, reach_.collapse_mm}, offset_mm);
-  LayerSurface shell;
+/// Whether a triangle is part of the shell: it faces forward, and where collapsed vertices were merged or its
+/// sides have grown, samples of it lie at the offset from the source, not across what has collapsed.
+bool ShellPropagation::isEquidistant(const Triangle& corner, const Triangle& root,
+                                     const MergedVertices& merged, const ShellAt& at) const {
+  if (!facesForward(root, merged.place, motions_)) return false;
+  bool is_merged = false;
+  bool has_grown = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    is_merged = is_merged || corner[k] != root[k] || merged.is_stopped[root[k]] != 0;
+    const double before = (surface().vertices[corner[next]] - surface().vertices[corner[k]]).squaredNorm();
+    const double after = (merged.place[root[next]] - merged.place[root[k]]).squaredNorm();
+    has_grown = has_grown || after > kGrown * kGrown * before;
+  }
+  if (!is_merged && !has_grown) return true;
+  const auto isAtOffset = [&](const Point3& sample) {
+    if (nearest_.nearest(sample, at.offset_mm - 0.5 * at.height_mm)) return false;
+    return !is_merged || nearest_.nearest(sample, at.offset_mm + 0.5 * at.height_mm).has_value();
+  };
+  const Point3& a = merged.place[root[0]];
+  const Point3& b = merged.place[root[1]];
+  const Point3& c = merged.place[root[2]];
+  return isAtOffset((a + b + c) / 3.0) && isAtOffset(0.5 * (a + b)) && isAtOffset(0.5 * (b + c)) &&
+         isAtOffset(0.5 * (c + a));
+}
+
+ShellPropagation::Assembled ShellPropagation::assembled(const MergedVertices& merged,
+                                                        const ShellAt& at) const {
+  Assembled result;
+  LayerSurface& shell = result.shell;
   std::vector<std::uint32_t> number(surface().vertices.size(), kNone);
-  std::vector<std::uint32_t> origin;
+  const double behind = at.offset_mm - 0.5 * at.height_mm;
   const auto vertexOf = [&](std::uint32_t root) {
     if (number[root] != kNone) return number[root];
-    number[root] = static_cast<std::uint32_t>(origin.size());
-    origin.push_back(root);
-    const double ahead = aheadOf(root, offset_mm, height_mm);
-    const double behind = offset_mm - 0.5 * height_mm;
-    const double tip = side == NozzleSide::Ahead ? ahead : behind;
+    number[root] = static_cast<std::uint32_t>(result.origin.size());
+    result.origin.push_back(root);
+    const double ahead = aheadOf(root, at);
+    const double tip = at.side == NozzleSide::Ahead ? ahead : behind;
     const VertexMotion& motion = motions_[root];
     const Point3 path = merged.is_stopped[root] != 0 ? motion.normal : motion.per_mm;
     shell.middle.vertices.push_back(merged.place[root]);
-    shell.tip.emplace_back(merged.place[root] + (tip - offset_mm) * path);
+    shell.tip.emplace_back(merged.place[root] + (tip - at.offset_mm) * path);
     shell.normal.push_back(motion.normal);
     shell.height_mm.push_back(ahead - behind);
     return number[root];
@@ -117,20 +146,30 @@ LayerSurface ShellPropagation::shell(double offset_mm, double height_mm, NozzleS
     const Triangle root = {merged.root[corner[0]], merged.root[corner[1]], merged.root[corner[2]]};
     if (root[0] == MergedVertices::kGone || root[0] == root[1] || root[1] == root[2] || root[2] == root[0])
       continue;
-    if (facesForward(root, merged.place, motions_))
+    if (isEquidistant(corner, root, merged, at))
       shell.middle.triangles.push_back({vertexOf(root[0]), vertexOf(root[1]), vertexOf(root[2])});
   }
+  return result;
+}
+
+LayerSurface ShellPropagation::shell(const ShellAt& at) const {
+  const MergedVertices merged =
+      mergeCollapsed({surface(), neighbours_, motions_, reach_.collapse_mm}, at.offset_mm);
+  Assembled whole = assembled(merged, at);
+  LayerSurface shell = std::move(whole.shell);
   if (limits_.part != nullptr) {
     std::vector<char> is_inside;
-    is_inside.reserve(origin.size());
-    for (const std::uint32_t root : origin)
-      is_inside.push_back(merged.is_stopped[root] != 0
-                              ? limits_.part->at(merged.place[root]).inside_mm >= -kTouching
-                              : reach_.exit_mm[root] > offset_mm);
-    shell = insidePart(std::move(shell), is_inside, *limits_.part);
+    is_inside.reserve(whole.origin.size());
+    for (const std::uint32_t root : whole.origin) {
+      const bool is_inside_part = merged.is_stopped[root] != 0
+                                      ? limits_.allowed(merged.place[root]) >= -kTouching
+                                      : reach_.exit_mm[root] > at.offset_mm;
+      is_inside.push_back(is_inside_part ? 1 : 0);
+    }
+    shell = insidePart(std::move(shell), is_inside, limits_);
   }
   if (limits_.bound) shell = withinBound(std::move(shell), *limits_.bound);
-  if (side == NozzleSide::Behind) turnOver(shell);
+  if (at.side == NozzleSide::Behind) turnOver(shell);
   return shell;
 }
 
@@ -139,7 +178,7 @@ std::vector<LayerSurface> ShellPropagation::shells(double height_mm, NozzleSide 
   const double count = std::max(0.0, std::ceil(farthest() / height_mm - 0.5));
   std::vector<LayerSurface> shells(static_cast<std::size_t>(count));
   const auto build = [&](std::size_t i) {
-    shells[i] = shell((static_cast<double>(i) + 0.5) * height_mm, height_mm, side);
+    shells[i] = shell({(static_cast<double>(i) + 0.5) * height_mm, height_mm, side});
   };
   parallelFor(shells.size(), build, progress, "propagate shells");
   const auto vanished = std::find_if(

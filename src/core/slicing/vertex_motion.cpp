@@ -16,10 +16,12 @@ constexpr double kLongestPath = 4.0;
 // How near to the bound's plane a vertex counts as on it [mm].
 constexpr double kOnBound = 1e-6;
 
+// Of a vertex held to walls: walls that lean more would have it run along them away from the surface.
+constexpr double kLongestHeldPath = 2.0;
 // Greatest share of what is asked that a held vertex may miss.
 constexpr double kMostMiss = 0.05;
 // Cosine of the angle within which a wall goes on from the surface.
-constexpr double kSmooth = 0.87;
+constexpr double kSmooth = 0.75;
 
 /// The normal equations of N s = 1 at a vertex, with weights that add up to 1, and of H s = 0.
 struct Equations {
@@ -63,10 +65,10 @@ Eigen::Matrix3d alongAll(const Eigen::Matrix3d& normals) {
 }
 
 /// The path held to planes, if the surface's own planes still move as they should.
-std::optional<Point3> heldPath(const Equations& equations, const Eigen::Matrix3d& normals) {
+std::optional<Point3> heldPath(const Equations& equations, const Eigen::Matrix3d& normals, double longest) {
   if (normals.isZero(0.0)) return std::nullopt;
   const Point3 path = shortest(equations, alongAll(normals)).path;
-  if (path.norm() > kLongestPath) return std::nullopt;
+  if (path.norm() > longest) return std::nullopt;
   // |N s - 1|^2 by weights, of which those of `right` are part.
   const double missed = path.dot(equations.matrix * path) - 2.0 * path.dot(equations.right) + 1.0;
   if (missed > kMostMiss * kMostMiss) return std::nullopt;
@@ -85,11 +87,10 @@ VertexMotion motionOf(const Equations& equations, const ShellBound* bound) {
   if (length > kLongestPath) motion.per_mm *= kLongestPath / length;
   const Eigen::Matrix3d level =
       bound == nullptr ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : bound->normal * bound->normal.transpose();
-  for (const Eigen::Matrix3d& held : {Eigen::Matrix3d(level + equations.walls), level, equations.walls})
-    if (const auto path = heldPath(equations, held)) {
-      motion.per_mm = *path;
-      break;
-    }
+  auto path = heldPath(equations, level + equations.walls, kLongestHeldPath);
+  if (!path) path = heldPath(equations, level, kLongestPath);
+  if (!path) path = heldPath(equations, equations.walls, kLongestHeldPath);
+  if (path) motion.per_mm = *path;
   return motion;
 }
 

@@ -52,10 +52,10 @@ double collapseOf(const Point3& vertex, const VertexMotion& motion, double farth
 }
 
 double bisectedExit(const Point3& vertex, const VertexMotion& motion, double inside, double outside,
-                    const SignedDistance& part) {
+                    const ShellLimits& limits) {
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (inside + outside);
-    (part.at(vertex + middle * motion.per_mm).inside_mm < 0.0 ? outside : inside) = middle;
+    (limits.allowed(vertex + middle * motion.per_mm) < 0.0 ? outside : inside) = middle;
   }
   return 0.5 * (inside + outside);
 }
@@ -68,8 +68,8 @@ double exitOf(const Point3& vertex, const VertexMotion& motion, double farthest,
   for (double i = 0.0;;) {
     const double offset = (i + 0.5) * limits.step_mm;
     if (offset > farthest + limits.step_mm) return kNever;
-    const double inside = limits.part->at(vertex + offset * motion.per_mm).inside_mm;
-    if (inside < -kTouching) return bisectedExit(vertex, motion, safe, offset, *limits.part);
+    const double inside = limits.allowed(vertex + offset * motion.per_mm);
+    if (inside < -kTouching) return bisectedExit(vertex, motion, safe, offset, limits);
     safe = offset + std::max(0.0, inside) / speed;
     i = std::max(i + 1.0, std::floor(safe / limits.step_mm + 0.5));
   }
@@ -77,19 +77,17 @@ double exitOf(const Point3& vertex, const VertexMotion& motion, double farthest,
 
 }  // namespace
 
-VertexReach vertexReach(const Mesh& surface, const Mesh& source, const std::vector<VertexMotion>& motions,
-                        const ShellLimits& limits, Progress& progress) {
-  const std::size_t count = surface.vertices.size();
+VertexReach vertexReach(const MovableSurface& moving, const ShellLimits& limits, Progress& progress) {
+  const std::size_t count = moving.surface.vertices.size();
   VertexReach reach{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-  const NearestTriangle nearest(source);
   const auto measure = [&](std::size_t i) {
-    const Point3& vertex = surface.vertices[i];
-    reach.bound_mm[i] = boundOf(vertex, motions[i], limits.bound);
+    const Point3& vertex = moving.surface.vertices[i];
+    reach.bound_mm[i] = boundOf(vertex, moving.motions[i], limits.bound);
     // Beyond the bound it matters no more what happens to it.
     const double farthest = std::min(limits.farthest_mm, reach.bound_mm[i] + 2.0 * limits.step_mm);
-    const double collapse = collapseOf(vertex, motions[i], farthest, nearest);
+    const double collapse = collapseOf(vertex, moving.motions[i], farthest, moving.source);
     reach.collapse_mm[i] = collapse < farthest ? collapse : limits.farthest_mm;
-    reach.exit_mm[i] = exitOf(vertex, motions[i], std::min(farthest, collapse), limits);
+    reach.exit_mm[i] = exitOf(vertex, moving.motions[i], std::min(farthest, collapse), limits);
   };
   const auto measureBatch = [&](std::size_t batch) {
     for (std::size_t i = batch * kBatch; i < std::min(count, (batch + 1) * kBatch); ++i) measure(i);
