@@ -16,6 +16,8 @@ constexpr double kLongestPath = 4.0;
 // How near to the bound's plane a vertex counts as on it [mm].
 constexpr double kOnBound = 1e-6;
 
+// Per millimetre: by how much the planes at a vertex advance at least, in the mean.
+constexpr double kLeastAdvance = 0.5;
 // Of a vertex held to walls: walls that lean more would have it run along them away from the surface.
 constexpr double kLongestHeldPath = 2.0;
 // Greatest share of what is asked that a held vertex may miss.
@@ -39,7 +41,7 @@ struct Solution {
 /// The shortest solution within the directions that `within` projects to.
 Solution shortest(const Equations& equations, const Eigen::Matrix3d& within) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(within * equations.matrix * within);
+  solver.compute(within * equations.matrix * within);
   Solution solution;
   for (int i = 0; i < 3; ++i) {
     const double value = solver.eigenvalues()[i];
@@ -54,7 +56,7 @@ Solution shortest(const Equations& equations, const Eigen::Matrix3d& within) {
 /// The directions in which planes of the given normals (as the sum of n n^T) can be slid along.
 Eigen::Matrix3d alongAll(const Eigen::Matrix3d& normals) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(normals);
+  solver.compute(normals);
   Eigen::Matrix3d projection = Eigen::Matrix3d::Zero();
   for (int i = 0; i < 3; ++i) {
     const Point3 direction = solver.eigenvectors().col(i);
@@ -82,7 +84,9 @@ VertexMotion motionOf(const Equations& equations, const ShellBound* bound) {
   motion.normal = equations.right / norm;
   const Solution free = shortest(equations, Eigen::Matrix3d::Identity());
   motion.planes = std::max(1, free.rank);
-  motion.per_mm = free.rank > 0 ? free.path : motion.normal;
+  // At a needle the directions cut off are those that matter: it moves along its axis.
+  const bool is_needle = free.path.dot(equations.right) < kLeastAdvance;
+  motion.per_mm = is_needle ? Point3(std::min(kLongestPath, 1.0 / norm) * motion.normal) : free.path;
   const double length = motion.per_mm.norm();
   if (length > kLongestPath) motion.per_mm *= kLongestPath / length;
   const Eigen::Matrix3d level =
