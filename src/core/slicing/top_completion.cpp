@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slicing/top_completion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "lamina/slicing/unsliceable.hpp"
+#include "slicing/curves_between.hpp"
+
+namespace lamina {
+namespace {
+
+using CurveLayers = std::vector<std::vector<AdaptedCurve>>;
+
+/// Points of the highest contour, taken round it: the first and how many.
+struct PointRun {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Maximal runs of points that are set; all of them are a run from point 0.
+std::vector<PointRun> runsOf(const std::vector<bool>& is_set) {
+  const std::size_t count = is_set.size();
+  if (std::find(is_set.begin(), is_set.end(), false) == is_set.end()) return {{0, count}};
+  std::vector<PointRun> runs;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_set[i] || is_set[(i + count - 1) % count]) continue;
+    PointRun run{i, 1};
+    while (is_set[(i + run.count) % count]) ++run.count;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+void append(AdaptedCurve& curve, const GrownPoint& grown) {
+  curve.points.push_back(grown.point);
+  curve.axis.push_back(grown.axis);
+  curve.height_mm.push_back(grown.height_mm);
+}
+
+class TopCompletion {
+ public:
+  TopCompletion(const WallStrand& strand, const Growth& growth, std::unique_ptr<PlacedCurve> last)
+      : growth_(growth),
+        level_(strand.levels.size() - 1),
+        top_(strand.levels.back().points),
+        front_of_(top_.size(), 0),
+        grown_(top_.size()) {
+    fronts_.push_back(std::move(last));
+  }
+
+  /// Layers of one step, as long as there is room for it anywhere.
+  CurveLayers layersOf(const GrowthStep& step) {
+    CurveLayers layers;
+    std::vector<bool> is_active(top_.size(), true);
+    const std::size_t most = mostSteps(step.height_mm);
+    for (std::size_t taken = 0; grow(is_active, step.height_mm); ++taken) {
+      if (taken == most) refuse(taken);
+      CurveLayers divided(step.parts);
+      for (const PointRun& run : runsOf(is_active)) addCurve(run, step, divided);
+      std::move(divided.begin(), divided.end(), std::back_inserter(layers));
+    }
+    return layers;
+  }
+
+ private:
+  /// Whether any point is still active: farther from the curve beneath it than the height.
+  bool grow(std::vector<bool>& is_active, double height_mm) {
+    bool is_any = false;
+    for (std::size_t i = 0; i < top_.size(); ++i) {
+      if (!is_active[i]) continue;
+      grown_[i] = growth_.towards(level_, i, *fronts_[front_of_[i]], height_mm);
+      is_active[i] = !grown_[i].is_reached;
+      is_any = is_any || is_active[i];
+    }
+    return is_any;
+  }
+
+  void addCurve(const PointRun& run, const GrowthStep& step, CurveLayers& divided) {
+    const std::size_t count = top_.size();
+    const std::size_t beneath = front_of_[run.first];
+    AdaptedCurve curve;
+    curve.is_closed = run.count == count;
+    const auto appendReached = [&](std::size_t i) {
+      append(curve, growth_.towards(level_, i, *fronts_[beneath], step.height_mm));
+    };
+    if (!curve.is_closed) appendReached((run.first + count - 1) % count);
+    for (std::size_t k = 0; k < run.count; ++k) append(curve, grown_[(run.first + k) % count]);
+    if (!curve.is_closed) appendReached((run.first + run.count) % count);
+    std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[beneath], curve, step.parts);
+    for (std::size_t part = 0; part < parts.size(); ++part) divided[part].push_back(std::move(parts[part]));
+    for (std::size_t k = 0; k < run.count; ++k) front_of_[(run.first + k) % count] = fronts_.size();
+    fronts_.push_back(std::make_unique<PlacedCurve>(std::move(curve)));
+  }
+
+  std::size_t mostSteps(double height_mm) const {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < top_.size(); ++i)
+      farthest = std::max(farthest, fronts_[front_of_[i]]->places.nearest(top_[i]).distance_mm);
+    return 4 * static_cast<std::size_t>(std::ceil(farthest / height_mm)) + 4;
+  }
+
+  [[noreturn]] void refuse(std::size_t taken) const {
+    throw Unsliceable("the top of the part at z = " + std::to_string(top_.front().z()) +
+                          " mm is not reached by " + std::to_string(taken) +
+                          " completing layers; expected walls that lead there without folds",
+                      {});
+  }
+
+  const Growth& growth_;
+  std::size_t level_;
+  const std::vector<Point3>& top_;
+  std::vector<std::unique_ptr<PlacedCurve>> fronts_;
+  std::vector<std::size_t> front_of_;  // for each point the curve that grows towards it
+  std::vector<GrownPoint> grown_;
+};
+
+}  // namespace
+
+std::vector<std::vector<AdaptedCurve>> completedTop(const WallStrand& strand, const Growth& growth,
+                                                    std::unique_ptr<PlacedCurve> last,
+                                                    const std::vector<GrowthStep>& steps) {
+  TopCompletion completion(strand, growth, std::move(last));
+  CurveLayers layers;
+  for (const GrowthStep& step : steps) {
+    CurveLayers more = completion.layersOf(step);
+    std::move(more.begin(), more.end(), std::back_inserter(layers));
+  }
+  return layers;
+}
+
+}  // namespace lamina

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "slicing/growth.hpp"
+#include "slicing/wall_growth.hpp"
+
+namespace lamina {
+
+/// Layers between the last adapted curve of a wall and the top of the part: grown towards the highest flat
+/// contour where that is farther than a layer away, so that curves are open where the top is reached
+/// elsewhere. Open curves end on the point next to them that is reached. What is left at the end is less than
+/// the last step everywhere.
+///
+/// @param last  the last adapted curve
+/// @param steps  coarse ones first; each is taken as long as there is room for it
+/// @return curves layer by layer
+/// @throws Unsliceable if the top is not reached by four times the layers its distance needs
+std::vector<std::vector<AdaptedCurve>> completedTop(const WallStrand& strand, const Growth& growth,
+                                                    std::unique_ptr<PlacedCurve> last,
+                                                    const std::vector<GrowthStep>& steps);
+
+}  // namespace lamina
