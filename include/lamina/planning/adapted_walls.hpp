@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/slicing/adapted_layers.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Paths along adapted curves, one bead per wall: outer walls of the set width that are as high at each
+/// waypoint as the curve is above the one beneath, the jet against its axis, the nozzle turned the shortest
+/// way from straight down. Curves run along the wall itself; nothing is offset by half a bead. Loops start
+/// as `seam.*` says, in random placement at the point nearest to the seam; open curves are run from the end
+/// that is nearer to the nozzle. Layers are joined by travels.
+///
+/// @return `z_mm` is the highest point of a layer, `height_mm` its greatest height
+std::vector<ToolpathLayer> adaptedWalls(const AdaptedLayers& layers, const PlanSettings& settings);
+
+}  // namespace lamina
