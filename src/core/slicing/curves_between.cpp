@@ -20,7 +20,7 @@ Point3 turned(const Point3& from, const Point3& to, double share) {
 
 /// The places of the lower curve that belong to the points of the upper one.
 std::vector<CurvePlace> partners(const PlacedCurve& lower, const AdaptedCurve& upper) {
-  const CurveLength below(lower.curve);
+  const CurveLength& below = lower.length;
   const CurveLength above(upper);
   const double first = below.at(lower.places.nearest(upper.points.front()));
   double span = below.total();

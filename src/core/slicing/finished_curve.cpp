@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing/finished_curve.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,8 @@ namespace lamina {
 namespace {
 
 constexpr double kCoincident = 1e-6;  // mm
+constexpr double kOnTheWay = 1e-3;    // mm
+constexpr double kClose = 0.1;        // of a step
 
 void append(AdaptedCurve& curve, const Point3& point, const Point3& axis, double height_mm) {
   curve.points.push_back(point);
@@ -17,14 +20,33 @@ void append(AdaptedCurve& curve, const Point3& point, const Point3& axis, double
   curve.height_mm.push_back(height_mm);
 }
 
-AdaptedCurve withoutCoincident(const AdaptedCurve& curve) {
+double distanceFromChord(const Point3& point, const Point3& from, const Point3& to) {
+  const Point3 along = to - from;
+  const double length = along.norm();
+  if (length <= kCoincident) return (point - from).norm();
+  return along.cross(point - from).norm() / length;
+}
+
+/// Whether the curve does without a point: it is close to the one before it and on the way to the next.
+bool isSpare(const Point3& before, const Point3& point, const Point3& next, double close_mm) {
+  const double distance = (point - before).norm();
+  return distance <= kCoincident ||
+         (distance < close_mm && distanceFromChord(point, before, next) <= kOnTheWay);
+}
+
+AdaptedCurve withoutSpare(const AdaptedCurve& curve, double close_mm) {
   AdaptedCurve kept;
   kept.is_closed = curve.is_closed;
-  for (std::size_t i = 0; i < curve.points.size(); ++i)
-    if (kept.points.empty() || (curve.points[i] - kept.points.back()).norm() > kCoincident)
+  const std::size_t count = curve.points.size();
+  append(kept, curve.points[0], curve.axis[0], curve.height_mm[0]);
+  for (std::size_t i = 1; i < count; ++i) {
+    const bool is_end = i + 1 == count && !curve.is_closed;
+    const Point3& next = curve.points[(i + 1) % count];
+    if (is_end || !isSpare(kept.points.back(), curve.points[i], next, close_mm))
       append(kept, curve.points[i], curve.axis[i], curve.height_mm[i]);
-  while (kept.is_closed && kept.points.size() > 1 &&
-         (kept.points.back() - kept.points.front()).norm() <= kCoincident) {
+  }
+  if (kept.is_closed && kept.points.size() > 3 &&
+      (kept.points.back() - kept.points.front()).norm() <= kCoincident) {
     kept.points.pop_back();
     kept.axis.pop_back();
     kept.height_mm.pop_back();
@@ -72,7 +94,7 @@ AdaptedCurve filled(const AdaptedCurve& curve, double step_mm) {
 }  // namespace
 
 AdaptedCurve finishedCurve(const AdaptedCurve& curve, double step_mm, int smoothing_window) {
-  AdaptedCurve finished = withoutCoincident(curve);
+  AdaptedCurve finished = withoutSpare(curve, kClose * step_mm);
   if (smoothing_window > 1)
     finished.points =
         averaged(finished.points, finished.is_closed, static_cast<std::size_t>(smoothing_window / 2));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "slicing/point_order.hpp"
+
 namespace lamina {
 namespace {
 
@@ -26,7 +28,21 @@ Point3 onLineAt(const Point3& low, const Point3& high, const Point3& from, doubl
 }  // namespace
 
 PlacedCurve::PlacedCurve(AdaptedCurve placed)
-    : curve(std::move(placed)), places(curve.points, curve.is_closed) {}
+    : curve(std::move(placed)), places(curve.points, curve.is_closed), length(curve) {}
+
+AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& beneath) {
+  std::vector<double> feet_mm;
+  feet_mm.reserve(grown.size());
+  for (const GrownPoint& point : grown) feet_mm.push_back(point.foot_mm);
+  AdaptedCurve curve;
+  curve.is_closed = is_closed;
+  for (const std::size_t i : pointsInOrder(feet_mm, beneath.curve.is_closed ? beneath.length.total() : 0.0)) {
+    curve.points.push_back(grown[i].point);
+    curve.axis.push_back(grown[i].axis);
+    curve.height_mm.push_back(grown[i].height_mm);
+  }
+  return curve;
+}
 
 Growth::Growth(const WallStrand& strand) : strand_(strand) {
   for (const WallContour& contour : strand.levels) {
@@ -41,6 +57,7 @@ std::size_t Growth::firstAbove(double z) const {
 
 void Growth::putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& beneath) const {
   const CurvePlace foot = beneath.places.nearest(grown.point);
+  grown.foot_mm = beneath.length.at(foot);
   const CurvePlace high = places_[above]->nearest(grown.point);
   const CurvePlace low = places_[above - 1]->nearest(high.point);
   grown.point = onLineAt(low.point, high.point, foot.point, grown.height_mm);
@@ -66,7 +83,7 @@ GrownPoint Growth::towards(std::size_t level, std::size_t i, const PlacedCurve& 
   const Point3& wanted = contour.points[i];
   const CurvePlace foot = beneath.places.nearest(wanted);
   if (foot.distance_mm <= height_mm * (1.0 + kRounding))
-    return {wanted, contour.axis[i], foot.distance_mm, true};
+    return {wanted, contour.axis[i], foot.distance_mm, beneath.length.at(foot), true};
   const Point3 foot_axis = directionAt(beneath.curve.axis, foot);
   GrownPoint grown;
   grown.point = foot.point + height_mm / foot.distance_mm * (wanted - foot.point);

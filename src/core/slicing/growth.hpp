@@ -7,16 +7,18 @@
 #include <vector>
 
 #include "lamina/slicing/adapted_layers.hpp"
+#include "slicing/curve_length.hpp"
 #include "slicing/curve_places.hpp"
 #include "slicing/wall_strand.hpp"
 
 namespace lamina {
 
-/// A curve and where its places are.
+/// A curve, where its places are and how far along it.
 struct PlacedCurve {
   explicit PlacedCurve(AdaptedCurve placed);
   AdaptedCurve curve;
   CurvePlaces places;
+  CurveLength length;
 };
 
 /// A point of a layer and what it stands on.
@@ -24,8 +26,12 @@ struct GrownPoint {
   Point3 point = Point3::Zero();
   Point3 axis = Point3::Zero();
   double height_mm = 0.0;   ///< from the curve beneath
+  double foot_mm = 0.0;     ///< length along the curve beneath at which it stands
   bool is_reached = false;  ///< whether the flat contour was near enough, so that its point was taken
 };
+
+/// The curve through grown points, without those that would make it fold (`pointsInOrder`).
+AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& beneath);
 
 /// Draws flat contours of one wall down to a layer's height from the curve beneath.
 class Growth {

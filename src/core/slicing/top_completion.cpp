@@ -36,12 +36,6 @@ std::vector<PointRun> runsOf(const std::vector<bool>& is_set) {
   return runs;
 }
 
-void append(AdaptedCurve& curve, const GrownPoint& grown) {
-  curve.points.push_back(grown.point);
-  curve.axis.push_back(grown.axis);
-  curve.height_mm.push_back(grown.height_mm);
-}
-
 class TopCompletion {
  public:
   TopCompletion(const WallStrand& strand, const Growth& growth, std::unique_ptr<PlacedCurve> last)
@@ -83,14 +77,15 @@ class TopCompletion {
   void addCurve(const PointRun& run, const GrowthStep& step, CurveLayers& divided) {
     const std::size_t count = top_.size();
     const std::size_t beneath = front_of_[run.first];
-    AdaptedCurve curve;
-    curve.is_closed = run.count == count;
+    const bool is_closed = run.count == count;
+    std::vector<GrownPoint> points;
     const auto appendReached = [&](std::size_t i) {
-      append(curve, growth_.towards(level_, i, *fronts_[beneath], step.height_mm));
+      points.push_back(growth_.towards(level_, i, *fronts_[beneath], step.height_mm));
     };
-    if (!curve.is_closed) appendReached((run.first + count - 1) % count);
-    for (std::size_t k = 0; k < run.count; ++k) append(curve, grown_[(run.first + k) % count]);
-    if (!curve.is_closed) appendReached((run.first + run.count) % count);
+    if (!is_closed) appendReached((run.first + count - 1) % count);
+    for (std::size_t k = 0; k < run.count; ++k) points.push_back(grown_[(run.first + k) % count]);
+    if (!is_closed) appendReached((run.first + run.count) % count);
+    AdaptedCurve curve = curveThrough(points, is_closed, *fronts_[beneath]);
     std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[beneath], curve, step.parts);
     for (std::size_t part = 0; part < parts.size(); ++part) divided[part].push_back(std::move(parts[part]));
     for (std::size_t k = 0; k < run.count; ++k) front_of_[(run.first + k) % count] = fronts_.size();

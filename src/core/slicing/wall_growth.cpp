@@ -22,20 +22,15 @@ AdaptedCurve lowest(const WallStrand& strand) {
 AdaptedCurve nextCurve(const Growth& growth, std::size_t level, std::size_t points,
                        const PlacedCurve& beneath, double height_mm) {
   constexpr std::size_t kBlock = 128;  // points that are worth a task of their own
-  AdaptedCurve curve{true, std::vector<Point3>(points), std::vector<Point3>(points),
-                     std::vector<double>(points)};
+  std::vector<GrownPoint> grown(points);
   NoProgress unwatched;
   parallelFor((points + kBlock - 1) / kBlock,
               [&](std::size_t block) {
-                for (std::size_t i = block * kBlock; i < std::min(points, (block + 1) * kBlock); ++i) {
-                  const GrownPoint grown = growth.towards(level, i, beneath, height_mm);
-                  curve.points[i] = grown.point;
-                  curve.axis[i] = grown.axis;
-                  curve.height_mm[i] = grown.height_mm;
-                }
+                for (std::size_t i = block * kBlock; i < std::min(points, (block + 1) * kBlock); ++i)
+                  grown[i] = growth.towards(level, i, beneath, height_mm);
               },
               unwatched, "adapt");
-  return curve;
+  return curveThrough(grown, true, beneath);
 }
 
 void addLayers(std::vector<std::vector<AdaptedCurve>>& layers, std::vector<AdaptedCurve> curves) {
