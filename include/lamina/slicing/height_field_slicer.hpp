@@ -22,8 +22,11 @@ struct HeightFieldReport {
   double share = 1.0;         ///< of the bend that the surface asks for, which the limits leave
   double upper_mm2 = 0.0;     ///< of the upper side, seen from above
   double followed_mm2 = 0.0;  ///< of it, what is neither too steep nor too low
-  /// Mean vertical distance of the followed surface from the nearest layer's top [mm]: level layers of the
-  /// same settings, and these.
+  /// Mean number of layers' edges that one passes per mm on the followed surface, where it is steepest, seen
+  /// from above: with level layers of the same settings, and with these. 0 where no stair-step is left.
+  double level_steps_per_mm = 0.0;
+  double bent_steps_per_mm = 0.0;
+  /// Mean vertical distance of the followed surface from the nearest layer's top, likewise.
   double level_error_mm = 0.0;
   double bent_error_mm = 0.0;
 };

@@ -81,7 +81,7 @@ class ChartLookup {
   template <class Visit>
   void forCellsOf(const Corners& corners, const Visit& visit) const;
   std::optional<std::vector<ChartStretch>> covering(const Point2& from, const Point2& to,
-                                                    std::vector<std::uint32_t> candidates,
+                                                    const std::vector<std::uint32_t>& candidates,
                                                     double margin) const;
 
   const std::vector<LayerChart>& charts_;

@@ -3,6 +3,7 @@
 #include "slicing/height_field_fit.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double kAnchor = 1e-9;
 /// Weight of an even bend where there is no part.
 constexpr double kBeside = 1e-6;
-constexpr int kMostSolves = 9;
+constexpr int kMostSolves = 12;
 /// Part of the allowed slope to which steeper places are drawn, so that few solves are enough.
 constexpr double kDrawn = 0.99;
 
@@ -114,7 +115,7 @@ class Fit {
       const std::array<std::size_t, 3> corners = cornersOfHalf(cells_, half);
       for (std::size_t i = 0; i < 2; ++i) {
         Edge& edge = edges_[edgeFrom(corners[i], corners[i + 1])];
-        edge.weight = 1.0;
+        edge.weight = 4.0 * std::max(edge.weight, 0.25);
         edge.difference = kDrawn * allowed / slope * (solution[edge.to] - solution[edge.from]);
       }
     }

@@ -15,8 +15,8 @@ namespace lamina {
 /// the top is level in level layers; elsewhere, with the weight of evenness, it does not differ.
 ///
 /// Between what is followed layers may come out too steep. There the difference of the solution is drawn to
-/// what is allowed, with full weight, and the system solved again, up to eight times. What then remains too
-/// steep is left to `limitedBend`.
+/// what is allowed and the system solved again, up to eleven times, each time with more weight. What then
+/// remains too steep is left to `limitedBend`.
 /// @param is_followed  each cell
 /// @throws InvalidInput if it cannot be solved
 std::vector<double> fitHeightField(const TopSurface& top, const HeightGrid& cells,

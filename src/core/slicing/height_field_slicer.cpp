@@ -13,6 +13,7 @@
 #include "slicing/bend_limits.hpp"
 #include "slicing/followed_cells.hpp"
 #include "slicing/height_field_fit.hpp"
+#include "slicing/layer_alignment.hpp"
 #include "slicing/top_surface.hpp"
 
 namespace lamina {
@@ -40,70 +41,76 @@ HeightGrid gridOver(const Box3& box, double cell_mm) {
   return heightGrid({box.low.head<2>() - margin, box.high.head<2>() + margin}, cell_mm);
 }
 
+bool isPart(const TopSurface& top, std::size_t cell) {
+  return top.over_half[2 * cell] || top.over_half[2 * cell + 1];
+}
+
+/// Mean slope of the followed surface against layers, times which the layers' number is that of steps.
+struct StepCounts {
+  double level = 0.0;
+  double bent = 0.0;
+};
+
+StepCounts stepCounts(const HeightField& field, const std::vector<char>& is_followed, const TopSurface& top) {
+  StepCounts sum;
+  std::size_t count = 0;
+  for (std::size_t half = 0; half < top.over_half.size(); ++half) {
+    if (is_followed[half / 2] == 0 || !top.over_half[half]) continue;
+    std::array<double, 3> heights{};
+    std::array<double, 3> level{};
+    const std::array<std::size_t, 3> corners = cornersOfHalf(field.cells, half);
+    for (std::size_t i = 0; i < 3; ++i) {
+      heights[i] = *top.prolonged[corners[i]];
+      level[i] = heights[i] / field.factor[corners[i]];
+    }
+    sum.level += slopeOfHalf(heights, field.cells.cell_mm);
+    sum.bent += slopeOfHalf(level, field.cells.cell_mm);
+    ++count;
+  }
+  const auto most = static_cast<double>(std::max<std::size_t>(count, 1));
+  return {sum.level / most, sum.bent / most};
+}
+
 double levelTop(const Mesh& mesh, const HeightField& field) {
   double top = field.base_mm;
   for (const Point3& vertex : mesh.vertices) top = std::max(top, field.level(vertex).z());
   return top;
 }
 
-/// Heights at which whole layers end, the nearest to `height` first.
-std::vector<double> wholeLayers(double height, const SlicingSettings& slicing) {
-  const double above = (height - slicing.first_layer_height_mm) / slicing.layer_height_mm;
-  std::vector<double> heights;
-  for (const double count : {std::round(above), std::floor(above), std::ceil(above)})
-    if (count >= 0.0) heights.push_back(slicing.first_layer_height_mm + count * slicing.layer_height_mm);
-  return heights;
-}
-
-/// Thickens all layers so that the highest place of the part is at the top of one, as far as the limits
-/// allow.
-void endOnWholeLayer(HeightField& field, const Mesh& mesh, const TopSurface& top,
-                     const SlicingSettings& slicing, const HeightFieldSettings& settings) {
-  const double height = levelTop(mesh, field) - field.base_mm;
-  const FactorRange range = factorRange(field, top);
-  for (const double whole : wholeLayers(height, slicing)) {
-    const double scale = height / whole;
-    if (range.least * scale < settings.min_thickness || range.greatest * scale > settings.max_thickness)
-      continue;
-    for (double& factor : field.factor) factor *= scale;
-    return;
-  }
-}
-
-double distanceToTops(double z, const std::vector<LayerSlab>& slabs) {
-  double least = std::numeric_limits<double>::infinity();
-  const auto above = std::lower_bound(
-      slabs.begin(), slabs.end(), z, [](const LayerSlab& slab, double value) { return slab.top_mm < value; });
-  if (above != slabs.end()) least = std::abs(above->top_mm - z);
-  if (above != slabs.begin()) least = std::min(least, std::abs((above - 1)->top_mm - z));
-  return least;
-}
-
-/// Adds what is to be told of the surface.
-void tellOfSurface(const std::vector<char>& is_followed, const TopSurface& top,
-                   const SlicingSettings& slicing, HeightFieldSlices& slices) {
-  const HeightField& field = slices.field;
-  HeightFieldReport& report = slices.report;
-  std::vector<LayerSlab> bent;
-  for (const Layer& layer : slices.layers) bent.push_back(layer.slab);
-  const std::vector<LayerSlab> level = stackLayers(field.base_mm, slices.top_mm, slicing);
-  const double area = field.cells.cell_mm * field.cells.cell_mm;
-  std::size_t count = 0;
+/// Low corners of the cells that are followed.
+std::vector<SurfacePlace> followedPlaces(const std::vector<char>& is_followed, const TopSurface& top,
+                                         const HeightField& field) {
+  std::vector<SurfacePlace> places;
   for (std::size_t cell = 0; cell < is_followed.size(); ++cell) {
-    const int column = field.cells.column(cell);
-    const int row = field.cells.row(cell);
-    const std::optional<double>& height = top.at_corner[field.corner(column, row)];
-    if (!height || !(top.over_half[2 * cell] || top.over_half[2 * cell + 1])) continue;
-    report.upper_mm2 += area;
-    if (is_followed[cell] == 0) continue;
-    report.followed_mm2 += area;
-    const double factor = field.factor[field.corner(column, row)];
-    report.level_error_mm += distanceToTops(field.base_mm + *height, level);
-    report.bent_error_mm += factor * distanceToTops(field.base_mm + *height / factor, bent);
-    ++count;
+    const std::size_t corner = field.corner(field.cells.column(cell), field.cells.row(cell));
+    if (is_followed[cell] != 0 && isPart(top, cell) && top.at_corner[corner])
+      places.push_back({*top.at_corner[corner], field.factor[corner]});
   }
-  report.level_error_mm /= static_cast<double>(std::max<std::size_t>(count, 1));
-  report.bent_error_mm /= static_cast<double>(std::max<std::size_t>(count, 1));
+  return places;
+}
+
+/// Tells of the bend and what it follows.
+HeightFieldReport reportOf(const HeightField& field, const std::vector<char>& is_followed,
+                           const TopSurface& top, const SlicingSettings& slicing) {
+  HeightFieldReport report;
+  report.greatest_slope_deg = std::atan(steepestSlope(field, top)) * 180.0 / M_PI;
+  const FactorRange range = factorRange(field, top);
+  report.least_thickness_mm = range.least * slicing.layer_height_mm;
+  report.greatest_thickness_mm = range.greatest * slicing.layer_height_mm;
+  const double area = field.cells.cell_mm * field.cells.cell_mm;
+  for (std::size_t cell = 0; cell < is_followed.size(); ++cell) {
+    if (!isPart(top, cell)) continue;
+    report.upper_mm2 += area;
+    if (is_followed[cell] != 0) report.followed_mm2 += area;
+  }
+  std::vector<SurfacePlace> places = followedPlaces(is_followed, top, field);
+  report.bent_error_mm = distanceToTops(places, 1.0, slicing);
+  for (SurfacePlace& place : places) place.factor = 1.0;
+  report.level_error_mm = distanceToTops(places, 1.0, slicing);
+  const StepCounts steps = stepCounts(field, is_followed, top);
+  report.level_steps_per_mm = steps.level / slicing.layer_height_mm;
+  report.bent_steps_per_mm = steps.bent / slicing.layer_height_mm;
+  return report;
 }
 
 std::string rounded(double value, const char* format) {
@@ -123,9 +130,11 @@ std::vector<std::string> notesOf(const HeightFieldReport& report, const HeightFi
           rounded(report.least_thickness_mm, "%.3f") + " to " +
           rounded(report.greatest_thickness_mm, "%.3f") + " mm thick.",
       "They follow " + rounded(100.0 * report.followed_mm2 / report.upper_mm2, "%.0f") +
-          " % of the upper side; its mean distance from the nearest layer's top is " +
-          rounded(report.bent_error_mm, "%.4f") + " mm, that of level layers would be " +
-          rounded(report.level_error_mm, "%.4f") + " mm."};
+          " % of the upper side. There are " + rounded(report.bent_steps_per_mm, "%.3f") +
+          " steps per mm on it, its mean distance from the nearest layer's top is " +
+          rounded(report.bent_error_mm, "%.4f") + " mm; with level layers it would be " +
+          rounded(report.level_steps_per_mm, "%.3f") + " and " + rounded(report.level_error_mm, "%.4f") +
+          " mm."};
   if (report.share < 1.0)
     notes.push_back("The bend is " + rounded(100.0 * report.share, "%.1f") +
                     " % of what the surface asks for, to keep within heightfield.max_slope_deg " +
@@ -152,15 +161,16 @@ HeightFieldSlices sliceByHeightField(const Mesh& mesh, const SlicingSettings& sl
   progress.report("bend", 0.8);
   throwIfCancelled(progress, "bend");
   LimitedBend bend = limitedBend(cells, box.low.z(), log_factor, top, settings);
-  endOnWholeLayer(bend.field, fine, top, slicing, settings);
+  const FactorRange range = factorRange(bend.field, top);
+  const double scale =
+      alignedScale(followedPlaces(is_followed, top, bend.field),
+                   {settings.min_thickness / range.least, settings.max_thickness / range.greatest}, slicing);
+  for (double& factor : bend.field.factor) factor *= scale;
 
   HeightFieldSlices slices;
   slices.top_mm = box.high.z();
+  slices.report = reportOf(bend.field, is_followed, top, slicing);
   slices.report.share = bend.share;
-  slices.report.greatest_slope_deg = std::atan(steepestSlope(bend.field, top)) * 180.0 / M_PI;
-  const FactorRange range = factorRange(bend.field, top);
-  slices.report.least_thickness_mm = range.least * slicing.layer_height_mm;
-  slices.report.greatest_thickness_mm = range.greatest * slicing.layer_height_mm;
   slices.field = std::move(bend.field);
   const double level_top = levelTop(fine, slices.field);
   const Mesh level = levelled(std::move(fine), slices.field);
@@ -172,7 +182,6 @@ HeightFieldSlices sliceByHeightField(const Mesh& mesh, const SlicingSettings& sl
   }
   std::vector<Section> sections = sliceMesh(level, heights, progress);
   for (std::size_t i = 0; i < sections.size(); ++i) slices.layers[i].section = std::move(sections[i]);
-  tellOfSurface(is_followed, top, slicing, slices);
   return slices;
 }
 

@@ -18,9 +18,9 @@ namespace lamina {
 /// along one axis and then along the other.
 inline std::array<std::size_t, 3> cornersOfHalf(const HeightGrid& cells, std::size_t half) {
   const std::size_t cell = half / 2;
-  const auto width = static_cast<std::size_t>(cells.columns + 1);
-  const std::size_t low =
-      static_cast<std::size_t>(cells.row(cell)) * width + static_cast<std::size_t>(cells.column(cell));
+  const auto columns = static_cast<std::size_t>(cells.columns);
+  const std::size_t width = columns + 1;
+  const std::size_t low = cell + cell / columns;  // a row has one corner more than cells
   if (half % 2 == 0) return {low, low + 1, low + width + 1};
   return {low, low + width, low + width + 1};
 }

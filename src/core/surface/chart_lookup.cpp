@@ -241,18 +241,22 @@ std::optional<std::vector<ChartStretch>> ChartLookup::stretches(const Point2& fr
     if (!place) return std::nullopt;
     return std::vector<ChartStretch>{{place->in, 0.0, 1.0}};
   }
+  if (const std::optional<ChartPlace> place = find(from))
+    if (weightsAt(planOf(place->in), to).minCoeff() >= 0.0)
+      return std::vector<ChartStretch>{{place->in, 0.0, 1.0}};
   std::vector<std::uint32_t> candidates;
-  forCellsNearSegment(grid_, from, to, grid_.cell_mm, [&](std::size_t cell, double, double) {
+  // The middles of all cells that a line crosses are nearer to it than half their diagonal.
+  forCellsNearSegment(grid_, from, to, 0.71 * grid_.cell_mm, [&](std::size_t cell, double, double) {
     candidates.insert(candidates.end(), items_.begin() + first_[cell], items_.begin() + first_[cell + 1]);
   });
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   std::optional<std::vector<ChartStretch>> exact = covering(from, to, candidates, 1e-3 * kRounding);
-  return exact ? exact : covering(from, to, std::move(candidates), kSnap);
+  return exact ? exact : covering(from, to, candidates, kSnap);
 }
 
 std::optional<std::vector<ChartStretch>> ChartLookup::covering(const Point2& from, const Point2& to,
-                                                               std::vector<std::uint32_t> candidates,
+                                                               const std::vector<std::uint32_t>& candidates,
                                                                double margin) const {
   std::vector<ChartStretch> found;
   for (const std::uint32_t candidate : candidates) {
