@@ -18,7 +18,10 @@
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/program/program_settings.hpp"
+#include "lamina/slicing/adapted_settings.hpp"
+#include "lamina/slicing/conformal_settings.hpp"
 #include "lamina/slicing/curved_settings.hpp"
+#include "lamina/slicing/height_field_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/surface/flattening_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
@@ -42,7 +45,10 @@ struct JobSettings {
   CopySettings copies;
   MachineSettings machine;
   SlicingSettings slicing;
+  AdaptedSettings adapted;
   CurvedSettings curved;
+  ConformalSettings conformal;
+  HeightFieldSettings height_field;
   FlatteningSettings flattening;
   LiftSettings lifting;
   OrientationSettings orientation;

@@ -63,7 +63,10 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.copies);
   describe(schema, settings.machine, "Machine that prints the part.");
   describe(schema, settings.slicing);
+  describe(schema, settings.adapted);
   describe(schema, settings.curved);
+  describe(schema, settings.conformal);
+  describe(schema, settings.height_field);
   describe(schema, settings.flattening);
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);

@@ -9,9 +9,9 @@
 #include "job/laps.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/chart_lift.hpp"
-#include "lamina/slicing/curved_layers.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "lamina/surface/layer_charts.hpp"
+#include "lamina/surface/layer_volume.hpp"
 #include "lamina/surface/plan_outline.hpp"
 
 namespace lamina {

@@ -30,6 +30,12 @@ PlannedPart planByMode(SourcePart source, SlicingMode mode, const PlanningReques
       return planPlanar(std::move(source), request, progress);
     case SlicingMode::Curved:
       return planCurved(std::move(source), request, progress);
+    case SlicingMode::Adapted:
+      return planAdapted(std::move(source), request, progress);
+    case SlicingMode::Conformal:
+      return planConformal(std::move(source), request, progress);
+    case SlicingMode::HeightField:
+      return planHeightField(std::move(source), request, progress);
     default:
       throw InvalidConfig(std::string("slicing.mode '") + toString(mode) + "' cannot be planned");
   }

@@ -59,4 +59,14 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
 /// By shells of the lower and upper surface, and level layers between them.
 PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progress& progress);
 
+/// By layers adapted to a wall that leans: the wall alone if one wall without infill is asked for, otherwise
+/// walls and infill on the surfaces that its curves span.
+PlannedPart planAdapted(SourcePart source, const PlanningRequest& request, Progress& progress);
+
+/// By layers on a base, or a coat on the part.
+PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Progress& progress);
+
+/// By layers that bend to follow the part's upper side, the nozzle straight down.
+PlannedPart planHeightField(SourcePart source, const PlanningRequest& request, Progress& progress);
+
 }  // namespace lamina

@@ -191,7 +191,7 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
-  requireApart({job.output}, {job.part, job.settings.machine.urdf});
+  requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
   if (hasPlaneLayers(job.settings.slicing.mode)) requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   SourcePart source = readOnto(machine, job, sliced, progress);
