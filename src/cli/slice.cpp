@@ -148,7 +148,7 @@ SliceSummary runShown(const SliceJob& job) {
     drawRegion(
         {std::filesystem::path(job.part).stem().string(), refusal.what(), refusal.part(), refusal.region()},
         picture);
-    throw InvalidMesh(std::string(refusal.what()) + "; see " + picture);
+    throw InvalidMesh(std::string(refusal.what()) + " (shown in " + picture + ")");
   }
 }
 

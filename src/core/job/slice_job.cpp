@@ -10,6 +10,7 @@
 
 #include "job/inclined_layers.hpp"
 #include "job/laps.hpp"
+#include "job/mode_choice.hpp"
 #include "job/part_planning.hpp"
 #include "job/part_source.hpp"
 #include "job/tool_orientation.hpp"
@@ -119,24 +120,47 @@ bool needsPart(const JobSettings& settings) {
 }
 
 /// A refusal gets the part that its region is shown on.
-PlannedPart planShown(SourcePart source, const Mesh& part, const PlanningRequest& request,
+PlannedPart planShown(SourcePart source, SlicingMode mode, const PlanningRequest& request,
                       Progress& progress) {
+  if (hasPlaneLayers(mode)) return planByMode(std::move(source), mode, request, progress);
+  const Mesh part = source.mesh;
   try {
-    return planByMode(std::move(source), request.job.settings.slicing.mode, request, progress);
+    return planByMode(std::move(source), mode, request, progress);
   } catch (Unsliceable& refusal) {
     throw std::move(refusal).on(part);
   }
 }
 
+/// The first mode that does not refuse the part. The reasons of those before it stand in the summary.
+PlannedPart planByBestMode(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
+                           Progress& progress) {
+  std::string refusals;
+  const std::vector<ModeChoice> modes = modesFor(source.mesh, request.job);
+  for (const ModeChoice& choice : modes) {
+    try {
+      PlannedPart planned = planShown(source, choice.mode, request, progress);
+      summary.mode = choice.mode;
+      summary.mode_reason = choice.reason + refusals;
+      return planned;
+    } catch (const Unsliceable& refusal) {
+      if (choice.mode == modes.back().mode) throw;
+      refusals += std::string("; not ") + toString(choice.mode) + ": " + refusal.what();
+    }
+  }
+  throw InvalidMesh("no slicing mode takes the part" + refusals);
+}
+
 Toolpath plannedAndOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
                             Progress& progress) {
   const JobSettings& settings = request.job.settings;
-  const bool is_plane = hasPlaneLayers(settings.slicing.mode);
   const Mesh part = needsPart(settings) ? source.mesh : Mesh();
-  PlannedPart planned = planShown(std::move(source), part, request, progress);
   summary.mode = settings.slicing.mode;
+  PlannedPart planned = settings.slicing.mode == SlicingMode::Auto
+                            ? planByBestMode(source, request, summary, progress)
+                            : planShown(std::move(source), settings.slicing.mode, request, progress);
   addPlanned(summary, planned);
-  if (is_plane && !changesOrientation(settings.orientation)) return std::move(planned.plan.toolpath);
+  if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
+    return std::move(planned.plan.toolpath);
   OrientedToolpath oriented =
       orientToolpath(std::move(planned.plan.toolpath), settings.orientation, part, progress);
   summary.orientation = oriented.report;
@@ -150,7 +174,7 @@ Toolpath plannedAndOriented(SourcePart source, const PlanningRequest& request, S
 void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
   const bool is_program = std::filesystem::path(job.output).extension() == ".gcode";
   const bool is_as_planned =
-      hasPlaneLayers(job.settings.slicing.mode) && !changesOrientation(job.settings.orientation);
+      hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
   if (is_program || is_as_planned) return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
   const double tilt_deg = sliced.summary.orientation.tilt_deg.value;
@@ -192,7 +216,9 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
   requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
-  if (hasPlaneLayers(job.settings.slicing.mode)) requireJet(job.settings.slicing.plane, machine);
+  const bool is_plane =
+      hasPlaneLayers(job.settings.slicing.mode) || job.settings.slicing.plane.angle_deg != 0.0;
+  if (is_plane) requireJet(job.settings.slicing.plane, machine);
   SlicedPart sliced;
   SourcePart source = readOnto(machine, job, sliced, progress);
   Laps laps;

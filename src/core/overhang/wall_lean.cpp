@@ -87,11 +87,16 @@ LaidWalls laidWalls(const Toolpath& toolpath, double width_mm) {
   return walls;
 }
 
+double lowestAlong(const Mesh& mesh, const Point3& growth) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Point3& vertex : mesh.vertices) lowest = std::min(lowest, growth.dot(vertex));
+  return lowest;
+}
+
 }  // namespace
 
 WallLean wallLean(const Mesh& mesh, const Point3& growth, const Bead& bead) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Point3& vertex : mesh.vertices) lowest = std::min(lowest, growth.dot(vertex));
+  const double lowest = lowestAlong(mesh, growth);
   WallLean lean;
   for (const Triangle& triangle : mesh.triangles) {
     const Facet facet = facetOf(mesh, triangle);
@@ -110,11 +115,13 @@ WallLean wallLean(const Mesh& mesh, const Toolpath& toolpath, double width_mm) {
       motion.size(),
       [&](std::size_t i) { motion[i] = nearest.nearest(facetOf(mesh, mesh.triangles[i]).middle).triangle; },
       nobody, "overhang");
+  const double on_bed = lowestAlong(mesh, Point3::UnitZ()) + 0.5 * walls.growth.front().bead.height_mm;
   WallLean lean;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const Facet facet = facetOf(mesh, mesh.triangles[i]);
     lean.area_mm2 += facet.area_mm2;
-    if (motion[i] >= walls.in_first_layer) addFacet(lean, facet, walls.growth[motion[i]]);
+    if (motion[i] >= walls.in_first_layer && facet.middle.z() > on_bed)
+      addFacet(lean, facet, walls.growth[motion[i]]);
   }
   return lean;
 }
