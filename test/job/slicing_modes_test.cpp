@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/parts.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+class SlicingModes : public ::testing::Test {
+ protected:
+  SlicingModes() {
+    job_.settings.slicing.layer_height_mm = 0.5;
+    job_.settings.slicing.first_layer_height_mm = 0.5;
+    job_.settings.planning.bead.width_mm = 0.8;
+    job_.settings.planning.walls.count = 1;
+    job_.settings.planning.infill.density = 1.0;
+  }
+
+  void usePart(const std::string& name, const std::vector<SettingText>& parameters) {
+    job_.part = folder_.file(name + ".stl");
+    writeStl(job_.part, makePart(name, parameters));
+  }
+
+  SlicedPart slice(SlicingMode mode) {
+    job_.settings.slicing.mode = mode;
+    NoProgress nobody;
+    return runSliceJob(job_, nobody);
+  }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+};
+
+double greatestTiltDeg(const Toolpath& toolpath) {
+  double greatest = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (std::size_t w = 0; w < path.points.size(); ++w) {
+        const Point3 jet = path.orientation.at(w) * Point3::UnitZ();
+        greatest = std::max(greatest, std::atan2(jet.head<2>().norm(), -jet.z()) * 180.0 / M_PI);
+      }
+  return greatest;
+}
+
+TEST_F(SlicingModes, CurvedLayersFillASphere) {
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "64"}});
+  const SlicedPart sliced = slice(SlicingMode::Curved);
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  // 7 mm of half a millimetre on each side.
+  EXPECT_EQ(sliced.summary.layers, 28U);
+  EXPECT_NEAR(sliced.summary.sliced_volume_mm3, sliced.summary.mesh_volume_mm3,
+              0.02 * sliced.summary.mesh_volume_mm3);
+  EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
+              0.10 * sliced.summary.mesh_volume_mm3);
+  EXPECT_GT(greatestTiltDeg(sliced.toolpath), 80.0);
+  EXPECT_NEAR(sliced.summary.orientation.tilt_deg.value, greatestTiltDeg(sliced.toolpath), 1e-6);
+}
+
+TEST_F(SlicingModes, BentLayersKeepTheNozzleUprightAndTheVolume) {
+  usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "1"}, {"height_mm", "5"}});
+  job_.output = folder_.file("cone.gcode");
+  const SlicedPart sliced = slice(SlicingMode::HeightField);
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  EXPECT_LT(greatestTiltDeg(sliced.toolpath), 1e-6);
+  EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
+              0.05 * sliced.summary.mesh_volume_mm3);
+  EXPECT_FALSE(sliced.summary.notes.empty());
+  EXPECT_TRUE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(SlicingModes, AdaptedLayersGrowAlongALeaningWall) {
+  const double lean = 30.0 * M_PI / 180.0;
+  usePart("cone", {{"radius_mm", "20"},
+                   {"top_radius_mm", std::to_string(20.0 + 10.0 * std::tan(lean))},
+                   {"height_mm", "10"},
+                   {"segments", "256"}});
+  job_.settings.planning.infill.density = 0.0;
+  const SlicedPart sliced = slice(SlicingMode::Adapted);
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  EXPECT_NEAR(greatestTiltDeg(sliced.toolpath), 30.0, 0.5);
+  // h cos 30 deg from one layer to the next.
+  const double first = sliced.toolpath.layers[5].z_mm;
+  EXPECT_NEAR(sliced.toolpath.layers[6].z_mm - first, 0.5 * std::cos(lean), 2e-3);
+  EXPECT_LT(sliced.summary.lean.steepest_rad, 1.0 * M_PI / 180.0);
+}
+
+TEST_F(SlicingModes, AdaptedLayersCanBeFilled) {
+  usePart("cone", {{"radius_mm", "10"}, {"top_radius_mm", "13"}, {"height_mm", "6"}});
+  const SlicedPart sliced = slice(SlicingMode::Adapted);
+  EXPECT_NO_THROW(validate(sliced.toolpath));
+  EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
+              0.08 * sliced.summary.mesh_volume_mm3);
+}
+
+TEST_F(SlicingModes, ACoatLiesOnThePart) {
+  usePart("sphere", {{"radius_mm", "10"}, {"segments", "64"}});
+  job_.settings.conformal.thickness_mm = 1.0;
+  job_.settings.conformal.max_tilt_deg = 40.0;
+  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  EXPECT_EQ(sliced.summary.layers, 2U);
+  const Point3 centre(0.0, 0.0, 10.0);
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel)
+        for (const Point3& tip : path.points) {
+          EXPECT_GT((tip - centre).norm(), 10.3);
+          EXPECT_LT((tip - centre).norm(), 11.05);
+        }
+}
+
+TEST_F(SlicingModes, AProgramForAFixedHeadThatWouldHaveToTiltIsRefused) {
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  job_.output = folder_.file("sphere.gcode");
+  EXPECT_THROW(slice(SlicingMode::Curved), Unreachable);
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+  job_.settings.orientation.mode = OrientationMode::Fixed;
+  EXPECT_NO_THROW(slice(SlicingMode::Curved));
+  EXPECT_TRUE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(SlicingModes, ARefusalShowsTheRegionOnThePart) {
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  try {
+    slice(SlicingMode::Adapted);
+    FAIL() << "a sphere has no walls";
+  } catch (const Unsliceable& refusal) {
+    EXPECT_FALSE(refusal.region().triangles.empty());
+    EXPECT_NEAR(volume(refusal.part()), 4.0 / 3.0 * M_PI * 343.0, 30.0);
+  }
+}
+
+TEST_F(SlicingModes, AutoTellsWhatItChoseAndWhy) {
+  usePart("box", {});
+  SlicedPart sliced = slice(SlicingMode::Auto);
+  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  EXPECT_NE(sliced.summary.mode_reason.find("too little"), std::string::npos);
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  sliced = slice(SlicingMode::Auto);
+  EXPECT_EQ(sliced.summary.mode, SlicingMode::Curved);
+  // 1 to 45 deg from level are (cos 1 - cos 45 deg) of a sphere: 29.3 %.
+  EXPECT_NE(sliced.summary.mode_reason.find("slopes gently"), std::string::npos);
+}
+
+TEST_F(SlicingModes, AutoTellsWhyItDidNotTakeTheBetterMode) {
+  usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "26"}, {"height_mm", "3"}});
+  job_.settings.planning.infill.density = 0.0;
+  const SlicedPart sliced = slice(SlicingMode::Auto);
+  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  EXPECT_NE(sliced.summary.mode_reason.find("not adapted: "), std::string::npos)
+      << sliced.summary.mode_reason;
+}
+
+TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
+  usePart("box", {});
+  EXPECT_THROW(slice(SlicingMode::Inclined), InvalidConfig);
+  job_.settings.slicing.plane.angle_deg = 45.0;
+  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  job_.settings.slicing.plane.angle_deg = 0.0;
+  job_.settings.scan.every_layers = 1;
+  EXPECT_THROW(slice(SlicingMode::HeightField), InvalidConfig);
+}
+
+TEST_F(SlicingModes, GiveTheSameOnAnyNumberOfThreads) {
+  usePart("sphere", {{"radius_mm", "5"}, {"segments", "32"}});
+  const std::string id = toolpathId(slice(SlicingMode::Curved).toolpath);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(toolpathId(slice(SlicingMode::Curved).toolpath), id);
+}
+
+}  // namespace
+}  // namespace lamina
