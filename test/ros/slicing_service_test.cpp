@@ -45,6 +45,12 @@ class SlicingService : public testing::Test {
                                                              ros::Duration(2.0));
   }
 
+  std::vector<visualization_msgs::Marker> latchedMarkers(const std::string& topic) {
+    const auto latched =
+        ros::topic::waitForMessage<visualization_msgs::MarkerArray>(topic, node_, ros::Duration(2.0));
+    return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
+  }
+
   std::string file(const std::string& name) const { return folder_.file(name); }
 
   /// A file that a refused request must not touch.
@@ -98,11 +104,7 @@ TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
 }
 
 TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
-  const auto markers = [this] {
-    const auto latched = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
-        lamina::names::kOverhangMarkers, node_, ros::Duration(2.0));
-    return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
-  };
+  const auto markers = [this] { return latchedMarkers(lamina::names::kOverhangMarkers); };
   // Sparse infill bridges the gaps of the layer before.
   ASSERT_EQ(call("box", {settingMessage("overhang.report", "true")}).status.code, Status::OK + 0);
   ASSERT_EQ(markers().size(), 2U);
@@ -114,11 +116,7 @@ TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
 }
 
 TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
-  const auto markers = [this] {
-    const auto latched = ros::topic::waitForMessage<visualization_msgs::MarkerArray>(
-        lamina::names::kCollisionMarkers, node_, ros::Duration(2.0));
-    return latched ? latched->markers : std::vector<visualization_msgs::Marker>();
-  };
+  const auto markers = [this] { return latchedMarkers(lamina::names::kCollisionMarkers); };
   const std::vector<lamina_msgs::Setting> steep = {settingMessage("slicing.plane.angle_deg", "75"),
                                                    settingMessage("slicing.plane.jet", "down"),
                                                    settingMessage("clearance.report", "true")};
@@ -128,6 +126,38 @@ TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
   EXPECT_EQ(markers().back().header.frame_id, lamina::names::kBedFrame);
   ASSERT_EQ(call("box", {settingMessage("clearance.report", "true")}).status.code, Status::OK + 0);
   EXPECT_EQ(markers().size(), 1U) << "a nozzle upright over level layers clears them";
+}
+
+TEST_F(SlicingService, SlicesIntoCurvedLayersWithTheNozzleAlongThem) {
+  const auto response =
+      call("sphere", {settingMessage("slicing.mode", "auto"), settingMessage("slicing.layer_height_mm", "1"),
+                      settingMessage("bead.width_mm", "1.5"), settingMessage("frames.every_mm", "5")});
+  ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
+  EXPECT_EQ(response.summary.mode, "curved");
+  EXPECT_NE(response.summary.mode_reason.find("slopes gently"), std::string::npos);
+  EXPECT_FALSE(response.summary.notes.empty());
+  // 10 mm of 1 mm on each side.
+  EXPECT_EQ(response.summary.layers, 20U);
+  const auto markers = latchedMarkers(lamina::names::kFrameMarkers);
+  ASSERT_EQ(markers.size(), 4U);
+  EXPECT_EQ(markers[3].ns, "nozzle_z");
+  // The jet of the uppermost layer's first frame points into the sphere.
+  const auto& points = markers[3].points;
+  const auto& tip = points[points.size() - 2];
+  const auto& end = points[points.size() - 1];
+  EXPECT_LT((end.x - tip.x) * tip.x + (end.y - tip.y) * tip.y + (end.z - tip.z) * (tip.z - 0.01), 0.0);
+}
+
+TEST_F(SlicingService, ShowsTheRegionThatStandsInTheWay) {
+  expectRefused(call("sphere", {settingMessage("slicing.mode", "adapted")}, precious()), Status::INVALID_MESH,
+                "lean more");
+  auto markers = latchedMarkers(lamina::names::kRefusalMarkers);
+  ASSERT_EQ(markers.size(), 4U);
+  EXPECT_EQ(markers[1].ns, "region");
+  EXPECT_GT(markers[1].points.size(), 300U);
+  EXPECT_NE(markers[3].text.find("lean more"), std::string::npos);
+  ASSERT_EQ(call("sphere").status.code, Status::OK + 0);
+  EXPECT_EQ(latchedMarkers(lamina::names::kRefusalMarkers).size(), 1U) << "those of the refusal are deleted";
 }
 
 TEST_F(SlicingService, RefusesAMissingFile) {
