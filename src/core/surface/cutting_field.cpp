@@ -89,7 +89,8 @@ std::vector<double> fieldAlongWays(const Mesh& mesh, const GeodesicDistances& ge
   return difference(from_way, geodesics.from(sourcesAt(opposite_way)));
 }
 
-/// What the angles around each vertex miss of a full turn; 0 at borders [rad].
+/// What the angles around each vertex miss of a full turn, negative if they exceed it [rad]. At borders only
+/// what exceeds nine tenths of a turn counts.
 std::vector<double> missingAngles(const Mesh& mesh, const MeshTopology& topology) {
   std::vector<double> missing(mesh.vertices.size(), 2.0 * M_PI);
   for (const Triangle& corner : mesh.triangles)
@@ -98,11 +99,12 @@ std::vector<double> missingAngles(const Mesh& mesh, const MeshTopology& topology
       const Point3 ac = mesh.vertices[corner[(i + 2) % 3]] - mesh.vertices[corner[i]];
       missing[corner[i]] -= std::atan2(ab.cross(ac).norm(), ab.dot(ac));
     }
+  std::vector<bool> is_border(missing.size(), false);
   for (HalfEdge side = 0; side < topology.opposite.size(); ++side)
-    if (topology.opposite[side] == kNoHalfEdge) {
-      missing[originOf(mesh, side)] = 0.0;
-      missing[originOf(mesh, nextInTriangle(side))] = 0.0;
-    }
+    if (topology.opposite[side] == kNoHalfEdge)
+      is_border[originOf(mesh, side)] = is_border[originOf(mesh, nextInTriangle(side))] = true;
+  for (std::size_t i = 0; i < missing.size(); ++i)
+    if (is_border[i]) missing[i] = std::min(0.0, missing[i] - 0.2 * M_PI);
   return missing;
 }
 
