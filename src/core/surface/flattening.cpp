@@ -44,7 +44,7 @@ bool isWithin(const PlanDistortion& distortion, double tolerance) {
 /// Whether a better plan may be within the tolerance where the coarse one is not. It mends single triangles
 /// that are too small, mostly at borders.
 bool isNearly(const PlanDistortion& distortion, double tolerance) {
-  return distortion.flipped == 0 && distortion.least_stretch >= 1.0 - 1.4 * tolerance &&
+  return distortion.flipped == 0 && distortion.least_stretch >= 1.0 - 1.1 * tolerance &&
          distortion.greatest_stretch <= 1.0 + 2.0 * tolerance;
 }
 
