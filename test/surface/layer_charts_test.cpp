@@ -13,6 +13,7 @@
 #include "lamina/geometry/parts.hpp"
 #include "lamina/surface/plan_distortion.hpp"
 #include "lamina/surface/plan_outline.hpp"
+#include "lamina/surface/surface_cut.hpp"
 #include "support/surfaces.hpp"
 
 namespace lamina {
@@ -193,6 +194,29 @@ TEST(LayerCharts, RandomSmoothPatchesKeepTheirPromises) {
     RC_ASSERT(areApart(charts));
     RC_ASSERT(std::abs(areaOf(charts) / surfaceArea(layer.middle) - 1.0) < 1e-9);
     RC_ASSERT(std::abs(planAreaOf(charts) / surfaceArea(layer.middle) - 1.0) < 0.15);
+  }));
+}
+
+TEST(LayerCharts, SliversAlongABorderCutNothing) {
+  EXPECT_TRUE(rc::check([] {
+    Random random(*rc::gen::arbitrary<std::uint64_t>());
+    LayerSurface layer = layerOf(patch(40, 40, [](double u, double v) {
+      return Point3(60.0 * u, 60.0 * v, 5.0 * std::sin(7.0 * u) * std::cos(5.0 * v));
+    }));
+    // Past a row of vertices, 1e-9 to 0.01 mm away, and across the rest.
+    const double past = std::pow(10.0, -random.uniform(2.0, 9.0));
+    const double heading = random.uniform(0.0, 2.0 * M_PI);
+    std::vector<double> field;
+    for (const Point3& vertex : layer.middle.vertices) field.push_back(vertex.x() - 18.0 - past);
+    layer = whereNotNegative(layer, field);
+    field.clear();
+    for (const Point3& vertex : layer.middle.vertices)
+      field.push_back(15.0 + (vertex.x() - 35.0) * std::cos(heading) +
+                      (vertex.y() - 30.0) * std::sin(heading));
+    layer = whereNotNegative(layer, field);
+    const std::vector<LayerChart> charts = layerCharts(layer, {});
+    RC_ASSERT(keepPromises(charts, 0.15));
+    RC_ASSERT(charts.size() <= 2U);
   }));
 }
 

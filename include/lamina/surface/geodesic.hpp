@@ -18,7 +18,8 @@ struct GeodesicSource {
 /// Lengths of the shortest ways over a mesh, by fast marching. A wavefront crosses a triangle as the circle
 /// around its source, unfolded into the plane of the triangle, so that distances on plane and developable
 /// meshes are exact to rounding as long as the shortest way bends at no border and no vertex. Triangles may
-/// be obtuse: a vertex that the front reached too late is corrected. Those without area are only run along.
+/// be obtuse, or without area: a vertex that the front reached by a detour is corrected. (Where very obtuse
+/// ones hide each other in a ring the way may be a per cent too long.)
 ///
 /// Prepared once per mesh [mm]; queries may be made from several threads and take n log n time.
 class GeodesicDistances {

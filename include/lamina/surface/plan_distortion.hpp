@@ -20,15 +20,16 @@ struct PlanDistortion {
   std::size_t flipped = 0;  ///< triangles that do not wind counter-clockwise in the plan
 };
 
-/// Triangles that are nearly lines on the surface (their height a millionth of their length) stretch as their
-/// longest side does, and cannot be flipped. Linear time.
+/// Triangles that are nearly lines on the surface count as lines, which stretch as their two longer sides do:
+/// those less than 0.02 mm high (less where triangles are small: a twentieth of a usual one), or a millionth
+/// of their longest side. Those less than 0.005 mm high cannot be flipped. Linear time.
 /// @param plan  of each vertex [mm]
 /// @throws InvalidInput if there are not as many places as vertices
 PlanDistortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan);
 
 /// Whether no two triangles overlap in the plan. Tested at the borders: where no triangle is flipped, one
-/// border encloses the others and no border meets itself or another one, none can. Borders may touch at a
-/// vertex. n log n time.
+/// border encloses the others and no border meets itself or another one, none can. Borders may touch,
+/// and cross by the height of a triangle that cannot be flipped. n log n time.
 /// @param surface  connected by edges
 /// @param plan     as above, without flipped triangles
 bool isInjective(const Mesh& surface, const std::vector<Point2>& plan);

@@ -11,25 +11,37 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Bounds on cotangents, for triangles that are nearly lines.
-constexpr double kLeastWeight = 0.01;
-constexpr double kGreatestWeight = 100.0;
+// Triangles count as if they were at least as high as this share of their longest side: the cotangents of
+// slivers would drown all others.
+constexpr double kLeastHeight = 0.01;
+
+/// Cotangents of the angles across the sides.
+std::array<double, 3> cotangents(const std::array<Complex, 3>& side, double double_area) {
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::norm(side[i]) > std::norm(side[longest])) longest = i;
+  const double length = std::abs(side[longest]);
+  if (!(length > 0.0)) return {1.0, 1.0, 1.0};
+  const double height = std::max(double_area / length, kLeastHeight * length);
+  const double foot = -(side[longest] * std::conj(side[(longest + 2) % 3])).real() / length;
+  std::array<double, 3> cotangent{};
+  cotangent[longest] = (height * height - foot * (length - foot)) / (length * height);
+  cotangent[(longest + 1) % 3] = foot / height;
+  cotangent[(longest + 2) % 3] = (length - foot) / height;
+  return cotangent;
+}
 
 RigidEnergy::FlatTriangle layFlat(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 ab = b - a;
   const Point3 ac = c - a;
   const double length = ab.norm();
-  const double area = ab.cross(ac).norm();
+  const double double_area = ab.cross(ac).norm();
   RigidEnergy::FlatTriangle flat;
   const Complex corner_b(length, 0.0);
   const Complex corner_c =
-      length > 0.0 ? Complex(ab.dot(ac) / length, area / length) : Complex(0.0, ac.norm());
+      length > 0.0 ? Complex(ab.dot(ac) / length, double_area / length) : Complex(0.0, ac.norm());
   flat.side = {corner_b, corner_c - corner_b, -corner_c};
-  for (std::size_t i = 0; i < 3; ++i) {
-    // Of the two sides that meet across this one; one comes in there, the other goes out.
-    const double dot = -(flat.side[(i + 1) % 3] * std::conj(flat.side[(i + 2) % 3])).real();
-    flat.weight[i] = area > 0.0 ? std::clamp(dot / area, kLeastWeight, kGreatestWeight) : kLeastWeight;
-  }
+  flat.weight = cotangents(flat.side, double_area);
   return flat;
 }
 
