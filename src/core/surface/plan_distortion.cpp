@@ -80,15 +80,15 @@ double perimeterIndex(const TrianglePair& pair) {
   return perimeter > 0.0 ? std::abs(1.0 - (flat[0] + flat[1] + flat[2]) / perimeter) : 0.0;
 }
 
-/// Of the two longer sides.
-Stretch stretchOfLine(const TrianglePair& pair) {
+/// Of the two longer sides, unless they are as short as the triangle is low.
+Stretch stretchOfLine(const TrianglePair& pair, double limit_mm) {
   const std::array<double, 3> side = sides(pair);
   const std::array<double, 3> flat = flatSides(pair);
   const auto shortest = std::min_element(side.begin(), side.end()) - side.begin();
   Stretch stretch{std::numeric_limits<double>::infinity(), 0.0};
   for (std::ptrdiff_t i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (i == shortest || side[at] == 0.0) continue;
+    if (i == shortest || side[at] <= limit_mm) continue;
     stretch.least = std::min(stretch.least, side[at] / flat[at]);
     stretch.greatest = std::max(stretch.greatest, side[at] / flat[at]);
   }
@@ -170,7 +170,8 @@ PlanDistortion measureDistortion(const Mesh& surface, const std::vector<Point2>&
     const TrianglePair pair = pairOf(surface, plan, surface.triangles[t]);
     distortion.index_sum += perimeterIndex(pair);
     if (!(pair.flat_cross > 0.0) && !isThin(pair, limits.no_flip)) ++distortion.flipped;
-    const Stretch stretch = isThin(pair, limits.no_stretch) ? stretchOfLine(pair) : stretchOf(pair);
+    const Stretch stretch =
+        isThin(pair, limits.no_stretch) ? stretchOfLine(pair, limits.no_stretch) : stretchOf(pair);
     if (stretch.least < distortion.least_stretch) distortion.least_triangle = t;
     if (stretch.greatest > distortion.greatest_stretch) distortion.greatest_triangle = t;
     distortion.least_stretch = std::min(distortion.least_stretch, stretch.least);
