@@ -15,7 +15,11 @@
 namespace lamina {
 namespace {
 
-ShellLimits freeUpTo(double farthest) { return {nullptr, PartSide::Inside, std::nullopt, farthest, 0.2}; }
+ShellLimits freeUpTo(double farthest) {
+  ShellLimits limits;
+  limits.farthest_mm = farthest;
+  return limits;
+}
 
 /// A piece of a sphere around the origin, 45 degrees to all sides of the lowest place, facing its centre.
 Mesh bowl(double radius, int cells = 48) {

@@ -18,9 +18,10 @@ enum class PartSide { Inside, Outside };
 struct ShellLimits {
   const SignedDistance* part = nullptr;  ///< shells stay on one side of its surface; no end if null
   PartSide part_side = PartSide::Inside;
-  std::optional<ShellBound> bound;  ///< shells stay on its side
-  double farthest_mm = 0.0;         ///< no offset beyond it is asked for
-  double step_mm = 0.2;             ///< between the offsets at which leaving the part is looked for
+  const NearestTriangle* rest = nullptr;  ///< the part's surface but for that propagated; none if null
+  std::optional<ShellBound> bound;        ///< shells stay on its side
+  double farthest_mm = 0.0;               ///< no offset beyond it is asked for
+  double step_mm = 0.2;                   ///< between the offsets at which leaving the part is looked for
 
   /// How far a point lies on the side of the part that shells stay on [mm].
   double allowed(const Point3& point) const {
@@ -49,7 +50,7 @@ struct MovableSurface {
 };
 
 /// Found per vertex, not per shell: balls shrink from the farthest offset until nothing of the surface is
-/// inside them (by 1 % of their radius, so that rounding and tessellation do not count).
+/// inside them (by 1 to 2 % of their radius, so that rounding and tessellation do not count).
 /// @throws Cancelled if `progress` is cancelled
 VertexReach vertexReach(const MovableSurface& moving, const ShellLimits& limits, Progress& progress);
 

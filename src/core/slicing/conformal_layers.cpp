@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "lamina/base/error.hpp"
@@ -35,7 +36,7 @@ Point3 directionOf(const ConformalSettings& settings) {
 }
 
 /// The faces that look in the direction.
-Mesh facesTowards(const Mesh& mesh, const ConformalSettings& settings) {
+TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings) {
   const Point3 direction = directionOf(settings);
   const double least = std::cos(settings.max_tilt_deg * kRadiansPerDegree) - kRounding;
   TriangleNumbers chosen;
@@ -51,7 +52,7 @@ Mesh facesTowards(const Mesh& mesh, const ConformalSettings& settings) {
                           std::to_string(direction.y()) + ", " + std::to_string(direction.z()) +
                           "); there is nothing to lay layers on",
                       mesh);
-  return patchOf(mesh, chosen);
+  return chosen;
 }
 
 /// No point of the part is farther from the base.
@@ -83,10 +84,11 @@ void requireFilled(const ConformalLayers& result, const Mesh& part, const Mesh& 
   TriangleNumbers all(part.triangles.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   Mesh region = patchOf(part, unreached(part, all, base, 2.0 * result.layer_height_mm));
+  const double beyond_mm2 = surfaceArea(region);
   throw Unsliceable("layers on the base fill " + std::to_string(result.laid_mm3) + " mm³ of the part's " +
                         std::to_string(result.part_mm3) + " mm³; expected within " +
                         std::to_string(settings.largest_gap_percent) +
-                        " % (conformal.largest_gap_percent). " + std::to_string(surfaceArea(region)) +
+                        " % (conformal.largest_gap_percent). " + std::to_string(beyond_mm2) +
                         " mm² of its surface lie beyond the base's edges, behind it or beside it",
                     std::move(region));
 }
@@ -98,13 +100,20 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   requirePositive("slicing.layer_height_mm", layer_height_mm);
   requirePositive("conformal.thickness_mm", settings.thickness_mm);
   const double count = std::ceil(settings.thickness_mm / layer_height_mm - kRounding);
+  const TriangleNumbers chosen = facesTowards(mesh, settings);
+  const Mesh rest = patchOf(mesh, remainder(mesh, chosen, {}));
   const SignedDistance part(mesh);
-  const ShellSource source{facesTowards(mesh, settings), {}};
+  std::optional<NearestTriangle> nearest_rest;
+  if (!rest.triangles.empty()) nearest_rest.emplace(rest);
   ConformalLayers result;
   result.layer_height_mm = settings.thickness_mm / count;
-  const ShellLimits limits{&part, PartSide::Outside, std::nullopt, settings.thickness_mm,
-                           result.layer_height_mm};
-  const ShellPropagation propagation(source, settings.longest_edge_mm, limits, progress);
+  ShellLimits limits;
+  limits.part = &part;
+  limits.part_side = PartSide::Outside;
+  limits.rest = nearest_rest ? &*nearest_rest : nullptr;
+  limits.farthest_mm = settings.thickness_mm;
+  limits.step_mm = result.layer_height_mm;
+  const ShellPropagation propagation({patchOf(mesh, chosen), {}}, settings.longest_edge_mm, limits, progress);
   result.layers = propagation.shells(result.layer_height_mm, NozzleSide::Ahead, progress);
   result.laid_mm3 = volume(result.layers);
   return result;
@@ -119,9 +128,10 @@ ConformalLayers layersOnBase(const Mesh& part, const Mesh& base, const Conformal
   if (!(result.part_mm3 > 0.0))
     throw InvalidMesh("the part holds " + std::to_string(result.part_mm3) +
                       " mm³; expected a positive volume");
-  const ShellSource source{facesTowards(base, settings), {}};
-  const ShellLimits limits{nullptr, PartSide::Inside, std::nullopt, farthestFrom(source.surface, part),
-                           layer_height_mm};
+  const ShellSource source{patchOf(base, facesTowards(base, settings)), {}};
+  ShellLimits limits;
+  limits.farthest_mm = farthestFrom(source.surface, part);
+  limits.step_mm = layer_height_mm;
   const ShellPropagation propagation(source, settings.longest_edge_mm, limits, progress);
   const SignedDistance inside(part);
   const Box3 box = boundingBox(part);

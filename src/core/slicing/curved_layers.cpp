@@ -86,12 +86,15 @@ struct ShellFamily {
   std::vector<ShellEnd> ends;
 };
 
-ShellFamily propagate(const Part& part, const TriangleNumbers& source, std::optional<ShellBound> bound,
+ShellFamily propagate(const Part& part, const TriangleNumbers& source, const std::optional<ShellBound>& bound,
                       NozzleSide side, Progress& progress) {
   if (source.empty()) return {};
   ShellSource inward = shellSourceOf(part.mesh, source);
   inward.surface = turnedOver(std::move(inward.surface));
-  const ShellLimits limits{&part.inside, PartSide::Inside, bound, part.size_mm, part.height_mm};
+  const Mesh rest = patchOf(part.mesh, remainder(part.mesh, source, {}));
+  const NearestTriangle nearest_rest(rest);
+  const ShellLimits limits{&part.inside, PartSide::Inside, &nearest_rest,
+                           bound,        part.size_mm,     part.height_mm};
   const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
   return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};
 }

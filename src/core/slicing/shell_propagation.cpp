@@ -49,7 +49,8 @@ LayerSurface withinBound(LayerSurface shell, const ShellBound& bound) {
 
 /// Cuts a shell where it leaves the part, given on which side its vertices are. Only near there the distance
 /// to the part's surface is asked for.
-LayerSurface insidePart(LayerSurface shell, const std::vector<char>& is_inside, const ShellLimits& limits) {
+LayerSurface insidePart(const LayerSurface& shell, const std::vector<char>& is_inside,
+                        const ShellLimits& limits) {
   if (std::all_of(is_inside.begin(), is_inside.end(), [](char inside) { return inside != 0; })) return shell;
   std::vector<double> field(is_inside.size());
   std::vector<char> is_measured(is_inside.size(), 0);
@@ -166,7 +167,7 @@ LayerSurface ShellPropagation::shell(const ShellAt& at) const {
                                       : reach_.exit_mm[root] > at.offset_mm;
       is_inside.push_back(is_inside_part ? 1 : 0);
     }
-    shell = insidePart(std::move(shell), is_inside, limits_);
+    shell = insidePart(shell, is_inside, limits_);
   }
   if (limits_.bound) shell = withinBound(std::move(shell), *limits_.bound);
   if (at.side == NozzleSide::Behind) turnOver(shell);
