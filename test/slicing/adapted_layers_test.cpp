@@ -132,9 +132,9 @@ TEST(AdaptedLayers, AWallAt45DegreesNeedsMoreOfThemByItsLength) {
   const double height_mm = 0.5;
   const AdaptedLayers layers = adapted(cone(45.0, 100.0), height_mm, settings);
   const double wall_mm = 100.0 * std::sqrt(2.0);
-  EXPECT_EQ(layers.layers.size(), static_cast<std::size_t>(wall_mm / height_mm));
+  EXPECT_EQ(layers.layers.size(), static_cast<std::size_t>(std::lround(wall_mm / height_mm)));
   EXPECT_NEAR(static_cast<double>(layers.layers.size()) / 200.0, 1.414, 0.005);
-  EXPECT_EQ(layers.completing, layers.layers.size() - 200U);
+  EXPECT_EQ(layers.completing, 0U);
 }
 
 TEST(AdaptedLayers, TheTopIsCompletedByOpenCurves) {
@@ -176,8 +176,10 @@ TEST(AdaptedLayers, BetweenComputedOnesAreInterpolatedOnTheWall) {
     AdaptedSettings settings = coarse();
     settings.computing_height_mm = 1.6;
     const AdaptedLayers layers = adapted(mesh, 1.6 / static_cast<double>(parts), settings);
-    const std::size_t computed = (layers.layers.size() - layers.completing - 1) / parts;
-    EXPECT_EQ(layers.layers.size() - layers.completing, 1 + parts * computed);
+    // 16 or 8 curves each: as many as the wall is long.
+    const double wall_mm = 2.0 * 20.0 * std::asin(14.0 / 20.0);
+    EXPECT_EQ(layers.layers.size(),
+              static_cast<std::size_t>(std::lround(wall_mm / 1.6 * static_cast<double>(parts))));
     double greatest = 0.0;
     for (const AdaptedLayer& layer : layers.layers)
       for (const AdaptedCurve& curve : layer.curves)
@@ -233,6 +235,17 @@ TEST(AdaptedLayers, WallsThatBeginAboveTheBottomAreRefused) {
   AdaptedSettings settings;
   settings.max_lean_deg = 80.0;
   EXPECT_THROW(adapted(two, 1.0, settings), Unsliceable);
+}
+
+TEST(AdaptedLayers, WallsThatLeaveEachOtherBehindAreRefusedWithThePlace) {
+  // A flat face beside a cone that leans: the corner between them gets too steep for a layer.
+  try {
+    adapted(makePart("semi_cone"), 0.2);
+    FAIL() << "no refusal";
+  } catch (const Unsliceable& error) {
+    EXPECT_NE(std::string(error.what()).find("gap"), std::string::npos) << error.what();
+    EXPECT_FALSE(error.region().triangles.empty());
+  }
 }
 
 TEST(AdaptedLayers, AComputingHeightMustBeAMultiple) {

@@ -31,7 +31,8 @@ TEST(AdaptedSurfaces, OfAConeArePlane) {
   const std::vector<LayerSurface> surfaces = surfacesOf(cone, 1.0);
   ASSERT_GE(surfaces.size(), 12U);
   const double rise_mm = std::cos(M_PI / 6.0);
-  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+  // The last layer is what is left.
+  for (std::size_t k = 0; k + 1 < surfaces.size(); ++k) {
     const LayerSurface& surface = surfaces[k];
     // Facets lean a little less than the cone.
     for (std::size_t v = 0; v < surface.tip.size(); ++v) {

@@ -29,7 +29,7 @@ struct AdaptedLayer {
 /// Layers that follow walls which lean.
 struct AdaptedLayers {
   std::vector<AdaptedLayer> layers;  ///< upwards
-  std::size_t completing = 0;  ///< layers at the end that complete the top, of open curves where it is uneven
+  std::size_t completing = 0;        ///< layers from the first on of which a curve is open, up to the last
 };
 
 /// Layers of single walls that grow along the tool by the layer height (metal-deposition-paths.md section

@@ -17,15 +17,7 @@ namespace lamina {
 namespace {
 
 constexpr double kBeneathTop = 1e-6;  // mm: at the very top a plane cuts nothing
-constexpr double kMostLevels = 1e6;
-
-/// What is computed: levels and the steps between them.
-struct GrowthPlan {
-  std::vector<double> heights;  // of the flat contours, the last just beneath the top
-  std::vector<GrowthStep>
-      steps;  // one per flat contour above the lowest, but for a last one that is only the top
-  std::vector<GrowthStep> completing;
-};
+constexpr double kMostContours = 1e6;
 
 std::size_t partsOf(double computing_height_mm, double layer_height_mm) {
   if (computing_height_mm == 0.0) return 1;
@@ -42,37 +34,37 @@ void requireOdd(int window) {
     throw InvalidConfig("adapted.smoothing_window is " + std::to_string(window) + "; must be odd");
 }
 
-GrowthPlan planFor(const Box3& box, const SlicingSettings& slicing, std::size_t parts) {
-  const double fine = slicing.layer_height_mm;
-  const GrowthStep step{fine * static_cast<double>(parts), parts};
+/// Of flat contours: at the bottom, then a step apart, the last just beneath the top.
+std::vector<double> contourHeights(const Box3& box, const GrowthSteps& steps) {
   const double bottom = box.low.z();
   const double top = box.high.z() - kBeneathTop;
-  if (!((top - bottom) / step.height_mm < kMostLevels))
+  const double first = bottom + steps.first.height_mm;
+  const double count = std::floor((top - first) / steps.other.height_mm + 1e-6) + 1.0;
+  if (!(count < kMostContours))
     throw InvalidConfig("the part is " + std::to_string(top - bottom) + " mm high and a layer " +
-                        std::to_string(step.height_mm) + " mm; expected at most a million layers");
-  GrowthPlan plan;
-  plan.heights = {bottom};
-  for (double z = bottom + slicing.first_layer_height_mm; z <= top + 2.0 * kBeneathTop;
-       z = bottom + slicing.first_layer_height_mm + static_cast<double>(plan.steps.size()) * step.height_mm) {
-    plan.heights.push_back(std::min(z, top));
-    plan.steps.push_back(plan.steps.empty() ? GrowthStep{slicing.first_layer_height_mm, 1} : step);
-  }
-  if (plan.heights.back() < top) plan.heights.push_back(top);
-  plan.completing = {step};
-  if (parts > 1) plan.completing.push_back({fine, 1});
-  return plan;
+                        std::to_string(steps.other.height_mm) + " mm; expected at most a million layers");
+  std::vector<double> heights = {bottom};
+  for (double k = 0.0; k < count; ++k) heights.push_back(std::min(first + k * steps.other.height_mm, top));
+  if (heights.back() < top) heights.push_back(top);
+  return heights;
 }
 
-/// Curves of the same layer of all walls; walls that need fewer layers for their top end earlier.
-AdaptedLayers together(std::vector<WallGrowth> walls, const AdaptedSettings& settings) {
+/// Curves of the same layer of all walls; walls that need fewer layers end earlier.
+AdaptedLayers together(const std::vector<std::vector<std::vector<AdaptedCurve>>>& walls,
+                       const AdaptedSettings& settings) {
   AdaptedLayers result;
-  for (WallGrowth& wall : walls) {
-    result.layers.resize(std::max(result.layers.size(), wall.layers.size()));
-    result.completing = std::max(result.completing, wall.completing);
-    for (std::size_t k = 0; k < wall.layers.size(); ++k)
-      for (const AdaptedCurve& curve : wall.layers[k])
+  for (const auto& layers : walls) {
+    result.layers.resize(std::max(result.layers.size(), layers.size()));
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      for (const AdaptedCurve& curve : layers[k])
         result.layers[k].curves.push_back(finishedCurve(curve, settings.step_mm, settings.smoothing_window));
   }
+  const auto is_open = [](const AdaptedLayer& layer) {
+    return std::any_of(layer.curves.begin(), layer.curves.end(),
+                       [](const AdaptedCurve& curve) { return !curve.is_closed; });
+  };
+  const auto first_open = std::find_if(result.layers.begin(), result.layers.end(), is_open);
+  result.completing = static_cast<std::size_t>(result.layers.end() - first_open);
   return result;
 }
 
@@ -82,13 +74,15 @@ AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, co
                             Progress& progress) {
   requireOdd(settings.smoothing_window);
   const std::size_t parts = partsOf(settings.computing_height_mm, slicing.layer_height_mm);
+  const GrowthSteps steps{{slicing.first_layer_height_mm, 1},
+                          {slicing.layer_height_mm * static_cast<double>(parts), parts}};
   if (mesh.triangles.empty()) throw InvalidMesh("the mesh has 0 triangles; expected a closed part");
   requireNoSteepFaces(mesh, settings.max_lean_deg);
-  const GrowthPlan plan = planFor(boundingBox(mesh), slicing, parts);
-  std::vector<WallGrowth> walls;
-  for (const WallStrand& strand : wallStrands(mesh, plan.heights, settings.step_mm, progress))
-    walls.push_back(growWall(strand, plan.steps, plan.completing, progress));
-  return together(std::move(walls), settings);
+  const std::vector<double> heights = contourHeights(boundingBox(mesh), steps);
+  std::vector<std::vector<std::vector<AdaptedCurve>>> walls;
+  for (const WallStrand& strand : wallStrands(mesh, heights, settings.step_mm, progress))
+    walls.push_back(growWall(mesh, strand, steps, progress));
+  return together(walls, settings);
 }
 
 }  // namespace lamina

@@ -39,6 +39,9 @@ class Growth {
   /// @param strand  must outlive this
   explicit Growth(const WallStrand& strand);
 
+  /// The lowest flat contour above a height, or the number of contours if there is none.
+  std::size_t firstAbove(double z) const;
+
   /// The point of the layer on `beneath` that grows towards point `i` of the flat contour `level`
   /// (metal-deposition-paths.md section 2.12). If that is no farther than `height_mm`, it is taken itself.
   /// Otherwise the way there from the nearest place beneath is followed by that height, and the point put on
@@ -48,7 +51,6 @@ class Growth {
   GrownPoint towards(std::size_t level, std::size_t i, const PlacedCurve& beneath, double height_mm) const;
 
  private:
-  std::size_t firstAbove(double z) const;
   void returnToWall(GrownPoint& grown, std::size_t level, double foot_z, const PlacedCurve& beneath) const;
   void putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& beneath) const;
 

@@ -16,6 +16,8 @@ namespace {
 
 using CurveLayers = std::vector<std::vector<AdaptedCurve>>;
 
+constexpr double kRounding = 1e-6;  // of a height
+
 /// Points of the highest contour, taken round it: the first and how many.
 struct PointRun {
   std::size_t first = 0;
@@ -52,7 +54,9 @@ class TopCompletion {
     CurveLayers layers;
     std::vector<bool> is_active(top_.size(), true);
     const std::size_t most = mostSteps(step.height_mm);
-    for (std::size_t taken = 0; grow(is_active, step.height_mm); ++taken) {
+    // Layers that are divided must have room for all parts; of others half a height must be left.
+    const double least_mm = step.parts > 1 ? step.height_mm * (1.0 - kRounding) : 0.5 * step.height_mm;
+    for (std::size_t taken = 0; grow(is_active, step.height_mm, least_mm); ++taken) {
       if (taken == most) refuse(taken);
       CurveLayers divided(step.parts);
       for (const PointRun& run : runsOf(is_active)) addCurve(run, step, divided);
@@ -62,13 +66,13 @@ class TopCompletion {
   }
 
  private:
-  /// Whether any point is still active: farther from the curve beneath it than the height.
-  bool grow(std::vector<bool>& is_active, double height_mm) {
+  /// Whether any point is still active: as far from the curve beneath it as the least height.
+  bool grow(std::vector<bool>& is_active, double height_mm, double least_mm) {
     bool is_any = false;
     for (std::size_t i = 0; i < top_.size(); ++i) {
       if (!is_active[i]) continue;
       grown_[i] = growth_.towards(level_, i, *fronts_[front_of_[i]], height_mm);
-      is_active[i] = !grown_[i].is_reached;
+      is_active[i] = !grown_[i].is_reached || grown_[i].height_mm >= least_mm;
       is_any = is_any || is_active[i];
     }
     return is_any;

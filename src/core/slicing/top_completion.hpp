@@ -11,11 +11,11 @@
 namespace lamina {
 
 /// Layers between the last adapted curve of a wall and the top of the part: grown towards the highest flat
-/// contour where that is farther than a layer away, so that curves are open where the top is reached
-/// elsewhere. Open curves end on the point next to them that is reached. What is left at the end is less than
-/// the last step everywhere.
+/// contour where that is far enough, so that curves are open where the top is reached elsewhere. Open curves
+/// end on the point next to them that is not grown. Where less than a layer is left, it is laid as high as it
+/// is if that is half of it at least.
 ///
-/// @param last  the last adapted curve
+/// @param last   the last adapted curve
 /// @param steps  coarse ones first; each is taken as long as there is room for it
 /// @return curves layer by layer
 /// @throws Unsliceable if the top is not reached by four times the layers its distance needs

@@ -3,16 +3,22 @@
 #include "slicing/wall_growth.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include "lamina/base/parallel.hpp"
 #include "slicing/curves_between.hpp"
 #include "slicing/growth.hpp"
+#include "slicing/layer_gap.hpp"
 #include "slicing/top_completion.hpp"
 
 namespace lamina {
 namespace {
+
+using CurveLayers = std::vector<std::vector<AdaptedCurve>>;
+
+constexpr double kRounding = 1e-6;  // of a step
 
 AdaptedCurve lowest(const WallStrand& strand) {
   const WallContour& contour = strand.levels.front();
@@ -33,29 +39,42 @@ AdaptedCurve nextCurve(const Growth& growth, std::size_t level, std::size_t poin
   return curveThrough(grown, true, beneath);
 }
 
-void addLayers(std::vector<std::vector<AdaptedCurve>>& layers, std::vector<AdaptedCurve> curves) {
+double highest(const AdaptedCurve& curve) {
+  double z = curve.points.front().z();
+  for (const Point3& point : curve.points) z = std::max(z, point.z());
+  return z;
+}
+
+void addLayers(CurveLayers& layers, std::vector<AdaptedCurve> curves) {
   for (AdaptedCurve& curve : curves) layers.push_back({std::move(curve)});
 }
 
 }  // namespace
 
-WallGrowth growWall(const WallStrand& strand, const std::vector<GrowthStep>& steps,
-                    const std::vector<GrowthStep>& completing, Progress& progress) {
+CurveLayers growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
+                     Progress& progress) {
   const Growth growth(strand);
+  const std::size_t top = strand.levels.size() - 1;
   auto beneath = std::make_unique<PlacedCurve>(lowest(strand));
-  WallGrowth wall;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
+  CurveLayers layers;
+  GrowthStep step = steps.first;
+  for (;; step = steps.other) {
     throwIfCancelled(progress, "adapt");
+    const std::size_t level = growth.firstAbove(highest(beneath->curve) + step.height_mm * (1.0 - kRounding));
+    if (level > top || (level == top && !layers.empty())) break;
     AdaptedCurve curve =
-        nextCurve(growth, k + 1, strand.levels[k + 1].points.size(), *beneath, steps[k].height_mm);
-    addLayers(wall.layers, curvesBetween(*beneath, curve, steps[k].parts));
+        nextCurve(growth, level, strand.levels[level].points.size(), *beneath, step.height_mm);
+    requireNoGap(curve, *beneath, step.height_mm, layers.size(), mesh);
+    addLayers(layers, curvesBetween(*beneath, curve, step.parts));
     beneath = std::make_unique<PlacedCurve>(std::move(curve));
-    progress.report("adapt", static_cast<double>(k + 1) / static_cast<double>(steps.size()));
+    progress.report("adapt", static_cast<double>(level) / static_cast<double>(top));
   }
-  std::vector<std::vector<AdaptedCurve>> top = completedTop(strand, growth, std::move(beneath), completing);
-  wall.completing = top.size();
-  for (std::vector<AdaptedCurve>& layer : top) wall.layers.push_back(std::move(layer));
-  return wall;
+  std::vector<GrowthStep> completing{steps.other};
+  if (steps.other.parts > 1)
+    completing.push_back({steps.other.height_mm / static_cast<double>(steps.other.parts), 1});
+  CurveLayers rest = completedTop(strand, growth, std::move(beneath), completing);
+  std::move(rest.begin(), rest.end(), std::back_inserter(layers));
+  return layers;
 }
 
 }  // namespace lamina

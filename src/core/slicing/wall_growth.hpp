@@ -16,18 +16,16 @@ struct GrowthStep {
   std::size_t parts = 1;
 };
 
-/// The curves of one wall, layer by layer.
-struct WallGrowth {
-  std::vector<std::vector<AdaptedCurve>> layers;
-  std::size_t completing = 0;  ///< layers at the end that complete the top
+struct GrowthSteps {
+  GrowthStep first;
+  GrowthStep other;  ///< its parts are as high as a layer
 };
 
-/// Grows one wall from its lowest level to its highest: one layer per flat contour, and then as many as the
-/// top needs.
-/// @param steps  one per flat contour above the lowest; less one if the highest is only the top
-/// @param completing  steps that the top is completed by, coarse ones first
-/// @throws Unsliceable if the top is not reached by four times the layers its distance needs; Cancelled
-WallGrowth growWall(const WallStrand& strand, const std::vector<GrowthStep>& steps,
-                    const std::vector<GrowthStep>& completing, Progress& progress);
+/// Grows one wall from its lowest flat contour to its highest, layer by layer. Each layer grows towards the
+/// lowest flat contour that is a step above all of the layer beneath, and in the end to the top.
+/// @param mesh  the part, to show where it cannot be sliced
+/// @throws Unsliceable if a layer leaves a gap over the one beneath it, or the top is not reached; Cancelled
+std::vector<std::vector<AdaptedCurve>> growWall(const Mesh& mesh, const WallStrand& strand,
+                                                const GrowthSteps& steps, Progress& progress);
 
 }  // namespace lamina
