@@ -4,25 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <utility>
 
 #include "lamina/slicing/unsliceable.hpp"
+#include "slicing/mesh_region.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kMostHeights = 2.0;
-
-Mesh facesNear(const Mesh& mesh, const Point3& place, double within_mm) {
-  Mesh region;
-  region.vertices = mesh.vertices;
-  for (const Triangle& corner : mesh.triangles) {
-    const Point3 nearest = nearestInTriangle(place, mesh.vertices[corner[0]], mesh.vertices[corner[1]],
-                                             mesh.vertices[corner[2]]);
-    if ((nearest - place).norm() <= within_mm) region.triangles.push_back(corner);
-  }
-  return region;
-}
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 
 #include "lamina/slicing/unsliceable.hpp"
 #include "slicing/curves_between.hpp"
+#include "slicing/mesh_region.hpp"
 
 namespace lamina {
 namespace {
@@ -40,8 +41,10 @@ std::vector<PointRun> runsOf(const std::vector<bool>& is_set) {
 
 class TopCompletion {
  public:
-  TopCompletion(const WallStrand& strand, const Growth& growth, std::unique_ptr<PlacedCurve> last)
-      : growth_(growth),
+  TopCompletion(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
+                std::unique_ptr<PlacedCurve> last)
+      : mesh_(mesh),
+        growth_(growth),
         level_(strand.levels.size() - 1),
         top_(strand.levels.back().points),
         front_of_(top_.size(), 0),
@@ -107,9 +110,10 @@ class TopCompletion {
     throw Unsliceable("the top of the part at z = " + std::to_string(top_.front().z()) +
                           " mm is not reached by " + std::to_string(taken) +
                           " completing layers; expected walls that lead there without folds",
-                      {});
+                      facesBetween(mesh_, fronts_.front()->curve.points.front().z(), top_.front().z()));
   }
 
+  const Mesh& mesh_;
   const Growth& growth_;
   std::size_t level_;
   const std::vector<Point3>& top_;
@@ -120,10 +124,10 @@ class TopCompletion {
 
 }  // namespace
 
-std::vector<std::vector<AdaptedCurve>> completedTop(const WallStrand& strand, const Growth& growth,
-                                                    std::unique_ptr<PlacedCurve> last,
+std::vector<std::vector<AdaptedCurve>> completedTop(const Mesh& mesh, const WallStrand& strand,
+                                                    const Growth& growth, std::unique_ptr<PlacedCurve> last,
                                                     const std::vector<GrowthStep>& steps) {
-  TopCompletion completion(strand, growth, std::move(last));
+  TopCompletion completion(mesh, strand, growth, std::move(last));
   CurveLayers layers;
   for (const GrowthStep& step : steps) {
     CurveLayers more = completion.layersOf(step);

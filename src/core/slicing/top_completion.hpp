@@ -15,12 +15,13 @@ namespace lamina {
 /// end on the point next to them that is not grown. Where less than a layer is left, it is laid as high as it
 /// is if that is half of it at least.
 ///
+/// @param mesh   the part, to show where it cannot be sliced
 /// @param last   the last adapted curve
 /// @param steps  coarse ones first; each is taken as long as there is room for it
 /// @return curves layer by layer
 /// @throws Unsliceable if the top is not reached by four times the layers its distance needs
-std::vector<std::vector<AdaptedCurve>> completedTop(const WallStrand& strand, const Growth& growth,
-                                                    std::unique_ptr<PlacedCurve> last,
+std::vector<std::vector<AdaptedCurve>> completedTop(const Mesh& mesh, const WallStrand& strand,
+                                                    const Growth& growth, std::unique_ptr<PlacedCurve> last,
                                                     const std::vector<GrowthStep>& steps);
 
 }  // namespace lamina

@@ -72,7 +72,7 @@ CurveLayers growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSte
   std::vector<GrowthStep> completing{steps.other};
   if (steps.other.parts > 1)
     completing.push_back({steps.other.height_mm / static_cast<double>(steps.other.parts), 1});
-  CurveLayers rest = completedTop(strand, growth, std::move(beneath), completing);
+  CurveLayers rest = completedTop(mesh, strand, growth, std::move(beneath), completing);
   std::move(rest.begin(), rest.end(), std::back_inserter(layers));
   return layers;
 }

@@ -15,6 +15,7 @@
 #include "lamina/slicing/unsliceable.hpp"
 #include "lamina/surface/wall_normals.hpp"
 #include "slicing/curve_places.hpp"
+#include "slicing/mesh_region.hpp"
 
 namespace lamina {
 namespace {
@@ -24,18 +25,6 @@ constexpr double kSteepestWall = 89.0;  // deg: caps of the part are not taken f
 std::string inMm(double value) {
   std::string text = std::to_string(value);
   return text.substr(0, text.size() - 3) + " mm";
-}
-
-/// The faces between two heights.
-Mesh facesBetween(const Mesh& mesh, double low, double high) {
-  Mesh region;
-  region.vertices = mesh.vertices;
-  for (const Triangle& corner : mesh.triangles) {
-    const auto [least, greatest] = std::minmax(
-        {mesh.vertices[corner[0]].z(), mesh.vertices[corner[1]].z(), mesh.vertices[corner[2]].z()});
-    if (greatest >= low && least <= high) region.triangles.push_back(corner);
-  }
-  return region;
 }
 
 /// The least number of points in between that keep the spacing, evenly spread.
