@@ -24,12 +24,15 @@ struct AdaptedCurve {
 /// Curves of one layer, wall by wall.
 struct AdaptedLayer {
   std::vector<AdaptedCurve> curves;
+  /// What bounds the layer where not every wall has a closed curve in it: for each wall a loop of its curves
+  /// and, between them, of what it stands on. Empty where the curves are loops themselves.
+  std::vector<AdaptedCurve> outlines;
 };
 
 /// Layers that follow walls which lean.
 struct AdaptedLayers {
   std::vector<AdaptedLayer> layers;  ///< upwards
-  std::size_t completing = 0;        ///< layers from the first on of which a curve is open, up to the last
+  std::size_t completing = 0;        ///< layers from the first on in which not every wall has a closed curve
 };
 
 /// Layers of single walls that grow along the tool by the layer height (metal-deposition-paths.md section

@@ -49,21 +49,34 @@ std::vector<double> contourHeights(const Box3& box, const GrowthSteps& steps) {
   return heights;
 }
 
+/// The loop of a wall in its highest layer up to the k-th.
+const AdaptedCurve& loopOf(const std::vector<AdaptedLayer>& wall, std::size_t k) {
+  const AdaptedLayer& layer = wall[std::min(k, wall.size() - 1)];
+  return layer.outlines.empty() ? layer.curves.front() : layer.outlines.front();
+}
+
+bool isClosed(const std::vector<AdaptedLayer>& wall, std::size_t k) {
+  return k < wall.size() && wall[k].outlines.empty();
+}
+
 /// Curves of the same layer of all walls; walls that need fewer layers end earlier.
-AdaptedLayers together(const std::vector<std::vector<std::vector<AdaptedCurve>>>& walls,
-                       const AdaptedSettings& settings) {
-  AdaptedLayers result;
-  for (const auto& layers : walls) {
-    result.layers.resize(std::max(result.layers.size(), layers.size()));
-    for (std::size_t k = 0; k < layers.size(); ++k)
-      for (const AdaptedCurve& curve : layers[k])
-        result.layers[k].curves.push_back(finishedCurve(curve, settings.step_mm, settings.smoothing_window));
-  }
-  const auto is_open = [](const AdaptedLayer& layer) {
-    return std::any_of(layer.curves.begin(), layer.curves.end(),
-                       [](const AdaptedCurve& curve) { return !curve.is_closed; });
+AdaptedLayers together(const std::vector<std::vector<AdaptedLayer>>& walls, const AdaptedSettings& settings) {
+  const auto finished = [&settings](const AdaptedCurve& curve) {
+    return finishedCurve(curve, settings.step_mm, settings.smoothing_window);
   };
-  const auto first_open = std::find_if(result.layers.begin(), result.layers.end(), is_open);
+  AdaptedLayers result;
+  for (const auto& wall : walls) result.layers.resize(std::max(result.layers.size(), wall.size()));
+  for (std::size_t k = 0; k < result.layers.size(); ++k) {
+    AdaptedLayer& layer = result.layers[k];
+    for (const auto& wall : walls)
+      for (std::size_t c = 0; k < wall.size() && c < wall[k].curves.size(); ++c)
+        layer.curves.push_back(finished(wall[k].curves[c]));
+    if (std::all_of(walls.begin(), walls.end(), [k](const auto& wall) { return isClosed(wall, k); }))
+      continue;
+    for (const auto& wall : walls) layer.outlines.push_back(finished(loopOf(wall, k)));
+  }
+  const auto first_open = std::find_if(result.layers.begin(), result.layers.end(),
+                                       [](const AdaptedLayer& layer) { return !layer.outlines.empty(); });
   result.completing = static_cast<std::size_t>(result.layers.end() - first_open);
   return result;
 }
@@ -79,7 +92,7 @@ AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, co
   if (mesh.triangles.empty()) throw InvalidMesh("the mesh has 0 triangles; expected a closed part");
   requireNoSteepFaces(mesh, settings.max_lean_deg);
   const std::vector<double> heights = contourHeights(boundingBox(mesh), steps);
-  std::vector<std::vector<std::vector<AdaptedCurve>>> walls;
+  std::vector<std::vector<AdaptedLayer>> walls;
   for (const WallStrand& strand : wallStrands(mesh, heights, settings.step_mm, progress))
     walls.push_back(growWall(mesh, strand, steps, progress));
   return together(walls, settings);

@@ -4,7 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,19 +14,19 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/region_triangulation.hpp"
 #include "lamina/surface/nearest_triangle.hpp"
+#include "lamina/surface/surface_cut.hpp"
 #include "slicing/harmonic_heights.hpp"
 
 namespace lamina {
 namespace {
 
-bool isClosed(const AdaptedLayer& layer) {
-  return std::all_of(layer.curves.begin(), layer.curves.end(),
-                     [](const AdaptedCurve& curve) { return curve.is_closed; });
+const std::vector<AdaptedCurve>& loopsOf(const AdaptedLayer& layer) {
+  return layer.outlines.empty() ? layer.curves : layer.outlines;
 }
 
 std::vector<Polygon> outlinesOf(const AdaptedLayer& layer) {
   std::vector<Polygon> outlines;
-  for (const AdaptedCurve& curve : layer.curves) {
+  for (const AdaptedCurve& curve : loopsOf(layer)) {
     Polygon outline;
     for (const Point3& point : curve.points) outline.emplace_back(point.head<2>());
     outlines.push_back(std::move(outline));
@@ -33,7 +35,7 @@ std::vector<Polygon> outlinesOf(const AdaptedLayer& layer) {
 }
 
 double heightAt(const AdaptedLayer& layer, const OutlinePlace& place) {
-  const std::vector<Point3>& points = layer.curves[place.outline].points;
+  const std::vector<Point3>& points = loopsOf(layer)[place.outline].points;
   return (1.0 - place.fraction) * points[place.segment].z() +
          place.fraction * points[(place.segment + 1) % points.size()].z();
 }
@@ -76,29 +78,64 @@ std::vector<Point3> normalsOf(const Mesh& mesh) {
   return normals;
 }
 
-/// @param beneath  none for the lowest layer
-LayerSurface surfaceOn(const Mesh* beneath, double bottom_mm, const Mesh& tip) {
-  std::unique_ptr<NearestTriangle> places;
-  if (beneath != nullptr) places = std::make_unique<NearestTriangle>(*beneath);
+/// Surfaces that something is laid on, and what is level beneath them all.
+class LaidSurfaces {
+ public:
+  explicit LaidSurfaces(double bottom_mm) : bottom_mm_(bottom_mm) {}
+
+  /// @param tip  where the nozzle passed; one without triangles adds nothing
+  void add(Mesh tip) {
+    if (!tip.triangles.empty()) laid_.push_back(std::make_unique<Laid>(std::move(tip)));
+  }
+
+  double distance(const Point3& point) const {
+    std::optional<double> least;
+    for (auto laid = laid_.rbegin(); laid != laid_.rend(); ++laid) {
+      const auto near =
+          (*laid)->places.nearest(point, least.value_or(std::numeric_limits<double>::infinity()));
+      if (near) least = near->distance_mm;
+    }
+    return least.value_or(point.z() - bottom_mm_);
+  }
+
+ private:
+  struct Laid {
+    explicit Laid(Mesh mesh) : tip(std::move(mesh)), places(tip) {}
+    Mesh tip;
+    NearestTriangle places;
+  };
+  double bottom_mm_;
+  std::vector<std::unique_ptr<Laid>> laid_;
+};
+
+LayerSurface surfaceOn(const LaidSurfaces& beneath, const Mesh& tip) {
   LayerSurface surface;
   surface.tip = tip.vertices;
   surface.normal = normalsOf(tip);
   surface.middle = tip;
   for (std::size_t v = 0; v < tip.vertices.size(); ++v) {
-    const Point3& point = tip.vertices[v];
-    const double height = places ? places->nearest(point).distance_mm : point.z() - bottom_mm;
+    const double height = beneath.distance(tip.vertices[v]);
     surface.height_mm.push_back(height);
-    surface.middle.vertices[v] = point - 0.5 * height * surface.normal[v];
+    surface.middle.vertices[v] = tip.vertices[v] - 0.5 * height * surface.normal[v];
   }
   return surface;
+}
+
+/// What is left of a layer that lies on the one beneath it in parts.
+LayerSurface whereThick(const LayerSurface& surface, const AdaptedLayer& layer) {
+  double most = 0.0;
+  for (const AdaptedCurve& curve : layer.curves)
+    most = std::max(most, *std::max_element(curve.height_mm.begin(), curve.height_mm.end()));
+  std::vector<double> room = surface.height_mm;
+  for (double& height : room) height -= 0.5 * most;
+  return whereNotNegative(surface, room);
 }
 
 }  // namespace
 
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
                                           Progress& progress) {
-  const auto end = std::find_if_not(layers.layers.begin(), layers.layers.end(), isClosed);
-  std::vector<Mesh> tips(static_cast<std::size_t>(end - layers.layers.begin()));
+  std::vector<Mesh> tips(layers.layers.size());
   parallelFor(
       tips.size(),
       [&](std::size_t k) {
@@ -110,10 +147,22 @@ std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bo
       },
       progress, "span");
   std::vector<LayerSurface> surfaces(tips.size());
+  const std::size_t whole = tips.size() - layers.completing;
   parallelFor(
-      tips.size(),
-      [&](std::size_t k) { surfaces[k] = surfaceOn(k > 0 ? &tips[k - 1] : nullptr, bottom_mm, tips[k]); },
+      whole,
+      [&](std::size_t k) {
+        LaidSurfaces beneath(bottom_mm);
+        if (k > 0) beneath.add(tips[k - 1]);
+        surfaces[k] = surfaceOn(beneath, tips[k]);
+      },
       progress, "thickness");
+  LaidSurfaces beneath(bottom_mm);
+  if (whole > 0) beneath.add(tips[whole - 1]);
+  for (std::size_t k = whole; k < tips.size(); ++k) {
+    throwIfCancelled(progress, "thickness");
+    surfaces[k] = whereThick(surfaceOn(beneath, tips[k]), layers.layers[k]);
+    beneath.add({surfaces[k].tip, surfaces[k].middle.triangles});
+  }
   return surfaces;
 }
 

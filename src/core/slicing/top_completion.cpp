@@ -15,8 +15,6 @@
 namespace lamina {
 namespace {
 
-using CurveLayers = std::vector<std::vector<AdaptedCurve>>;
-
 constexpr double kRounding = 1e-6;  // of a height
 
 /// Points of the highest contour, taken round it: the first and how many.
@@ -39,6 +37,12 @@ std::vector<PointRun> runsOf(const std::vector<bool>& is_set) {
   return runs;
 }
 
+void append(AdaptedCurve& curve, const GrownPoint& grown) {
+  curve.points.push_back(grown.point);
+  curve.axis.push_back(grown.axis);
+  curve.height_mm.push_back(grown.height_mm);
+}
+
 class TopCompletion {
  public:
   TopCompletion(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
@@ -53,16 +57,20 @@ class TopCompletion {
   }
 
   /// Layers of one step, as long as there is room for it anywhere.
-  CurveLayers layersOf(const GrowthStep& step) {
-    CurveLayers layers;
+  std::vector<AdaptedLayer> layersOf(const GrowthStep& step) {
+    std::vector<AdaptedLayer> layers;
     std::vector<bool> is_active(top_.size(), true);
     const std::size_t most = mostSteps(step.height_mm);
     // Layers that are divided must have room for all parts; of others half a height must be left.
     const double least_mm = step.parts > 1 ? step.height_mm * (1.0 - kRounding) : 0.5 * step.height_mm;
     for (std::size_t taken = 0; grow(is_active, step.height_mm, least_mm); ++taken) {
       if (taken == most) refuse(taken);
-      CurveLayers divided(step.parts);
-      for (const PointRun& run : runsOf(is_active)) addCurve(run, step, divided);
+      const std::vector<PointRun> runs = runsOf(is_active);
+      std::vector<AdaptedLayer> divided(step.parts);
+      const std::vector<GrownPoint> standing = standingPoints();
+      for (const PointRun& run : runs) addCurve(run, step, divided);
+      if (!divided.back().curves.front().is_closed)
+        for (AdaptedLayer& layer : divided) layer.outlines = {outlineOf(layer.curves, runs, standing)};
       std::move(divided.begin(), divided.end(), std::back_inserter(layers));
     }
     return layers;
@@ -81,7 +89,7 @@ class TopCompletion {
     return is_any;
   }
 
-  void addCurve(const PointRun& run, const GrowthStep& step, CurveLayers& divided) {
+  void addCurve(const PointRun& run, const GrowthStep& step, std::vector<AdaptedLayer>& divided) {
     const std::size_t count = top_.size();
     const std::size_t beneath = front_of_[run.first];
     const bool is_closed = run.count == count;
@@ -94,9 +102,38 @@ class TopCompletion {
     if (!is_closed) appendReached((run.first + run.count) % count);
     AdaptedCurve curve = curveThrough(points, is_closed, *fronts_[beneath]);
     std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[beneath], curve, step.parts);
-    for (std::size_t part = 0; part < parts.size(); ++part) divided[part].push_back(std::move(parts[part]));
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      divided[part].curves.push_back(std::move(parts[part]));
     for (std::size_t k = 0; k < run.count; ++k) front_of_[(run.first + k) % count] = fronts_.size();
     fronts_.push_back(std::make_unique<PlacedCurve>(std::move(curve)));
+  }
+
+  /// For each point of the top where the wall stands that is to reach it.
+  std::vector<GrownPoint> standingPoints() const {
+    std::vector<GrownPoint> standing(top_.size());
+    for (std::size_t i = 0; i < top_.size(); ++i) {
+      const PlacedCurve& front = *fronts_[front_of_[i]];
+      const CurvePlace foot = front.places.nearest(top_[i]);
+      standing[i].point = foot.point;
+      standing[i].axis = directionAt(front.curve.axis, foot);
+    }
+    return standing;
+  }
+
+  /// Open curves of a layer, one per run, joined by the points between that stay where they stand.
+  AdaptedCurve outlineOf(const std::vector<AdaptedCurve>& curves, const std::vector<PointRun>& runs,
+                         const std::vector<GrownPoint>& standing) const {
+    const std::size_t count = top_.size();
+    AdaptedCurve outline;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      for (std::size_t i = 0; i < curves[r].points.size(); ++i)
+        append(outline, {curves[r].points[i], curves[r].axis[i], curves[r].height_mm[i]});
+      // Curves end on the point next to the run, on either side.
+      const std::size_t next = runs[(r + 1) % runs.size()].first + (r + 1 == runs.size() ? count : 0);
+      for (std::size_t i = runs[r].first + runs[r].count + 1; i + 1 < next; ++i)
+        append(outline, standing[i % count]);
+    }
+    return outline;
   }
 
   std::size_t mostSteps(double height_mm) const {
@@ -124,13 +161,13 @@ class TopCompletion {
 
 }  // namespace
 
-std::vector<std::vector<AdaptedCurve>> completedTop(const Mesh& mesh, const WallStrand& strand,
-                                                    const Growth& growth, std::unique_ptr<PlacedCurve> last,
-                                                    const std::vector<GrowthStep>& steps) {
+std::vector<AdaptedLayer> completedTop(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
+                                       std::unique_ptr<PlacedCurve> last,
+                                       const std::vector<GrowthStep>& steps) {
   TopCompletion completion(mesh, strand, growth, std::move(last));
-  CurveLayers layers;
+  std::vector<AdaptedLayer> layers;
   for (const GrowthStep& step : steps) {
-    CurveLayers more = completion.layersOf(step);
+    std::vector<AdaptedLayer> more = completion.layersOf(step);
     std::move(more.begin(), more.end(), std::back_inserter(layers));
   }
   return layers;

@@ -18,10 +18,10 @@ namespace lamina {
 /// @param mesh   the part, to show where it cannot be sliced
 /// @param last   the last adapted curve
 /// @param steps  coarse ones first; each is taken as long as there is room for it
-/// @return curves layer by layer
+/// @return layers of this wall; outlines where curves are open
 /// @throws Unsliceable if the top is not reached by four times the layers its distance needs
-std::vector<std::vector<AdaptedCurve>> completedTop(const Mesh& mesh, const WallStrand& strand,
-                                                    const Growth& growth, std::unique_ptr<PlacedCurve> last,
-                                                    const std::vector<GrowthStep>& steps);
+std::vector<AdaptedLayer> completedTop(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
+                                       std::unique_ptr<PlacedCurve> last,
+                                       const std::vector<GrowthStep>& steps);
 
 }  // namespace lamina

@@ -16,8 +16,6 @@
 namespace lamina {
 namespace {
 
-using CurveLayers = std::vector<std::vector<AdaptedCurve>>;
-
 constexpr double kRounding = 1e-6;  // of a step
 
 AdaptedCurve lowest(const WallStrand& strand) {
@@ -45,18 +43,18 @@ double highest(const AdaptedCurve& curve) {
   return z;
 }
 
-void addLayers(CurveLayers& layers, std::vector<AdaptedCurve> curves) {
-  for (AdaptedCurve& curve : curves) layers.push_back({std::move(curve)});
+void addLayers(std::vector<AdaptedLayer>& layers, std::vector<AdaptedCurve> curves) {
+  for (AdaptedCurve& curve : curves) layers.push_back({{std::move(curve)}, {}});
 }
 
 }  // namespace
 
-CurveLayers growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
-                     Progress& progress) {
+std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
+                                   Progress& progress) {
   const Growth growth(strand);
   const std::size_t top = strand.levels.size() - 1;
   auto beneath = std::make_unique<PlacedCurve>(lowest(strand));
-  CurveLayers layers;
+  std::vector<AdaptedLayer> layers;
   GrowthStep step = steps.first;
   for (;; step = steps.other) {
     throwIfCancelled(progress, "adapt");
@@ -72,7 +70,7 @@ CurveLayers growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSte
   std::vector<GrowthStep> completing{steps.other};
   if (steps.other.parts > 1)
     completing.push_back({steps.other.height_mm / static_cast<double>(steps.other.parts), 1});
-  CurveLayers rest = completedTop(mesh, strand, growth, std::move(beneath), completing);
+  std::vector<AdaptedLayer> rest = completedTop(mesh, strand, growth, std::move(beneath), completing);
   std::move(rest.begin(), rest.end(), std::back_inserter(layers));
   return layers;
 }

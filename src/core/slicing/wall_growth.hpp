@@ -25,7 +25,7 @@ struct GrowthSteps {
 /// lowest flat contour that is a step above all of the layer beneath, and in the end to the top.
 /// @param mesh  the part, to show where it cannot be sliced
 /// @throws Unsliceable if a layer leaves a gap over the one beneath it, or the top is not reached; Cancelled
-std::vector<std::vector<AdaptedCurve>> growWall(const Mesh& mesh, const WallStrand& strand,
-                                                const GrowthSteps& steps, Progress& progress);
+std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
+                                   Progress& progress);
 
 }  // namespace lamina
