@@ -198,6 +198,15 @@ TEST(AdaptedLayers, HolesAreWallsOfTheirOwn) {
   EXPECT_EQ(layers.completing, 0U);
 }
 
+TEST(AdaptedLayers, EndInTheTipOfACone) {
+  const Mesh cone_mesh = makePart("cone");
+  const AdaptedLayers layers = adapted(cone_mesh, 0.5);
+  ASSERT_FALSE(layers.layers.back().curves.empty());
+  for (const AdaptedLayer& layer : layers.layers)
+    for (const AdaptedCurve& curve : layer.curves) EXPECT_GE(curve.points.size(), 2U);
+  EXPECT_NEAR(layers.layers.back().curves[0].points[0].z(), boundingBox(cone_mesh).high.z(), 1.0);
+}
+
 TEST(AdaptedLayers, SmoothingStraightensAndKeepsTheSpacing) {
   AdaptedSettings settings = coarse();
   settings.smoothing_window = 5;

@@ -40,6 +40,7 @@ struct AdaptedLayers {
 /// would be too far apart along the wall. Each curve is a flat contour drawn down the wall until it is at
 /// most a layer's height from the curve beneath; where walls lean alike all round, layers stay plane. What is
 /// left between the last of them and the top of the part is completed by open curves.
+/// Curves shorter than a step, at the tip of a wall that ends in one, are left out.
 ///
 /// Walls are closed loops that neither split nor merge between the part's flat bottom and its top; each is
 /// followed by itself. Time is n log n in the points of all layers.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "slicing/curve_length.hpp"
 #include "slicing/finished_curve.hpp"
 #include "slicing/steep_faces.hpp"
 #include "slicing/wall_growth.hpp"
@@ -59,22 +60,28 @@ bool isClosed(const std::vector<AdaptedLayer>& wall, std::size_t k) {
   return k < wall.size() && wall[k].outlines.empty();
 }
 
+/// Adds the curve as it is run. One shorter than a step, at the tip of a wall that ends in one, is a dot.
+void addFinished(std::vector<AdaptedCurve>& curves, const AdaptedCurve& curve,
+                 const AdaptedSettings& settings) {
+  AdaptedCurve finished = finishedCurve(curve, settings.step_mm, settings.smoothing_window);
+  if (finished.points.size() >= 2 && CurveLength(finished).total() >= settings.step_mm)
+    curves.push_back(std::move(finished));
+}
+
 /// Curves of the same layer of all walls; walls that need fewer layers end earlier.
 AdaptedLayers together(const std::vector<std::vector<AdaptedLayer>>& walls, const AdaptedSettings& settings) {
-  const auto finished = [&settings](const AdaptedCurve& curve) {
-    return finishedCurve(curve, settings.step_mm, settings.smoothing_window);
-  };
   AdaptedLayers result;
   for (const auto& wall : walls) result.layers.resize(std::max(result.layers.size(), wall.size()));
   for (std::size_t k = 0; k < result.layers.size(); ++k) {
     AdaptedLayer& layer = result.layers[k];
     for (const auto& wall : walls)
       for (std::size_t c = 0; k < wall.size() && c < wall[k].curves.size(); ++c)
-        layer.curves.push_back(finished(wall[k].curves[c]));
+        addFinished(layer.curves, wall[k].curves[c], settings);
     if (std::all_of(walls.begin(), walls.end(), [k](const auto& wall) { return isClosed(wall, k); }))
       continue;
-    for (const auto& wall : walls) layer.outlines.push_back(finished(loopOf(wall, k)));
+    for (const auto& wall : walls) addFinished(layer.outlines, loopOf(wall, k), settings);
   }
+  while (!result.layers.empty() && result.layers.back().curves.empty()) result.layers.pop_back();
   const auto first_open = std::find_if(result.layers.begin(), result.layers.end(),
                                        [](const AdaptedLayer& layer) { return !layer.outlines.empty(); });
   result.completing = static_cast<std::size_t>(result.layers.end() - first_open);
