@@ -95,7 +95,8 @@ AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, co
   requireOdd(settings.smoothing_window);
   const std::size_t parts = partsOf(settings.computing_height_mm, slicing.layer_height_mm);
   const GrowthSteps steps{{slicing.first_layer_height_mm, 1},
-                          {slicing.layer_height_mm * static_cast<double>(parts), parts}};
+                          {slicing.layer_height_mm * static_cast<double>(parts), parts},
+                          settings.step_mm};
   if (mesh.triangles.empty()) throw InvalidMesh("the mesh has 0 triangles; expected a closed part");
   requireNoSteepFaces(mesh, settings.max_lean_deg);
   const std::vector<double> heights = contourHeights(boundingBox(mesh), steps);

@@ -15,8 +15,8 @@ constexpr double kMostHeights = 2.0;
 
 }  // namespace
 
-void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& beneath, double height_mm, std::size_t layer,
-                  const Mesh& mesh) {
+void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& beneath, const GapLimit& limit,
+                  std::size_t layer, const Mesh& mesh) {
   const CurvePlaces places(curve.points, curve.is_closed);
   double greatest = 0.0;
   Point3 at = Point3::Zero();
@@ -25,13 +25,13 @@ void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& beneath, double 
     if (distance > greatest) at = point;
     greatest = std::max(greatest, distance);
   }
-  if (greatest <= kMostHeights * height_mm) return;
+  if (greatest <= kMostHeights * limit.height_mm + limit.step_mm) return;
   char message[320];
   std::snprintf(
       message, sizeof message,
       "adapted layer %zu leaves a gap of %.2f mm over (%.2f, %.2f, %.2f) mm where layers are %.2f mm high; "
       "expected walls whose lean changes gently along a loop",
-      layer, greatest, at.x(), at.y(), at.z(), height_mm);
+      layer, greatest, at.x(), at.y(), at.z(), limit.height_mm);
   throw Unsliceable(message, facesNear(mesh, at, greatest));
 }
 

@@ -62,7 +62,7 @@ std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, c
     if (level > top || (level == top && !layers.empty())) break;
     AdaptedCurve curve =
         nextCurve(growth, level, strand.levels[level].points.size(), *beneath, step.height_mm);
-    requireNoGap(curve, *beneath, step.height_mm, layers.size(), mesh);
+    requireNoGap(curve, *beneath, {step.height_mm, steps.spacing_mm}, layers.size(), mesh);
     addLayers(layers, curvesBetween(*beneath, curve, step.parts));
     beneath = std::make_unique<PlacedCurve>(std::move(curve));
     progress.report("adapt", static_cast<double>(level) / static_cast<double>(top));

@@ -18,7 +18,8 @@ struct GrowthStep {
 
 struct GrowthSteps {
   GrowthStep first;
-  GrowthStep other;  ///< its parts are as high as a layer
+  GrowthStep other;         ///< its parts are as high as a layer
+  double spacing_mm = 0.0;  ///< of points along contours
 };
 
 /// Grows one wall from its lowest flat contour to its highest, layer by layer. Each layer grows towards the
