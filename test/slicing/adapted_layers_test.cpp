@@ -3,6 +3,7 @@
 #include "lamina/slicing/adapted_layers.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "lamina/geometry/parts.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "lamina/surface/nearest_triangle.hpp"
+#include "support/directions.hpp"
 #include "support/lofted_solid.hpp"
 #include "support/solids.hpp"
 
@@ -20,6 +22,7 @@ namespace lamina {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
+constexpr double kSpare = 2e-3;  // mm: by which points that are left out may change both curves
 
 AdaptedLayers adapted(const Mesh& mesh, double height_mm, AdaptedSettings settings = {}) {
   SlicingSettings slicing;
@@ -196,6 +199,30 @@ TEST(AdaptedLayers, HolesAreWallsOfTheirOwn) {
     for (const AdaptedCurve& curve : layer.curves) EXPECT_TRUE(curve.is_closed);
   }
   EXPECT_EQ(layers.completing, 0U);
+}
+
+TEST(AdaptedLayers, StandOnTheLayerBeneathWhereverWallsLean) {
+  EXPECT_TRUE(rc::check([] {
+    const double all_round = test::anyNumber(-0.3, 0.4);
+    const double one_way = test::anyNumber(0.0, 0.4);
+    const double heading = test::anyNumber(0.0, 2.0 * M_PI);
+    const Mesh mesh = test::loftedSolid({0.0, 5.0}, 60, [&](double phi, double z) {
+      return 12.0 + z * (all_round + one_way * std::cos(phi - heading));
+    });
+    const NearestTriangle wall(mesh);
+    const AdaptedLayers layers = adapted(mesh, 0.8, coarse());
+    for (std::size_t k = 0; k < layers.layers.size(); ++k) {
+      for (const AdaptedCurve& curve : layers.layers[k].curves) {
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+          RC_ASSERT(wall.nearest(curve.points[i]).distance_mm <= 0.02);
+          RC_ASSERT(std::abs(curve.axis[i].norm() - 1.0) <= 1e-12);
+          RC_ASSERT(curve.height_mm[i] <= 0.8 + 1e-6);
+          if (k == 0 || !curve.is_closed) continue;
+          RC_ASSERT(distanceTo(layers.layers[k - 1].curves[0], curve.points[i]) <= 0.8 + kSpare);
+        }
+      }
+    }
+  }));
 }
 
 TEST(AdaptedLayers, EndInTheTipOfACone) {
