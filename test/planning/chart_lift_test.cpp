@@ -144,6 +144,23 @@ TEST(ChartLift, KeepsSpacingOnACylinderInAnyDirection) {
   }
 }
 
+TEST(ChartLift, KeepsTheSpacingOfParallelsOfASphere) {
+  const LayerChart chart = polarCap(kRadius, 0.5 * M_PI, 60, 240);
+  std::vector<Path> circles;
+  for (const double radius : {9.0, 9.4}) {
+    circles.push_back(line({radius, 0.0}, {radius, 0.0}));
+    circles.back().is_closed = true;
+    circles.back().points.clear();
+    for (int k = 0; k < 240; ++k)
+      circles.back().points.emplace_back(radius * std::cos(k * M_PI / 120), radius * std::sin(k * M_PI / 120),
+                                         0.2);
+  }
+  const std::vector<Path> lifted = lift(chart, circles);
+  const test::Spacing spacing = test::spacingBetween(lifted[0], lifted[1]);
+  EXPECT_NEAR(spacing.least_mm, 0.4 * kTip / kRadius, 1e-3);
+  EXPECT_NEAR(spacing.greatest_mm, 0.4 * kTip / kRadius, 1e-3);
+}
+
 TEST(ChartLift, LaysDropsWhereTheyAreAndAsMuch) {
   Path drops = line(kTop - Point2(3, 0), kTop + Point2(3, 0));
   drops.deposit = Deposit::Drops;

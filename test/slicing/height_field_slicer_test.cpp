@@ -52,7 +52,7 @@ double volumeOf(const HeightFieldSlices& slices) {
   return sum;
 }
 
-TEST(HeightField, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
+TEST(HeightFieldSlicer, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
   const HeightFieldSlices slices = slice(roof(10.0));
   const Layer& last = slices.layers.back();
   const LayerChart chart = bentLayer(slices.field, last.slab, boundingBox(last.section.contours));
@@ -61,6 +61,8 @@ TEST(HeightField, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
       EXPECT_NEAR(tip.z(), 8.0 + std::tan(10.0 * kDegree) * tip.x(), 1e-5);
     }
   EXPECT_NEAR(slices.report.bent_error_mm, 0.0, 1e-5);
+  EXPECT_NEAR(slices.report.bent_steps_per_mm, 0.0, 1e-4);
+  EXPECT_NEAR(slices.report.level_steps_per_mm, std::tan(10.0 * kDegree) / 0.2, 1e-6);
   // Level layers leave a saw tooth of 0.2 mm.
   EXPECT_NEAR(slices.report.level_error_mm, 0.05, 0.005);
   EXPECT_EQ(slices.report.share, 1.0);
@@ -69,20 +71,20 @@ TEST(HeightField, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
   EXPECT_NEAR(signedArea(last.section.contours), 240.0, 1e-3);
 }
 
-TEST(HeightField, MakesLayersThickerWhereTheRoofIsHigher) {
+TEST(HeightFieldSlicer, MakesLayersThickerWhereTheRoofIsHigher) {
   const HeightFieldSlices slices = slice(roof(10.0));
   const double rise = 20.0 * std::tan(10.0 * kDegree);
   EXPECT_NEAR(slices.field.factorAt({20.0, 6.0}) / slices.field.factorAt({0.0, 6.0}), (8.0 + rise) / 8.0,
               1e-6);
 }
 
-TEST(HeightField, LeavesTheBedFlat) {
+TEST(HeightFieldSlicer, LeavesTheBedFlat) {
   const HeightFieldSlices slices = slice(dome());
   const LayerChart chart = bentLayer(slices.field, {0.0, 1e-6}, slices.field.cells.area());
   for (const Point3& tip : chart.surface.tip) EXPECT_NEAR(tip.z(), 0.0, 2e-6);
 }
 
-TEST(HeightField, FollowsADomeAsFarAsItIsFlatEnough) {
+TEST(HeightFieldSlicer, FollowsADomeAsFarAsItIsFlatEnough) {
   const HeightFieldSlices slices = slice(dome());
   EXPECT_LT(slices.report.bent_error_mm, 0.05 * slices.report.level_error_mm);
   EXPECT_LE(slices.report.greatest_slope_deg, 20.0 + 1e-9);
@@ -91,12 +93,12 @@ TEST(HeightField, FollowsADomeAsFarAsItIsFlatEnough) {
   EXPECT_NEAR(slices.report.followed_mm2, cap, 0.1 * cap);
 }
 
-TEST(HeightField, HoldsTheVolumeOfThePart) {
+TEST(HeightFieldSlicer, HoldsTheVolumeOfThePart) {
   for (const Mesh& mesh : {roof(10.0), dome(), makePart("sphere", {{"radius_mm", "7"}})})
     EXPECT_NEAR(volumeOf(slice(mesh)) / volume(mesh), 1.0, 0.01);
 }
 
-TEST(HeightField, LeavesAFlatPartInLevelLayers) {
+TEST(HeightFieldSlicer, LeavesAFlatPartInLevelLayers) {
   const Mesh box = solidUnder({10.0, 10.0}, 1, 1, [](double, double) { return 5.0; });
   const HeightFieldSlices slices = slice(box);
   for (const double factor : slices.field.factor) EXPECT_NEAR(factor, 1.0, 1e-9);
@@ -104,7 +106,7 @@ TEST(HeightField, LeavesAFlatPartInLevelLayers) {
   for (const Layer& layer : slices.layers) EXPECT_NEAR(signedArea(layer.section.contours), 100.0, 1e-9);
 }
 
-TEST(HeightField, SaysWhenEverythingIsTooSteep) {
+TEST(HeightFieldSlicer, SaysWhenEverythingIsTooSteep) {
   const HeightFieldSlices slices = slice(roof(30.0));
   EXPECT_EQ(slices.report.followed_mm2, 0.0);
   for (const double factor : slices.field.factor) EXPECT_NEAR(factor, 1.0, 0.02);
@@ -113,7 +115,7 @@ TEST(HeightField, SaysWhenEverythingIsTooSteep) {
   EXPECT_NE(notes[0].find("level"), std::string::npos);
 }
 
-TEST(HeightField, ScalesABendThatWouldMakeLayersTooThinAndTells) {
+TEST(HeightFieldSlicer, ScalesABendThatWouldMakeLayersTooThinAndTells) {
   HeightFieldSettings settings;
   settings.min_thickness = 0.9;
   settings.max_thickness = 1.1;
@@ -136,7 +138,7 @@ Mesh hills(Random& random) {
   });
 }
 
-TEST(HeightField, KeepsSlopeAndThicknessWithinTheirLimitsOnAnyPart) {
+TEST(HeightFieldSlicer, KeepsSlopeAndThicknessWithinTheirLimitsOnAnyPart) {
   EXPECT_TRUE(rc::check([] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     HeightFieldSettings settings;
@@ -165,7 +167,7 @@ TEST(HeightField, KeepsSlopeAndThicknessWithinTheirLimitsOnAnyPart) {
   }));
 }
 
-TEST(HeightField, IsRefusedWhereThereIsNothingToBend) {
+TEST(HeightFieldSlicer, IsRefusedWhereThereIsNothingToBend) {
   EXPECT_THROW(slice({}), InvalidMesh);
   EXPECT_THROW(slice({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}), InvalidMesh);
   HeightFieldSettings settings;
