@@ -161,6 +161,18 @@ TEST(LiftedLayers, OnALevelChartAreWhatThePlanIs) {
   }
 }
 
+TEST(LiftedLayers, WithoutChartsStayWhereTheyArePlanned) {
+  Stack stack = halfCylinders(2);
+  stack.charts[0].clear();
+  const Toolpath toolpath = planLifted(stack, filledBy("zigzag"));
+  for (const Path& path : toolpath.layers[0].paths)
+    for (const Point3& point : path.points) EXPECT_GE(point.z(), test::kLayerHeight);
+  for (const Path& path : toolpath.layers[0].paths)
+    if (path.role != PathRole::Travel) {
+      EXPECT_EQ(path.points.front().z(), test::kLayerHeight);
+    }
+}
+
 TEST(LiftedLayers, AreChainedToOnePathInSpace) {
   const Stack stack = halfCylinders(8);
   PlanSettings settings = filledBy("contour");

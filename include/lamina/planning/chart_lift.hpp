@@ -45,7 +45,8 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 ToolpathLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
                        const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
 
-/// Lifts each layer onto its charts by `liftOnto`. A layer without charts must be planned without paths.
+/// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level ones, planned where they
+/// are: they stay so.
 /// @param layers  charts of each layer; must outlive the result
 LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const LiftSettings& settings,
                     const TravelSettings& travel);

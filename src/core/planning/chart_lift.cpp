@@ -128,7 +128,8 @@ LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const Li
         if (layer >= layers.size())
           throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
                              std::to_string(layers.size()) + " layers");
-        return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
+        if (layers[layer].empty()) return planned;
+    return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
       };
 }
 
