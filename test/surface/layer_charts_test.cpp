@@ -119,6 +119,18 @@ TEST(LayerCharts, ALayerSeenFromBelowRunsAlongX) {
   EXPECT_NEAR(between(charts[0], {0.0, 0.0, 0.0}, {0.0, -6.0, 0.0}).y(), 6.0, 1e-9);
 }
 
+TEST(LayerCharts, LevelIslandsStayInTheirHoles) {
+  LayerSurface layer = layerOf(plateMesh(10, 10, 10.0, 10.0));
+  std::vector<double> field;
+  for (const Point3& vertex : layer.middle.vertices)
+    field.push_back(std::abs((vertex - Point3(5.0, 5.0, 0.0)).head<2>().norm() - 3.0) - 1.2);
+  const std::vector<LayerChart> charts = layerCharts(whereNotNegative(layer, field), {});
+  ASSERT_EQ(charts.size(), 2U);
+  for (const LayerChart& chart : charts)
+    for (std::size_t i = 0; i < chart.plan.size(); ++i)
+      EXPECT_LT((chart.plan[i] - chart.surface.middle.vertices[i].head<2>()).norm(), 1e-9);
+}
+
 TEST(LayerCharts, ATubeIsCutIntoHalvesThatUnroll) {
   const LayerSurface layer = layerOf(band(60, 20, [](double u, double v) {
     return Point3(10.0 * std::cos(2.0 * M_PI * u), 10.0 * std::sin(2.0 * M_PI * u), 40.0 * v);

@@ -18,7 +18,7 @@ namespace lamina {
 ///
 /// Each plan lies on the projection of its chart to the xy plane as well as it can by turning and moving, so
 /// that directions mean the same in all layers. Where the boxes of two plans overlap, the later one is moved
-/// beyond the others in y, into rows 10 mm apart.
+/// beyond the others in y, into rows 10 mm apart; level pieces at one height stay where they are.
 ///
 /// @return in the order of the triangles of the layer, as far as they were not cut; none for an empty layer
 /// @throws InvalidMesh naming the place [mm] if a piece of a hundredth of a bead's square still overlaps

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 #include "lamina/geometry/polygon.hpp"
 
@@ -14,7 +15,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kGap_mm = 10.0;
+// Between charts that were moved [mm].
+constexpr double kGap = 10.0;
+// Charts are level to this, beyond rounding errors [mm].
+constexpr double kLevel = 1e-6;
 // A fit is told by less than this share of what a perfect one would have: no direction.
 constexpr double kLeastFit = 0.05;
 
@@ -74,6 +78,28 @@ bool overlap(const Box2& a, const Box2& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
+/// The height of a chart that is level and lies where its surface does [mm].
+std::optional<double> levelOf(const LayerChart& chart) {
+  const std::vector<Point3>& vertices = chart.surface.middle.vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (std::abs(vertices[i].z() - vertices[0].z()) > kLevel ||
+        (vertices[i].head<2>() - chart.plan[i]).norm() > kLevel)
+      return std::nullopt;
+  return vertices[0].z();
+}
+
+/// What a chart takes up of the plan.
+struct Ground {
+  Box2 box;
+  std::optional<double> level;
+};
+
+/// Charts of one level do not lie on each other, whatever their boxes do.
+bool collide(const Ground& a, const Ground& b) {
+  if (a.level && b.level && std::abs(*a.level - *b.level) <= kLevel) return false;
+  return overlap(a.box, b.box);
+}
+
 }  // namespace
 
 void layOverProjection(LayerChart& chart) {
@@ -87,33 +113,35 @@ void layOverProjection(LayerChart& chart) {
 }
 
 void moveApart(std::vector<LayerChart>& charts) {
-  std::vector<Box2> taken;
+  std::vector<Ground> taken;
   std::vector<LayerChart*> in_the_way;
   Box2 all;
   double moved_area = 0.0;
   for (LayerChart& chart : charts) {
     const Box2 box = boxOf(chart);
-    if (std::any_of(taken.begin(), taken.end(), [&](const Box2& other) { return overlap(box, other); })) {
+    const Ground ground{box, levelOf(chart)};
+    if (std::any_of(taken.begin(), taken.end(),
+                    [&](const Ground& other) { return collide(ground, other); })) {
       in_the_way.push_back(&chart);
-      moved_area += (box.size().x() + kGap_mm) * (box.size().y() + kGap_mm);
+      moved_area += (box.size().x() + kGap) * (box.size().y() + kGap);
       continue;
     }
-    taken.push_back(box);
+    taken.push_back(ground);
     all.include(box.low);
     all.include(box.high);
   }
   const double end = all.low.x() + std::max(all.size().x(), std::sqrt(moved_area));
-  Point2 free(all.low.x(), all.high.y() + kGap_mm);
+  Point2 free(all.low.x(), all.high.y() + kGap);
   double row_height = 0.0;
   for (LayerChart* chart : in_the_way) {
     const Box2 box = boxOf(*chart);
     if (free.x() > all.low.x() && free.x() + box.size().x() > end) {
-      free = {all.low.x(), free.y() + row_height + kGap_mm};
+      free = {all.low.x(), free.y() + row_height + kGap};
       row_height = 0.0;
     }
     const Point2 shift = free - box.low;
     for (Point2& place : chart->plan) place += shift;
-    free.x() += box.size().x() + kGap_mm;
+    free.x() += box.size().x() + kGap;
     row_height = std::max(row_height, box.size().y());
   }
 }

@@ -14,7 +14,8 @@ namespace lamina {
 void layOverProjection(LayerChart& chart);
 
 /// Moves plans such that no two of their boxes overlap: those in the way of earlier ones go into rows beyond
-/// the others in y, 10 mm apart.
+/// the others in y, 10 mm apart. Level charts at the same height stay where they are, in each other's holes
+/// too.
 void moveApart(std::vector<LayerChart>& charts);
 
 }  // namespace lamina

@@ -75,6 +75,7 @@ void CoarseGrid::factorise(const std::vector<Eigen::Matrix2d>& resistance) {
   const std::array<std::uint32_t, 4> corner = {0, 1, columns_ + 1, columns_};
   std::vector<Eigen::Triplet<double>> entries;
   const auto nodes = static_cast<int>(resistance.size());
+  entries.reserve(11 * resistance.size());
   for (int node = 0; node < nodes; ++node) entries.emplace_back(node, node, kLoose);
   for (std::uint32_t node = 0; node < resistance.size(); ++node) {
     const Eigen::Matrix2d& cell = resistance[node];

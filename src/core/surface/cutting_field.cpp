@@ -20,7 +20,7 @@ using Loop = std::vector<HalfEdge>;
 // The second longest border makes a piece one that is run around from this share of the longest on.
 constexpr double kLongBorder = 0.2;
 // Angles around a vertex that miss or exceed a full turn by this much lie flat in no plan [rad].
-constexpr double kSharp_rad = 0.3;
+constexpr double kSharp = 0.3;
 // The line is not shifted farther than this share of the way to either end.
 constexpr double kFarthestShift = 0.5;
 // Vertices nearer to the line than this share of their shortest edge come to lie on it.
@@ -114,7 +114,7 @@ void shiftToSharpest(const std::vector<double>& missing, std::vector<double>& fi
   const double low = kFarthestShift * *lowest;
   const double high = kFarthestShift * *highest;
   std::size_t sharpest = field.size();
-  double greatest = kSharp_rad;
+  double greatest = kSharp;
   for (std::size_t i = 0; i < field.size(); ++i) {
     if (field[i] < low || field[i] > high || std::abs(missing[i]) <= greatest) continue;
     greatest = std::abs(missing[i]);

@@ -26,7 +26,7 @@ constexpr double kBeadWidths = 2.0;
 constexpr double kLeastShare = 0.01;
 constexpr int kDeepestCut = 30;
 // Pieces without area are left out [mm²].
-constexpr double kNothing_mm2 = 1e-9;
+constexpr double kNothing = 1e-9;
 
 /// A piece of the layer, and how often it was cut out of a larger one.
 struct Piece {
@@ -112,7 +112,7 @@ std::vector<Piece> cutInTwo(const Piece& piece) {
 }
 
 void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<LayerChart>& charts) {
-  if (surfaceArea(piece.surface.middle) <= kNothing_mm2) return;
+  if (surfaceArea(piece.surface.middle) <= kNothing) return;
   if (auto plan = planOf(piece, settings)) {
     charts.push_back({std::move(piece.surface), std::move(*plan)});
     layOverProjection(charts.back());

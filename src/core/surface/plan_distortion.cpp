@@ -18,9 +18,9 @@ namespace {
 
 // A triangle is nearly a line if its height is this share of its longest side,
 constexpr double kThinness = 1e-6;
-// or so little that no machine can tell, neither by itself nor beside a usual triangle.
-constexpr double kNoStretch_mm = 0.02;
-constexpr double kNoFlip_mm = 0.005;
+// or so little that no machine can tell [mm], neither by itself nor beside a usual triangle.
+constexpr double kNoStretch = 0.02;
+constexpr double kNoFlip = 0.005;
 constexpr double kUnusual = 0.05;
 
 /// Heights of triangles up to which they count as lines [mm].
@@ -33,7 +33,7 @@ Limits limitsFor(const Mesh& surface) {
   if (surface.triangles.empty()) return {0.0, 0.0};
   const double mean_area = surfaceArea(surface) / static_cast<double>(surface.triangles.size());
   const double usual = kUnusual * std::sqrt(mean_area);
-  return {std::min(kNoStretch_mm, usual), std::min(kNoFlip_mm, usual)};
+  return {std::min(kNoStretch, usual), std::min(kNoFlip, usual)};
 }
 
 /// A triangle on the surface and in the plan: two sides from one corner, and twice the area.
