@@ -38,7 +38,7 @@ void turnOver(LayerSurface& shell) {
   for (Point3& normal : shell.normal) normal = -normal;
 }
 
-LayerSurface withinBound(LayerSurface shell, const ShellBound& bound) {
+LayerSurface withinBound(const LayerSurface& shell, const ShellBound& bound) {
   std::vector<double> field;
   field.reserve(shell.middle.vertices.size());
   for (const Point3& vertex : shell.middle.vertices)
@@ -104,23 +104,27 @@ bool ShellPropagation::isEquidistant(const Triangle& corner, const Triangle& roo
   if (!facesForward(root, merged.place, motions_)) return false;
   bool is_merged = false;
   bool has_grown = false;
+  double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t next = (k + 1) % 3;
     is_merged = is_merged || corner[k] != root[k] || merged.is_stopped[root[k]] != 0;
     const double before = (surface().vertices[corner[next]] - surface().vertices[corner[k]]).squaredNorm();
     const double after = (merged.place[root[next]] - merged.place[root[k]]).squaredNorm();
     has_grown = has_grown || after > kGrown * kGrown * before;
+    longest = std::max(longest, std::sqrt(after));
   }
-  if (!is_merged && !has_grown) return true;
+  const bool is_small = longest < 2.0 * at.height_mm;
+  if (!is_merged && (!has_grown || is_small)) return true;
   const auto isAtOffset = [&](const Point3& sample) {
-    if (nearest_.nearest(sample, at.offset_mm - 0.5 * at.height_mm)) return false;
-    return !is_merged || nearest_.nearest(sample, at.offset_mm + 0.5 * at.height_mm).has_value();
+    const double far = at.offset_mm + (is_merged ? 0.5 : -0.5) * at.height_mm;
+    const auto nearest = nearest_.nearest(sample, far);
+    return is_merged ? nearest && nearest->distance_mm >= at.offset_mm - 0.5 * at.height_mm : !nearest;
   };
   const Point3& a = merged.place[root[0]];
   const Point3& b = merged.place[root[1]];
   const Point3& c = merged.place[root[2]];
-  return isAtOffset((a + b + c) / 3.0) && isAtOffset(0.5 * (a + b)) && isAtOffset(0.5 * (b + c)) &&
-         isAtOffset(0.5 * (c + a));
+  if (!isAtOffset((a + b + c) / 3.0)) return false;
+  return is_small || (isAtOffset(0.5 * (a + b)) && isAtOffset(0.5 * (b + c)) && isAtOffset(0.5 * (c + a)));
 }
 
 ShellPropagation::Assembled ShellPropagation::assembled(const MergedVertices& merged,
@@ -169,7 +173,7 @@ LayerSurface ShellPropagation::shell(const ShellAt& at) const {
     }
     shell = insidePart(shell, is_inside, limits_);
   }
-  if (limits_.bound) shell = withinBound(std::move(shell), *limits_.bound);
+  if (limits_.bound) shell = withinBound(shell, *limits_.bound);
   if (at.side == NozzleSide::Behind) turnOver(shell);
   return shell;
 }
