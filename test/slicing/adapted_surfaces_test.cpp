@@ -78,7 +78,7 @@ TEST(AdaptedSurfaces, FillAPartWithAnUnevenTop) {
     }
     for (const Point3& tip : surface.tip) EXPECT_LE(tip.z(), 12.0);
   }
-  // Rims that stand on the wall alone count twice, wedges thinner than half a layer not at all.
+  // Rims that stand on the wall alone count twice, wedges thinner than a quarter of a layer not at all.
   EXPECT_NEAR(filled_mm3 / volume(mesh), 1.0, 0.03);
 }
 

@@ -18,8 +18,8 @@ namespace lamina {
 ///
 /// @param bottom_mm  height of the part's bottom
 /// @param step_mm    distance of the points inside
-/// @return one per layer. Of layers that complete an uneven top only what is at least half as thick as their
-///         curves are high, which may be nothing; what is thinner is left to the layer above.
+/// @return one per layer. Layers that complete an uneven top run out on the layer beneath; of these only what
+///         is at least a quarter as thick as their curves are high, which may be nothing.
 /// @throws InvalidInput naming the layer if a curve crosses itself seen from above; Cancelled
 std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bottom_mm, double step_mm,
                                           Progress& progress);

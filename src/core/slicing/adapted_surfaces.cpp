@@ -4,8 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +17,8 @@
 
 namespace lamina {
 namespace {
+
+constexpr double kThinnest = 0.25;  // of a layer's height, where it runs out on the one beneath
 
 const std::vector<AdaptedCurve>& loopsOf(const AdaptedLayer& layer) {
   return layer.outlines.empty() ? layer.curves : layer.outlines;
@@ -78,45 +78,19 @@ std::vector<Point3> normalsOf(const Mesh& mesh) {
   return normals;
 }
 
-/// Surfaces that something is laid on, and what is level beneath them all.
-class LaidSurfaces {
- public:
-  explicit LaidSurfaces(double bottom_mm) : bottom_mm_(bottom_mm) {}
-
-  /// @param tip  where the nozzle passed; one without triangles adds nothing
-  void add(Mesh tip) {
-    if (!tip.triangles.empty()) laid_.push_back(std::make_unique<Laid>(std::move(tip)));
-  }
-
-  double distance(const Point3& point) const {
-    std::optional<double> least;
-    for (auto laid = laid_.rbegin(); laid != laid_.rend(); ++laid) {
-      const auto near =
-          (*laid)->places.nearest(point, least.value_or(std::numeric_limits<double>::infinity()));
-      if (near) least = near->distance_mm;
-    }
-    return least.value_or(point.z() - bottom_mm_);
-  }
-
- private:
-  struct Laid {
-    explicit Laid(Mesh mesh) : tip(std::move(mesh)), places(tip) {}
-    Mesh tip;
-    NearestTriangle places;
-  };
-  double bottom_mm_;
-  std::vector<std::unique_ptr<Laid>> laid_;
-};
-
-LayerSurface surfaceOn(const LaidSurfaces& beneath, const Mesh& tip) {
+/// @param beneath  none for the lowest layer
+LayerSurface surfaceOn(const Mesh* beneath, double bottom_mm, const Mesh& tip) {
+  std::optional<NearestTriangle> places;
+  if (beneath != nullptr) places.emplace(*beneath);
   LayerSurface surface;
   surface.tip = tip.vertices;
   surface.normal = normalsOf(tip);
   surface.middle = tip;
   for (std::size_t v = 0; v < tip.vertices.size(); ++v) {
-    const double height = beneath.distance(tip.vertices[v]);
+    const Point3& point = tip.vertices[v];
+    const double height = places ? places->nearest(point).distance_mm : point.z() - bottom_mm;
     surface.height_mm.push_back(height);
-    surface.middle.vertices[v] = tip.vertices[v] - 0.5 * height * surface.normal[v];
+    surface.middle.vertices[v] = point - 0.5 * height * surface.normal[v];
   }
   return surface;
 }
@@ -127,7 +101,7 @@ LayerSurface whereThick(const LayerSurface& surface, const AdaptedLayer& layer) 
   for (const AdaptedCurve& curve : layer.curves)
     most = std::max(most, *std::max_element(curve.height_mm.begin(), curve.height_mm.end()));
   std::vector<double> room = surface.height_mm;
-  for (double& height : room) height -= 0.5 * most;
+  for (double& height : room) height -= kThinnest * most;
   return whereNotNegative(surface, room);
 }
 
@@ -147,22 +121,13 @@ std::vector<LayerSurface> adaptedSurfaces(const AdaptedLayers& layers, double bo
       },
       progress, "span");
   std::vector<LayerSurface> surfaces(tips.size());
-  const std::size_t whole = tips.size() - layers.completing;
   parallelFor(
-      whole,
+      tips.size(),
       [&](std::size_t k) {
-        LaidSurfaces beneath(bottom_mm);
-        if (k > 0) beneath.add(tips[k - 1]);
-        surfaces[k] = surfaceOn(beneath, tips[k]);
+        surfaces[k] = surfaceOn(k > 0 ? &tips[k - 1] : nullptr, bottom_mm, tips[k]);
+        if (!layers.layers[k].outlines.empty()) surfaces[k] = whereThick(surfaces[k], layers.layers[k]);
       },
       progress, "thickness");
-  LaidSurfaces beneath(bottom_mm);
-  if (whole > 0) beneath.add(tips[whole - 1]);
-  for (std::size_t k = whole; k < tips.size(); ++k) {
-    throwIfCancelled(progress, "thickness");
-    surfaces[k] = whereThick(surfaceOn(beneath, tips[k]), layers.layers[k]);
-    beneath.add({surfaces[k].tip, surfaces[k].middle.triangles});
-  }
   return surfaces;
 }
 
