@@ -38,7 +38,8 @@ std::vector<Point3> smoothedClosed(const std::vector<Point3>& jets, std::size_t 
   const std::size_t count = jets.size();
   const std::vector<Point3> sums = runningSums(jets);
   const auto sumBefore = [&](std::size_t end) {
-    return Point3(static_cast<double>(end / count) * sums[count] + sums[end % count]);
+    const std::size_t rounds_before = end / count;
+    return Point3(static_cast<double>(rounds_before) * sums[count] + sums[end % count]);
   };
   // Whole rounds before the start, so that no index is negative.
   const std::size_t rounds = (half / count + 1) * count;

@@ -60,7 +60,8 @@ std::vector<Point3> averaged(const std::vector<Point3>& points, bool is_closed, 
   std::vector<Point3> sums(count + 1, Point3::Zero());
   for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + points[i];
   const auto sumBefore = [&](std::size_t end) {
-    return Point3(static_cast<double>(end / count) * sums[count] + sums[end % count]);
+    const std::size_t rounds_before = end / count;
+    return Point3(static_cast<double>(rounds_before) * sums[count] + sums[end % count]);
   };
   const std::size_t rounds = (half / count + 1) * count;
   std::vector<Point3> result(count);

@@ -58,6 +58,7 @@ std::vector<std::size_t> wallsOf(const std::vector<Polygon>& loops, const std::v
   if (loops.size() != beneath.size()) return {};
   if (loops.size() == 1) return {0};
   std::vector<std::unique_ptr<CurvePlaces>> places;
+  places.reserve(beneath.size());
   for (const Polygon& loop : beneath)
     places.push_back(
         std::make_unique<CurvePlaces>(spaced(loop, 0.0, std::numeric_limits<double>::max()), true));
