@@ -129,7 +129,11 @@ LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const Li
           throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
                              std::to_string(layers.size()) + " layers");
         if (layers[layer].empty()) return planned;
-    return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
+        try {
+          return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
+        } catch (const InvalidInput& error) {
+          throw InvalidInput("layer " + std::to_string(layer) + ": " + error.what());
+        }
       };
 }
 
