@@ -116,17 +116,12 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
   }
 }
 
-void drawBead(Canvas& canvas, const Projection& projection, const Path& path, std::size_t motion,
-              const Colour& colour) {
-  const std::size_t end = path.deposit == Deposit::Drops ? motion : path.motionEnd(motion);
-  const std::size_t start = path.deposit == Deposit::Drops ? motion
-                            : end == 0                     ? path.points.size() - 1
-                                                           : end - 1;
-  const double width_px = std::max(1.2, projection.seenHeight(path.bead.at(end)) * canvas.pixelsPerMm());
-  const Point3 upper_side = -(path.orientation.at(end) * Point3::UnitZ());
-  canvas.linePx(
-      {canvas.toPixels(projection(path.points[start])), canvas.toPixels(projection(path.points[end]))},
-      {shaded(colour, projection.lightOn(upper_side)), width_px});
+void drawBead(Canvas& canvas, const Projection& projection, const BeadPiece& piece, const Colour& colour) {
+  const Bead& bead = piece.path.bead.at(piece.waypoint);
+  const double width_px = std::max(1.2, projection.seenHeight(bead) * canvas.pixelsPerMm());
+  const Point3 upper_side = -(piece.path.orientation.at(piece.waypoint) * Point3::UnitZ());
+  canvas.linePx({canvas.toPixels(projection(piece.from)), canvas.toPixels(projection(piece.to))},
+                {shaded(colour, projection.lightOn(upper_side)), width_px});
 }
 
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour) {

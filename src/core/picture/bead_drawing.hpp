@@ -32,9 +32,16 @@ class Projection {
 /// Draws a path's beads or drops as they are seen from outside, lit from the left.
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour);
 
-/// Draws one motion's bead, or the drop of a waypoint, lit as its upper side along the nozzle is.
-void drawBead(Canvas& canvas, const Projection& projection, const Path& path, std::size_t motion,
-              const Colour& colour);
+/// A piece of a path's bead, or a drop.
+struct BeadPiece {
+  const Path& path;
+  std::size_t waypoint = 0;  ///< to which it is laid
+  Point3 from = Point3::Zero();
+  Point3 to = Point3::Zero();
+};
+
+/// Draws it, lit as its upper side along the nozzle is.
+void drawBead(Canvas& canvas, const Projection& projection, const BeadPiece& piece, const Colour& colour);
 
 /// Draws a path's beads or drops at their width from above, each with a darker edge.
 void drawFlatBeads(Canvas& canvas, const Path& path, const Colour& colour);

@@ -138,27 +138,37 @@ void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& to
   }
 }
 
-/// A motion or drop, and how near it is to the viewer.
+/// A piece of a motion, or a drop, and how near it is to the viewer.
 struct SeenBead {
   double depth_mm = 0.0;
-  const ToolpathLayer* layer = nullptr;
   const Path* path = nullptr;
-  std::size_t motion = 0;
+  std::size_t waypoint = 0;  ///< whose bead it is
+  Point3 from = Point3::Zero();
+  Point3 to = Point3::Zero();
 };
+
+constexpr double kLongestPiece = 1.0;  // mm: of a longer bead one end may lie before what hides the other
+
+void addSeen(std::vector<SeenBead>& beads, const Path& path, const Point3& towards_viewer) {
+  const bool is_drops = path.deposit == Deposit::Drops;
+  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
+  for (std::size_t m = 0; m < count; ++m) {
+    const std::size_t end = is_drops ? m : path.motionEnd(m);
+    const Point3 way = path.points[end] - path.points[m];
+    const int pieces = 1 + static_cast<int>(way.norm() / kLongestPiece);
+    for (int i = 0; i < pieces; ++i) {
+      const Point3 from = path.points[m] + static_cast<double>(i) / pieces * way;
+      const Point3 to = path.points[m] + static_cast<double>(i + 1) / pieces * way;
+      beads.push_back({towards_viewer.dot(from + to), &path, end, from, to});
+    }
+  }
+}
 
 std::vector<SeenBead> beadsFromFarthest(const Toolpath& toolpath, const Point3& towards_viewer) {
   std::vector<SeenBead> beads;
   for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : layer.paths) {
-      if (path.role == PathRole::Travel) continue;
-      const bool is_drops = path.deposit == Deposit::Drops;
-      const std::size_t count = is_drops ? path.points.size() : path.motionCount();
-      for (std::size_t m = 0; m < count; ++m) {
-        const Point3 middle =
-            is_drops ? path.points[m] : Point3(0.5 * (path.points[m] + path.points[path.motionEnd(m)]));
-        beads.push_back({towards_viewer.dot(middle), &layer, &path, m});
-      }
-    }
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel) addSeen(beads, path, towards_viewer);
   std::stable_sort(beads.begin(), beads.end(),
                    [](const SeenBead& a, const SeenBead& b) { return a.depth_mm < b.depth_mm; });
   return beads;
@@ -169,11 +179,11 @@ void drawCurvedLayers(Canvas& canvas, const Projection& projection, const Toolpa
                       PictureColour colouring) {
   const HeightRange heights{box.low.z(), box.size().z()};
   for (const SeenBead& bead : beadsFromFarthest(toolpath, projection.towardsViewer())) {
-    const double height = bead.path->points[bead.motion].z() - heights.low_mm;
+    const double height = bead.to.z() - heights.low_mm;
     const Colour colour = colouring == PictureColour::Role
                               ? roleColour(bead.path->role)
                               : colourAt(ColourMap::Sequential, height / std::max(1e-9, heights.extent_mm));
-    drawBead(canvas, projection, *bead.path, bead.motion, colour);
+    drawBead(canvas, projection, {*bead.path, bead.waypoint, bead.from, bead.to}, colour);
   }
 }
 
