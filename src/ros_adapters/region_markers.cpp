@@ -3,12 +3,16 @@
 #include "region_markers.hpp"
 
 #include "conversions.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
+
+constexpr std::size_t kLineLength = 60;
+constexpr double kLetterShare = 0.025;  // of the part's diagonal
 
 std_msgs::ColorRGBA colour(float red, float green, float blue, float alpha) {
   std_msgs::ColorRGBA message;
@@ -36,6 +40,24 @@ Marker facesOf(const Mesh& mesh, Marker marker) {
   return marker;
 }
 
+/// A marker a line: RViz sets the lines of one marker far apart whatever their size.
+void addReason(MarkerArray& markers, const Box3& box, const std::string& text, const std::string& frame) {
+  const double letter_mm = kLetterShare * box.size().norm();
+  const std::vector<std::string> lines = brokenInto(kLineLength, text);
+  Point3 place(box.centre().x(), box.centre().y(),
+               box.high.z() + 1.5 * letter_mm * static_cast<double>(lines.size()));
+  for (const std::string& line : lines) {
+    Marker marker = markerOf(frame, "reason", Marker::TEXT_VIEW_FACING);
+    marker.id = static_cast<std::int32_t>(markers.markers.size());
+    marker.color = colour(0.15F, 0.15F, 0.15F, 1.0F);
+    marker.text = line;
+    marker.scale.z = toMetres(letter_mm);
+    marker.pose.position = toMessage(place);
+    markers.markers.push_back(marker);
+    place.z() -= 1.4 * letter_mm;
+  }
+}
+
 }  // namespace
 
 MarkerArray noRegionMarkers(const std::string& frame) {
@@ -57,13 +79,7 @@ MarkerArray regionMarkers(const Unsliceable& refusal, const std::string& frame) 
   Box3 box = boundingBox(refusal.part());
   for (const Point3& vertex : refusal.region().vertices) box.include(vertex);
   if (box.isEmpty()) return markers;
-  Marker reason = markerOf(frame, "reason", Marker::TEXT_VIEW_FACING);
-  reason.color = colour(0.15F, 0.15F, 0.15F, 1.0F);
-  reason.text = refusal.what();
-  reason.scale.z = toMetres(0.04 * box.size().norm());
-  reason.pose.position =
-      toMessage(Point3(box.centre().x(), box.centre().y(), box.high.z() + 0.1 * box.size().norm()));
-  markers.markers.push_back(reason);
+  addReason(markers, box, refusal.what(), frame);
   return markers;
 }
 

@@ -11,8 +11,8 @@
 namespace lamina {
 
 /// Why a part was refused, as RViz shows it: the region in red in the namespace `region`, the part behind it
-/// half transparent in `part`, the reason as text over it in `reason`. The first marker deletes those of an
-/// earlier refusal.
+/// half transparent in `part`, the reason over it in `reason`, a marker a line. The first marker deletes
+/// those of an earlier refusal.
 ///
 /// @param frame  that the markers are given in: the part frame
 visualization_msgs::MarkerArray regionMarkers(const Unsliceable& refusal, const std::string& frame);

@@ -20,5 +20,11 @@ TEST(Text, ListsNamesWithSeparatorsBetween) {
   EXPECT_EQ(listed({}), "");
 }
 
+TEST(Text, IsBrokenBetweenWords) {
+  const std::vector<std::string> lines = {"a part", "leans too", "far-out-there", "now"};
+  EXPECT_EQ(brokenInto(9, "a part leans  too far-out-there now"), lines);
+  EXPECT_EQ(brokenInto(9, ""), std::vector<std::string>(1));
+}
+
 }  // namespace
 }  // namespace lamina

@@ -14,4 +14,8 @@ std::string_view trimmed(std::string_view text);
 /// One after the other with the separator between them; empty if there are none.
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
+/// The words of a text in lines of at most that many characters; a longer word has a line of its own. One
+/// empty line if there are no words.
+std::vector<std::string> brokenInto(std::size_t longest_line, const std::string& text);
+
 }  // namespace lamina

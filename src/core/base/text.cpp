@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/base/text.hpp"
 
+#include <sstream>
+
 namespace lamina {
 namespace {
 
@@ -22,6 +24,16 @@ std::string listed(const std::vector<std::string>& names, std::string_view separ
     list += name;
   }
   return list;
+}
+
+std::vector<std::string> brokenInto(std::size_t longest_line, const std::string& text) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > longest_line) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
 }
 
 }  // namespace lamina

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 #include "lamina/picture/annotation.hpp"
 
 namespace lamina {
@@ -156,33 +156,20 @@ void drawView(Canvas& canvas, const RegionPicture& picture, const View& view, co
   canvas.raster(seen, pixels.raster());
 }
 
-/// Broken between words.
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines(1);
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (!lines.back().empty() && lines.back().size() + word.size() >= kLineLength) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-  }
-  return lines;
-}
-
 }  // namespace
 
 void drawRegion(const RegionPicture& picture, const std::string& png_path) {
   if (picture.part.triangles.empty() && picture.region.triangles.empty())
     throw InvalidInput("part and region have 0 triangles to draw; expected at least one");
   Canvas canvas(kWidth, kHeight);
-  const std::vector<std::string> lines = linesOf(picture.reason);
+  const std::vector<std::string> lines = brokenInto(kLineLength, picture.reason);
   const double top = 62.0 + kLineHeight * static_cast<double>(lines.size());
   const double middle = 0.5 * kWidth;
   drawView(canvas, picture, viewFrom(-M_PI / 4.0, M_PI / 6.0),
            {{kMargin, top}, {middle - 10.0, kHeight - kFooterHeight}});
   drawView(canvas, picture, viewFrom(-3.0 * M_PI / 4.0, -M_PI / 6.0),
            {{middle + 10.0, top}, {kWidth - kMargin, kHeight - kFooterHeight}});
-  std::string reason;
-  for (const std::string& line : lines) reason += line + "\n";
-  drawTitle(canvas, picture.title, reason);
+  drawTitle(canvas, picture.title, listed(lines, "\n"));
   drawScaleBar(canvas, {kMargin, kHeight - 30.0});
   drawLegend(canvas, {kMargin + 270.0, kHeight - 26.0}, {{"in the way", kRegion}});
   canvas.writePng(png_path);
