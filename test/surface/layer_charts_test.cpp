@@ -232,7 +232,7 @@ TEST(LayerCharts, SliversAlongABorderCutNothing) {
   }));
 }
 
-TEST(LayerCharts, WhatNeverLiesFlatIsRefusedWithItsPlace) {
+TEST(LayerCharts, FoldsTooSmallForABeadAreLeftOut) {
   // Thrice around, like a spring, in a piece much smaller than a bead, by a method that bends nothing open.
   FlatteningSettings settings;
   settings.method = FlatteningMethod::Mds;
@@ -242,12 +242,7 @@ TEST(LayerCharts, WhatNeverLiesFlatIsRefusedWithItsPlace) {
     return Point3(100.0 + r * std::cos(6.0 * M_PI * u), r * std::sin(6.0 * M_PI * u), 0.01 * u);
   }));
   layer.height_mm.assign(layer.height_mm.size(), 2.0);
-  try {
-    layerCharts(layer, settings);
-    FAIL() << "expected InvalidMesh";
-  } catch (const InvalidMesh& error) {
-    EXPECT_NE(std::string(error.what()).find("near (100"), std::string::npos) << error.what();
-  }
+  EXPECT_TRUE(layerCharts(layer, settings).empty());
 }
 
 TEST(LayerCharts, AnEmptyLayerHasNone) { EXPECT_TRUE(layerCharts({}, {}).empty()); }

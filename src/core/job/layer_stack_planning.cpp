@@ -17,11 +17,14 @@
 namespace lamina {
 namespace {
 
+constexpr double kRounding = 1e-9;
+
 /// What is planned of a layer, and how it comes back.
 struct ChartedLayer {
   Layer plan;
   std::vector<LayerChart> charts;  // none if the layer is plane
   double volume_mm3 = 0.0;
+  double left_out_mm3 = 0.0;                                     // in pieces that lie flat nowhere
   double highest_mm = -std::numeric_limits<double>::infinity();  // nozzle tip
 };
 
@@ -51,6 +54,8 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
   result.volume_mm3 = volume(layer.surface);
   result.plan.slab = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
   result.charts = chartsOf(layer.surface, settings);
+  result.left_out_mm3 = result.volume_mm3;
+  for (const LayerChart& chart : result.charts) result.left_out_mm3 -= volume(chart.surface);
   for (const LayerChart& chart : result.charts)
     for (Polygon& outline : outlineOf(chart)) result.plan.section.contours.push_back(std::move(outline));
   return result;
@@ -100,6 +105,8 @@ PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& 
                     highest[i]);
   };
   planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
+  for (const ChartedLayer& layer : layers)
+    if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
   return planned;
 }
 

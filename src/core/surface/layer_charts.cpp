@@ -22,8 +22,8 @@ namespace {
 
 // A bead is about two layer heights wide.
 constexpr double kBeadWidths = 2.0;
-// Pieces this small as a share of a bead's square are not cut any more, nor those cut so often.
-constexpr double kLeastShare = 0.01;
+// Pieces this small as a share of a bead's square, in which no bead finds room, are not cut any more.
+constexpr double kLeastShare = 0.1;
 constexpr int kDeepestCut = 30;
 // Pieces without area are left out [mm²].
 constexpr double kNothing = 1e-9;
@@ -81,7 +81,7 @@ double beadArea(const LayerSurface& piece) {
 }
 
 /// The piece's plan, if it has one that may be used.
-/// @throws InvalidMesh if it has none and is too small to be cut
+/// @throws InvalidMesh if it has none and was cut too often
 std::optional<std::vector<Point2>> planOf(const Piece& piece, const FlatteningSettings& settings) {
   const Mesh& mesh = piece.surface.middle;
   if (!pairHalfEdges(mesh).has_border) {
@@ -94,8 +94,7 @@ std::optional<std::vector<Point2>> planOf(const Piece& piece, const FlatteningSe
   const double area = surfaceArea(mesh);
   const double bead_area = beadArea(piece.surface);
   if (verdict.is_plan && (verdict.is_true || area <= bead_area)) return plan;
-  if (area <= kLeastShare * bead_area || piece.cuts >= kDeepestCut)
-    refuse(piece, "in its plan " + verdict.reason);
+  if (piece.cuts >= kDeepestCut) refuse(piece, "in its plan " + verdict.reason);
   return std::nullopt;
 }
 
@@ -118,6 +117,7 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
     layOverProjection(charts.back());
     return;
   }
+  if (surfaceArea(piece.surface.middle) <= kLeastShare * beadArea(piece.surface)) return;
   for (Piece& part : cutInTwo(piece)) addCharts(std::move(part), settings, charts);
 }
 
