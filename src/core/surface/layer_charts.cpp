@@ -15,6 +15,7 @@
 #include "lamina/surface/surface_cut.hpp"
 #include "surface/chart_placement.hpp"
 #include "surface/cutting_field.hpp"
+#include "surface/net_curvature.hpp"
 #include "surface/plane_plan.hpp"
 
 namespace lamina {
@@ -25,6 +26,8 @@ constexpr double kBeadWidths = 2.0;
 // Pieces this small as a share of a bead's square, in which no bead finds room, are not cut any more.
 constexpr double kLeastShare = 0.1;
 constexpr int kDeepestCut = 30;
+// Net curvature by that which a cap may have: longer patches may have more.
+constexpr double kFarTooRound = 1.3;
 // Pieces without area are left out [mm²].
 constexpr double kNothing = 1e-9;
 
@@ -84,11 +87,15 @@ double beadArea(const LayerSurface& piece) {
 /// @throws InvalidMesh if it has none and was cut too often
 std::optional<std::vector<Point2>> planOf(const Piece& piece, const FlatteningSettings& settings) {
   const Mesh& mesh = piece.surface.middle;
-  if (!pairHalfEdges(mesh).has_border) {
+  const MeshTopology topology = pairHalfEdges(mesh);
+  if (!topology.has_border) {
     if (piece.cuts >= kDeepestCut) refuse(piece, "still has no border");
     return std::nullopt;
   }
   if (auto plan = planOfPlane(mesh)) return plan;
+  // Flattening takes long; a piece far too round for it is cut at once.
+  const double too_round = kFarTooRound * greatestFlatCurvature(settings.tolerance);
+  if (piece.cuts < kDeepestCut && netCurvature(mesh, topology) > too_round) return std::nullopt;
   std::vector<Point2> plan = flatten(mesh, settings);
   const Verdict verdict = judge(mesh, plan, settings.tolerance);
   const double area = surfaceArea(mesh);
