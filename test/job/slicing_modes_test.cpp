@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
@@ -30,6 +32,9 @@ class SlicingModes : public ::testing::Test {
     job_.part = folder_.file(name + ".stl");
     writeStl(job_.part, makePart(name, parameters));
   }
+
+  /// A flat cone, 26.6 deg steep.
+  void useDome() { usePart("cone", {{"radius_mm", "20"}, {"height_mm", "10"}}); }
 
   SlicedPart slice(SlicingMode mode) {
     job_.settings.slicing.mode = mode;
@@ -123,7 +128,15 @@ TEST_F(SlicingModes, AProgramForAFixedHeadThatWouldHaveToTiltIsRefused) {
   job_.output = folder_.file("sphere.gcode");
   EXPECT_THROW(slice(SlicingMode::Curved), Unreachable);
   EXPECT_FALSE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(SlicingModes, AnUprightNozzleMayLayShellsThatAreNotTooSteep) {
+  job_.output = folder_.file("part.gcode");
   job_.settings.orientation.mode = OrientationMode::Fixed;
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  EXPECT_THROW(slice(SlicingMode::Curved), InvalidInput);
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+  useDome();
   EXPECT_NO_THROW(slice(SlicingMode::Curved));
   EXPECT_TRUE(std::filesystem::exists(job_.output));
 }
@@ -144,14 +157,23 @@ TEST_F(SlicingModes, AutoTellsWhatItChoseAndWhy) {
   SlicedPart sliced = slice(SlicingMode::Auto);
   EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
   EXPECT_NE(sliced.summary.mode_reason.find("too little"), std::string::npos);
-  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  job_.output = folder_.file("poses.csv");
+  useDome();
   sliced = slice(SlicingMode::Auto);
   EXPECT_EQ(sliced.summary.mode, SlicingMode::Curved);
-  // 1 to 45 deg from level are (cos 1 - cos 45 deg) of a sphere: 29.3 %.
   EXPECT_NE(sliced.summary.mode_reason.find("slopes gently"), std::string::npos);
+  job_.output = folder_.file("program.gcode");
+  EXPECT_NE(slice(SlicingMode::Auto).summary.mode, SlicingMode::Curved) << "the head is fixed";
+  // The lower half of a sphere faces down, and hardly any of it lies on the bed.
+  job_.output = folder_.file("poses.csv");
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  sliced = slice(SlicingMode::Auto);
+  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  EXPECT_NE(sliced.summary.mode_reason.find("begin in the air"), std::string::npos);
 }
 
 TEST_F(SlicingModes, AutoTellsWhyItDidNotTakeTheBetterMode) {
+  job_.output = folder_.file("poses.csv");
   usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "26"}, {"height_mm", "3"}});
   job_.settings.planning.infill.density = 0.0;
   const SlicedPart sliced = slice(SlicingMode::Auto);
@@ -168,6 +190,65 @@ TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
   job_.settings.slicing.plane.angle_deg = 0.0;
   job_.settings.scan.every_layers = 1;
   EXPECT_THROW(slice(SlicingMode::HeightField), InvalidConfig);
+  job_.settings.scan.every_layers = 0;
+  job_.settings.planning.skirt.count = 3;
+  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  job_.settings.planning.skirt.count = 0;
+  job_.settings.planning.infill.strategy = "vase";
+  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  job_.settings.planning.infill.strategy = "zigzag";
+  job_.settings.slicing.first_layer_height_mm = 0.4;
+  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+}
+
+TEST_F(SlicingModes, AutoTakesNoModeThatOtherSettingsContradict) {
+  useDome();
+  job_.output = folder_.file("poses.csv");
+  job_.settings.scan.every_layers = 3;
+  const SlicedPart sliced = slice(SlicingMode::Auto);
+  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  EXPECT_NE(sliced.summary.mode_reason.find("scan.every_layers"), std::string::npos);
+}
+
+TEST_F(SlicingModes, ShellsThatBeginInTheAirAreTold) {
+  usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
+  const auto isTold = [](const SliceSummary& summary) {
+    return std::any_of(summary.notes.begin(), summary.notes.end(),
+                       [](const std::string& note) { return note.find("laid on air") != std::string::npos; });
+  };
+  EXPECT_TRUE(isTold(slice(SlicingMode::Curved).summary));
+  useDome();
+  EXPECT_FALSE(isTold(slice(SlicingMode::Curved).summary));
+}
+
+TEST_F(SlicingModes, TheNozzleComesToACoatFromAbove) {
+  usePart("box", {});
+  job_.output = folder_.file("coat.gcode");
+  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  const Path& approach = sliced.toolpath.layers.front().paths.front();
+  EXPECT_EQ(approach.role, PathRole::Travel);
+  double highest = 0.0;
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points) highest = std::max(highest, point.z());
+  EXPECT_DOUBLE_EQ(approach.firstPoint().z(), highest);
+  const std::string program = readFile(job_.output);
+  const std::size_t start = program.find("; start of the part\nG0 Z");
+  EXPECT_NE(start, std::string::npos) << "up before it goes over the part";
+}
+
+TEST_F(SlicingModes, LayersOnABaseStandWithItOnTheBed) {
+  Mesh base = makePart("box", {});
+  Mesh plate = base;
+  const double top = boundingBox(base).high.z();
+  for (Point3& vertex : plate.vertices) vertex.z() = vertex.z() > 0.5 * top ? top + 2.0 : top;
+  job_.part = folder_.file("plate.stl");
+  writeStl(job_.part, plate);
+  job_.settings.conformal.base = folder_.file("base.stl");
+  writeStl(job_.settings.conformal.base, base);
+  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  EXPECT_EQ(sliced.summary.layers, 4U);
+  EXPECT_NEAR((sliced.bed_from_part * Point3(0.0, 0.0, top)).z(), top, 1e-9) << "the base stands on the bed";
 }
 
 TEST_F(SlicingModes, GiveTheSameOnAnyNumberOfThreads) {

@@ -95,4 +95,7 @@ void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fro
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                           const Machine& machine);
 
+/// Greatest angle between a jet of the toolpath and the one that the machine's head holds [rad].
+double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const Machine& machine);
+
 }  // namespace lamina

@@ -89,6 +89,11 @@ struct PlanSettings {
   double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
 };
 
+/// One wall and nothing inside it.
+inline bool isLoneWall(const PlanSettings& settings) {
+  return settings.walls.count == 1 && settings.infill.density == 0.0;
+}
+
 /// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, anchoring.*,
 /// seam.*, travel.*, feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);

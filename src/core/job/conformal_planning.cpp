@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -14,10 +15,8 @@ namespace {
 
 ConformalLayers conformalLayers(const SourcePart& source, const JobSettings& settings, Progress& progress) {
   const double height = settings.slicing.layer_height_mm;
-  if (settings.conformal.base.empty())
-    return coatingLayers(source.mesh, settings.conformal, height, progress);
-  const SourcePart base = readPart(settings.conformal.base, settings.input);
-  return layersOnBase(source.mesh, base.mesh, settings.conformal, height, progress);
+  if (source.base.triangles.empty()) return coatingLayers(source.mesh, settings.conformal, height, progress);
+  return layersOnBase(source.mesh, source.base, settings.conformal, height, progress);
 }
 
 std::string noteOn(const ConformalLayers& layers, const ConformalSettings& settings) {
@@ -32,12 +31,31 @@ std::string noteOn(const ConformalLayers& layers, const ConformalSettings& setti
   return text;
 }
 
+/// Something stands on the bed before the first layer: the nozzle comes from above it.
+void comeFromAbove(Toolpath& toolpath, double highest_mm, const TravelSettings& travel) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points) highest_mm = std::max(highest_mm, point.z());
+  for (ToolpathLayer& layer : toolpath.layers) {
+    if (layer.paths.empty()) continue;
+    const Point3 first = layer.paths.front().firstPoint();
+    Path approach;
+    approach.role = PathRole::Travel;
+    approach.points = {{first.x(), first.y(), highest_mm + travel.hop_mm}, first};
+    approach.orientation = layer.paths.front().orientation.at(0);
+    approach.feed_mm_s = travel.feed_mm_s;
+    layer.paths.insert(layer.paths.begin(), std::move(approach));
+    return;
+  }
+}
+
 }  // namespace
 
 PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Progress& progress) {
   const JobSettings& settings = request.job.settings;
   Laps laps;
   ConformalLayers layers = conformalLayers(source, settings, progress);
+  const double highest_mm = std::max(boundingBox(source.mesh).high.z(), boundingBox(source.base).high.z());
   source = {};
   const std::string note = noteOn(layers, settings.conformal);
   std::vector<StackedSurface> stack;
@@ -47,6 +65,7 @@ PlannedPart planConformal(SourcePart source, const PlanningRequest& request, Pro
   PlannedPart planned = planStack(std::move(stack), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
+  comeFromAbove(planned.plan.toolpath, highest_mm, settings.planning.travel);
   return planned;
 }
 

@@ -8,6 +8,8 @@
 #include "job/laps.hpp"
 #include "job/layer_stack_planning.hpp"
 #include "lamina/slicing/curved_layers.hpp"
+#include "lamina/surface/layer_volume.hpp"
+#include "lamina/surface/surface_cut.hpp"
 
 namespace lamina {
 namespace {
@@ -19,6 +21,25 @@ std::string noteOn(const CurvedLayers& layers) {
                 "the part open",
                 toString(layers.scheme), layers.lower.size(), layers.middle.size(), layers.upper.size(),
                 100.0 * layers.volumes.gap());
+  return text;
+}
+
+/// The first shell begins at the lowest place; what of it lies higher has nothing beneath it.
+std::string noteOnFirstShell(const CurvedLayers& layers, double layer_height_mm) {
+  if (layers.lower.empty()) return "";
+  const LayerSurface& first = layers.lower.front();
+  const Box3 box = boundingBox(first.middle);
+  std::vector<double> above;
+  for (const Point3& vertex : first.middle.vertices)
+    above.push_back(vertex.z() - box.low.z() - layer_height_mm);
+  const double hanging_mm3 = volume(whereNotNegative(first, above));
+  if (hanging_mm3 <= 0.0) return "";
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "the first layer rises to %.4g mm above its lowest place: %.4g mm3 of it are laid on air, unless a "
+      "bed of its shape or support lies there",
+      box.size().z(), hanging_mm3);
   return text;
 }
 
@@ -40,10 +61,12 @@ PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progre
       curvedLayers(source.mesh, source.topology, settings.curved, settings.slicing.layer_height_mm, progress);
   source = {};
   const std::string note = noteOn(layers);
+  const std::string air = noteOnFirstShell(layers, settings.slicing.layer_height_mm);
   const double slice_s = laps.lap();
   PlannedPart planned = planStack(stacked(std::move(layers)), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
+  if (!air.empty()) planned.notes.push_back(air);
   return planned;
 }
 

@@ -37,20 +37,41 @@ void requireConsistentPlane(const JobSettings& settings) {
                         ": only level layers have a skirt");
 }
 
-/// Over layers that are not plane nothing is scanned, and drops have no voids in a plan.
-void requireLevelLayersFor(const JobSettings& settings) {
+bool takesFirstLayerHeight(SlicingMode mode) {
+  return mode != SlicingMode::Curved && mode != SlicingMode::Conformal;
+}
+
+/// What means nothing over layers that are not plane, or cannot be done over them.
+void requirePlaneLayersFor(const JobSettings& settings) {
   const SlicingMode mode = settings.slicing.mode;
   if (hasPlaneLayers(mode) || mode == SlicingMode::Auto) return;
-  const std::string with = std::string(" with slicing.mode '") + toString(mode) + "'; expected ";
-  if (settings.slicing.plane.angle_deg != 0.0)
-    throw InvalidConfig("slicing.plane.angle_deg is " + std::to_string(settings.slicing.plane.angle_deg) +
-                        with + "0: only plane layers are inclined");
-  if (settings.scan.every_layers != 0)
-    throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + with +
-                        "0: only level layers are scanned");
-  if (settings.drop_voids.is_on)
-    throw InvalidConfig("drop_voids.fill is true" + with +
-                        "false: voids between drops are filled in level layers");
+  const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
+    if (!is_met)
+      throw InvalidConfig(key_is + " with slicing.mode '" + toString(mode) + "'; expected " + expected);
+  };
+  const SlicingSettings usual;
+  const SlicingSettings& slicing = settings.slicing;
+  const int skirts = settings.planning.skirt.count;
+  require(slicing.plane.angle_deg == 0.0,
+          "slicing.plane.angle_deg is " + std::to_string(slicing.plane.angle_deg),
+          "0: only plane layers are inclined");
+  require(settings.scan.every_layers == 0,
+          "scan.every_layers is " + std::to_string(settings.scan.every_layers),
+          "0: only level layers are scanned");
+  require(!settings.drop_voids.is_on, "drop_voids.fill is true",
+          "false: voids between drops are filled in level layers");
+  require(settings.copies.count == 1, "part.copies is " + std::to_string(settings.copies.count),
+          "1: the way from copy to copy is known to be clear over plane layers only");
+  require(skirts == 0 || skirts == SkirtSettings().count, "skirt.count is " + std::to_string(skirts),
+          "0 or the default: only level layers have a skirt");
+  require(infillStrategy(settings.planning.infill.strategy).link != LayerLink::Rising,
+          "infill.strategy is '" + settings.planning.infill.strategy + "', which rises from layer to layer,",
+          "another strategy");
+  const double first = slicing.first_layer_height_mm;
+  require(
+      takesFirstLayerHeight(mode) || first == usual.first_layer_height_mm || first == slicing.layer_height_mm,
+      "slicing.first_layer_height_mm is " + std::to_string(first) + " mm",
+      "slicing.layer_height_mm: all shells are as high");
 }
 
 }  // namespace
@@ -96,7 +117,7 @@ void validate(const JobSettings& settings) {
   requireConsistent(settings.planning);
   validate(settings.orientation);
   requireConsistentPlane(settings);
-  requireLevelLayersFor(settings);
+  requirePlaneLayersFor(settings);
   const std::string& strategy = settings.planning.infill.strategy;
   if (settings.drop_voids.is_on && infillStrategy(strategy).deposit != Deposit::Drops)
     throw InvalidConfig(

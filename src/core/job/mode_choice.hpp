@@ -16,10 +16,11 @@ struct ModeChoice {
   std::string reason;
 };
 
-/// The modes to try for `slicing.mode: auto`, the best first; the last one, planar, refuses no part. What the
-/// settings already say decides first (a base, an inclined plane, a lone wall); then how much of the part's
-/// surface slopes gently, between 1 and 45 deg from level, where level layers leave steps; then whether the
-/// nozzle may tilt: a program for a machine with a fixed head gets layers that bend, poses get curved ones.
+/// The modes to try for `slicing.mode: auto`, the best first; a base that is set must be laid on, else the
+/// last one is planar, which refuses no part. What the settings already say decides first (a base, an
+/// inclined plane, a lone wall); then how much of the part's surface slopes gently, between 1 and 45 deg from
+/// level, where level layers leave steps; then whether the nozzle may tilt: a program for a machine with a
+/// fixed head gets layers that bend, poses get curved ones.
 std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job);
 
 }  // namespace lamina

@@ -16,6 +16,7 @@ struct SourcePart {
   Mesh mesh;
   MeshTopology topology;  ///< of the mesh; without border
   std::vector<std::string> repairs;
+  Mesh base;  ///< what it is laid on, in its frame; empty for the bed
 };
 
 /// @param part  name of a parametric part, otherwise path of a mesh file

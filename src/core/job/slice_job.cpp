@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
 #include "job/inclined_layers.hpp"
 #include "job/laps.hpp"
-#include "job/mode_choice.hpp"
+#include "job/oriented_planning.hpp"
 #include "job/part_planning.hpp"
 #include "job/part_source.hpp"
-#include "job/tool_orientation.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -21,8 +19,6 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/kinematics/machine.hpp"
-#include "lamina/orientation/orient_toolpath.hpp"
-#include "lamina/slicing/unsliceable.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -86,12 +82,23 @@ void requireFits(const Box3& part, const Box3& bed, const std::string& machine) 
                     sizeText(bed.size()));
 }
 
+/// Of the part and what it is laid on.
+Box3 boxOnBed(const SourcePart& source) {
+  Box3 box = boundingBox(source.mesh);
+  for (const Point3& vertex : source.base.vertices) box.include(vertex);
+  return box;
+}
+
 /// Reads the part and says where it stands.
 SourcePart readOnto(const Machine& machine, const SliceJob& job, SlicedPart& sliced, Progress& progress) {
   Laps laps;
   progress.report("read", 0.0);
   SourcePart source = readPart(job.part, job.settings.input);
-  const Box3 box = boundingBox(source.mesh);
+  const SlicingMode mode = job.settings.slicing.mode;
+  const std::string& base = job.settings.conformal.base;
+  if (!base.empty() && (mode == SlicingMode::Conformal || mode == SlicingMode::Auto))
+    source.base = readPart(base, job.settings.input).mesh;
+  const Box3 box = boxOnBed(source);
   requireFits(box, workspace(machine), machine.name);
   sliced.bed_from_part = placePart(box, machine, job.settings.placement);
   sliced.summary.triangles = source.mesh.triangles.size();
@@ -99,93 +106,6 @@ SourcePart readOnto(const Machine& machine, const SliceJob& job, SlicedPart& sli
   sliced.summary.repairs = std::move(source.repairs);
   sliced.summary.read_s = laps.lap();
   return source;
-}
-
-void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
-  summary.notes = planned.notes;
-  summary.lean = planned.lean;
-  summary.layers = planned.counts.layers;
-  summary.contours = planned.counts.contours;
-  summary.open_contours = planned.counts.open_contours;
-  summary.sliced_volume_mm3 = planned.counts.sliced_volume_mm3;
-  summary.slice_s = planned.counts.slice_s;
-  summary.unprinted_mm3 = planned.plan.unprinted_mm3;
-  summary.refilling = planned.plan.refilling;
-  summary.starts = planned.plan.starts;
-  summary.anchored = planned.plan.anchored;
-}
-
-bool needsPart(const JobSettings& settings) {
-  return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
-}
-
-/// A refusal gets the part that its region is shown on.
-PlannedPart planShown(SourcePart source, SlicingMode mode, const PlanningRequest& request,
-                      Progress& progress) {
-  if (hasPlaneLayers(mode)) return planByMode(std::move(source), mode, request, progress);
-  const Mesh part = source.mesh;
-  try {
-    return planByMode(std::move(source), mode, request, progress);
-  } catch (Unsliceable& refusal) {
-    throw std::move(refusal).on(part);
-  }
-}
-
-/// The first mode that does not refuse the part. The reasons of those before it stand in the summary.
-PlannedPart planByBestMode(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
-                           Progress& progress) {
-  std::string refusals;
-  const std::vector<ModeChoice> modes = modesFor(source.mesh, request.job);
-  for (const ModeChoice& choice : modes) {
-    try {
-      PlannedPart planned = planShown(source, choice.mode, request, progress);
-      summary.mode = choice.mode;
-      summary.mode_reason = choice.reason + refusals;
-      return planned;
-    } catch (const Unsliceable& refusal) {
-      if (choice.mode == modes.back().mode) throw;
-      refusals += std::string("; not ") + toString(choice.mode) + ": " + refusal.what();
-    }
-  }
-  throw InvalidMesh("no slicing mode takes the part" + refusals);
-}
-
-Toolpath plannedAndOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
-                            Progress& progress) {
-  const JobSettings& settings = request.job.settings;
-  const Mesh part = needsPart(settings) ? source.mesh : Mesh();
-  summary.mode = settings.slicing.mode;
-  PlannedPart planned = settings.slicing.mode == SlicingMode::Auto
-                            ? planByBestMode(source, request, summary, progress)
-                            : planShown(std::move(source), settings.slicing.mode, request, progress);
-  addPlanned(summary, planned);
-  if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
-    return std::move(planned.plan.toolpath);
-  OrientedToolpath oriented =
-      orientToolpath(std::move(planned.plan.toolpath), settings.orientation, part, progress);
-  summary.orientation = oriented.report;
-  for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
-  if (!part.triangles.empty())
-    summary.lean = wallLean(part, oriented.toolpath, settings.planning.bead.width_mm);
-  return std::move(oriented.toolpath);
-}
-
-/// A program must be one for the machine; poses may be for another head.
-void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
-  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode";
-  const bool is_as_planned =
-      hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
-  if (is_program || is_as_planned) return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  const double tilt_deg = sliced.summary.orientation.tilt_deg.value;
-  if (tilt_deg < 0.01) return;
-  char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "the nozzle tilts by up to %.1f deg: poses for a head that can, a program for the fixed head of %s "
-      "is refused unless orientation.mode is fixed",
-      tilt_deg, machine.name.c_str());
-  sliced.summary.notes.emplace_back(text);
 }
 
 void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
@@ -223,7 +143,7 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   SourcePart source = readOnto(machine, job, sliced, progress);
   Laps laps;
   sliced.toolpath =
-      plannedAndOriented(std::move(source), {job, machine, sliced.bed_from_part}, sliced.summary, progress);
+      planOriented(std::move(source), {job, machine, sliced.bed_from_part}, sliced.summary, progress);
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);

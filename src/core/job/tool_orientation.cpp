@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/tool_orientation.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
+
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -41,6 +44,35 @@ bool changesOrientation(const OrientationSettings& settings) {
          settings.tilt_deg != 0.0 || settings.smoothing_window != 1 || settings.heading_deg != 0.0 ||
          settings.limits.max_tilt_deg != as_sliced.limits.max_tilt_deg ||
          settings.limits.max_turn_deg_per_mm != as_sliced.limits.max_turn_deg_per_mm;
+}
+
+void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
+                       const OrientationSettings& settings) {
+  const auto jet = [](const Path& path, std::size_t w) {
+    return Point3(path.orientation.at(w) * Point3::UnitZ());
+  };
+  double greatest = 0.0;
+  WaypointPlace place;
+  for (std::size_t l = 0; l < as_sliced.layers.size(); ++l)
+    for (std::size_t p = 0; p < as_sliced.layers[l].paths.size(); ++p) {
+      const Path& before = as_sliced.layers[l].paths[p];
+      if (before.role == PathRole::Travel) continue;
+      for (std::size_t w = 0; w < before.points.size(); ++w) {
+        const Point3 normal = jet(before, w);
+        const Point3 held = jet(oriented.layers[l].paths[p], w);
+        const double angle = std::atan2(normal.cross(held).norm(), normal.dot(held)) * 180.0 / M_PI;
+        if (angle <= greatest) continue;
+        greatest = angle;
+        place = {l, p, w};
+      }
+    }
+  if (greatest <= settings.limits.max_off_normal_deg + 1e-6) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "the nozzle would be held %.1f deg off the layer's normal at %s; expected at most %.4g deg "
+                "(orientation.max_off_normal_deg): it would run into what is laid",
+                greatest, textOf(place).c_str(), settings.limits.max_off_normal_deg);
+  throw InvalidInput(text);
 }
 
 std::vector<std::string> notesOn(const OrientationReport& report) {

@@ -167,6 +167,18 @@ void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fro
   requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Pose));
 }
 
+double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const Machine& machine) {
+  const Point3 own = bed_from_part.linear().transpose() * machine.bed_from_nozzle_at_zero.linear().col(2);
+  double greatest = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Eigen::Quaterniond& orientation : path.orientation.values()) {
+        const Point3 jet = orientation * Point3::UnitZ();
+        greatest = std::max(greatest, std::atan2(own.cross(jet).norm(), own.dot(jet)));
+      }
+  return greatest;
+}
+
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                           const Machine& machine) {
   requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Tip));

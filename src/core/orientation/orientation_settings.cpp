@@ -33,6 +33,8 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
                 "Greatest angle between the jet and straight down; 180 is no limit.");
   schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0, false},
                 "Greatest turn of the jet along a run; 0 is no limit.");
+  schema.number("orientation.max_off_normal_deg", settings.limits.max_off_normal_deg, {0.0, 180.0, false},
+                "Greatest angle between jet and layer's normal; a part that needs more is refused.");
   schema.number("orientation.heading_deg", settings.heading_deg, turn,
                 "Heading of the nozzle's x, which does not spin about the jet; 0 is x, 180 is -x.");
 }

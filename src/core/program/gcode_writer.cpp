@@ -154,18 +154,18 @@ std::string oneLine(std::string text) {
 }
 
 /// Over the first waypoint at the height the start code ends at, then down: a nozzle that is low before it
-/// is there scrapes over clamps and purge lines.
-std::string approach(const Point3& first, double feed_mm_s) {
-  char line[128] = "G0 X";
-  char* out = writeFixed<3>(line + 4, toUnits(first.x(), 1e3));
-  out = std::copy_n(" Y", 2, out);
-  out = writeFixed<3>(out, toUnits(first.y(), 1e3));
-  out = std::copy_n(" F", 2, out);
-  out = writeFixed<3>(out, toUnits(feed_mm_s, 60e3));
-  out = std::copy_n("\nG0 Z", 5, out);
-  out = writeFixed<3>(out, toUnits(first.z(), 1e3));
-  *out++ = '\n';
-  return {line, out};
+/// is there scrapes over clamps and purge lines. A toolpath that begins with a travel has an approach of its
+/// own, from a height that clears what stands on the bed: up to it first, then over.
+std::string approach(const Path& path, const Point3& first, double feed_mm_s) {
+  const auto axis = [](const char* name, double value, double units) {
+    char digits[32];
+    return name + std::string(digits, writeFixed<3>(digits, toUnits(value, units)));
+  };
+  const std::string over = axis(" X", first.x(), 1e3) + axis(" Y", first.y(), 1e3);
+  const std::string height = axis(" Z", first.z(), 1e3);
+  const std::string feed = axis(" F", feed_mm_s, 60e3);
+  if (path.role == PathRole::Travel) return "G0" + height + feed + "\nG0" + over + "\n";
+  return "G0" + over + feed + "\nG0" + height + "\n";
 }
 
 std::string dropHeader(const Path& drops, const ProgramSettings& settings) {
@@ -215,7 +215,7 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
        std::to_string(toolpath.layers.size()) + "\n" + frameComments(toldFrame(toolpath, frame)) +
        start_code + (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
   sink("; start of the part\n" +
-       approach(frame.program_from_bed * (frame.bed_from_part * first.firstPoint()), approachFeed(toolpath)));
+       approach(first, frame.program_from_bed * (frame.bed_from_part * first.firstPoint()), approachFeed(toolpath)));
   ProgramSettings written = settings;
   if (drops != nullptr) written.retraction_length_mm = 0.0;  // there is no filament to pull back
   const LayerWriter writer(frame, layerNormal(toolpath), written);

@@ -101,6 +101,7 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
 }
 
 SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
+  refusal_markers_.publish(noRegionMarkers(names::kPartFrame));
   try {
     return runSliceJob(job, progress);
   } catch (const Unsliceable& refusal) {
@@ -131,7 +132,6 @@ void SlicingService::publish(const MachineToolpath& placed, const Findings& find
   overhang_markers_.publish(overhangMarkers(findings.overhangs, names::kPartFrame));
   collision_markers_.publish(collisionMarkers(findings.clearance, names::kBedFrame));
   frame_markers_.publish(frameMarkers(placed.toolpath, frames, names::kPartFrame));
-  refusal_markers_.publish(noRegionMarkers(names::kPartFrame));
 }
 
 }  // namespace lamina
