@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lamina/base/progress.hpp"
@@ -34,6 +35,13 @@ struct LayerVolumes {
   double gap() const { return 1.0 - (lower_mm3 + middle_mm3 + upper_mm3) / part_mm3; }
 };
 
+/// How evenly layers fill a part, by samples inside it. Other than volumes, holes and overlaps cannot cancel.
+struct LayerCoverage {
+  std::size_t samples = 0;
+  double open = 0.0;   ///< share of samples in no layer
+  double twice = 0.0;  ///< share of samples in more than one
+};
+
 /// A part in curved layers, all in the order in which they are laid: lower, middle, upper.
 struct CurvedLayers {
   CurvedScheme scheme = CurvedScheme::BothSides;
@@ -43,6 +51,7 @@ struct CurvedLayers {
   std::vector<ShellEnd> lower_ends;
   std::vector<ShellEnd> upper_ends;
   LayerVolumes volumes;
+  LayerCoverage coverage;
 };
 
 /// Lower and upper shells with level layers between them (optimal-curved-paths.md section 2.5). Where the
@@ -53,8 +62,8 @@ struct CurvedLayers {
 ///
 /// @param mesh             closed, facing outwards [mm, part frame]
 /// @param layer_height_mm  of every shell; of level layers as near to it as they fit
-/// @throws Unsliceable if all of that leaves (or lays too much) more than `largest_gap_percent` of the part:
-///                     names the reason, its region is the surface that no shell reaches
+/// @throws Unsliceable if all of that leaves open or lays twice more than `largest_gap_percent` of the part:
+///                     names the reason, its region is the surface nearest to it
 /// @throws InvalidMesh if the mesh is open or holds no volume; InvalidConfig; Cancelled
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                           double layer_height_mm, Progress& progress);

@@ -6,88 +6,30 @@
 #include <cmath>
 #include <optional>
 
-#include "lamina/base/error.hpp"
 #include "lamina/slicing/facing_surface.hpp"
 #include "lamina/surface/layer_volume.hpp"
+#include "slicing/curved_division.hpp"
+#include "slicing/curved_refusal.hpp"
+#include "slicing/layer_coverage.hpp"
+#include "slicing/part_samples.hpp"
 #include "slicing/unreached_surface.hpp"
 
 namespace lamina {
 namespace {
 
-// Of the part's size: overlap of lower and upper surface in height that is rounding.
-constexpr double kLevel = 1e-6;
-
-/// What all schemes start from.
-struct Part {
-  const Mesh& mesh;
-  const MeshTopology& topology;
-  const CurvedSettings& settings;
-  double height_mm;
-  SignedDistance inside;
-  std::vector<TriangleNumbers> lower;
-  std::vector<TriangleNumbers> upper;
-  double size_mm;
-};
-
-/// A scheme, its division of the part in height, and the surfaces its shells come from.
-struct Division {
-  CurvedScheme scheme = CurvedScheme::BothSides;
-  std::optional<double> lower_top_mm;  // nothing: lower shells go as high as the part
-  double upper_bottom_mm = 0.0;
-  TriangleNumbers lower;
-  TriangleNumbers upper;
-};
-
-double highest(const Mesh& mesh, const TriangleNumbers& patch, double sign) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const std::uint32_t number : patch)
-    for (const std::uint32_t corner : mesh.triangles[number])
-      highest = std::max(highest, sign * mesh.vertices[corner].z());
-  return highest;
-}
-
-/// The first patch and all others that come below (sign 1) or above (sign -1) a height.
-TriangleNumbers sourceOf(const Mesh& mesh, const std::vector<TriangleNumbers>& patches, double sign,
-                         double level) {
-  TriangleNumbers source;
-  for (std::size_t i = 0; i < patches.size(); ++i)
-    if (i == 0 || -highest(mesh, patches[i], -sign) < sign * level)
-      source.insert(source.end(), patches[i].begin(), patches[i].end());
-  std::sort(source.begin(), source.end());
-  return source;
-}
-
-Division twoSides(const Part& part, CurvedScheme scheme, double lower_top, double upper_bottom) {
-  return {scheme, lower_top, upper_bottom, sourceOf(part.mesh, part.lower, 1.0, lower_top),
-          sourceOf(part.mesh, part.upper, -1.0, upper_bottom)};
-}
-
-Division lowerOnly(const Part& part) {
-  return {CurvedScheme::LowerOnly,
-          std::nullopt,
-          0.0,
-          sourceOf(part.mesh, part.lower, 1.0, std::numeric_limits<double>::infinity()),
-          {}};
-}
-
-/// The ways to divide a part, the one to be preferred first.
-std::vector<Division> divisions(const Part& part) {
-  const double lower_top = highest(part.mesh, part.lower.front(), 1.0);
-  const double upper_bottom = -highest(part.mesh, part.upper.front(), -1.0);
-  const double middle = 0.5 * (lower_top + upper_bottom);
-  if (lower_top <= upper_bottom) return {twoSides(part, CurvedScheme::BothSides, lower_top, upper_bottom)};
-  if (lower_top <= upper_bottom + kLevel * part.size_mm)
-    return {twoSides(part, CurvedScheme::BothSides, middle, middle)};
-  return {lowerOnly(part), twoSides(part, CurvedScheme::Halves, middle, middle)};
-}
+// So many that 5 % of them are within 0.7 % of what they stand for.
+constexpr std::size_t kSamples = 4000;
+// What surely is out of reach of a surface's shells: so many layer heights and degrees beside its border.
+constexpr double kBeside = 2.0;
+constexpr double kSteepestDeg = 65.0;
 
 struct ShellFamily {
   std::vector<LayerSurface> shells;
   std::vector<ShellEnd> ends;
 };
 
-ShellFamily propagate(const Part& part, const TriangleNumbers& source, const std::optional<ShellBound>& bound,
-                      NozzleSide side, Progress& progress) {
+ShellFamily propagate(const CurvedPart& part, const TriangleNumbers& source,
+                      const std::optional<ShellBound>& bound, NozzleSide side, Progress& progress) {
   if (source.empty()) return {};
   ShellSource inward = shellSourceOf(part.mesh, source);
   inward.surface = turnedOver(std::move(inward.surface));
@@ -99,7 +41,7 @@ ShellFamily propagate(const Part& part, const TriangleNumbers& source, const std
   return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};
 }
 
-CurvedLayers layersOf(const Part& part, const Division& division, Progress& progress) {
+CurvedLayers layersOf(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
   CurvedLayers layers;
   layers.scheme = division.scheme;
   std::optional<ShellBound> above;
@@ -126,81 +68,41 @@ CurvedLayers layersOf(const Part& part, const Division& division, Progress& prog
   return layers;
 }
 
-TriangleNumbers between(const Mesh& mesh, double low, double high) {
-  TriangleNumbers numbers;
-  for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
-    const Triangle& corner = mesh.triangles[number];
-    const double z =
-        (mesh.vertices[corner[0]].z() + mesh.vertices[corner[1]].z() + mesh.vertices[corner[2]].z()) / 3.0;
-    if (z >= low && z <= high) numbers.push_back(number);
+/// The samples that a scheme cannot come to, whatever its layers look like.
+std::vector<Point3> besideOf(const CurvedPart& part, const PartSamples& samples,
+                             const CurvedDivision& division) {
+  std::vector<Point3> below;
+  std::vector<Point3> above;
+  for (const Point3& point : samples.points()) {
+    if (!division.lower_top_mm || point.z() < *division.lower_top_mm)
+      below.push_back(point);
+    else if (point.z() > division.upper_bottom_mm)
+      above.push_back(point);
   }
-  return numbers;
+  const auto outOfReach = [&](const std::vector<Point3>& points, const TriangleNumbers& patch) {
+    if (points.empty() || patch.empty()) return points;
+    return unreached(points, turnedOver(patchOf(part.mesh, patch)), kBeside * part.height_mm, kSteepestDeg);
+  };
+  std::vector<Point3> beside = outOfReach(below, division.lower);
+  const std::vector<Point3> beside_upper = outOfReach(above, division.upper);
+  beside.insert(beside.end(), beside_upper.begin(), beside_upper.end());
+  return beside;
 }
 
-TriangleNumbers unreachedBy(const Part& part, const Division& division) {
-  constexpr double kAll = std::numeric_limits<double>::infinity();
-  const double reach = 2.0 * part.height_mm;
-  const Mesh lower = turnedOver(patchOf(part.mesh, division.lower));
-  TriangleNumbers region =
-      unreached(part.mesh, between(part.mesh, -kAll, division.lower_top_mm.value_or(kAll)), lower, reach);
-  if (division.upper.empty()) return region;
-  const Mesh upper = turnedOver(patchOf(part.mesh, division.upper));
-  const TriangleNumbers above =
-      unreached(part.mesh, between(part.mesh, division.upper_bottom_mm, kAll), upper, reach);
-  region.insert(region.end(), above.begin(), above.end());
-  std::sort(region.begin(), region.end());
-  region.erase(std::unique(region.begin(), region.end()), region.end());
-  return region;
-}
-
-std::string rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-[[noreturn]] void refuse(const Part& part, const Division& division, const CurvedLayers& layers) {
-  Mesh region = patchOf(part.mesh, unreachedBy(part, division));
-  const double gap = layers.volumes.gap();
-  std::string message = "curved layers (" + std::string(toString(division.scheme)) + ") would " +
-                        (gap > 0.0 ? "leave open " : "lay twice ") + rounded(100.0 * std::abs(gap), 1) +
-                        " % of the part's " + rounded(layers.volumes.part_mm3, 1) +
-                        " mm³; expected at most " + rounded(part.settings.largest_gap_percent, 1) +
-                        " % (curved.largest_gap_percent). ";
-  if (region.triangles.empty()) {
-    message += "Its lower and upper surfaces are too narrow or too rough for layers of " +
-               rounded(part.height_mm, 3) + " mm.";
-  } else {
-    const Point3 centre = boundingBox(region).centre();
-    message += rounded(surfaceArea(region), 1) + " mm² of its surface around (" + rounded(centre.x(), 1) +
-               ", " + rounded(centre.y(), 1) + ", " + rounded(centre.z(), 1) +
-               ") mm lie beyond the edges of the surfaces that layers grow from.";
+/// Counts the layers at every sample; what is wrong goes into the layers' shares.
+CurvedFlaws checked(CurvedLayers& layers, const PartSamples& samples, Progress& progress) {
+  CurvedFlaws flaws;
+  flaws.scheme = layers.scheme;
+  const std::vector<std::uint32_t> counts =
+      layerCounts(samples, {layers.lower, layers.middle, layers.upper}, progress);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) flaws.open.push_back(samples.points()[i]);
+    if (counts[i] > 1) flaws.twice.push_back(samples.points()[i]);
   }
-  throw Unsliceable(message + " Slice it planar, or turn it.", std::move(region));
-}
-
-Part partOf(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
-            double layer_height_mm) {
-  if (!(layer_height_mm > 0.0))
-    throw InvalidConfig("slicing.layer_height_mm is " + std::to_string(layer_height_mm) +
-                        " mm; must be positive");
-  if (topology.has_border) throw InvalidMesh("the mesh is open; curved layers need a closed one");
-  if (!(volume(mesh) > 0.0))
-    throw InvalidMesh("the mesh holds " + std::to_string(volume(mesh)) + " mm³; expected a positive volume");
-  Part part{mesh,
-            topology,
-            settings,
-            layer_height_mm,
-            SignedDistance(mesh),
-            facingPatches(mesh, Facing::Down, settings.normal_limit),
-            facingPatches(mesh, Facing::Up, settings.normal_limit),
-            boundingBox(mesh).size().norm()};
-  if (part.lower.empty() || part.upper.empty())
-    throw Unsliceable("no surface faces " + std::string(part.lower.empty() ? "down" : "up") +
-                          " by more than curved.normal_limit " + std::to_string(settings.normal_limit) +
-                          "; curved layers have nothing to grow from",
-                      mesh);
-  return part;
+  const double all = static_cast<double>(counts.size());
+  layers.coverage = {counts.size(), static_cast<double>(flaws.open.size()) / all,
+                     static_cast<double>(flaws.twice.size()) / all};
+  return flaws;
 }
 
 }  // namespace
@@ -232,14 +134,23 @@ std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_h
 
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                           double layer_height_mm, Progress& progress) {
-  const Part part = partOf(mesh, topology, settings, layer_height_mm);
-  const std::vector<Division> ways = divisions(part);
-  CurvedLayers layers;
-  for (const Division& division : ways) {
-    layers = layersOf(part, division, progress);
-    if (100.0 * std::abs(layers.volumes.gap()) <= settings.largest_gap_percent) return layers;
+  const CurvedPart part = curvedPart(mesh, topology, settings, layer_height_mm);
+  const std::vector<CurvedDivision> ways = curvedDivisions(part);
+  const PartSamples samples(mesh, kSamples);
+  const double most = 0.01 * settings.largest_gap_percent * static_cast<double>(samples.points().size());
+  std::optional<CurvedFlaws> least;
+  for (const CurvedDivision& division : ways) {
+    CurvedFlaws flaws;
+    flaws.scheme = division.scheme;
+    flaws.beside = besideOf(part, samples, division);
+    if (static_cast<double>(flaws.count()) <= most) {
+      CurvedLayers layers = layersOf(part, division, progress);
+      flaws = checked(layers, samples, progress);
+      if (static_cast<double>(flaws.count()) <= most) return layers;
+    }
+    if (!least || flaws.count() < least->count()) least = std::move(flaws);
   }
-  refuse(part, ways.back(), layers);
+  refuseCurved(part, samples, *least);
 }
 
 }  // namespace lamina

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "lamina/geometry/mesh_topology.hpp"
 #include "lamina/surface/nearest_triangle.hpp"
@@ -47,6 +48,23 @@ TriangleNumbers unreached(const Mesh& mesh, const TriangleNumbers& candidates, c
     const Point3 away = middle - place.point;
     const Point3 normal = normalOf(source, place.triangle);
     if ((away - away.dot(normal) * normal).norm() > within_mm) result.push_back(number);
+  }
+  return result;
+}
+
+std::vector<Point3> unreached(const std::vector<Point3>& points, const Mesh& source, double within_mm,
+                              double steepest_deg) {
+  const MeshTopology topology = pairHalfEdges(source);
+  const NearestTriangle nearest(source);
+  const double per_mm = std::tan(steepest_deg * M_PI / 180.0);
+  std::vector<Point3> result;
+  for (const Point3& point : points) {
+    const NearestPlace place = nearest.nearest(point);
+    if (!isOnBorder(source, topology, place)) continue;
+    const Point3 normal = normalOf(source, place.triangle);
+    const Point3 away = point - place.point;
+    const double ahead = away.dot(normal);
+    if ((away - ahead * normal).norm() > within_mm + per_mm * std::max(0.0, ahead)) result.push_back(point);
   }
   return result;
 }
