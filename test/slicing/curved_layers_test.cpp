@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/parts.hpp"
 #include "support/curved_parts.hpp"
@@ -138,6 +140,58 @@ TEST(CurvedLayers, APartWhoseSurfacesDoNotReachAllOfItIsRefusedWithTheRegion) {
     EXPECT_LT(surfaceArea(refusal.region()), surfaceArea(blade));
     EXPECT_NE(std::string(refusal.what()).find("curved.largest_gap_percent"), std::string::npos);
   }
+}
+
+TEST(CurvedLayers, OfADomeOnItsFlatSideFollowItsRoundOne) {
+  const CurvedLayers layers = curved(test::dome(), 0.4);
+  EXPECT_TRUE(layers.lower.empty());
+  EXPECT_TRUE(layers.middle.empty());
+  EXPECT_EQ(layers.upper.size(), 25U);
+  for (std::size_t i = 0; i < 25; ++i)
+    for (const Point3& p : layers.upper[i].middle.vertices) ASSERT_NEAR(p.norm(), 0.2 + 0.4 * double(i), 0.1);
+  EXPECT_LT(layers.coverage.open, 0.01);
+  EXPECT_LT(layers.coverage.twice, 0.01);
+}
+
+/// A sphere whose upper and lower surface are parted by a zigzag.
+Mesh leaningSphere() {
+  Mesh sphere = makePart("sphere", {{"radius_mm", "5"}, {"segments", "32"}});
+  const Eigen::AngleAxisd turn(0.15, Point3(1.0, 0.3, 0.0).normalized());
+  for (Point3& vertex : sphere.vertices) vertex = turn * (vertex - Point3(0.0, 0.0, 5.0));
+  return sphere;
+}
+
+TEST(CurvedLayers, SurfacesThatOverlapInHeightMeetHalfWay) {
+  const CurvedLayers layers = curved(leaningSphere());
+  EXPECT_EQ(layers.scheme, CurvedScheme::Halves);
+  EXPECT_FALSE(layers.lower.empty());
+  EXPECT_FALSE(layers.upper.empty());
+  EXPECT_LT(layers.coverage.open + layers.coverage.twice, 0.05);
+}
+
+TEST(CurvedLayers, AreTheSameOnAnyNumberOfThreads) {
+  const Mesh part = leaningSphere();
+  const CurvedLayers many = curved(part);
+  const ThreadLimit one(1);
+  const CurvedLayers few = curved(part);
+  ASSERT_EQ(many.lower.size(), few.lower.size());
+  ASSERT_EQ(many.upper.size(), few.upper.size());
+  for (std::size_t i = 0; i < many.lower.size(); ++i) {
+    EXPECT_EQ(many.lower[i].middle.vertices, few.lower[i].middle.vertices);
+    EXPECT_EQ(many.lower[i].middle.triangles, few.lower[i].middle.triangles);
+    EXPECT_EQ(many.lower[i].tip, few.lower[i].tip);
+  }
+  EXPECT_EQ(many.coverage.open, few.coverage.open);
+}
+
+TEST(CurvedLayers, CanBeCancelled) {
+  class Stopped final : public Progress {
+   public:
+    void report(const std::string&, double) override {}
+    bool isCancelled() const override { return true; }
+  } stopped;
+  const Mesh part = test::dome();
+  EXPECT_THROW(curvedLayers(part, pairHalfEdges(part), {}, 0.2, stopped), Cancelled);
 }
 
 TEST(CurvedLayers, AnOpenMeshIsRefused) {

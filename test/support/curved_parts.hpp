@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "lamina/geometry/mesh.hpp"
 
@@ -49,6 +50,41 @@ inline Mesh gridSurface(int n, const std::function<Point3(double, double)>& plac
       mesh.triangles.push_back({corner, corner + row + 1, corner + row});
     }
   return mesh;
+}
+
+/// What an outline of (radius, height) in mm sweeps around the z axis, standing on its first point; its first
+/// and last point are on the axis, all others are not.
+inline Mesh revolved(const std::vector<Point2>& outline, std::uint32_t segments = 64) {
+  Mesh mesh;
+  const auto rings = static_cast<std::uint32_t>(outline.size() - 2);
+  for (std::uint32_t ring = 0; ring < rings; ++ring)
+    for (std::uint32_t i = 0; i < segments; ++i) {
+      const double angle = 2.0 * M_PI * i / segments;
+      const Point2& at = outline[ring + 1];
+      mesh.vertices.emplace_back(at.x() * std::cos(angle), at.x() * std::sin(angle), at.y());
+    }
+  const std::uint32_t low = rings * segments;
+  mesh.vertices.emplace_back(0.0, 0.0, outline.front().y());
+  mesh.vertices.emplace_back(0.0, 0.0, outline.back().y());
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const std::uint32_t next = (i + 1) % segments;
+    mesh.triangles.push_back({low, next, i});
+    mesh.triangles.push_back({low + 1, low - segments + i, low - segments + next});
+    for (std::uint32_t from = 0; from + segments < low; from += segments) {
+      mesh.triangles.push_back({from + i, from + next, from + segments + next});
+      mesh.triangles.push_back({from + i, from + segments + next, from + segments + i});
+    }
+  }
+  return mesh;
+}
+
+/// Half a ball of 10 mm on its flat side.
+inline Mesh dome() {
+  std::vector<Point2> outline = {{0.0, 0.0}};
+  for (int i = 0; i < 24; ++i)
+    outline.emplace_back(10.0 * std::cos(i * M_PI / 48.0), 10.0 * std::sin(i * M_PI / 48.0));
+  outline.emplace_back(0.0, 10.0);
+  return revolved(outline);
 }
 
 /// A plate 20 x 10 mm bent over an axis along y at z = 0, from radius 20 to 22 mm, with upright ends.

@@ -4,19 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
+#include "lamina/base/parallel.hpp"
 #include "lamina/slicing/facing_surface.hpp"
 #include "lamina/surface/layer_volume.hpp"
 #include "slicing/curved_division.hpp"
 #include "slicing/curved_refusal.hpp"
 #include "slicing/layer_coverage.hpp"
 #include "slicing/part_samples.hpp"
+#include "slicing/shell_tidying.hpp"
 #include "slicing/unreached_surface.hpp"
 
 namespace lamina {
 namespace {
 
+constexpr double kAll = std::numeric_limits<double>::infinity();
 // So many that 5 % of them are within 0.7 % of what they stand for.
 constexpr std::size_t kSamples = 4000;
 // What surely is out of reach of a surface's shells: so many layer heights and degrees beside its border.
@@ -38,34 +42,43 @@ ShellFamily propagate(const CurvedPart& part, const TriangleNumbers& source,
   const ShellLimits limits{&part.inside, PartSide::Inside, &nearest_rest,
                            bound,        part.size_mm,     part.height_mm};
   const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
-  return {propagation.shells(part.height_mm, side, progress), propagation.ends(part.height_mm)};
+  std::vector<LayerSurface> shells = propagation.shells(part.height_mm, side, progress);
+  const auto tidy = [&](std::size_t i) { shells[i] = tidied(shells[i], part.height_mm); };
+  parallelFor(shells.size(), tidy, progress, "propagate shells");
+  while (!shells.empty() && shells.back().middle.triangles.empty()) shells.pop_back();
+  return {std::move(shells), propagation.ends(part.height_mm)};
 }
 
-CurvedLayers layersOf(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
-  CurvedLayers layers;
-  layers.scheme = division.scheme;
+ShellFamily lowerFamily(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
   std::optional<ShellBound> above;
   if (division.lower_top_mm) above = ShellBound{Point3::UnitZ(), *division.lower_top_mm};
-  ShellFamily lower = propagate(part, division.lower, above, NozzleSide::Ahead, progress);
+  return propagate(part, division.lower, above, NozzleSide::Ahead, progress);
+}
+
+ShellFamily upperFamily(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
   const ShellBound below{-Point3::UnitZ(), -division.upper_bottom_mm};
   ShellFamily upper = propagate(part, division.upper, below, NozzleSide::Behind, progress);
   std::reverse(upper.shells.begin(), upper.shells.end());
-  layers.volumes = {volume(part.mesh), volume(lower.shells), 0.0, volume(upper.shells)};
-  layers.lower = std::move(lower.shells);
-  layers.lower_ends = std::move(lower.ends);
-  layers.upper = std::move(upper.shells);
-  layers.upper_ends = std::move(upper.ends);
-  if (!division.lower_top_mm) return layers;
+  return upper;
+}
+
+std::vector<Layer> levelLayers(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
+  if (!division.lower_top_mm) return {};
   const auto slabs = middleSlabs(*division.lower_top_mm, division.upper_bottom_mm, part.height_mm);
   std::vector<double> cuts;
   cuts.reserve(slabs.size());
   for (const LayerSlab& slab : slabs) cuts.push_back(slab.cut());
   std::vector<Section> sections = sliceMesh(part.mesh, part.topology, cuts, progress);
-  for (std::size_t i = 0; i < slabs.size(); ++i) {
-    layers.volumes.middle_mm3 += signedArea(sections[i].contours) * slabs[i].height();
-    layers.middle.push_back({slabs[i], std::move(sections[i])});
-  }
+  std::vector<Layer> layers;
+  for (std::size_t i = 0; i < slabs.size(); ++i) layers.push_back({slabs[i], std::move(sections[i])});
   return layers;
+}
+
+LayerVolumes volumesOf(const CurvedPart& part, const CurvedLayers& layers) {
+  LayerVolumes volumes{volume(part.mesh), volume(layers.lower), 0.0, volume(layers.upper)};
+  for (const Layer& layer : layers.middle)
+    volumes.middle_mm3 += signedArea(layer.section.contours) * layer.slab.height();
+  return volumes;
 }
 
 /// The samples that a scheme cannot come to, whatever its layers look like.
@@ -89,20 +102,62 @@ std::vector<Point3> besideOf(const CurvedPart& part, const PartSamples& samples,
   return beside;
 }
 
-/// Counts the layers at every sample; what is wrong goes into the layers' shares.
-CurvedFlaws checked(CurvedLayers& layers, const PartSamples& samples, Progress& progress) {
+/// What is open or laid twice below a height.
+CurvedFlaws flawsBelow(double ceiling_mm, const CurvedLayers& layers, const PartSamples& samples,
+                       Progress& progress) {
   CurvedFlaws flaws;
   flaws.scheme = layers.scheme;
   const std::vector<std::uint32_t> counts =
       layerCounts(samples, {layers.lower, layers.middle, layers.upper}, progress);
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) flaws.open.push_back(samples.points()[i]);
-    if (counts[i] > 1) flaws.twice.push_back(samples.points()[i]);
+    const Point3& point = samples.points()[i];
+    if (point.z() > ceiling_mm) continue;
+    if (counts[i] == 0) flaws.open.push_back(point);
+    if (counts[i] > 1) flaws.twice.push_back(point);
   }
-  const double all = static_cast<double>(counts.size());
-  layers.coverage = {counts.size(), static_cast<double>(flaws.open.size()) / all,
-                     static_cast<double>(flaws.twice.size()) / all};
   return flaws;
+}
+
+/// As many samples as may be wrong.
+std::size_t mostFlaws(const CurvedPart& part, const PartSamples& samples) {
+  return static_cast<std::size_t>(0.01 * part.settings.largest_gap_percent *
+                                  static_cast<double>(samples.points().size()));
+}
+
+/// A scheme's layers and what is wrong with them. If that is too much, layers may be missing.
+struct Attempt {
+  CurvedLayers layers;
+  CurvedFlaws flaws;
+};
+
+Attempt attempted(const CurvedPart& part, const CurvedDivision& division, const PartSamples& samples,
+                  Progress& progress) {
+  const std::size_t most = mostFlaws(part, samples);
+  Attempt attempt;
+  auto& [layers, flaws] = attempt;
+  layers.scheme = division.scheme;
+  flaws.scheme = division.scheme;
+  flaws.beside = besideOf(part, samples, division);
+  if (flaws.count() > most) return attempt;
+  ShellFamily lower = lowerFamily(part, division, progress);
+  layers.lower = std::move(lower.shells);
+  layers.lower_ends = std::move(lower.ends);
+  if (!division.upper.empty()) {
+    const double ceiling = division.lower_top_mm.value_or(kAll) - part.height_mm;
+    flaws = flawsBelow(ceiling, layers, samples, progress);
+    if (flaws.count() > most) return attempt;
+  }
+  ShellFamily upper = upperFamily(part, division, progress);
+  layers.upper = std::move(upper.shells);
+  layers.upper_ends = std::move(upper.ends);
+  layers.middle = levelLayers(part, division, progress);
+  layers.volumes = volumesOf(part, layers);
+  flaws = flawsBelow(kAll, layers, samples, progress);
+  const auto share = [&](const std::vector<Point3>& points) {
+    return static_cast<double>(points.size()) / static_cast<double>(samples.points().size());
+  };
+  layers.coverage = {samples.points().size(), share(flaws.open), share(flaws.twice)};
+  return attempt;
 }
 
 }  // namespace
@@ -137,17 +192,11 @@ CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const 
   const CurvedPart part = curvedPart(mesh, topology, settings, layer_height_mm);
   const std::vector<CurvedDivision> ways = curvedDivisions(part);
   const PartSamples samples(mesh, kSamples);
-  const double most = 0.01 * settings.largest_gap_percent * static_cast<double>(samples.points().size());
   std::optional<CurvedFlaws> least;
   for (const CurvedDivision& division : ways) {
-    CurvedFlaws flaws;
-    flaws.scheme = division.scheme;
-    flaws.beside = besideOf(part, samples, division);
-    if (static_cast<double>(flaws.count()) <= most) {
-      CurvedLayers layers = layersOf(part, division, progress);
-      flaws = checked(layers, samples, progress);
-      if (static_cast<double>(flaws.count()) <= most) return layers;
-    }
+    Attempt attempt = attempted(part, division, samples, progress);
+    CurvedFlaws& flaws = attempt.flaws;
+    if (flaws.count() <= mostFlaws(part, samples)) return std::move(attempt.layers);
     if (!least || flaws.count() < least->count()) least = std::move(flaws);
   }
   refuseCurved(part, samples, *least);
