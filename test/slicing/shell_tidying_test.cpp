@@ -9,6 +9,9 @@
 namespace lamina {
 namespace {
 
+// Those of curved layers 0.2 mm high.
+constexpr TidyLimits kLimits{0.004, 0.16};
+
 /// A level sheet of cells of 0.2 mm, without some of its triangles.
 LayerSurface sheetWithout(std::size_t first, std::size_t count) {
   LayerSurface sheet;
@@ -24,7 +27,7 @@ LayerSurface sheetWithout(std::size_t first, std::size_t count) {
 }
 
 TEST(ShellTidying, AHoleSmallerThanABeadIsClosed) {
-  const LayerSurface tidy = tidied(sheetWithout(110, 4), 0.2);
+  const LayerSurface tidy = tidied(sheetWithout(110, 4), kLimits);
   EXPECT_NEAR(surfaceArea(tidy.middle), 4.0, 1e-9);
   for (const Triangle& corner : tidy.middle.triangles)
     for (const std::uint32_t vertex : corner) {
@@ -34,18 +37,18 @@ TEST(ShellTidying, AHoleSmallerThanABeadIsClosed) {
 }
 
 TEST(ShellTidying, ALargerHoleStays) {
-  EXPECT_NEAR(surfaceArea(tidied(sheetWithout(104, 10), 0.2).middle), 3.8, 1e-9);
+  EXPECT_NEAR(surfaceArea(tidied(sheetWithout(104, 10), kLimits).middle), 3.8, 1e-9);
 }
 
 TEST(ShellTidying, TheOutlineIsNoHole) {
   LayerSurface small = sheetWithout(2, 198);
-  EXPECT_NEAR(surfaceArea(tidied(small, 0.2).middle), 0.04, 1e-9);
+  EXPECT_NEAR(surfaceArea(tidied(small, kLimits).middle), 0.04, 1e-9);
 }
 
 TEST(ShellTidying, APieceTooSmallToLayIsDropped) {
   LayerSurface small = sheetWithout(1, 199);
   for (Point3& vertex : small.middle.vertices) vertex *= 0.1;
-  EXPECT_TRUE(tidied(small, 0.2).middle.triangles.empty());
+  EXPECT_TRUE(tidied(small, kLimits).middle.triangles.empty());
 }
 
 }  // namespace

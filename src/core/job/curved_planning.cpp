@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -10,17 +11,37 @@
 #include "lamina/slicing/curved_layers.hpp"
 #include "lamina/surface/layer_volume.hpp"
 #include "lamina/surface/surface_cut.hpp"
+#include "slicing/shell_tidying.hpp"
 
 namespace lamina {
 namespace {
 
 std::string noteOn(const CurvedLayers& layers) {
   char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "curved layers by the scheme '%s': %zu lower, %zu level, %zu upper; %.2f %% of the part is in "
+      "none of them, %.2f %% in more than one",
+      toString(layers.scheme), layers.lower.size(), layers.middle.size(), layers.upper.size(),
+      100.0 * layers.coverage.open, 100.0 * layers.coverage.twice);
+  return text;
+}
+
+/// Leaves out pieces of shells that are smaller than a bead's square: no bead has room there.
+/// @return what they would have held [mm³]
+double leaveOutSlivers(std::vector<LayerSurface>& shells, double bead_mm) {
+  const double before = volume(shells);
+  for (LayerSurface& shell : shells) shell = tidied(shell, {bead_mm * bead_mm, 0.0});
+  const auto isEmpty = [](const LayerSurface& shell) { return shell.middle.triangles.empty(); };
+  shells.erase(std::remove_if(shells.begin(), shells.end(), isEmpty), shells.end());
+  return before - volume(shells);
+}
+
+std::string noteOnSlivers(double left_out_mm3) {
+  char text[160];
   std::snprintf(text, sizeof text,
-                "curved layers by the scheme '%s': %zu lower, %zu level, %zu upper; they leave %.2f %% of "
-                "the part open",
-                toString(layers.scheme), layers.lower.size(), layers.middle.size(), layers.upper.size(),
-                100.0 * layers.volumes.gap());
+                "pieces of curved layers smaller than a bead's square are left out: %.3f mm³ in all",
+                left_out_mm3);
   return text;
 }
 
@@ -62,11 +83,14 @@ PlannedPart planCurved(SourcePart source, const PlanningRequest& request, Progre
   source = {};
   const std::string note = noteOn(layers);
   const std::string air = noteOnFirstShell(layers, settings.slicing.layer_height_mm);
+  const double bead_mm = settings.planning.bead.width_mm;
+  const double left_out = leaveOutSlivers(layers.lower, bead_mm) + leaveOutSlivers(layers.upper, bead_mm);
   const double slice_s = laps.lap();
   PlannedPart planned = planStack(stacked(std::move(layers)), request, progress);
   planned.counts.slice_s += slice_s;
   planned.notes.push_back(note);
   if (!air.empty()) planned.notes.push_back(air);
+  if (left_out > 0.0) planned.notes.push_back(noteOnSlivers(left_out));
   return planned;
 }
 

@@ -27,6 +27,10 @@ constexpr std::size_t kSamples = 4000;
 constexpr double kBeside = 2.0;
 constexpr double kSteepestDeg = 65.0;
 
+// In squares of the layer height: the holes are those of a bead twice as wide as high.
+constexpr double kLeastPiece = 0.1;
+constexpr double kLargestHole = 4.0;
+
 struct ShellFamily {
   std::vector<LayerSurface> shells;
   std::vector<ShellEnd> ends;
@@ -43,7 +47,9 @@ ShellFamily propagate(const CurvedPart& part, const TriangleNumbers& source,
                            bound,        part.size_mm,     part.height_mm};
   const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
   std::vector<LayerSurface> shells = propagation.shells(part.height_mm, side, progress);
-  const auto tidy = [&](std::size_t i) { shells[i] = tidied(shells[i], part.height_mm); };
+  const double square_mm2 = part.height_mm * part.height_mm;
+  const TidyLimits too_small{kLeastPiece * square_mm2, kLargestHole * square_mm2};
+  const auto tidy = [&](std::size_t i) { shells[i] = tidied(shells[i], too_small); };
   parallelFor(shells.size(), tidy, progress, "propagate shells");
   while (!shells.empty() && shells.back().middle.triangles.empty()) shells.pop_back();
   return {std::move(shells), propagation.ends(part.height_mm)};

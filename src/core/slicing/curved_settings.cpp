@@ -10,9 +10,8 @@ void describe(SettingsSchema& schema, CurvedSettings& settings) {
       "Surfaces whose unit normal has a z within this of 0 count as upright: neither lower nor upper.");
   schema.number("curved.longest_edge_mm", settings.longest_edge_mm, {0.0, 100.0, true},
                 "Longer edges of the surfaces that layers grow from are halved.");
-  schema.number(
-      "curved.largest_gap_percent", settings.largest_gap_percent, {0.0, 100.0, true},
-      "Of the part's volume: how much the layers may leave open or lay too much before it is refused.");
+  schema.number("curved.largest_gap_percent", settings.largest_gap_percent, {0.0, 100.0, true},
+                "Of the part: how much may be in no layer or in more than one before it is refused.");
 }
 
 }  // namespace lamina

@@ -33,7 +33,8 @@ PartSamples::PartSamples(const Mesh& mesh, std::size_t count)
   Random random(kSeed);
   columns_.resize(columns_x_ * columns_y_);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Point2 cell(static_cast<double>(i % columns_x_), static_cast<double>(i / columns_x_));
+    const std::size_t row = i / columns_x_;
+    const Point2 cell(static_cast<double>(i % columns_x_), static_cast<double>(row));
     const double x = random.uniform(0.0, 1.0);
     const double y = random.uniform(0.0, 1.0);
     columns_[i].place = low_ + spacing_ * (cell + Point2(x, y));

@@ -17,10 +17,6 @@ namespace {
 // More corners than a hole smaller than a bead has.
 constexpr std::size_t kMostCorners = 64;
 
-// In squares of the layer height: the holes are those of a bead twice as wide as high.
-constexpr double kLeastPiece = 0.1;
-constexpr double kLargestHole = 4.0;
-
 using Loop = std::vector<std::uint32_t>;
 
 /// The side after the given one around where a piece ends.
@@ -98,17 +94,16 @@ void append(LayerSurface& whole, const LayerSurface& piece) {
 
 }  // namespace
 
-LayerSurface tidied(const LayerSurface& shell, double height_mm) {
-  const double square_mm2 = height_mm * height_mm;
+LayerSurface tidied(const LayerSurface& shell, const TidyLimits& limits) {
   LayerSurface whole;
   for (LayerSurface& piece : connectedPieces(shell)) {
-    if (surfaceArea(piece.middle) < kLeastPiece * square_mm2) continue;
+    if (surfaceArea(piece.middle) < limits.least_piece_mm2) continue;
     const std::vector<Loop> loops = borders(piece.middle);
     for (const Loop& loop : loops) {
       if (loop.size() > kMostCorners || loops.size() == 1) continue;
       const Point3 doubled = doubledArea(piece.middle, loop);
       const bool is_hole = doubled.dot(piece.normal[loop.front()]) > 0.0;
-      if (is_hole && doubled.norm() < 2.0 * kLargestHole * square_mm2) close(piece, loop);
+      if (is_hole && doubled.norm() < 2.0 * limits.largest_hole_mm2) close(piece, loop);
     }
     append(whole, piece);
   }

@@ -6,9 +6,14 @@
 
 namespace lamina {
 
-/// A shell without what cannot be laid: pieces smaller than a tenth of a square of its height are gone, and
-/// holes smaller than that of a bead (twice as wide as high) are closed by triangles from their middle, if
-/// these face as the shell does around them. Cuts along creases and walls leave both.
-LayerSurface tidied(const LayerSurface& shell, double height_mm);
+/// What is too small to lay [mm²].
+struct TidyLimits {
+  double least_piece_mm2 = 0.0;   ///< smaller pieces are dropped
+  double largest_hole_mm2 = 0.0;  ///< smaller holes are closed
+};
+
+/// A shell without what cannot be laid. Holes are closed by triangles from their middle, if these face as the
+/// shell does around them. Cuts along creases and walls leave both.
+LayerSurface tidied(const LayerSurface& shell, const TidyLimits& limits);
 
 }  // namespace lamina
