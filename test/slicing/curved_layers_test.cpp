@@ -208,7 +208,14 @@ TEST(CurvedLayers, InLittleRoomLevelLayersAreOneOrTwo) {
   EXPECT_TRUE(middleSlabs(1.0, 1.09, 0.2).empty());
   EXPECT_EQ(middleSlabs(1.0, 1.25, 0.2).size(), 1U);
   EXPECT_EQ(middleSlabs(1.0, 1.35, 0.2).size(), 2U);
-  EXPECT_NEAR(middleSlabs(1.0, 1.35, 0.2).back().cut(), 1.25, 1e-12);
+  EXPECT_NEAR(middleSlabs(1.0, 1.35, 0.2).back().cut(), 1.2625, 1e-12);
+  // The source would take two of 0.39 mm for this plate, and five of 0.2475 mm for the next.
+  for (const double room : {0.59, 0.79, 1.19}) {
+    const std::vector<LayerSlab> slabs = middleSlabs(0.0, room, 0.2);
+    EXPECT_NEAR(slabs.front().bottom_mm, 0.0, 1e-12);
+    EXPECT_NEAR(slabs.back().top_mm, room, 1e-12);
+    EXPECT_NEAR(slabs.front().height(), 0.2, 0.01);
+  }
 }
 
 }  // namespace

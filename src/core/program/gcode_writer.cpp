@@ -18,6 +18,8 @@
 namespace lamina {
 namespace {
 
+constexpr double kApproach = 1e-6;  // mm
+
 constexpr double kLargest = 1e7;   // mm and mm/s: 10 km, far inside what the counts of units can hold
 constexpr double kSameJet = 1e-6;  // rad: what rounding leaves of a rotation
 
@@ -154,8 +156,8 @@ std::string oneLine(std::string text) {
 }
 
 /// Over the first waypoint at the height the start code ends at, then down: a nozzle that is low before it
-/// is there scrapes over clamps and purge lines. A toolpath that begins with a travel has an approach of its
-/// own, from a height that clears what stands on the bed: up to it first, then over.
+/// is there scrapes over clamps and purge lines. A toolpath that begins with a travel downwards has an
+/// approach of its own, from a height that clears what stands on the bed: up to it first, then over.
 std::string approach(const Path& path, const Point3& first, double feed_mm_s) {
   const auto axis = [](const char* name, double value, double units) {
     char digits[32];
@@ -164,7 +166,9 @@ std::string approach(const Path& path, const Point3& first, double feed_mm_s) {
   const std::string over = axis(" X", first.x(), 1e3) + axis(" Y", first.y(), 1e3);
   const std::string height = axis(" Z", first.z(), 1e3);
   const std::string feed = axis(" F", feed_mm_s, 60e3);
-  if (path.role == PathRole::Travel) return "G0" + height + feed + "\nG0" + over + "\n";
+  const bool has_approach =
+      path.role == PathRole::Travel && path.firstPoint().z() > path.lastPoint().z() + kApproach;
+  if (has_approach) return "G0" + height + feed + "\nG0" + over + "\n";
   return "G0" + over + feed + "\nG0" + height + "\n";
 }
 
@@ -214,8 +218,9 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
        (drops != nullptr ? dropHeader(*drops, settings) : "") + ";LAYER_COUNT:" +
        std::to_string(toolpath.layers.size()) + "\n" + frameComments(toldFrame(toolpath, frame)) +
        start_code + (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
-  sink("; start of the part\n" +
-       approach(first, frame.program_from_bed * (frame.bed_from_part * first.firstPoint()), approachFeed(toolpath)));
+  sink("; start of the part\n" + approach(first,
+                                          frame.program_from_bed * (frame.bed_from_part * first.firstPoint()),
+                                          approachFeed(toolpath)));
   ProgramSettings written = settings;
   if (drops != nullptr) written.retraction_length_mm = 0.0;  // there is no filament to pull back
   const LayerWriter writer(frame, layerNormal(toolpath), written);

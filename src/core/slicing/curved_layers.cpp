@@ -20,6 +20,9 @@
 namespace lamina {
 namespace {
 
+// Part of a layer's height by which the source's level layers may lie in those beneath and above them.
+constexpr double kLargestOverlap = 0.05;
+
 constexpr double kAll = std::numeric_limits<double>::infinity();
 // So many that 5 % of them are within 0.7 % of what they stand for.
 constexpr std::size_t kSamples = 4000;
@@ -179,18 +182,27 @@ const char* toString(CurvedScheme scheme) {
   }
 }
 
+namespace {
+
+std::vector<LayerSlab> slabsOf(double bottom_mm, double height_mm, double count) {
+  std::vector<LayerSlab> slabs;
+  for (double i = 0.0; i < count; ++i)
+    slabs.push_back({bottom_mm + i * height_mm, bottom_mm + (i + 1.0) * height_mm});
+  return slabs;
+}
+
+}  // namespace
+
 std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm) {
   const double room = high_mm - low_mm;
   if (room < 0.5 * layer_height_mm) return {};
   if (room < 1.5 * layer_height_mm) return {{low_mm, high_mm}};
-  const double count = std::max(2.0, std::floor((room - layer_height_mm) / layer_height_mm + 1.01));
-  const double step = (room - layer_height_mm) / (count - 1.0);
-  std::vector<LayerSlab> slabs;
-  for (double i = 0.0; i < count; ++i) {
-    const double cut = low_mm + 0.5 * layer_height_mm + i * step;
-    slabs.push_back({cut - 0.5 * step, cut + 0.5 * step});
-  }
-  return slabs;
+  const double of_source = std::max(2.0, std::floor((room - layer_height_mm) / layer_height_mm + 1.01));
+  const double step = (room - layer_height_mm) / (of_source - 1.0);
+  if (std::abs(step - layer_height_mm) <= kLargestOverlap * layer_height_mm)
+    return slabsOf(low_mm + 0.5 * (layer_height_mm - step), step, of_source);
+  const double count = std::round(room / layer_height_mm);
+  return slabsOf(low_mm, room / count, count);
 }
 
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
