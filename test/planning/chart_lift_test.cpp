@@ -33,7 +33,7 @@ Path line(const Point2& from, const Point2& to) {
 
 std::vector<Path> lift(const LayerChart& chart, std::vector<Path> planned,
                        const LiftSettings& settings = {}) {
-  return liftOnto({chart}, {0.2, 0.2, std::move(planned)}, settings, {}, kTip).paths;
+  return liftOnto({chart}, {0.2, 0.2, std::move(planned)}, settings, {}, kTip).layer.paths;
 }
 
 /// The middle of the plan of the half cylinder.
@@ -238,9 +238,68 @@ TEST(ChartLift, DoesNotTravelAcrossTheGapBetweenCharts) {
   const LayerChart left = levelChart(10.0, 5);
   const std::vector<LayerChart> charts = {left, test::moved(left, {12.0, 0.0})};
   const std::vector<Path> planned = withTravel(line({1, 1}, {9, 1}), line({13, 1}, {20, 1}), false);
-  const ToolpathLayer layer = liftOnto(charts, {0.2, 0.2, planned}, {}, {}, 1.0);
+  const ToolpathLayer layer = liftOnto(charts, {0.2, 0.2, planned}, {}, {}, 1.0).layer;
   ASSERT_EQ(layer.paths.size(), 3U);
   EXPECT_TRUE(layer.paths[1].process.is_retracted);
+}
+
+/// A layer whose tips come together in one point: beads beneath it, in a hollow of that radius.
+LayerChart hollow(double radius) {
+  LayerChart chart = polarCap(radius, 0.5, 20, 40);
+  for (Point3& tip : chart.surface.tip) tip = Point3::Zero();
+  return chart;
+}
+
+double volumeOf(const std::vector<Path>& paths) {
+  double sum = 0.0;
+  for (const Path& path : paths) sum += depositedVolume(path);
+  return sum;
+}
+
+TEST(ChartLift, LeavesOutAndCountsRunsWhoseTipsComeTogether) {
+  const double radius = 10.0;
+  const double along = radius * std::sin(0.5);
+  const std::vector<Path> planned = {line({-4.0, 0.0}, {4.0, 0.0})};
+  const LiftedLayer lifted = liftOnto({hollow(radius)}, {0.2, 0.2, planned}, {}, {}, along);
+  EXPECT_TRUE(lifted.layer.paths.empty());
+  // Along a meridian the plan is sin(a) / a of the cap: its integral to 0.4 is 0.39646.
+  EXPECT_NEAR(lifted.left_out_mm3, depositedVolume(planned[0]) * 0.39646 / 0.4, 1e-3 * lifted.left_out_mm3);
+}
+
+/// Tips of a level layer drawn together to a strip around x = 5 of a thousandth of its width.
+LayerChart pinched() {
+  LayerChart chart = levelChart(10.0, 50);
+  for (Point3& tip : chart.surface.tip)
+    if (std::abs(tip.x() - 5.0) < 1.1) tip.x() = 5.0 + 1e-3 * (tip.x() - 5.0);
+  return chart;
+}
+
+TEST(ChartLift, LaysNoBeadWiderThanAllowedAndCountsWhatItLeavesOut) {
+  for (const double widest : {1.5, 2.0, 4.0}) {
+    LiftSettings settings;
+    settings.widest_bead = widest;
+    std::vector<Path> planned = {line({1.0, 3.0}, {9.0, 3.0})};
+    planned[0].points.insert(planned[0].points.begin() + 1, {{4.2, 3.0, 0.2}, {5.8, 3.0, 0.2}});
+    const LiftedLayer lifted = liftOnto({pinched()}, {0.2, 0.2, planned}, settings, {}, 1.0);
+    const Path& path = lifted.layer.paths.at(0);
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+      EXPECT_LE(planWidth(path.bead.at(i)), widest * planWidth({0.4, 0.2}) * (1.0 + 1e-6));
+    EXPECT_GT(lifted.left_out_mm3, 0.0);
+    EXPECT_NEAR(depositedVolume(path) + lifted.left_out_mm3, depositedVolume(planned[0]), 1e-9);
+  }
+}
+
+TEST(ChartLift, TravelsAcrossRunsThatItLeavesOut) {
+  const Path first = line({1.0, 1.0}, {1.0, 9.0});
+  const Path lost = line({5.0, 9.0}, {5.2, 9.0});
+  const Path last = line({5.2, 9.0}, {9.0, 9.0});
+  std::vector<Path> planned = withTravel(first, lost, false);
+  planned.push_back(last);
+  const LiftedLayer lifted = liftOnto({pinched()}, {0.2, 0.2, planned}, {}, {}, 1.0);
+  ASSERT_EQ(lifted.layer.paths.size(), 3U);
+  EXPECT_EQ(lifted.layer.paths[1].role, PathRole::Travel);
+  EXPECT_NO_THROW(validate({"pinched", {lifted.layer}}));
+  EXPECT_NEAR(volumeOf(lifted.layer.paths) + lifted.left_out_mm3, volumeOf(planned), 1e-9);
 }
 
 TEST(ChartLift, RefusesRunsThatLeaveTheirChart) {

@@ -18,6 +18,7 @@ struct LiftSettings {
   double position_tolerance_mm = 0.005;  ///< by which nozzle tips may leave the layer between waypoints
   double normal_tolerance_deg = 0.1;     ///< by which the nozzle may, if it is held along the normal
   double height_tolerance = 0.05;        ///< part by which the layer's height may vary along one motion
+  double widest_bead = 2.0;              ///< bead on the layer, in planned widths
   Jet jet = Jet::Normal;                 ///< Down leaves the nozzle upright
 };
 
@@ -33,17 +34,21 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 ///
 ///     volume = plan area of the bead * area ratio of the triangle * height of the layer
 ///
-/// Drops likewise. Where the tips of a bead coincide it is laid with the next.
+/// Drops likewise. Where tips come together, in a layer that curves about as tightly as it is high, a motion
+/// may be too short for what it is to hold: then it is laid over the neighbouring motions too, within a
+/// bead's width. What even so would need a wider bead than allowed is left out, and runs that are too short
+/// as a whole.
 ///
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
 /// four times the tolerance; on others see `makeSpaceTravel`.
 ///
 /// @param planned     paths in the plan; may not leave the charts by more than 1e-6 mm
 /// @param highest_mm  z of the highest nozzle tip of this layer and of those before it [part frame]
-/// @return layer height and z as planned; the paths join as the planned ones do
-/// @throws InvalidInput if a run leaves its chart, naming where, or all its tips coincide
-ToolpathLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
-                       const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
+/// @return layer height and z as planned; the paths join as the planned ones do. Its volume and what is left
+///         out are together what is planned.
+/// @throws InvalidInput if a run leaves its chart, naming where
+LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
+                     const LiftSettings& settings, const TravelSettings& travel, double highest_mm);
 
 /// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level ones, planned where they
 /// are: they stay so.

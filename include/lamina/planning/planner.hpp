@@ -26,9 +26,10 @@ struct Refilling {
 struct Plan {
   Toolpath toolpath;
   Refilling refilling;
-  FillStarts starts;           ///< of all layers
-  AnchoredStarts anchored;     ///< of all layers
-  double unprinted_mm3 = 0.0;  ///< of what gets no bead or drop: too thin, or left out whole by a solid fill
+  FillStarts starts;        ///< of all layers
+  AnchoredStarts anchored;  ///< of all layers
+  /// Of what gets no bead or drop: too thin, left out whole by a solid fill, or without room on its layer.
+  double unprinted_mm3 = 0.0;
 };
 
 /// The plan of a part, as `planToolpath` makes it.

@@ -99,8 +99,8 @@ PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& 
   std::vector<Layer> plans;
   plans.reserve(layers.size());
   for (ChartedLayer& layer : layers) plans.push_back(std::move(layer.plan));
-  const LayerLift lift = [&](std::size_t i, ToolpathLayer plan) {
-    if (layers[i].charts.empty()) return plan;
+  const LayerLift lift = [&](std::size_t i, ToolpathLayer plan) -> LiftedLayer {
+    if (layers[i].charts.empty()) return {std::move(plan), 0.0};
     return liftOnto(layers[i].charts, std::move(plan), settings.lifting, settings.planning.travel,
                     highest[i]);
   };

@@ -29,28 +29,36 @@ class LayerLifter {
               double highest_mm)
       : charts_(charts), settings_(settings), travel_(travel), highest_mm_(highest_mm) {}
 
-  std::vector<Path> lift(const std::vector<Path>& planned) && {
+  LiftedLayer lift(const ToolpathLayer& planned) && {
     const Path* travel = nullptr;
-    for (const Path& path : planned) {
+    for (const Path& path : planned.paths) {
       if (path.role == PathRole::Travel)
         travel = &path;
       else
         addRun(path, std::exchange(travel, nullptr));
     }
-    return std::move(lifted_);
+    return {{planned.z_mm, planned.height_mm, std::move(lifted_)}, left_out_mm3_};
   }
 
  private:
   void addRun(const Path& planned, const Path* travel) {
-    Path run = liftedPath(charts_, planned, settings_);
-    if (travel != nullptr && !lifted_.empty()) {
-      const NozzlePose from = endPose(lifted_.back());
-      const NozzlePose to = startPose(run);
-      std::optional<Path> there = followed(*travel, from, to);
-      if (!there) there = makeSpaceTravel(from, to, travel_, highest_mm_);
-      if (there) lifted_.push_back(std::move(*there));
+    LiftedRun run = liftedRun(charts_, planned, settings_);
+    left_out_mm3_ += run.left_out_mm3;
+    if (!run.path) {
+      is_beside_ = true;
+      return;
     }
-    lifted_.push_back(std::move(run));
+    if ((travel != nullptr || is_beside_) && !lifted_.empty()) addTravelTo(startPose(*run.path), travel);
+    is_beside_ = false;
+    lifted_.push_back(std::move(*run.path));
+  }
+
+  void addTravelTo(const NozzlePose& to, const Path* planned) {
+    const NozzlePose from = endPose(lifted_.back());
+    std::optional<Path> there;
+    if (planned != nullptr && !is_beside_) there = followed(*planned, from, to);
+    if (!there) there = makeSpaceTravel(from, to, travel_, highest_mm_);
+    if (there) lifted_.push_back(std::move(*there));
   }
 
   /// The travel along the layer, if it may and can follow it.
@@ -88,6 +96,8 @@ class LayerLifter {
   const TravelSettings& travel_;
   double highest_mm_;
   std::vector<Path> lifted_;
+  double left_out_mm3_ = 0.0;
+  bool is_beside_ = false;  // the nozzle is not where the plan has it: a run was left out
 };
 
 /// z of the highest tip of each layer and of those before it.
@@ -111,30 +121,31 @@ void describe(SettingsSchema& schema, LiftSettings& settings) {
                 "How far the nozzle may leave the normal of a curved layer between waypoints.");
   schema.number("lifting.height_tolerance", settings.height_tolerance, {1e-3, 1.0, false},
                 "Part by which the height of a curved layer may vary along one motion.");
+  schema.number("lifting.widest_bead", settings.widest_bead, {1.0, 10.0, false},
+                "Widest bead on a curved layer, in planned widths; what would need a wider one is left out.");
 }
 
-ToolpathLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
-                       const LiftSettings& settings, const TravelSettings& travel, double highest_mm) {
-  if (planned.paths.empty()) return planned;
+LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planned,
+                     const LiftSettings& settings, const TravelSettings& travel, double highest_mm) {
+  if (planned.paths.empty()) return {std::move(planned), 0.0};
   const ChartLookup lookup(charts);
-  planned.paths = LayerLifter(lookup, settings, travel, highest_mm).lift(planned.paths);
-  return planned;
+  return LayerLifter(lookup, settings, travel, highest_mm).lift(planned);
 }
 
 LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const LiftSettings& settings,
                     const TravelSettings& travel) {
-  return
-      [&layers, settings, travel, highest = highestTips(layers)](std::size_t layer, ToolpathLayer planned) {
-        if (layer >= layers.size())
-          throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
-                             std::to_string(layers.size()) + " layers");
-        if (layers[layer].empty()) return planned;
-        try {
-          return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
-        } catch (const InvalidInput& error) {
-          throw InvalidInput("layer " + std::to_string(layer) + ": " + error.what());
-        }
-      };
+  return [&layers, settings, travel, highest = highestTips(layers)](std::size_t layer,
+                                                                    ToolpathLayer planned) -> LiftedLayer {
+    if (layer >= layers.size())
+      throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
+                         std::to_string(layers.size()) + " layers");
+    if (layers[layer].empty()) return {std::move(planned), 0.0};
+    try {
+      return liftOnto(layers[layer], std::move(planned), settings, travel, highest[layer]);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("layer " + std::to_string(layer) + ": " + error.what());
+    }
+  };
 }
 
 }  // namespace lamina

@@ -86,7 +86,7 @@ class LayerPlanner {
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
     }
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
-    return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_};
+    return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0};
   }
 
  private:

@@ -38,6 +38,7 @@ struct PlannedLayer {
   Refilling refilling;
   FillStarts starts;
   std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
+  double left_out_mm3 = 0.0;     ///< see `LiftedLayer`
 };
 
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that

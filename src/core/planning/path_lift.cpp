@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/path_lift.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "planning/bead_bounds.hpp"
 #include "planning/held_along.hpp"
 #include "planning/lifted_line.hpp"
 #include "planning/nozzle_frame.hpp"
@@ -26,6 +29,9 @@ struct Laid {
   double plan_mm = 0.0;
   double height_mm2 = 0.0;  ///< height times length in the plan
 
+  /// Of the layer, in the mean.
+  double height() const { return plan_mm > 0.0 ? height_mm2 / plan_mm : 0.0; }
+
   void add(const Laid& more) {
     mm3 += more.mm3;
     plan_mm += more.plan_mm;
@@ -38,16 +44,24 @@ class RunLifter {
   RunLifter(const ChartLookup& charts, const Path& planned, const LiftSettings& settings)
       : charts_(charts), planned_(planned), settings_(settings) {}
 
-  Path lift() && {
+  LiftedRun lift() && {
     waypoint(charts_.lifted(charts_.at(planned_.points.front().head<2>())), 0, {});
     for (std::size_t m = 0; m < planned_.motionCount(); ++m) addMotion(m);
-    if (planned_.is_closed) close();
-    if (points_.size() < 2)
-      throw InvalidInput("a run of the plan at (" + std::to_string(planned_.points.front().x()) + ", " +
-                         std::to_string(planned_.points.front().y()) +
-                         ") mm shrinks to a point on its layer; the layer curves too tightly for its height");
     laid_.back().add(carried_);
-    return path();
+    if (planned_.is_closed) close();
+    if (points_.size() < 2) return leftOut();
+    const std::vector<MotionLoad> loads = loadsOfMotions();
+    double length = 0.0;
+    for (const MotionLoad& load : loads) length += load.length_mm;
+    LoadLimits limits;
+    limits.fullest = settings_.widest_bead;
+    limits.is_closed = planned_.is_closed;
+    for (const Bead& bead : planned_.bead.values())
+      limits.reach_mm = std::max(limits.reach_mm, bead.width_mm);
+    BoundedLoads bounded = boundLoads(loads, limits);
+    if (bounded.left_out_mm3 > 0.0 && length < limits.reach_mm) return leftOut();
+    for (std::size_t m = 0; m < loads.size(); ++m) laid_[endOf(m)].mm3 = bounded.mm3[m];
+    return {path(), bounded.left_out_mm3};
   }
 
  private:
@@ -96,11 +110,33 @@ class RunLifter {
     of_plan_.pop_back();
   }
 
+  LiftedRun leftOut() const {
+    double sum = 0.0;
+    for (const Laid& laid : laid_) sum += laid.mm3;
+    return {std::nullopt, sum};
+  }
+
+  /// Waypoint at the end of a motion on the layer.
+  std::size_t endOf(std::size_t motion) const { return (motion + 1) % points_.size(); }
+
+  double lengthTo(std::size_t waypoint) const {
+    return (points_[waypoint] - points_[waypoint == 0 ? points_.size() - 1 : waypoint - 1]).norm();
+  }
+
+  std::vector<MotionLoad> loadsOfMotions() const {
+    std::vector<MotionLoad> loads(points_.size() - (planned_.is_closed ? 0 : 1));
+    for (std::size_t m = 0; m < loads.size(); ++m) {
+      const std::size_t end = endOf(m);
+      const double length = lengthTo(end);
+      const double width = planWidth(planned_.bead.at(of_plan_[end]));
+      loads[m] = {laid_[end].mm3, width * laid_[end].height() * length, length};
+    }
+    return loads;
+  }
+
   Bead beadAt(std::size_t waypoint) const {
-    const Point3& before = points_[waypoint == 0 ? points_.size() - 1 : waypoint - 1];
     const Laid& laid = laid_[waypoint];
-    const double height = laid.plan_mm > 0.0 ? laid.height_mm2 / laid.plan_mm : 0.0;
-    return beadOfArea(laid.mm3 / (points_[waypoint] - before).norm(), height);
+    return beadOfArea(laid.mm3 / lengthTo(waypoint), laid.height());
   }
 
   Path path() {
@@ -152,8 +188,8 @@ Path liftedDrops(const ChartLookup& charts, const Path& planned, const LiftSetti
 
 }  // namespace
 
-Path liftedPath(const ChartLookup& charts, const Path& planned, const LiftSettings& settings) {
-  if (planned.deposit == Deposit::Drops) return liftedDrops(charts, planned, settings);
+LiftedRun liftedRun(const ChartLookup& charts, const Path& planned, const LiftSettings& settings) {
+  if (planned.deposit == Deposit::Drops) return {liftedDrops(charts, planned, settings), 0.0};
   return RunLifter(charts, planned, settings).lift();
 }
 

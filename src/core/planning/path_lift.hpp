@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "lamina/planning/chart_lift.hpp"
 #include "lamina/surface/chart_lookup.hpp"
 
 namespace lamina {
 
+/// A run on its layer, if there is room for it.
+struct LiftedRun {
+  std::optional<Path> path;
+  double left_out_mm3 = 0.0;
+};
+
 /// A run that deposits, from the plan onto its layer, as `liftOnto` says.
-/// @throws InvalidInput if it leaves its chart or all its tips coincide
-Path liftedPath(const ChartLookup& charts, const Path& planned, const LiftSettings& settings);
+/// @throws InvalidInput if it leaves its chart
+LiftedRun liftedRun(const ChartLookup& charts, const Path& planned, const LiftSettings& settings);
 
 }  // namespace lamina

@@ -85,7 +85,7 @@ Plan inOne(std::vector<PlannedLayer> planned) {
   Plan plan;
   plan.toolpath.layers.reserve(planned.size());
   for (PlannedLayer& each : planned) {
-    plan.unprinted_mm3 += each.unprinted_mm2 * each.layer.height_mm;
+    plan.unprinted_mm3 += each.unprinted_mm2 * each.layer.height_mm + each.left_out_mm3;
     plan.refilling.runs += each.refilling.runs;
     plan.refilling.deposited_mm3 += each.refilling.deposited_mm3;
     plan.starts += each.starts;
@@ -123,7 +123,10 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
       layers.size(),
       [&](std::size_t i) {
         planned[i] = planAnywhere(stackedAt(layers, i), i, i < base_layers ? base : context);
-        if (context.lift) planned[i].layer = context.lift(i, std::move(planned[i].layer));
+        if (!context.lift) return;
+        LiftedLayer lifted = context.lift(i, std::move(planned[i].layer));
+        planned[i].layer = std::move(lifted.layer);
+        planned[i].left_out_mm3 = lifted.left_out_mm3;
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
