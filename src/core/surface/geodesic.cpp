@@ -17,6 +17,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A correction smaller than this share does not run through the mesh again.
 constexpr double kRelevant = 1.0 - 1e-10;
 
+// Around slivers, distances may lower each other in turn by ever so little, for as good as ever. Nothing else
+// is corrected so often.
+constexpr std::uint8_t kMostCorrections = 250;
+
 /// A side of a triangle from A at the origin to B on the x axis, and the third vertex C above it.
 struct Crossing {
   double side;
@@ -61,6 +65,7 @@ class GeodesicMarch {
       : fans_(fans),
         sources_(sources),
         distance_(fans.vertices(), kInfinity),
+        corrections_(fans.vertices(), 0),
         origin_(sources.size() > 1 ? distance_.size() : 0, 0) {
     for (std::uint32_t i = 0; i < sources.size(); ++i) lower(sources[i].vertex, sources[i].start_mm, i);
   }
@@ -71,6 +76,10 @@ class GeodesicMarch {
       std::pop_heap(front_.begin(), front_.end());
       front_.pop_back();
       if (reached.distance > distance_[reached.vertex]) continue;  // corrected since
+      if (corrections_[reached.vertex]++ == kMostCorrections) {
+        corrections_[reached.vertex] = kMostCorrections;
+        continue;
+      }
       spreadFrom(reached.vertex);
     }
     return std::move(distance_);
@@ -128,6 +137,7 @@ class GeodesicMarch {
   const TriangleFans& fans_;
   const std::vector<GeodesicSource>& sources_;
   std::vector<double> distance_;
+  std::vector<std::uint8_t> corrections_;
   std::vector<std::uint32_t> origin_;  // number of the source that is nearest; empty if there is only one
   std::vector<Reached> front_;
 };
