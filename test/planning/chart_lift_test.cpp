@@ -302,6 +302,15 @@ TEST(ChartLift, TravelsAcrossRunsThatItLeavesOut) {
   EXPECT_NEAR(volumeOf(lifted.layer.paths) + lifted.left_out_mm3, volumeOf(planned), 1e-9);
 }
 
+TEST(ChartLift, DrawsRunsToTheBorderThatLeaveTheirChartByItsSimplification) {
+  const LayerChart chart = levelChart(10.0, 5);
+  const Path path = lift(chart, {line({0.0, 10.009}, {10.0, 9.0})}).front();
+  for (const Point3& point : path.points) EXPECT_LE(point.y(), 10.0 + 1e-12);
+  EXPECT_NEAR(path.points.back().y(), 9.0, 1e-12);
+  EXPECT_NO_THROW(lift(chart, {line({1.0, 10.009}, {9.0, 10.009})}));
+  EXPECT_THROW(lift(chart, {line({1.0, 10.011}, {9.0, 10.011})}), InvalidInput);
+}
+
 TEST(ChartLift, RefusesRunsThatLeaveTheirChart) {
   const LayerChart chart = levelChart(10.0, 5);
   EXPECT_THROW(lift(chart, {line({5, 5}, {11, 5})}), InvalidInput);

@@ -42,7 +42,7 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
 /// four times the tolerance; on others see `makeSpaceTravel`.
 ///
-/// @param planned     paths in the plan; may not leave the charts by more than 1e-6 mm
+/// @param planned     paths in the plan; may not leave the charts by more than `ChartLookup::kSnap`
 /// @param highest_mm  z of the highest nozzle tip of this layer and of those before it [part frame]
 /// @return layer height and z as planned; the paths join as the planned ones do. Its volume and what is left
 ///         out are together what is planned.

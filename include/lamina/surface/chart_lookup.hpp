@@ -44,8 +44,9 @@ struct ChartStretch {
 /// several threads.
 class ChartLookup {
  public:
-  /// Points of the plan no farther than this outside a chart are drawn to its border [mm].
-  static constexpr double kSnap = 1e-6;
+  /// Points of the plan no farther than this outside a chart are drawn to its border [mm]: twice what
+  /// outlines are simplified by when they are planned (`planning.simplification_mm`).
+  static constexpr double kSnap = 0.01;
 
   /// @param charts  must outlive this; their plans do not overlap
   /// @throws InvalidInput if there is no triangle, or a chart has not one plan point, tip, normal and height

@@ -19,7 +19,8 @@ struct GeodesicSource {
 /// around its source, unfolded into the plane of the triangle, so that distances on plane and developable
 /// meshes are exact to rounding as long as the shortest way bends at no border and no vertex. Triangles may
 /// be obtuse, or without area: a vertex that the front reached by a detour is corrected. (Where very obtuse
-/// ones hide each other in a ring the way may be a per cent too long.)
+/// ones hide each other in a ring the way may be a per cent too long.) No vertex is corrected more than 250
+/// times: around slivers whose lengths are mostly rounding, corrections would go on for as good as ever.
 ///
 /// Prepared once per mesh [mm]; queries may be made from several threads and take n log n time.
 class GeodesicDistances {

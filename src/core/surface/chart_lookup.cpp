@@ -197,7 +197,7 @@ ChartPlace ChartLookup::at(const Point2& plan) const {
   std::optional<ChartPlace> place = find(plan);
   if (!place)
     throw InvalidInput("plan point (" + std::to_string(plan.x()) + ", " + std::to_string(plan.y()) +
-                       ") mm lies outside the charts of its layer; must be inside, within 1e-6 mm");
+                       ") mm lies outside the charts of its layer; must be inside, within 0.01 mm");
   return *place;
 }
 
