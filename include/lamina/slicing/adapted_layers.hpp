@@ -40,7 +40,8 @@ struct AdaptedLayers {
 /// would be too far apart along the wall. Each curve is a flat contour drawn down the wall until it is at
 /// most a layer's height from the curve beneath; where walls lean alike all round, layers stay plane. What is
 /// left between the last of them and the top of the part is completed by open curves.
-/// Curves shorter than a step, at the tip of a wall that ends in one, are left out.
+/// Ends of those lower than a quarter of a layer, and curves shorter than a step, at the tip of a wall that
+/// ends in one, are left out. No curve crosses itself or another of its layer seen from above.
 ///
 /// Walls are closed loops that neither split nor merge between the part's flat bottom and its top; each is
 /// followed by itself. Time is n log n in the points of all layers.
@@ -48,8 +49,9 @@ struct AdaptedLayers {
 /// @param mesh  closed, facing outwards [mm, part frame]
 /// @return the same for any number of threads
 /// @throws Unsliceable with the faces in the way if a wall leans too far, splits, merges, begins above the
-///         bottom or ends beneath the top; InvalidMesh if a contour is open; InvalidConfig if the smoothing
-///         window is even or the computing height no multiple of the layer height; Cancelled
+///         bottom or ends beneath the top, or if curves of a layer cross; InvalidMesh if a contour is open;
+///         InvalidConfig if the smoothing window is even or the computing height no multiple of the layer
+///         height; Cancelled
 AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, const AdaptedSettings& settings,
                             Progress& progress);
 

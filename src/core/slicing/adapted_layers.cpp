@@ -8,9 +8,12 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "slicing/curve_ends.hpp"
 #include "slicing/curve_length.hpp"
+#include "slicing/curve_untangling.hpp"
 #include "slicing/finished_curve.hpp"
 #include "slicing/steep_faces.hpp"
+#include "slicing/thinnest_bead.hpp"
 #include "slicing/wall_growth.hpp"
 #include "slicing/wall_strand.hpp"
 
@@ -60,26 +63,37 @@ bool isClosed(const std::vector<AdaptedLayer>& wall, std::size_t k) {
   return k < wall.size() && wall[k].outlines.empty();
 }
 
+/// How curves are run.
+struct Finish {
+  AdaptedSettings settings;
+  double height_mm = 0.0;  ///< of a layer
+
+  /// Leaving out a loop may leave as much of a gap as a layer may (`requireNoGap`), there and back.
+  double mostLoop() const { return 2.0 * (2.0 * height_mm + settings.step_mm); }
+};
+
 /// Adds the curve as it is run. One shorter than a step, at the tip of a wall that ends in one, is a dot.
-void addFinished(std::vector<AdaptedCurve>& curves, const AdaptedCurve& curve,
-                 const AdaptedSettings& settings) {
-  AdaptedCurve finished = finishedCurve(curve, settings.step_mm, settings.smoothing_window);
+void addFinished(std::vector<AdaptedCurve>& curves, const AdaptedCurve& curve, const Finish& finish) {
+  if (curve.points.size() < 2) return;
+  const AdaptedSettings& settings = finish.settings;
+  AdaptedCurve finished =
+      withoutSmallLoops(finishedCurve(curve, settings.step_mm, settings.smoothing_window), finish.mostLoop());
   if (finished.points.size() >= 2 && CurveLength(finished).total() >= settings.step_mm)
     curves.push_back(std::move(finished));
 }
 
 /// Curves of the same layer of all walls; walls that need fewer layers end earlier.
-AdaptedLayers together(const std::vector<std::vector<AdaptedLayer>>& walls, const AdaptedSettings& settings) {
+AdaptedLayers together(const std::vector<std::vector<AdaptedLayer>>& walls, const Finish& finish) {
   AdaptedLayers result;
   for (const auto& wall : walls) result.layers.resize(std::max(result.layers.size(), wall.size()));
   for (std::size_t k = 0; k < result.layers.size(); ++k) {
     AdaptedLayer& layer = result.layers[k];
     for (const auto& wall : walls)
       for (std::size_t c = 0; k < wall.size() && c < wall[k].curves.size(); ++c)
-        addFinished(layer.curves, wall[k].curves[c], settings);
+        addFinished(layer.curves, withoutThinEnds(wall[k].curves[c], kThinnest * finish.height_mm), finish);
     if (std::all_of(walls.begin(), walls.end(), [k](const auto& wall) { return isClosed(wall, k); }))
       continue;
-    for (const auto& wall : walls) addFinished(layer.outlines, loopOf(wall, k), settings);
+    for (const auto& wall : walls) addFinished(layer.outlines, loopOf(wall, k), finish);
   }
   while (!result.layers.empty() && result.layers.back().curves.empty()) result.layers.pop_back();
   const auto first_open = std::find_if(result.layers.begin(), result.layers.end(),
@@ -103,7 +117,12 @@ AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, co
   std::vector<std::vector<AdaptedLayer>> walls;
   for (const WallStrand& strand : wallStrands(mesh, heights, settings.step_mm, progress))
     walls.push_back(growWall(mesh, strand, steps, progress));
-  return together(walls, settings);
+  AdaptedLayers layers = together(walls, {settings, slicing.layer_height_mm});
+  for (std::size_t k = 0; k < layers.layers.size(); ++k) {
+    requireNoCrossing(layers.layers[k].curves, k, mesh);
+    requireNoCrossing(layers.layers[k].outlines, k, mesh);
+  }
+  return layers;
 }
 
 }  // namespace lamina

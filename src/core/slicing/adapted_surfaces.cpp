@@ -14,11 +14,10 @@
 #include "lamina/surface/nearest_triangle.hpp"
 #include "lamina/surface/surface_cut.hpp"
 #include "slicing/harmonic_heights.hpp"
+#include "slicing/thinnest_bead.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kThinnest = 0.25;  // of a layer's height, where it runs out on the one beneath
 
 const std::vector<AdaptedCurve>& loopsOf(const AdaptedLayer& layer) {
   return layer.outlines.empty() ? layer.curves : layer.outlines;
