@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "lamina/base/error.hpp"
 #include "support/lofted_solid.hpp"
 
 namespace lamina {
@@ -46,6 +48,33 @@ TEST(AdaptedWalls, AreAToolpathOfOneWallPerLayer) {
     }
   }
   EXPECT_TRUE(is_any_open);
+}
+
+/// Farthest waypoint of the first layer from the axis of a cylinder of 20 mm.
+double radiusOf(double contour_offset) {
+  const Mesh mesh = test::loftedSolid({0.0, 4.0}, 360, [](double, double) { return 20.0; });
+  NoProgress progress;
+  PlanSettings settings;
+  settings.bead.width_mm = 1.2;
+  settings.adapted.contour_offset = contour_offset;
+  double radius = 0.0;
+  const auto walls = adaptedWalls(adaptedLayers(mesh, {}, {}, progress), settings);
+  for (const Path& path : walls.at(0).paths)
+    for (const Point3& point : path.points) radius = std::max(radius, point.head<2>().norm());
+  return radius;
+}
+
+TEST(AdaptedWalls, BeadsLieInsideTheWall) {
+  EXPECT_NEAR(radiusOf(0.0), 20.0, 1e-3);
+  EXPECT_NEAR(radiusOf(0.5), 20.0 - 0.6, 1e-3);
+}
+
+TEST(AdaptedWalls, PartsThinnerThanABeadAreRefused) {
+  const Mesh mesh = test::loftedSolid({0.0, 4.0}, 60, [](double, double) { return 0.5; });
+  NoProgress progress;
+  PlanSettings settings;
+  settings.bead.width_mm = 1.2;
+  EXPECT_THROW(adaptedWalls(adaptedLayers(mesh, {}, {}, progress), settings), InvalidInput);
 }
 
 TEST(AdaptedWalls, LoopsStartWhereTheSeamIs) {

@@ -53,6 +53,11 @@ struct SkirtSettings {
   double distance_mm = 4.0;
 };
 
+/// The wall alone of layers adapted to it.
+struct AdaptedWallSettings {
+  double contour_offset = 0.5;  ///< of the bead's middle from the part's surface, in bead widths
+};
+
 enum class SeamPlacement { Nearest, Aligned, Rear, Random };
 
 struct SeamSettings {
@@ -83,6 +88,7 @@ struct PlanSettings {
   VoidSettings voids;
   SkirtSettings skirt;  ///< of level layers
   AnchorSettings anchoring;
+  AdaptedWallSettings adapted;
   SeamSettings seam;
   TravelSettings travel;
   FeedSettings feed;

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "lamina/base/error.hpp"
+#include "planning/curve_inset.hpp"
 #include "planning/seam.hpp"
 #include "planning/travel.hpp"
 
@@ -80,31 +83,56 @@ Point2 anchorOf(const AdaptedLayers& layers) {
   return Point2::Zero();
 }
 
+/// Beads of a layer's curves, inside the wall.
+AdaptedLayer insetLayer(const AdaptedLayer& layer, double distance_mm, InsetWay way) {
+  AdaptedLayer inset;
+  for (const AdaptedCurve& curve : layer.curves)
+    for (AdaptedCurve& piece : insetCurve(curve, distance_mm, way)) inset.curves.push_back(std::move(piece));
+  return inset;
+}
+
+/// @param nozzle  where it is, if it is anywhere yet
+ToolpathLayer plannedLayer(const AdaptedLayer& layer, const PlanSettings& settings, double feed_mm_s,
+                           Seam& seam, std::optional<Point3> nozzle) {
+  ToolpathLayer planned;
+  planned.z_mm = -std::numeric_limits<double>::infinity();
+  for (const AdaptedCurve& curve : layer.curves) {
+    for (const Point3& point : curve.points) planned.z_mm = std::max(planned.z_mm, point.z());
+    for (const double height : curve.height_mm) planned.height_mm = std::max(planned.height_mm, height);
+    Path path = pathAlong(approached(curve, seam, nozzle), settings.bead.width_mm, feed_mm_s);
+    if (nozzle) {
+      std::optional<Path> travel = makeTravel(*nozzle, path.firstPoint(), settings.travel);
+      if (travel) planned.paths.push_back(std::move(*travel));
+    }
+    nozzle = path.lastPoint();
+    planned.paths.push_back(std::move(path));
+  }
+  return planned;
+}
+
 }  // namespace
 
 std::vector<ToolpathLayer> adaptedWalls(const AdaptedLayers& layers, const PlanSettings& settings) {
+  const double distance_mm = settings.adapted.contour_offset * settings.bead.width_mm;
+  const FeedSettings& feed = settings.feed;
   const Point2 anchor = anchorOf(layers);
   std::optional<Point3> nozzle;
-  std::vector<ToolpathLayer> planned(layers.layers.size());
-  for (std::size_t k = 0; k < planned.size(); ++k) {
+  std::vector<ToolpathLayer> planned;
+  for (std::size_t k = 0; k < layers.layers.size(); ++k) {
+    // The bed is level: across a wall that leans inwards, the lowest layer would sink into it.
+    const AdaptedLayer inset =
+        insetLayer(layers.layers[k], distance_mm, k == 0 ? InsetWay::Level : InsetWay::AcrossWall);
+    if (inset.curves.empty()) continue;
     Seam seam(settings.seam, anchor, k);
-    const FeedSettings& feed = settings.feed;
     const double feed_mm_s =
         k == 0 ? std::min(feed.outer_wall_mm_s, feed.first_layer_mm_s) : feed.outer_wall_mm_s;
-    planned[k].z_mm = -std::numeric_limits<double>::infinity();
-    for (const AdaptedCurve& curve : layers.layers[k].curves) {
-      for (const Point3& point : curve.points) planned[k].z_mm = std::max(planned[k].z_mm, point.z());
-      for (const double height : curve.height_mm)
-        planned[k].height_mm = std::max(planned[k].height_mm, height);
-      Path path = pathAlong(approached(curve, seam, nozzle), settings.bead.width_mm, feed_mm_s);
-      if (nozzle) {
-        std::optional<Path> travel = makeTravel(*nozzle, path.firstPoint(), settings.travel);
-        if (travel) planned[k].paths.push_back(std::move(*travel));
-      }
-      nozzle = path.lastPoint();
-      planned[k].paths.push_back(std::move(path));
-    }
+    planned.push_back(plannedLayer(inset, settings, feed_mm_s, seam, nozzle));
+    nozzle = planned.back().paths.back().lastPoint();
   }
+  if (planned.empty() && !layers.layers.empty())
+    throw InvalidInput("no wall is thick enough for a bead " + std::to_string(distance_mm) +
+                       " mm inside its surface on either side; expected a smaller bead.width_mm or "
+                       "walls.contour_offset");
   return planned;
 }
 

@@ -53,6 +53,11 @@ void describe(SettingsSchema& schema, SkirtSettings& skirt) {
                 "Free space between part and skirt.");
 }
 
+void describe(SettingsSchema& schema, AdaptedWallSettings& adapted) {
+  schema.number("walls.contour_offset", adapted.contour_offset, {0.0, 1.0, false},
+                "Distance of an adapted wall's bead, its middle, from the part's surface, in bead widths.");
+}
+
 void describe(SettingsSchema& schema, SeamSettings& seam) {
   schema.choice<SeamPlacement>("seam.placement", seam.placement,
                                {{"nearest", SeamPlacement::Nearest},
@@ -84,6 +89,7 @@ void describe(SettingsSchema& schema, FeedSettings& feed) {
 void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.bead);
   describe(schema, settings.walls);
+  describe(schema, settings.adapted);
   describe(schema, settings.infill);
   describe(schema, settings.fill);
   describe(schema, settings.voids);
