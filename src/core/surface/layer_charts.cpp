@@ -14,6 +14,7 @@
 #include "lamina/surface/plan_distortion.hpp"
 #include "lamina/surface/surface_cut.hpp"
 #include "surface/chart_placement.hpp"
+#include "surface/creases.hpp"
 #include "surface/cutting_field.hpp"
 #include "surface/net_curvature.hpp"
 #include "surface/plane_plan.hpp"
@@ -28,6 +29,12 @@ constexpr double kLeastShare = 0.1;
 constexpr int kDeepestCut = 30;
 // Net curvature by that which a cap may have: longer patches may have more.
 constexpr double kFarTooRound = 1.3;
+// Creases are where to cut if they carry this share of a piece's curvature and divide it into no more parts:
+// more are facets of a round surface.
+constexpr double kCreased = 0.5;
+constexpr std::uint32_t kMostParts = 24;
+// A piece with so much curvature on creases is cut at them without trying to flatten it [rad].
+constexpr double kSharplyCreased = 2.0;
 // Pieces without area are left out [mm²].
 constexpr double kNothing = 1e-9;
 
@@ -83,25 +90,29 @@ double beadArea(const LayerSurface& piece) {
                     std::to_string(piece.cuts) + " times, and " + reason);
 }
 
-/// The piece's plan, if it has one that may be used.
+bool divide(const Creases& creases) {
+  return creases.parts > 1 && creases.parts <= kMostParts && creases.share >= kCreased;
+}
+
+/// The plan of a piece that is not plane, if it has one that may be used.
 /// @throws InvalidMesh if it has none and was cut too often
-std::optional<std::vector<Point2>> planOf(const Piece& piece, const FlatteningSettings& settings) {
+std::optional<std::vector<Point2>> planOf(const Piece& piece, const MeshTopology& topology,
+                                          const Creases& creases, const FlatteningSettings& settings) {
   const Mesh& mesh = piece.surface.middle;
-  const MeshTopology topology = pairHalfEdges(mesh);
+  const bool is_last = piece.cuts >= kDeepestCut;
   if (!topology.has_border) {
-    if (piece.cuts >= kDeepestCut) refuse(piece, "still has no border");
+    if (is_last) refuse(piece, "still has no border");
     return std::nullopt;
   }
-  if (auto plan = planOfPlane(mesh)) return plan;
-  // Flattening takes long; a piece far too round for it is cut at once.
+  // Flattening takes long; a piece far too round or creased for it is cut at once.
+  if (!is_last && divide(creases) && creases.curvature > kSharplyCreased) return std::nullopt;
   const double too_round = kFarTooRound * greatestFlatCurvature(settings.tolerance);
-  if (piece.cuts < kDeepestCut && netCurvature(mesh, topology) > too_round) return std::nullopt;
+  if (!is_last && netCurvature(mesh, topology) > too_round) return std::nullopt;
   std::vector<Point2> plan = flatten(mesh, settings);
   const Verdict verdict = judge(mesh, plan, settings.tolerance);
   const double area = surfaceArea(mesh);
-  const double bead_area = beadArea(piece.surface);
-  if (verdict.is_plan && (verdict.is_true || area <= bead_area)) return plan;
-  if (piece.cuts >= kDeepestCut) refuse(piece, "in its plan " + verdict.reason);
+  if (verdict.is_plan && (verdict.is_true || area <= beadArea(piece.surface))) return plan;
+  if (is_last) refuse(piece, "in its plan " + verdict.reason);
   return std::nullopt;
 }
 
@@ -117,15 +128,34 @@ std::vector<Piece> cutInTwo(const Piece& piece) {
   return parts;
 }
 
+std::vector<Piece> cutAlong(const Creases& creases, const Piece& piece) {
+  std::vector<std::vector<std::uint32_t>> triangles(creases.parts);
+  for (std::uint32_t t = 0; t < creases.part.size(); ++t) triangles[creases.part[t]].push_back(t);
+  std::vector<Piece> parts;
+  for (const std::vector<std::uint32_t>& part : triangles)
+    parts.push_back({pieceOf(piece.surface, part), piece.cuts + 1});
+  return parts;
+}
+
 void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<LayerChart>& charts) {
-  if (surfaceArea(piece.surface.middle) <= kNothing) return;
-  if (auto plan = planOf(piece, settings)) {
+  const Mesh& mesh = piece.surface.middle;
+  if (surfaceArea(mesh) <= kNothing) return;
+  const MeshTopology topology = pairHalfEdges(mesh);
+  Creases creases;
+  std::optional<std::vector<Point2>> plan;
+  if (topology.has_border) plan = planOfPlane(mesh);
+  if (!plan) {
+    creases = findCreases(mesh, topology, beadArea(piece.surface));
+    plan = planOf(piece, topology, creases, settings);
+  }
+  if (plan) {
     charts.push_back({std::move(piece.surface), std::move(*plan)});
     layOverProjection(charts.back());
     return;
   }
-  if (surfaceArea(piece.surface.middle) <= kLeastShare * beadArea(piece.surface)) return;
-  for (Piece& part : cutInTwo(piece)) addCharts(std::move(part), settings, charts);
+  if (surfaceArea(mesh) <= kLeastShare * beadArea(piece.surface)) return;
+  for (Piece& part : divide(creases) ? cutAlong(creases, piece) : cutInTwo(piece))
+    addCharts(std::move(part), settings, charts);
 }
 
 }  // namespace

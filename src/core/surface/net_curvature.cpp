@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <vector>
+#include <numeric>
 
 namespace lamina {
 namespace {
@@ -18,7 +18,7 @@ double angleAt(const Mesh& mesh, HalfEdge corner) {
 
 }  // namespace
 
-double netCurvature(const Mesh& mesh, const MeshTopology& topology) {
+std::vector<double> insideCurvature(const Mesh& mesh, const MeshTopology& topology) {
   std::vector<double> lacking(mesh.vertices.size(), 2.0 * M_PI);
   std::vector<char> is_inside(mesh.vertices.size(), 1);
   const auto half_edges = static_cast<HalfEdge>(3 * mesh.triangles.size());
@@ -28,10 +28,14 @@ double netCurvature(const Mesh& mesh, const MeshTopology& topology) {
     is_inside[originOf(mesh, side)] = 0;
     is_inside[originOf(mesh, nextInTriangle(side))] = 0;
   }
-  double sum = 0.0;
   for (std::size_t i = 0; i < lacking.size(); ++i)
-    if (is_inside[i]) sum += lacking[i];
-  return sum;
+    if (!is_inside[i]) lacking[i] = 0.0;
+  return lacking;
+}
+
+double netCurvature(const Mesh& mesh, const MeshTopology& topology) {
+  const std::vector<double> curvature = insideCurvature(mesh, topology);
+  return std::accumulate(curvature.begin(), curvature.end(), 0.0);
 }
 
 double greatestFlatCurvature(double tolerance) {

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "lamina/geometry/mesh.hpp"
 #include "lamina/geometry/mesh_topology.hpp"
 
 namespace lamina {
+
+/// Gaussian curvature at each vertex [rad]: what the angles around it lack of a full turn; 0 on the border.
+std::vector<double> insideCurvature(const Mesh& mesh, const MeshTopology& topology);
 
 /// Gaussian curvature of a surface summed over its inside [rad]: what the angles around each vertex that is
 /// not on the border lack of a full turn. A cap of a sphere that reaches t from its pole has 2 pi (1 - cos

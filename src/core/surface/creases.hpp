@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh_topology.hpp"
+
+namespace lamina {
+
+/// A surface divided along its creases: edges at which it bends by 30 degrees or more. What unrolls together
+/// stays together: parts that meet in a straight crease, as the sides of a prism do. A crease that ends
+/// inside a part divides nothing.
+struct Creases {
+  std::vector<std::uint32_t> part;  ///< of each triangle; numbered in the order of their first triangles
+  std::uint32_t parts = 0;
+  /// Absolute Gaussian curvature at the vertices between parts, without the surface's border [rad].
+  double curvature = 0.0;
+  /// The same, of that of the whole surface: 1 if the parts unroll; 0 if nothing is curved.
+  double share = 0.0;
+};
+
+/// @param least_area  smaller parts are counted to the neighbour with which they share the longest border
+///                    [mm²]
+Creases findCreases(const Mesh& surface, const MeshTopology& topology, double least_area);
+
+}  // namespace lamina
