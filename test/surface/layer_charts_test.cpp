@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -140,6 +141,41 @@ TEST(LayerCharts, ATubeIsCutIntoHalvesThatUnroll) {
   EXPECT_TRUE(keepPromises(charts, 0.01));
   EXPECT_TRUE(areApart(charts));
   EXPECT_NEAR(areaOf(charts), surfaceArea(layer.middle), 1e-6);
+}
+
+TEST(LayerCharts, ACupIsCutIntoItsFloorAndTheHalvesOfItsWall) {
+  for (const double floor : {0.1, 1.0, 5.0, 9.0}) {
+    // Twice as steep as wide, with an odd number of facets.
+    const LayerSurface layer = layerOf(disc(91, 20, [&](double share, double angle) {
+      const double rise = std::max(0.0, 20.0 * share - 10.0);
+      const double r = std::min(2.0 * share, 1.0) * floor + 0.5 * rise;
+      return Point3(r * std::cos(angle), r * std::sin(angle), rise);
+    }));
+    const std::vector<LayerChart> charts = layerCharts(layer, {});
+    EXPECT_EQ(charts.size(), 3U) << floor;
+    EXPECT_TRUE(keepPromises(charts, 1e-3)) << floor;
+    EXPECT_TRUE(areApart(charts));
+    EXPECT_NEAR(areaOf(charts), surfaceArea(layer.middle), 1e-9);
+  }
+}
+
+TEST(LayerCharts, ATruncatedOctahedronIsCutAlongItsEdges) {
+  const Mesh solid = makePart("tetradecahedron");
+  const Box3 box = boundingBox(solid);
+  // Without its lid, and with it.
+  LayerSurface cup = layerOf(solid);
+  std::vector<double> field;
+  for (const Point3& vertex : solid.vertices) field.push_back(box.centre().z() - vertex.z());
+  cup = whereNotNegative(cup, field);
+  for (const LayerSurface& layer : {cup, layerOf(solid)}) {
+    const std::vector<LayerChart> charts = layerCharts(layer, {});
+    EXPECT_LE(charts.size(), 5U);
+    EXPECT_TRUE(keepPromises(charts, 1e-6));
+    // No triangle was cut.
+    std::size_t triangles = 0;
+    for (const LayerChart& chart : charts) triangles += chart.surface.middle.triangles.size();
+    EXPECT_EQ(triangles, layer.middle.triangles.size());
+  }
 }
 
 TEST(LayerCharts, AConeIsCutThroughItsApex) {

@@ -145,7 +145,7 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
   std::optional<std::vector<Point2>> plan;
   if (topology.has_border) plan = planOfPlane(mesh);
   if (!plan) {
-    creases = findCreases(mesh, topology, beadArea(piece.surface));
+    creases = findCreases(mesh, topology, kLeastShare * beadArea(piece.surface));
     plan = planOf(piece, topology, creases, settings);
   }
   if (plan) {
