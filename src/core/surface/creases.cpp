@@ -60,18 +60,23 @@ class Patches {
         join(rootOf(patch), rootOf(neighbour[patch].second));
   }
 
-  /// Joins what unrolls together, longest common borders first.
+  /// Joins what unrolls together, longest common borders first, each with one other at a time.
   void joinUnrolling() {
     std::vector<std::pair<double, std::pair<std::uint32_t, std::uint32_t>>> order;
     order.reserve(borders_.size());
     for (const auto& [pair, length] : borders_) order.emplace_back(-length, pair);
     std::sort(order.begin(), order.end());
-    for (const auto& [length, pair] : order) {
-      const std::uint32_t one = rootOf(pair.first);
-      const std::uint32_t other = rootOf(pair.second);
-      if (one == other || enclosedBy(one, other) > kUnrolls) continue;
-      enclosed_[one] = enclosedBy(one, other);
-      join(other, one);
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      std::vector<char> is_joined(area_.size(), 0);
+      for (const auto& [length, pair] : order) {
+        const std::uint32_t one = rootOf(pair.first);
+        const std::uint32_t other = rootOf(pair.second);
+        if (one == other || is_joined[one] != 0 || is_joined[other] != 0) continue;
+        if (!joinIfUnrolling(one, other)) continue;
+        is_joined[one] = is_joined[other] = 1;
+        is_changed = true;
+      }
     }
   }
 
@@ -123,9 +128,12 @@ class Patches {
   /// Lengths of common borders, and the patches around each vertex on them.
   void gatherBorders() {
     const auto sides = static_cast<HalfEdge>(3 * patch_.size());
+    sides_.resize(area_.size());
     for (HalfEdge side = 0; side < sides; ++side) {
       const HalfEdge other = topology_.opposite[side];
-      if (other == kNoHalfEdge || patch_[triangleOf(side)] >= patch_[triangleOf(other)]) continue;
+      if (other == kNoHalfEdge || patch_[triangleOf(side)] == patch_[triangleOf(other)]) continue;
+      sides_[patch_[triangleOf(side)]].push_back(side);
+      if (patch_[triangleOf(side)] > patch_[triangleOf(other)]) continue;
       const std::uint32_t from = originOf(surface_, side);
       const std::uint32_t to = originOf(surface_, other);
       borders_[{patch_[triangleOf(side)], patch_[triangleOf(other)]}] +=
@@ -156,27 +164,47 @@ class Patches {
     if (corners_[root].size() > corners_[onto].size()) std::swap(corners_[root], corners_[onto]);
     corners_[onto].insert(corners_[onto].end(), corners_[root].begin(), corners_[root].end());
     corners_[root].clear();
+    if (sides_[root].size() > sides_[onto].size()) std::swap(sides_[root], sides_[onto]);
+    sides_[onto].insert(sides_[onto].end(), sides_[root].begin(), sides_[root].end());
+    sides_[root].clear();
   }
 
-  /// What two joined patches would enclose at creases [rad].
-  double enclosedBy(std::uint32_t one, std::uint32_t other) {
-    const bool is_smaller = corners_[one].size() < corners_[other].size();
-    std::vector<std::uint32_t> corners = corners_[is_smaller ? one : other];
+  bool joinIfUnrolling(std::uint32_t one, std::uint32_t other) {
+    const Meeting meeting =
+        corners_[one].size() < corners_[other].size() ? meet(one, other) : meet(other, one);
+    const double enclosed = enclosed_[one] + enclosed_[other] + meeting.enclosed;
+    if (enclosed > kUnrolls || meeting.stretches > 1) return false;
+    enclosed_[one] = enclosed;
+    join(other, one);
+    return true;
+  }
+
+  /// Where two patches meet.
+  struct Meeting {
+    double enclosed = 0.0;         // curvature at creases that both together would enclose [rad]
+    std::ptrdiff_t stretches = 0;  // of border in common, unless it runs all around; two would close a ring
+  };
+
+  Meeting meet(std::uint32_t smaller, std::uint32_t larger) {
+    std::vector<std::uint32_t>& corners = corners_[smaller];
     std::sort(corners.begin(), corners.end());
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    double sum = enclosed_[one] + enclosed_[other];
+    Meeting meeting;
     for (const std::uint32_t vertex : corners) {
       bool is_enclosed = true;
-      bool is_between = false;
-      const std::vector<std::uint32_t>& patches = around_.at(vertex);
-      for (const std::uint32_t patch : patches) {
+      bool is_shared = false;
+      for (const std::uint32_t patch : around_.at(vertex)) {
         const std::uint32_t root = rootOf(patch);
-        is_enclosed = is_enclosed && (root == one || root == other);
-        is_between = is_between || root != rootOf(patches.front());
+        is_enclosed = is_enclosed && (root == smaller || root == larger);
+        is_shared = is_shared || root == larger;
       }
-      if (is_enclosed && is_between) sum += std::abs(curvature_[vertex]);
+      if (!is_shared) continue;
+      ++meeting.stretches;
+      if (is_enclosed) meeting.enclosed += std::abs(curvature_[vertex]);
     }
-    return sum;
+    for (const HalfEdge side : sides_[smaller])
+      if (rootOf(patch_[triangleOf(topology_.opposite[side])]) == larger) --meeting.stretches;
+    return meeting;
   }
 
   const Mesh& surface_;
@@ -189,7 +217,8 @@ class Patches {
   std::vector<double> enclosed_;       // at creases inside joined patches [rad]
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> borders_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> around_;
-  std::vector<std::vector<std::uint32_t>> corners_;  // vertices on the borders of each
+  std::vector<std::vector<std::uint32_t>> corners_;  // vertices on the creases around each
+  std::vector<std::vector<HalfEdge>> sides_;         // of its triangles at creases
 };
 
 }  // namespace

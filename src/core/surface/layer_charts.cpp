@@ -33,6 +33,8 @@ constexpr double kFarTooRound = 1.3;
 // more are facets of a round surface.
 constexpr double kCreased = 0.5;
 constexpr std::uint32_t kMostParts = 24;
+// Parts between creases smaller than this share of a bead's square are none.
+constexpr double kLeastPart = 0.01;
 // A piece with so much curvature on creases is cut at them without trying to flatten it [rad].
 constexpr double kSharplyCreased = 2.0;
 // Pieces without area are left out [mm²].
@@ -145,7 +147,7 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
   std::optional<std::vector<Point2>> plan;
   if (topology.has_border) plan = planOfPlane(mesh);
   if (!plan) {
-    creases = findCreases(mesh, topology, kLeastShare * beadArea(piece.surface));
+    creases = findCreases(mesh, topology, kLeastPart * beadArea(piece.surface));
     plan = planOf(piece, topology, creases, settings);
   }
   if (plan) {
