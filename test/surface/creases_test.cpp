@@ -38,7 +38,7 @@ TEST(Creases, DivideACupIntoItsFloorAndItsWall) {
   }
   // A full turn less the angle that the wall takes when it is unrolled.
   EXPECT_NEAR(creases.curvature, 2.0 * M_PI * (1.0 - std::cos(1.0)), 0.01);
-  EXPECT_NEAR(creases.share, 1.0, 1e-9);
+  EXPECT_NEAR(creases.inside, 0.0, 1e-9);
 }
 
 TEST(Creases, LeaveWhatBendsLittleWhole) {
@@ -65,7 +65,7 @@ TEST(Creases, OfASolidHoldAllItsCurvature) {
   EXPECT_GE(creases.parts, 2U);
   EXPECT_LE(creases.parts, 14U);
   EXPECT_NEAR(creases.curvature, 4.0 * M_PI, 1e-6);
-  EXPECT_NEAR(creases.share, 1.0, 1e-9);
+  EXPECT_NEAR(creases.inside, 0.0, 1e-9);
 }
 
 TEST(Creases, OfAnEmptySurfaceAreNone) { EXPECT_EQ(creasesOf({}).parts, 0U); }

@@ -178,6 +178,18 @@ TEST(LayerCharts, ATruncatedOctahedronIsCutAlongItsEdges) {
   }
 }
 
+TEST(LayerCharts, AFunnelOfFacetsIsCutAlongItsEdges) {
+  // Four sides that lean by 45 degrees: curved nowhere, but it does not lie flat as a ring.
+  const LayerSurface layer = layerOf(band(4, 6, [](double u, double v) {
+    const double r = 5.0 + 5.0 * v;
+    return Point3(r * std::cos(2.0 * M_PI * u), r * std::sin(2.0 * M_PI * u), 5.0 * std::sqrt(0.5) * v);
+  }));
+  const std::vector<LayerChart> charts = layerCharts(layer, {});
+  EXPECT_EQ(charts.size(), 2U);
+  EXPECT_TRUE(keepPromises(charts, 1e-6));
+  for (const LayerChart& chart : charts) EXPECT_EQ(chart.surface.middle.triangles.size(), 24U);
+}
+
 TEST(LayerCharts, AConeIsCutThroughItsApex) {
   const std::vector<LayerChart> charts = layerCharts(layerOf(coneMesh(60, 20, 15.0)), {});
   EXPECT_EQ(charts.size(), 2U);

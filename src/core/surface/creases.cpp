@@ -95,7 +95,7 @@ class Patches {
       if (std::any_of(patches.begin(), patches.end(),
                       [&](std::uint32_t patch) { return rootOf(patch) != rootOf(patches.front()); }))
         creases.curvature += std::abs(curvature_[vertex]);
-    creases.share = whole > 0.0 ? creases.curvature / whole : 0.0;
+    creases.inside = whole - creases.curvature;
     return creases;
   }
 

@@ -18,8 +18,8 @@ struct Creases {
   std::uint32_t parts = 0;
   /// Absolute Gaussian curvature at the vertices between parts, without the surface's border [rad].
   double curvature = 0.0;
-  /// The same, of that of the whole surface: 1 if the parts unroll; 0 if nothing is curved.
-  double share = 0.0;
+  /// The same inside the parts: 0 if they unroll.
+  double inside = 0.0;
 };
 
 /// @param least_area  smaller parts are counted to the neighbour with which they share the longest border

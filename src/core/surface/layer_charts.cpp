@@ -29,9 +29,9 @@ constexpr double kLeastShare = 0.1;
 constexpr int kDeepestCut = 30;
 // Net curvature by that which a cap may have: longer patches may have more.
 constexpr double kFarTooRound = 1.3;
-// Creases are where to cut if they carry this share of a piece's curvature and divide it into no more parts:
-// more are facets of a round surface.
-constexpr double kCreased = 0.5;
+// Creases are where to cut if parts between them hold less curvature than the creases, or this little [rad],
+// and if they divide a piece into no more parts: more are facets of a round surface.
+constexpr double kLittleCurvature = 0.05;
 constexpr std::uint32_t kMostParts = 24;
 // Parts between creases smaller than this share of a bead's square are none.
 constexpr double kLeastPart = 0.01;
@@ -93,7 +93,8 @@ double beadArea(const LayerSurface& piece) {
 }
 
 bool divide(const Creases& creases) {
-  return creases.parts > 1 && creases.parts <= kMostParts && creases.share >= kCreased;
+  return creases.parts > 1 && creases.parts <= kMostParts &&
+         creases.inside <= std::max(creases.curvature, kLittleCurvature);
 }
 
 /// The plan of a piece that is not plane, if it has one that may be used.
