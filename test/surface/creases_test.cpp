@@ -47,10 +47,13 @@ TEST(Creases, LeaveWhatBendsLittleWhole) {
 }
 
 TEST(Creases, LeaveWhatUnrollsTogetherWhole) {
-  const Mesh folded = patch(8, 8, [](double u, double v) { return Point3(u, v, std::abs(u - 0.5)); });
-  EXPECT_EQ(creasesOf(folded).parts, 1U);
   // A tube of eight facets with a floor: two halves of the tube.
   EXPECT_EQ(creasesOf(cup(8, 0.5 * M_PI)).parts, 3U);
+}
+
+TEST(Creases, DivideAtAllOfThemWhatUnrollsAsAWhole) {
+  const Mesh folded = patch(8, 8, [](double u, double v) { return Point3(u, v, std::abs(u - 0.5)); });
+  EXPECT_EQ(creasesOf(folded).parts, 2U);
 }
 
 TEST(Creases, CountSmallPartsToTheirNeighbours) {

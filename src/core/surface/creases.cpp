@@ -226,8 +226,10 @@ class Patches {
 Creases findCreases(const Mesh& surface, const MeshTopology& topology, double least_area) {
   Patches patches(surface, topology);
   patches.absorbSmall(least_area);
+  Creases apart = patches.result();
   patches.joinUnrolling();
-  return patches.result();
+  Creases joined = patches.result();
+  return joined.parts > 1 ? joined : apart;
 }
 
 }  // namespace lamina

@@ -11,8 +11,9 @@
 namespace lamina {
 
 /// A surface divided along its creases: edges at which it bends by 30 degrees or more. What unrolls together
-/// stays together: parts that meet in a straight crease, as the sides of a prism do, but never all around. A
-/// crease that ends inside a part divides nothing.
+/// stays together: parts that meet in a straight crease, as the sides of a prism do, but never all around;
+/// if the whole surface seems to, all parts are apart: it is asked about since it does not lie flat. A crease
+/// that ends inside a part divides nothing.
 struct Creases {
   std::vector<std::uint32_t> part;  ///< of each triangle; numbered in the order of their first triangles
   std::uint32_t parts = 0;
