@@ -92,9 +92,7 @@ class Patches {
     double whole = 0.0;
     for (const double one : curvature_) whole += std::abs(one);
     for (const auto& [vertex, patches] : around_)
-      if (std::any_of(patches.begin(), patches.end(),
-                      [&](std::uint32_t patch) { return rootOf(patch) != rootOf(patches.front()); }))
-        creases.curvature += std::abs(curvature_[vertex]);
+      if (!isOneRoot(patches)) creases.curvature += std::abs(curvature_[vertex]);
     creases.inside = whole - creases.curvature;
     return creases;
   }
@@ -156,6 +154,11 @@ class Patches {
   std::uint32_t rootOf(std::uint32_t patch) {
     while (joined_[patch] != patch) patch = joined_[patch] = joined_[joined_[patch]];
     return patch;
+  }
+
+  bool isOneRoot(const std::vector<std::uint32_t>& patches) {
+    return std::all_of(patches.begin(), patches.end(),
+                       [&](std::uint32_t patch) { return rootOf(patch) == rootOf(patches.front()); });
   }
 
   void join(std::uint32_t root, std::uint32_t onto) {

@@ -135,6 +135,7 @@ std::vector<Piece> cutAlong(const Creases& creases, const Piece& piece) {
   std::vector<std::vector<std::uint32_t>> triangles(creases.parts);
   for (std::uint32_t t = 0; t < creases.part.size(); ++t) triangles[creases.part[t]].push_back(t);
   std::vector<Piece> parts;
+  parts.reserve(creases.parts);
   for (const std::vector<std::uint32_t>& part : triangles)
     parts.push_back({pieceOf(piece.surface, part), piece.cuts + 1});
   return parts;
