@@ -71,8 +71,7 @@ TEST(ChartLookup, DrawsPointsJustOutsideToTheBorderAndRefusesOthers) {
   const std::vector<LayerChart> charts = {levelChart(10.0, 5)};
   const ChartLookup lookup(charts);
   EXPECT_NEAR((lookup.lifted(lookup.at({-0.009, 3.0})).middle - Point3(0, 3, 0)).norm(), 0.0, 1e-12);
-  EXPECT_NEAR((lookup.lifted(lookup.at({10.0 + 0.009, 10.0})).middle - Point3(10, 10, 0)).norm(), 0.0,
-              1e-12);
+  EXPECT_NEAR((lookup.lifted(lookup.at({10.0 + 0.009, 10.0})).middle - Point3(10, 10, 0)).norm(), 0.0, 1e-12);
   EXPECT_FALSE(lookup.find({-0.011, 3.0}));
   EXPECT_FALSE(lookup.find({1e6, 3.0}));
   EXPECT_THROW(lookup.at({-0.011, 3.0}), InvalidInput);

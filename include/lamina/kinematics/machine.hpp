@@ -96,6 +96,7 @@ void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed
                           const Machine& machine);
 
 /// Greatest angle between a jet of the toolpath and the one that the machine's head holds [rad].
-double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const Machine& machine);
+double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                       const Machine& machine);
 
 }  // namespace lamina

@@ -28,7 +28,8 @@ struct WallFaces {
 struct OrientationLimits {
   double max_tilt_deg = 180.0;       ///< of the jet from straight down; 180 is no limit
   double max_turn_deg_per_mm = 0.0;  ///< of the jet along a run; 0 is no limit
-  double max_off_normal_deg = 60.0;  ///< of the jet from the layer's normal; a part that needs more is refused
+  double max_off_normal_deg =
+      60.0;  ///< of the jet from the layer's normal; a part that needs more is refused
 };
 
 /// How the nozzle is held along a toolpath.

@@ -69,8 +69,8 @@ CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const 
                           double layer_height_mm, Progress& progress);
 
 /// Level layers between two heights, cut at low + h/2, ..., high - h/2 in equal steps (section 2.5) if these
-/// are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best. None in less than half
-/// a height.
+/// are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best. None in less than
+/// half a height.
 std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm);
 
 }  // namespace lamina

@@ -167,7 +167,8 @@ void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fro
   requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Pose));
 }
 
-double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, const Machine& machine) {
+double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                       const Machine& machine) {
   const Point3 own = bed_from_part.linear().transpose() * machine.bed_from_nozzle_at_zero.linear().col(2);
   double greatest = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
