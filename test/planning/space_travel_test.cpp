@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planning/nozzle_frame.hpp"
 
 namespace lamina {
@@ -47,6 +49,25 @@ TEST(SpaceTravel, FarAwayLeavesAlongTheJetAndClearsTheHighestTip) {
   // The nozzle turns high above the part.
   EXPECT_EQ(travel->orientation.at(2).coeffs(), from.orientation.coeffs());
   EXPECT_EQ(travel->orientation.at(3).coeffs(), to.orientation.coeffs());
+}
+
+TEST(SpaceTravel, NearbyDoesNotCutThroughALayerThatBends) {
+  const double radius = 3.0;
+  const auto on = [radius](double angle) {
+    const Point3 out(std::sin(angle), 0.0, std::cos(angle));
+    return NozzlePose{radius * out, nozzleAgainst(out)};
+  };
+  for (const double angle : {0.1, 0.3, 0.6}) {
+    const auto travel = makeSpaceTravel(on(0.0), on(angle), settings(), 12.0);
+    ASSERT_TRUE(travel);
+    for (std::size_t i = 1; i < travel->points.size(); ++i)
+      for (int part = 0; part <= 20; ++part) {
+        const double t = part / 20.0;
+        const Point3 point = (1.0 - t) * travel->points[i - 1] + t * travel->points[i];
+        EXPECT_GE(point.norm(), radius - 1e-9) << angle;
+        EXPECT_LE(point.norm(), radius * (1.0 + 0.5 * angle * angle)) << angle;
+      }
+  }
 }
 
 TEST(SpaceTravel, NearbyRisesAlongTheJetToTheLevelOfTheOther) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/space_travel.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -46,10 +48,19 @@ class Route {
 
 Point3 atHeight(const Point3& point, double z) { return {point.x(), point.y(), z}; }
 
+/// How far the straight line between two poses may lie beneath a layer that bends evenly between them, twice:
+/// for normals an angle a apart, a distance d on the arc has a rise of d a / 8.
+double riseBetween(const NozzlePose& from, const NozzlePose& to) {
+  const Point3 one = againstJet(from.orientation);
+  const Point3 other = againstJet(to.orientation);
+  return 0.25 * (to.point - from.point).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
 Route nearby(const NozzlePose& from, const NozzlePose& to) {
-  const auto raised = [](const NozzlePose& pose, const NozzlePose& other) {
+  const double rise = riseBetween(from, to);
+  const auto raised = [rise](const NozzlePose& pose, const NozzlePose& other) {
     const Point3 up = againstJet(pose.orientation);
-    return Point3(pose.point + std::max(0.0, up.dot(other.point - pose.point)) * up);
+    return Point3(pose.point + (std::max(0.0, up.dot(other.point - pose.point)) + rise) * up);
   };
   Route route;
   route.add(from.point, from.orientation);
