@@ -12,7 +12,7 @@ namespace {
 /// Runs up from the lower side of a 10 x 10 square at these x, to y = 5.
 std::vector<RunOnOutlines> runsUpFrom(const std::vector<double>& x) {
   std::vector<RunOnOutlines> runs;
-  for (const double at : x) runs.push_back({{{at, 0}, {at, 5}}, OutlinePlace{0, 0, at}, std::nullopt});
+  for (const double at : x) runs.push_back({{{at, 0}, {at, 5}}, OutlinePoint{0, 0, at}, std::nullopt});
   return runs;
 }
 
@@ -26,7 +26,7 @@ TEST(OutlineLinks, JoinEndsThatFollowEachOtherAlongTheOutline) {
 
 TEST(OutlineLinks, GoRoundTheCornersOfTheOutline) {
   std::vector<RunOnOutlines> runs = runsUpFrom({9});
-  runs.push_back({{{10, 1}, {5, 1}}, OutlinePlace{0, 1, 1.0}, std::nullopt});
+  runs.push_back({{{10, 1}, {5, 1}}, OutlinePoint{0, 1, 1.0}, std::nullopt});
   const std::vector<Polyline> joined = joinAlongOutlines(runs, kSquare, 2.5);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0], (Polyline{{9, 5}, {9, 0}, {10, 0}, {10, 1}, {5, 1}}));
@@ -34,7 +34,7 @@ TEST(OutlineLinks, GoRoundTheCornersOfTheOutline) {
 
 TEST(OutlineLinks, GoOnFromTheLastPointOfAnOutlineToItsFirst) {
   std::vector<RunOnOutlines> runs = runsUpFrom({1});
-  runs.push_back({{{0, 1}, {5, 1}}, OutlinePlace{0, 3, 9.0}, std::nullopt});
+  runs.push_back({{{0, 1}, {5, 1}}, OutlinePoint{0, 3, 9.0}, std::nullopt});
   const std::vector<Polyline> joined = joinAlongOutlines(runs, kSquare, 2.5);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0], (Polyline{{1, 5}, {1, 0}, {0, 0}, {0, 1}, {5, 1}}));
@@ -52,7 +52,7 @@ TEST(OutlineLinks, PassNoOtherEnd) {
 
 TEST(OutlineLinks, CloseNoRun) {
   const std::vector<RunOnOutlines> bow = {
-      {{{2, 0}, {2, 1}, {3, 1}, {3, 0}}, OutlinePlace{0, 0, 2.0}, OutlinePlace{0, 0, 3.0}}};
+      {{{2, 0}, {2, 1}, {3, 1}, {3, 0}}, OutlinePoint{0, 0, 2.0}, OutlinePoint{0, 0, 3.0}}};
   const std::vector<Polyline> joined = joinAlongOutlines(bow, kSquare, 5.0);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0].size(), 4U);

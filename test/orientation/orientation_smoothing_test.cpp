@@ -24,13 +24,13 @@ TEST(OrientationSmoothing, ConstantInputIsUnchanged) {
   const std::vector<Point3> jets(7, Point3(0.6, 0.0, -0.8));
   for (const int window : {1, 3, 7, 21})
     for (const bool is_closed : {false, true})
-      for (const Point3& jet : smoothedJets(jets, is_closed, window))
+      for (const Point3& jet : smoothedJets(jets, is_closed ? Course::Closed : Course::Open, window))
         EXPECT_LE((jet - jets[0]).norm(), 1e-14);
 }
 
 TEST(OrientationSmoothing, AnEvenWindowIsRefused) {
-  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, false, 4), InvalidConfig);
-  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, false, 0), InvalidConfig);
+  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, Course::Open, 4), InvalidConfig);
+  EXPECT_THROW(smoothedJets({Point3(0, 0, -1)}, Course::Open, 0), InvalidConfig);
 }
 
 TEST(OrientationSmoothing, IsTheMeanOfTheWindowRoundTheLoop) {
@@ -38,7 +38,7 @@ TEST(OrientationSmoothing, IsTheMeanOfTheWindowRoundTheLoop) {
     const std::size_t count = *rc::gen::inRange<std::size_t>(2, 12);
     const auto half = *rc::gen::inRange<std::size_t>(1, 20);
     const std::vector<Point3> jets = test::anyJets(count, 80.0);
-    const std::vector<Point3> smoothed = smoothedJets(jets, true, static_cast<int>(2 * half + 1));
+    const std::vector<Point3> smoothed = smoothedJets(jets, Course::Closed, static_cast<int>(2 * half + 1));
     for (std::size_t i = 0; i < count; ++i) {
       Point3 sum = Point3::Zero();
       // Whole rounds more, so that no index is negative.
@@ -54,7 +54,8 @@ TEST(OrientationSmoothing, TheGreatestStepDecreases) {
   for (const bool is_closed : {false, true}) {
     double before = greatestStep(jets, is_closed);
     for (const int window : {3, 5}) {
-      const double after = greatestStep(smoothedJets(jets, is_closed, window), is_closed);
+      const double after =
+          greatestStep(smoothedJets(jets, is_closed ? Course::Closed : Course::Open, window), is_closed);
       EXPECT_LT(after, before - 1.0);
       before = after;
     }
@@ -64,7 +65,7 @@ TEST(OrientationSmoothing, TheGreatestStepDecreases) {
 TEST(OrientationSmoothing, TheLoopWraps) {
   std::vector<Point3> jets(9, Point3(0, 0, -1));
   jets[0] = Point3(0.6, 0.0, -0.8);
-  const std::vector<Point3> smoothed = smoothedJets(jets, true, 3);
+  const std::vector<Point3> smoothed = smoothedJets(jets, Course::Closed, 3);
   EXPECT_LE((smoothed[8] - smoothed[1]).norm(), 1e-14);
   EXPECT_GT(smoothed[8].x(), 0.1);
 }
@@ -72,7 +73,7 @@ TEST(OrientationSmoothing, TheLoopWraps) {
 TEST(OrientationSmoothing, EndsOfAnOpenPathStay) {
   EXPECT_TRUE(rc::check([] {
     const std::vector<Point3> jets = test::anyJets(9, 60.0);
-    const std::vector<Point3> smoothed = smoothedJets(jets, false, 5);
+    const std::vector<Point3> smoothed = smoothedJets(jets, Course::Open, 5);
     RC_ASSERT((smoothed.front() - jets.front()).norm() <= 1e-12);
     RC_ASSERT((smoothed.back() - jets.back()).norm() <= 1e-12);
   }));

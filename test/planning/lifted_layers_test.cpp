@@ -27,13 +27,21 @@ constexpr std::uint32_t kSides = 48;
 /// Half cylinders on each other, and what is planned on them.
 struct Stack {
   std::vector<std::vector<LayerChart>> charts;
+  std::vector<double> highest_mm;  ///< nozzle tips, up to and with each layer
   std::vector<Layer> layers;
+
+  void add(const LayerChart& chart) {
+    double z = chart.surface.tip.front().z();
+    for (const Point3& tip : chart.surface.tip) z = std::max(z, tip.z());
+    charts.push_back({chart});
+    highest_mm.push_back(z);
+  }
 };
 
 Stack halfCylinders(int count) {
   Stack stack;
   for (int i = 0; i < count; ++i)
-    stack.charts.push_back({test::halfCylinder(5.1 + test::kLayerHeight * i, kLength, kSides)});
+    stack.add(test::halfCylinder(5.1 + test::kLayerHeight * i, kLength, kSides));
   stack.layers = layersOf(count, [&](int i) {
     const Point2 corner = stack.charts[static_cast<std::size_t>(i)][0].plan.back();
     return std::vector<Polygon>{rectangle(0, 0, corner.x(), corner.y())};
@@ -43,9 +51,9 @@ Stack halfCylinders(int count) {
 
 Toolpath planLifted(const Stack& stack, const PlanSettings& settings) {
   NoProgress progress;
-  Toolpath toolpath =
-      planPart("stack", stack.layers, settings, chartLift(stack.charts, {}, settings.travel), progress)
-          .toolpath;
+  Toolpath toolpath = planPart("stack", stack.layers, settings,
+                               chartLift(stack.charts, stack.highest_mm, {}, settings.travel), progress)
+                          .toolpath;
   validate(toolpath);
   return toolpath;
 }
@@ -126,7 +134,7 @@ TEST(LiftedLayers, OnALevelChartAreWhatThePlanIs) {
     LayerChart chart = test::levelChart(20.0, 40);
     for (std::vector<Point3>* points : {&chart.surface.middle.vertices, &chart.surface.tip})
       for (Point3& point : *points) point.z() += test::kLayerHeight * (i + 0.5);
-    stack.charts.push_back({chart});
+    stack.add(chart);
   }
   stack.layers = layersOf(3, [](int) {
     return std::vector<Polygon>{rectangle(0.5, 0.5, 19.5, 19.5), test::reversed(rectangle(5, 6, 12, 13))};

@@ -5,19 +5,14 @@
 #include <cstddef>
 #include <vector>
 
-namespace lamina {
+#include "lamina/toolpath/waypoint_index.hpp"
 
-/// A waypoint by its numbers, from 0.
-struct WaypointPlace {
-  std::size_t layer = 0;
-  std::size_t path = 0;
-  std::size_t waypoint = 0;
-};
+namespace lamina {
 
 /// The greatest value of a quantity and where it is.
 struct GreatestAngle {
   double value = 0.0;
-  WaypointPlace at;
+  WaypointIndex at;
 };
 
 enum class OrientationLimit { Tilt, Turn };
@@ -25,7 +20,7 @@ enum class OrientationLimit { Tilt, Turn };
 /// A run on which a limit changed the jet.
 struct LimitHit {
   OrientationLimit limit = OrientationLimit::Tilt;
-  WaypointPlace worst;        ///< where wanted and given differ most
+  WaypointIndex worst;        ///< where wanted and given differ most
   double wanted_deg = 0.0;    ///< there: the tilt; for a turn limit the turn on the way there
   double given_deg = 0.0;     ///< there: what it became
   std::size_t waypoints = 0;  ///< of the run at which the jet was changed

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lamina/geometry/moving_average.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
@@ -15,6 +16,6 @@ namespace lamina {
 ///
 /// @param window  odd; 1 changes nothing. On a closed path of fewer waypoints it runs round more than once.
 /// @throws InvalidConfig if it is even or not positive
-std::vector<Point3> smoothedJets(const std::vector<Point3>& jets, bool is_closed, int window);
+std::vector<Point3> smoothedJets(const std::vector<Point3>& jets, Course course, int window);
 
 }  // namespace lamina

@@ -29,7 +29,7 @@ struct Stroke {
 };
 
 /// One colour per cell, row by row, the first row at the bottom of the extent.
-struct Raster {
+struct CellColours {
   int columns = 0;
   int rows = 0;
   std::vector<Colour> cells;  ///< columns times rows
@@ -63,7 +63,7 @@ class Canvas {
   /// A filled disc [mm], with its radius on the picture.
   void dot(const Point2& centre, double radius_px, const Colour& colour);
   /// Cells of even colour over an extent [mm].
-  void raster(const Box2& extent, const Raster& cells);
+  void raster(const Box2& extent, const CellColours& cells);
   /// @param at  of the anchor on the base line [px]
   void text(const Point2& at, const std::string& text, const TextStyle& style);
 

@@ -52,8 +52,9 @@ LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planne
 
 /// Lifts each layer onto its charts by `liftOnto`. Layers without charts are level ones, planned where they
 /// are: they stay so.
-/// @param layers  charts of each layer; must outlive the result
-LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const LiftSettings& settings,
-                    const TravelSettings& travel);
+/// @param layers      charts of each layer; must outlive the result
+/// @param highest_mm  of each layer, as for `liftOnto`
+LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vector<double> highest_mm,
+                    const LiftSettings& settings, const TravelSettings& travel);
 
 }  // namespace lamina

@@ -14,7 +14,7 @@
 namespace lamina {
 
 /// Heights of a bed's surface [mm].
-struct HeightRange {
+struct BedHeights {
   double low_mm = 0.0;
   double high_mm = 0.0;
   std::size_t points = 0;
@@ -52,7 +52,7 @@ class MachineReports {
   const std::map<int, double>& zones() const { return zone_kpa_; }
   /// Letters of the homed axes.
   const std::optional<std::string>& homed() const { return homed_; }
-  const std::optional<HeightRange>& heights() const { return heights_; }
+  const std::optional<BedHeights>& heights() const { return heights_; }
 
  private:
   void readBed(double bed_c, double now_s);
@@ -69,7 +69,7 @@ class MachineReports {
   std::optional<TimedTemperature> dryer_;
   std::map<int, double> zone_kpa_;
   std::optional<std::string> homed_;
-  std::optional<HeightRange> heights_;
+  std::optional<BedHeights> heights_;
   bool is_in_grid_ = false;
 };
 

@@ -8,6 +8,7 @@
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/motion_planner.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "lamina/toolpath/waypoint_index.hpp"
 
 namespace lamina {
 
@@ -22,13 +23,6 @@ struct ToolpathTime {
 /// Retractions, heating and turning of the nozzle are not counted. Linear time; memory for the layers only.
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits);
-
-/// Where a waypoint stands in a toolpath.
-struct WaypointIndex {
-  std::size_t layer = 0;
-  std::size_t path = 0;
-  std::size_t waypoint = 0;
-};
 
 /// The nozzle at one instant.
 struct NozzleSample {

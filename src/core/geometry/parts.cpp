@@ -59,7 +59,7 @@ Part part(const std::string& name, const std::string& meaning) {
 std::vector<Part> parts() {
   return {part<Blade>("blade", "a cambered blade that twists and leans with height"),
           part<BlindHolePlate>("blind_hole_plate", "a plate with a round hole from above that ends inside"),
-          part<BoxShape>("box", "a box"),
+          part<CuboidShape>("box", "a box"),
           part<Cone>("cone", "a cone, or a frustum"),
           part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
           part<Cylinder>("cylinder", "an upright cylinder"),

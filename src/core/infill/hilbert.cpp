@@ -82,7 +82,7 @@ class CurveCutter {
     return is_along_row ? Point2(crossing_.x, inside.row) : Point2(inside.column, crossing_.x);
   }
 
-  OutlinePlace placeOf(const Point2& point, const Crossing& crossing) const {
+  OutlinePoint placeOf(const Point2& point, const Crossing& crossing) const {
     const Point2& start = lattice_.rows.outlines[crossing.outline][crossing.edge];
     return {crossing.outline, crossing.edge, (point - start).norm()};
   }

@@ -13,7 +13,7 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Ends are numbered 2 run for the first and 2 run + 1 for the last point of a run.
 struct EndOnOutline {
-  OutlinePlace place;
+  OutlinePoint place;
   std::size_t end = 0;
 };
 
@@ -59,13 +59,13 @@ class Joiner {
     return end % 2 == 0 ? points.front() : points.back();
   }
 
-  std::size_t pointsBetween(const OutlinePlace& from, const OutlinePlace& to) const {
+  std::size_t pointsBetween(const OutlinePoint& from, const OutlinePoint& to) const {
     const std::size_t size = outlines_[from.outline].size();
     if (to.edge == from.edge) return to.distance_mm >= from.distance_mm ? 0 : size;
     return to.edge > from.edge ? to.edge - from.edge : to.edge + size - from.edge;
   }
 
-  const Point2& outlinePoint(const OutlinePlace& from, std::size_t step) const {
+  const Point2& outlinePoint(const OutlinePoint& from, std::size_t step) const {
     const Polygon& outline = outlines_[from.outline];
     return outline[(from.edge + 1 + step) % outline.size()];
   }
@@ -139,7 +139,7 @@ class Joiner {
   }
 
   void appendLink(Polyline& points, const Link& link, bool is_along) const {
-    const OutlinePlace& from = ends_[link.from].place;
+    const OutlinePoint& from = ends_[link.from].place;
     const std::size_t count = pointsBetween(from, ends_[link.to].place);
     for (std::size_t step = 0; step < count; ++step)
       points.push_back(outlinePoint(from, is_along ? step : count - 1 - step));

@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// A place on one of several outlines.
-struct OutlinePlace {
+struct OutlinePoint {
   std::uint32_t outline = 0;
   std::uint32_t edge = 0;    ///< starts at the outline's point of that index
   double distance_mm = 0.0;  ///< from there
@@ -20,8 +20,8 @@ struct OutlinePlace {
 /// An open run and where its ends lie on outlines, if they do.
 struct RunOnOutlines {
   Polyline points;
-  std::optional<OutlinePlace> first;
-  std::optional<OutlinePlace> last;
+  std::optional<OutlinePoint> first;
+  std::optional<OutlinePoint> last;
 };
 
 /// Joins runs by links along the outlines: an end with the next one along its outline, if they belong to

@@ -24,7 +24,7 @@ struct LayerFindings {
 };
 
 RunOrientation oriented(const Path& run, const OrientationSettings& settings, const WallNormals* walls,
-                        const WaypointPlace& at) {
+                        const WaypointIndex& at) {
   try {
     return runOrientation(run, settings, walls);
   } catch (const InvalidInput& error) {

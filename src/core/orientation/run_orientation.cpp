@@ -119,7 +119,7 @@ RunOrientation runOrientation(const Path& run, const OrientationSettings& settin
     jets = givenJets(run);
   }
   jets = leaned(std::move(jets), run, settings);
-  jets = smoothedJets(jets, run.is_closed, settings.smoothing_window);
+  jets = smoothedJets(jets, run.is_closed ? Course::Closed : Course::Open, settings.smoothing_window);
   jets = tiltLimited(std::move(jets), settings.limits.max_tilt_deg, result.limits_hit, run.points.size());
   jets = turnLimited(std::move(jets), run, settings.limits.max_turn_deg_per_mm, result.limits_hit);
   result.orientation = heldAlong(jets, settings.heading_deg);

@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-void raise(GreatestAngle& greatest, double value, const WaypointPlace& at) {
+void raise(GreatestAngle& greatest, double value, const WaypointIndex& at) {
   if (value > greatest.value) greatest = {value, at};
 }
 
@@ -19,7 +19,7 @@ double turnDeg(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
   return from.angularDistance(to) * 180.0 / M_PI;
 }
 
-void addPath(OrientationReport& report, const Path& path, WaypointPlace at) {
+void addPath(OrientationReport& report, const Path& path, WaypointIndex at) {
   const std::vector<Eigen::Quaterniond>& values = path.orientation.values();
   for (at.waypoint = 0; at.waypoint < values.size(); ++at.waypoint)
     raise(report.tilt_deg, tiltDeg(jetOf(values[at.waypoint])), at);

@@ -119,7 +119,7 @@ void Canvas::dot(const Point2& centre, double radius_px, const Colour& colour) {
   cairo_fill(context);
 }
 
-void Canvas::raster(const Box2& extent, const Raster& cells) {
+void Canvas::raster(const Box2& extent, const CellColours& cells) {
   if (cells.columns <= 0 || cells.rows <= 0) return;
   const SurfacePointer image(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, cells.columns, cells.rows));
   unsigned char* bytes = cairo_image_surface_get_data(image.get());

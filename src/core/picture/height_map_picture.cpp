@@ -55,8 +55,8 @@ HeightMap coarsened(const HeightMap& map, int factor) {
   return means;
 }
 
-Raster rasterOf(const HeightMap& map, const ColourScale& scale) {
-  Raster raster{map.grid().columns, map.grid().rows, {}};
+CellColours rasterOf(const HeightMap& map, const ColourScale& scale) {
+  CellColours raster{map.grid().columns, map.grid().rows, {}};
   raster.cells.reserve(map.heights().size());
   for (const double height : map.heights())
     raster.cells.push_back(colourAt(scale.map, (height - scale.low) / (scale.high - scale.low)));

@@ -58,8 +58,8 @@ class DepthPicture {
   /// @param nearer  how far it is held to lie before the part's own face in the same place [mm]
   void addRegion(const Mesh& mesh, double nearer) { addFaces(mesh, kRegion, nearer, true); }
 
-  Raster raster() const {
-    Raster raster{columns_, rows_, {}};
+  CellColours raster() const {
+    CellColours raster{columns_, rows_, {}};
     raster.cells.reserve(pixels_.size());
     for (const Pixel& pixel : pixels_) raster.cells.push_back(colourOf(pixel));
     return raster;

@@ -3,7 +3,6 @@
 #include "lamina/planning/chart_lift.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -100,18 +99,6 @@ class LayerLifter {
   bool is_beside_ = false;  // the nozzle is not where the plan has it: a run was left out
 };
 
-/// z of the highest tip of each layer and of those before it.
-std::vector<double> highestTips(const std::vector<std::vector<LayerChart>>& layers) {
-  std::vector<double> highest;
-  double z = -std::numeric_limits<double>::infinity();
-  for (const std::vector<LayerChart>& charts : layers) {
-    for (const LayerChart& chart : charts)
-      for (const Point3& tip : chart.surface.tip) z = std::max(z, tip.z());
-    highest.push_back(z);
-  }
-  return highest;
-}
-
 }  // namespace
 
 void describe(SettingsSchema& schema, LiftSettings& settings) {
@@ -132,10 +119,13 @@ LiftedLayer liftOnto(const std::vector<LayerChart>& charts, ToolpathLayer planne
   return LayerLifter(lookup, settings, travel, highest_mm).lift(planned);
 }
 
-LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, const LiftSettings& settings,
-                    const TravelSettings& travel) {
-  return [&layers, settings, travel, highest = highestTips(layers)](std::size_t layer,
-                                                                    ToolpathLayer planned) -> LiftedLayer {
+LayerLift chartLift(const std::vector<std::vector<LayerChart>>& layers, std::vector<double> highest_mm,
+                    const LiftSettings& settings, const TravelSettings& travel) {
+  if (highest_mm.size() != layers.size())
+    throw InvalidInput("the highest tips are given of " + std::to_string(highest_mm.size()) +
+                       " layers; expected " + std::to_string(layers.size()));
+  return [&layers, settings, travel, highest = std::move(highest_mm)](std::size_t layer,
+                                                                      ToolpathLayer planned) -> LiftedLayer {
     if (layer >= layers.size())
       throw InvalidInput("layer " + std::to_string(layer) + " has no charts; there are those of " +
                          std::to_string(layers.size()) + " layers");

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lamina/geometry/moving_average.hpp"
+
 namespace lamina {
 namespace {
 
@@ -54,25 +56,6 @@ AdaptedCurve withoutSpare(const AdaptedCurve& curve, double close_mm) {
   return kept;
 }
 
-/// Sums run along the curve, so that a wide window costs no more than a narrow one.
-std::vector<Point3> averaged(const std::vector<Point3>& points, bool is_closed, std::size_t half) {
-  const std::size_t count = points.size();
-  std::vector<Point3> sums(count + 1, Point3::Zero());
-  for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + points[i];
-  const auto sumBefore = [&](std::size_t end) {
-    const std::size_t rounds_before = end / count;
-    return Point3(static_cast<double>(rounds_before) * sums[count] + sums[end % count]);
-  };
-  const std::size_t rounds = (half / count + 1) * count;
-  std::vector<Point3> result(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t reach = is_closed ? half : std::min({half, i, count - 1 - i});
-    result[i] = (sumBefore(rounds + i + reach + 1) - sumBefore(rounds + i - reach)) /
-                static_cast<double>(2 * reach + 1);
-  }
-  return result;
-}
-
 AdaptedCurve filled(const AdaptedCurve& curve, double step_mm) {
   AdaptedCurve dense;
   dense.is_closed = curve.is_closed;
@@ -97,8 +80,8 @@ AdaptedCurve filled(const AdaptedCurve& curve, double step_mm) {
 AdaptedCurve finishedCurve(const AdaptedCurve& curve, double step_mm, int smoothing_window) {
   AdaptedCurve finished = withoutSpare(curve, kClose * step_mm);
   if (smoothing_window > 1)
-    finished.points =
-        averaged(finished.points, finished.is_closed, static_cast<std::size_t>(smoothing_window / 2));
+    finished.points = movingAverages(finished.points, finished.is_closed ? Course::Closed : Course::Open,
+                                     static_cast<std::size_t>(smoothing_window / 2));
   return filled(finished, step_mm);
 }
 

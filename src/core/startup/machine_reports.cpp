@@ -94,7 +94,7 @@ void MachineReports::readHeights(std::string_view text) {
   }
   if (!is_in_grid_) return;
   for (const double height : rowOf(text)) {
-    if (!heights_) heights_ = HeightRange{height, height, 0};
+    if (!heights_) heights_ = BedHeights{height, height, 0};
     heights_->low_mm = std::min(heights_->low_mm, height);
     heights_->high_mm = std::max(heights_->high_mm, height);
     ++heights_->points;

@@ -3,33 +3,14 @@
 #include "voids/voronoi_points.hpp"
 
 #include <array>
-#include <boost/polygon/voronoi.hpp>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 #include "geometry/plane_vectors.hpp"
+#include "geometry/point_diagram.hpp"
 
 namespace lamina {
 namespace {
-
-using Diagram = boost::polygon::voronoi_diagram<double>;
-
-constexpr double kFinest = 1e9;  // the diagram takes 32-bit coordinates: half of what they hold
-
-/// The diagram of the drops on a grid. It tells which drops are neighbours; where their vertices are is
-/// computed from the drops themselves.
-void construct(Diagram& diagram, const std::vector<Point2>& drops) {
-  const Box2 box = boundingBox({drops});
-  const double scale = kFinest / std::max(0.5 * box.size().maxCoeff(), 1e-9);
-  boost::polygon::voronoi_builder<std::int32_t> builder;
-  for (const Point2& drop : drops) {
-    const Point2 at = scale * (drop - box.centre());
-    builder.insert_point(static_cast<std::int32_t>(std::lround(at.x())),
-                         static_cast<std::int32_t>(std::lround(at.y())));
-  }
-  builder.construct(&diagram);
-}
 
 /// The point equally far from three; none if they lie on a line.
 std::optional<VoidPoint> circumcentre(const Point2& a, const Point2& b, const Point2& c) {
@@ -44,13 +25,9 @@ std::optional<VoidPoint> circumcentre(const Point2& a, const Point2& b, const Po
 }
 
 /// The drops around a vertex; of more than three those that span the largest triangle with the first.
-std::array<std::size_t, 3> sitesOf(const Diagram::vertex_type& vertex, const std::vector<Point2>& drops) {
-  std::vector<std::size_t> sites;
-  const auto* edge = vertex.incident_edge();
-  do {
-    sites.push_back(edge->cell()->source_index());
-    edge = edge->rot_next();
-  } while (edge != vertex.incident_edge());
+std::array<std::size_t, 3> sitesOf(const PointDiagram::vertex_type& vertex,
+                                   const std::vector<Point2>& drops) {
+  const std::vector<std::size_t> sites = pointsAround(vertex);
   std::array<std::size_t, 3> widest = {sites[0], sites[0], sites[0]};
   double greatest = -1.0;
   for (std::size_t i = 1; i < sites.size(); ++i)
@@ -67,7 +44,7 @@ std::array<std::size_t, 3> sitesOf(const Diagram::vertex_type& vertex, const std
 }  // namespace
 
 std::vector<VoidPoint> voronoiPoints(const std::vector<Point2>& drops) {
-  Diagram diagram;
+  PointDiagram diagram;
   construct(diagram, drops);
   std::vector<VoidPoint> points;
   points.reserve(diagram.num_vertices());

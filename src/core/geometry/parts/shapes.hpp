@@ -11,7 +11,7 @@ namespace lamina {
 // makes the mesh. Lengths in mm, angles in degrees. `build` throws InvalidConfig if parameters contradict
 // each other.
 
-struct BoxShape {
+struct CuboidShape {
   double x_mm = 20.0;
   double y_mm = 20.0;
   double z_mm = 20.0;
@@ -105,7 +105,7 @@ struct BlindHolePlate {
   int segments = 128;
 };
 
-void describe(SettingsSchema& schema, BoxShape& shape);
+void describe(SettingsSchema& schema, CuboidShape& shape);
 void describe(SettingsSchema& schema, FlatWall& shape);
 void describe(SettingsSchema& schema, Pyramid& shape);
 void describe(SettingsSchema& schema, Tetradecahedron& shape);
@@ -119,7 +119,7 @@ void describe(SettingsSchema& schema, Blade& shape);
 void describe(SettingsSchema& schema, ThroughHolePlate& shape);
 void describe(SettingsSchema& schema, BlindHolePlate& shape);
 
-Mesh build(const BoxShape& shape);
+Mesh build(const CuboidShape& shape);
 Mesh build(const FlatWall& shape);
 Mesh build(const Pyramid& shape);
 Mesh build(const Tetradecahedron& shape);

@@ -47,13 +47,13 @@ void addFace(Mesh& mesh, const Point3& normal) {
 
 }  // namespace
 
-void describe(SettingsSchema& schema, BoxShape& shape) {
+void describe(SettingsSchema& schema, CuboidShape& shape) {
   schema.number("x_mm", shape.x_mm, kLength, "size along x");
   schema.number("y_mm", shape.y_mm, kLength, "size along y");
   schema.number("z_mm", shape.z_mm, kLength, "size along z");
 }
 
-Mesh build(const BoxShape& shape) { return prism(rectangle(shape.x_mm, shape.y_mm), shape.z_mm); }
+Mesh build(const CuboidShape& shape) { return prism(rectangle(shape.x_mm, shape.y_mm), shape.z_mm); }
 
 void describe(SettingsSchema& schema, FlatWall& shape) {
   schema.number("length_mm", shape.length_mm, kLength, "size along x");

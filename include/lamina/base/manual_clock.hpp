@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/clock.hpp"
+
+namespace lamina {
+
+/// A clock that stands until it is moved on: for simulations and tests.
+class ManualClock final : public Clock {
+ public:
+  double now() const override { return now_s_; }
+  /// To a later time; an earlier one leaves it where it is.
+  void moveTo(double time_s) { now_s_ = time_s > now_s_ ? time_s : now_s_; }
+
+ private:
+  double now_s_ = 0.0;
+};
+
+}  // namespace lamina
