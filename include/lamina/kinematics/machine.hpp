@@ -27,27 +27,33 @@ bool isEndless(const MachineAxis& axis);
 /// Values of the machine's axes in the order of `Machine::axes` [mm].
 using AxisValues = Eigen::Vector3d;
 
-/// A machine whose nozzle is carried by three linear axes and held at a fixed angle.
+/// A machine as its three linear axes move it, its nozzle held at a fixed angle. One with rotary joints,
+/// which a `Mechanism` drives, is the machine with these at zero; an arm or platform is the room over the
+/// bodies of its bed, with an upright nozzle: what of it is reached, a joint path tells.
 struct Machine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
   std::array<MachineAxis, 3> axes;                                            ///< x, y, z
   Eigen::Isometry3d bed_from_nozzle_at_zero = Eigen::Isometry3d::Identity();  ///< all axes at 0 [mm]
   Eigen::Isometry3d nozzle_from_sensor =
-      Eigen::Isometry3d::Identity();  ///< sensor z is its viewing direction [mm]
+      Eigen::Isometry3d::Identity();       ///< sensor z is its viewing direction [mm]
+  std::vector<std::string> rotary_joints;  ///< held at zero; none where the head is fixed
 };
 
-/// Names of the machines that come with Lamina (`urdf/`).
+/// Names of the machines with axes x, y and z that come with Lamina (`urdf/`); `mechanismNames` has robots
+/// too.
 std::vector<std::string> machineNames();
 
+/// One of `mechanismNames`.
 /// @throws InvalidConfig if there is none of that name; names those there are
 Machine machineByName(const std::string& name);
 
-/// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor;
-/// lengths in the text are metres, as in every URDF.
+/// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor, and
+/// up to two rotary joints of a, b and c; or an arm or platform (`mechanismFromUrdf`) whose link bed has
+/// collision bodies. Lengths in the text are metres, as in every URDF.
 /// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
 /// that moves,
-///   or the axes do not span space
+///   the axes do not span space, or the rotary joints are none that `mechanismFromUrdf` takes
 Machine machineFromUrdf(const std::string& text);
 
 /// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of

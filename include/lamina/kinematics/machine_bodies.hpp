@@ -36,9 +36,9 @@ struct MachineBody {
   Eigen::Matrix3d motion = Eigen::Matrix3d::Zero();  ///< columns: bed frame, per mm of x, y, z
 };
 
-/// The `<collision>` elements of all links that move against the bed, in alphabetical order of the links. A
-/// cylinder whose collision is named `cone` is the cone in it with its apex at + z: what reads no names sees
-/// a body that is larger.
+/// The `<collision>` elements of all links that the linear axes move against the bed, rotary joints at zero,
+/// in alphabetical order of the links. A cylinder whose collision is named `cone` is the cone in it with its
+/// apex at + z: what reads no names sees a body that is larger.
 /// @throws InvalidConfig if one is a mesh or has a size that is not positive, naming the link
 std::vector<MachineBody> movingBodies(const Machine& machine);
 

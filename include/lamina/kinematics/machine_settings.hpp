@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "lamina/base/settings.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/mechanism.hpp"
 
 namespace lamina {
 
 /// Which machine it is.
 struct MachineSettings {
-  std::string name = "cartesian_gantry";  ///< one of `machineNames`
+  std::string name = "cartesian_gantry";  ///< one of `mechanismNames`
   std::string urdf;                       ///< path of a description that stands for the named one
 };
 
@@ -22,5 +24,9 @@ void describe(SettingsSchema& schema, MachineSettings& settings, const std::stri
 /// The machine of the file, or of the name if no file is given.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
 Machine machineOf(const MachineSettings& settings);
+
+/// The same with all its joints.
+/// @throws FileError, InvalidConfig as `mechanismFromUrdf`, `mechanismByName`
+std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings);
 
 }  // namespace lamina

@@ -4,10 +4,12 @@
 
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "kinematics/urdf_complaints.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/vector.hpp"
 
 namespace lamina {
 namespace {
@@ -15,33 +17,28 @@ namespace {
 constexpr double kMillimetres = 1e3;  // in the metre of URDF
 constexpr double kUnit = 1e-6;
 
-const urdf::Link& requireLink(const urdf::ModelInterface& model, const std::string& name) {
-  const auto link = model.getLink(name);
-  if (!link) throw InvalidConfig("machine '" + model.getName() + "' has no link '" + name + "'");
-  return *link;
-}
-
 int axisIndex(const urdf::ModelInterface& model, const urdf::Joint& joint) {
   for (int i = 0; i < 3; ++i)
     if (joint.type == urdf::Joint::PRISMATIC && joint.name == kAxisNames[i]) return i;
-  throw InvalidConfig("machine '" + model.getName() + "': joint '" + joint.name +
-                      "' moves; only prismatic joints x, y and z are understood");
+  throw InvalidConfig(
+      "machine '" + model.getName() + "': joint '" + joint.name +
+      "' moves; only prismatic joints x, y and z and rotary joints a, b and c are understood");
 }
 
-/// Of a unit of the joint's value: anything but a unit vector would be a second scale beside the limits.
-Point3 directionOf(const urdf::ModelInterface& model, const urdf::Joint& joint) {
-  const Point3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
-  if (std::abs(axis.norm() - 1.0) < kUnit) return axis.normalized();
-  throw InvalidConfig("machine '" + model.getName() + "': the axis of joint '" + joint.name + "' is " +
-                      std::to_string(axis.norm()) + " long; expected 1");
+bool isRotary(const urdf::Joint& joint) {
+  const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+  return turns &&
+         std::find(std::begin(kRotaryNames), std::end(kRotaryNames), joint.name) != std::end(kRotaryNames);
 }
 
 }  // namespace
 
 std::shared_ptr<urdf::ModelInterface> parseMachine(const std::string& text) {
+  const UrdfComplaints complaints;
   std::shared_ptr<urdf::ModelInterface> model = urdf::parseURDF(text);
   if (!model)
-    throw InvalidConfig("the machine's description of " + std::to_string(text.size()) + " bytes is no URDF");
+    throw InvalidConfig("the machine's description of " + std::to_string(text.size()) +
+                        " bytes is no URDF: " + complaints.first());
   return model;
 }
 
@@ -49,6 +46,19 @@ Eigen::Isometry3d poseOf(const urdf::Pose& pose) {
   const Eigen::Quaterniond rotation(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
   return Eigen::Translation3d(kMillimetres * Point3(pose.position.x, pose.position.y, pose.position.z)) *
          rotation.normalized();
+}
+
+const urdf::Link& requireLink(const urdf::ModelInterface& model, const std::string& name) {
+  const auto link = model.getLink(name);
+  if (!link) throw InvalidConfig("machine '" + model.getName() + "' has no link '" + name + "'");
+  return *link;
+}
+
+Point3 directionOf(const urdf::ModelInterface& model, const urdf::Joint& joint) {
+  const Point3 axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  if (std::abs(axis.norm() - 1.0) < kUnit) return axis.normalized();
+  throw InvalidConfig("machine '" + model.getName() + "': the axis of joint '" + joint.name + "' is " +
+                      std::to_string(axis.norm()) + " long; expected 1");
 }
 
 LinkMotion motionOf(const urdf::ModelInterface& model, const std::string& name) {
@@ -59,7 +69,9 @@ LinkMotion motionOf(const urdf::ModelInterface& model, const std::string& name) 
     const Eigen::Isometry3d origin = poseOf(joint.parent_to_joint_origin_transform);
     motion.root_from_link = origin * motion.root_from_link;
     motion.axes = origin.linear() * motion.axes;
-    if (joint.type != urdf::Joint::FIXED)
+    if (isRotary(joint))
+      motion.rotaries.push_back(joint.name);
+    else if (joint.type != urdf::Joint::FIXED)
       motion.axes.col(axisIndex(model, joint)) = origin.linear() * directionOf(model, joint);
     link = &requireLink(model, joint.parent_link_name);
   }

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -46,8 +47,10 @@ std::string jetFault(const Machine& machine, const Point3& jet) {
   const Point3 own = machine.bed_from_nozzle_at_zero.linear().col(2);
   const double angle = std::atan2(own.cross(jet).norm(), own.dot(jet));
   if (angle <= kJetTolerance) return "";
-  return "the nozzle would have to turn by " + number(angle * 180.0 / M_PI) + " deg; the head of " +
-         machine.name + " is fixed";
+  const std::string turn = "the nozzle would have to turn by " + number(angle * 180.0 / M_PI) + " deg; ";
+  if (machine.rotary_joints.empty()) return turn + "the head of " + machine.name + " is fixed";
+  return turn + "the linear axes of " + machine.name + " alone hold it as it is with joints " +
+         listed(machine.rotary_joints, " and ") + " at zero";
 }
 
 enum class Checked { Pose, Tip };

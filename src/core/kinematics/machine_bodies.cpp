@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kinematics/body_shape.hpp"
 #include "kinematics/link_motion.hpp"
-#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kMillimetres = 1e3;  // in the metre of URDF
-constexpr double kStill = 1e-9;       // mm per mm: rounding of rotations
-constexpr const char* kCone = "cone";
+constexpr double kStill = 1e-9;  // mm per mm: rounding of rotations
 
 double extentOf(const BoxShape& box, const Point3& direction) {
   return 0.5 * box.size_mm.dot(direction.cwiseAbs());
@@ -29,30 +27,6 @@ double extentOf(const ConeShape& cone, const Point3& direction) {
 }
 
 double extentOf(const SphereShape& sphere, const Point3&) { return sphere.radius_mm; }
-
-[[noreturn]] void refuse(const std::string& link, const std::string& what) {
-  throw InvalidConfig("collision of link '" + link + "' " + what);
-}
-
-double positive(double metres, const std::string& link) {
-  if (!(metres > 0.0))
-    refuse(link, "has a size of " + std::to_string(metres) + " m; expected a positive one");
-  return kMillimetres * metres;
-}
-
-BodyShape shapeOf(const urdf::Collision& collision, const std::string& link) {
-  const urdf::Geometry* geometry = collision.geometry.get();
-  if (const auto* box = dynamic_cast<const urdf::Box*>(geometry))
-    return BoxShape{{positive(box->dim.x, link), positive(box->dim.y, link), positive(box->dim.z, link)}};
-  if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(geometry))
-    return SphereShape{positive(sphere->radius, link)};
-  const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(geometry);
-  if (cylinder == nullptr) refuse(link, "is a mesh; expected a box, cylinder or sphere");
-  const double radius = positive(cylinder->radius, link);
-  const double length = positive(cylinder->length, link);
-  if (collision.name == kCone) return ConeShape{radius, length};
-  return CylinderShape{radius, length};
-}
 
 }  // namespace
 

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "kinematics/bed_room.hpp"
 #include "kinematics/link_motion.hpp"
 #include "kinematics/machine_urdf.hpp"
+#include "kinematics/multi_axis_machine.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/mechanism.hpp"
 
 namespace lamina {
 namespace {
@@ -42,13 +45,15 @@ std::vector<std::string> machineNames() {
 }
 
 Machine machineByName(const std::string& name) {
-  for (const MachineText& text : machineTexts())
-    if (text.name == name) return machineFromUrdf(text.urdf);
-  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(machineNames()));
+  for (const auto* texts : {&machineTexts(), &robotTexts()})
+    for (const MachineText& text : *texts)
+      if (text.name == name) return machineFromUrdf(text.urdf);
+  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(mechanismNames()));
 }
 
 Machine machineFromUrdf(const std::string& text) {
   const auto model = parseMachine(text);
+  if (isRobot(*model)) return roomOverBed(*model, text);
   const LinkMotion bed = motionOf(*model, "bed");
   const LinkMotion nozzle = motionOf(*model, "nozzle");
   const LinkMotion sensor = motionOf(*model, "sensor");
@@ -66,6 +71,9 @@ Machine machineFromUrdf(const std::string& text) {
   for (int i = 0; i < 3; ++i)
     machine.axes[static_cast<std::size_t>(i)] = axisOf(*model, i, directions.col(i));
   machine.bed_from_nozzle_at_zero = bed_from_root * nozzle.root_from_link;
+  machine.rotary_joints = bed.rotaries;
+  machine.rotary_joints.insert(machine.rotary_joints.end(), nozzle.rotaries.begin(), nozzle.rotaries.end());
+  if (!machine.rotary_joints.empty()) multiAxisMachine(*model, text);
   machine.nozzle_from_sensor = nozzle.root_from_link.inverse() * sensor.root_from_link;
   return machine;
 }

@@ -7,12 +7,16 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning) {
-  schema.choice("machine.name", settings.name, machineNames(), meaning);
+  schema.choice("machine.name", settings.name, mechanismNames(), meaning);
   schema.text("machine.urdf", settings.urdf, "File that describes the machine; empty takes the named one.");
 }
 
 Machine machineOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
+}
+
+std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? mechanismByName(settings.name) : mechanismFromUrdf(readFile(settings.urdf));
 }
 
 }  // namespace lamina

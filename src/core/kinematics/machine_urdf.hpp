@@ -13,7 +13,10 @@ struct MachineText {
   std::string urdf;
 };
 
-/// The files of `urdf/`, in alphabetical order.
+/// The files of `urdf/` that `machineFromUrdf` reads, in alphabetical order.
 const std::vector<MachineText>& machineTexts();
+
+/// The others: arms and platforms, in alphabetical order.
+const std::vector<MachineText>& robotTexts();
 
 }  // namespace lamina

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <boost/container/small_vector.hpp>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// Joints that a mechanism has at most.
+constexpr int kMostJoints = 9;
+
+/// Values of a mechanism's joints in the order of `Mechanism::joints` [mm, rad].
+using JointValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
+
+/// How the nozzle moves with the joints: rows 0 to 2 its tip [mm], rows 3 to 5 its turn [rad], both over the
+/// bed and in the bed frame; a column per joint, per mm or rad of it.
+using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMostJoints>;
+
+enum class JointKind : std::uint8_t { Linear, Rotary };
+
+/// A joint that is driven.
+struct DrivenJoint {
+  std::string name;  ///< in the URDF
+  JointKind kind = JointKind::Linear;
+  double low = 0.0;  ///< [mm, rad]
+  double high = 0.0;
+  double max_speed = 0.0;  ///< [mm/s, rad/s]
+};
+
+/// One way to bring the nozzle to a pose.
+struct InverseSolution {
+  /// Which of the mechanism's ways it is: along a motion that passes no singularity, solutions of one branch
+  /// follow each other steadily (rotary joints but for whole turns).
+  int branch = 0;
+  JointValues values;
+};
+
+/// Solutions of one pose, by branch. Up to eight, all that an arm has, take no memory from the heap.
+using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
+
+/// Whether the turn of the nozzle about its jet is part of what a mechanism brings about.
+enum class JetSpin : std::uint8_t {
+  Free,   ///< it is as it comes: inverse solutions have the tip and the jet of what is asked
+  Given,  ///< inverse solutions have the whole pose
+};
+
+/// What carries a nozzle over a bed: forward and inverse kinematics of a machine or robot. Values that never
+/// change; all calls may be made from several threads.
+class Mechanism {
+ public:
+  virtual ~Mechanism() = default;
+
+  virtual const std::string& name() const = 0;
+  virtual const std::string& urdf() const = 0;  ///< the text it was made from
+  virtual const std::vector<DrivenJoint>& joints() const = 0;
+  virtual JetSpin jetSpin() const = 0;
+
+  /// Where the nozzle is [mm].
+  virtual Eigen::Isometry3d bedFromNozzle(const JointValues& values) const = 0;
+  virtual Jacobian jacobian(const JointValues& values) const = 0;
+
+  /// All solutions, one per branch at most, by branch; rotary values in (-pi, pi] where the joint's limits
+  /// are not looked at. Empty if the pose is out of reach.
+  /// @param near  where a joint is free, as at a singularity, or is no function of the pose, as an external
+  ///   axis, it keeps the value it has here
+  virtual InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
+                                     const JointValues& near) const = 0;
+
+  /// How far from a singularity: 0 at one, 1 at best; the least of the sines of the angles that vanish there
+  /// (of the jet to a rotary axis of a head or table, of a wrist, of an elbow from straight).
+  virtual double singularityMargin(const JointValues& values) const = 0;
+
+  /// Every link over the bed [mm].
+  virtual std::map<std::string, Eigen::Isometry3d> bedFromLinks(const JointValues& values) const = 0;
+
+  /// Values of all joints of the URDF that move, driven or not, by name [mm, rad].
+  virtual std::map<std::string, double> urdfJoints(const JointValues& values) const = 0;
+};
+
+/// Names of all machines and robots that come with Lamina (`urdf/`).
+std::vector<std::string> mechanismNames();
+
+/// @throws InvalidConfig if there is none of that name; names those there are
+std::unique_ptr<Mechanism> mechanismByName(const std::string& name);
+
+/// Reads a mechanism from its URDF; its kind follows from its joints (docs/kinematics.md).
+/// @throws InvalidConfig if it is no URDF, a link `bed` or `nozzle` is missing, a joint has no limits, or its
+///   joints are of no kind that is understood; names link or joint, and what was expected
+std::unique_ptr<Mechanism> mechanismFromUrdf(const std::string& text);
+
+}  // namespace lamina

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Legs of a 6-RUS platform: a driven crank each, a coupler on a universal joint at the crank's end, and a
+/// spherical joint on the mobile platform.
+constexpr std::size_t kLegs = 6;
+
+/// Angles of the six cranks [rad].
+using CrankAngles = Eigen::Matrix<double, 6, 1>;
+
+/// Which of the two ways a leg reaches its ball: the crank's angle is less or greater than that of the line
+/// from the motor to the ball, seen along the motor's axis.
+enum class CrankBranch : std::uint8_t { Behind, Ahead };
+
+/// One leg of a 6-RUS platform.
+struct RusLeg {
+  Point3 motor = Point3::Zero();   ///< centre of the crank's turn [mm, base frame]
+  Point3 axis = Point3::Zero();    ///< about which the crank turns, of unit length [base frame]
+  Point3 rest = Point3::Zero();    ///< where the crank points at 0, of unit length, square to the axis
+  Point3 ball = Point3::Zero();    ///< centre of the spherical joint [mm, platform frame]
+  Point3 socket = Point3::Zero();  ///< where the coupler comes from in the middle of the spherical joint's
+                                   ///< range, of unit length [platform frame]
+  double crank_mm = 0.0;
+  double coupler_mm = 0.0;
+  CrankBranch branch = CrankBranch::Ahead;  ///< the one it is built in
+  double low = 0.0;                         ///< of the crank [rad]
+  double high = 0.0;
+  double greatest_lean = 0.0;   ///< of the coupler out of the plane in which the crank turns [rad]
+  double greatest_swing = 0.0;  ///< of the coupler away from `socket` [rad]
+
+  /// End of the crank [mm, base frame].
+  Point3 elbow(double crank) const { return motor + crank_mm * crankDirection(crank); }
+  Point3 crankDirection(double crank) const {
+    return std::cos(crank) * rest + std::sin(crank) * axis.cross(rest);
+  }
+  /// How the direction changes with the angle, of unit length.
+  Point3 crankTangent(double crank) const {
+    return std::cos(crank) * axis.cross(rest) - std::sin(crank) * rest;
+  }
+};
+
+/// Geometry of a 6-RUS platform. The base frame is that of the motors, its z up; the platform's frame is
+/// where its balls are given.
+struct RusPlatform {
+  std::array<RusLeg, kLegs> legs;
+  Eigen::Isometry3d home = Eigen::Isometry3d::Identity();  ///< base_from_platform [mm]
+};
+
+/// Dimensions of the Hunt platform (optimal-curved-paths.md 2.15, Table 1-1), and what the source does not
+/// tell (docs/platform.md has the reasons): the motors' directions, the branch, the home pose and the joints'
+/// ranges.
+struct HuntDimensions {
+  double static_long_mm = 350.0;  ///< edges of the hexagon of the motors
+  double static_short_mm = 150.0;
+  double mobile_long_mm = 200.0;  ///< edges of the hexagon of the balls
+  double mobile_short_mm = 50.0;
+  double crank_mm = 150.0;
+  double coupler_mm = 340.0;
+  double home_drop_mm = 260.0;  ///< not in the source: of the platform beneath the base
+  double crank_low = -1.2;      ///< not in the source [rad]
+  double crank_high = 1.4;
+  double greatest_lean = 1.05;   ///< not in the source: of the universal joints [rad]
+  double greatest_swing = 1.31;  ///< not in the source: of the spherical joints [rad]
+};
+
+/// Distance of a hexagon's corners from its middle, if its edges are in turn `long_mm` and `short_mm` long.
+double hexagonRadius(double long_mm, double short_mm);
+
+/// The Hunt platform: the base hangs above, legs 1 and 2, 3 and 4, 5 and 6 have their motors at the ends of a
+/// short edge, about 0, 120 and 240 deg; each crank turns in the upright plane of its long edge and points
+/// along that edge at 0.
+/// @throws InvalidConfig if a dimension is not positive, or a leg cannot reach at home
+RusPlatform huntPlatform(const HuntDimensions& dimensions = {});
+
+}  // namespace lamina

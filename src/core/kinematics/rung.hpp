@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace lamina {
+
+/// What the samples of a rung are.
+enum class SampleKind : std::uint8_t {
+  Single,     ///< one: the pose as it is
+  Yaw,        ///< turns of the nozzle about its jet
+  FreeJoint,  ///< values of the joint that is free in a singularity
+};
+
+/// The number of a node within its rung, which needs 2 bytes: sample * kMostBranches + branch.
+using NodeId = std::uint16_t;
+constexpr int kMostBranches = 128;
+constexpr int kMostSamples = 360;
+constexpr NodeId kNoNode = 0xFFFF;
+
+inline NodeId nodeId(int sample, int branch) { return static_cast<NodeId>(sample * kMostBranches + branch); }
+inline int sampleOf(NodeId node) { return node / kMostBranches; }
+inline int branchOf(NodeId node) { return node % kMostBranches; }
+
+/// All ways to stand at one station: samples times branches, not each of which exists.
+struct Rung {
+  SampleKind kind = SampleKind::Single;
+  int samples = 0;
+  int branches = 0;
+  int joints = 0;
+  std::vector<double> values;   ///< of the joints, node after node: those of a sample follow each other
+  std::vector<double> penalty;  ///< per second and node; infinite where there is none
+
+  std::size_t slot(int sample, int branch) const {
+    return static_cast<std::size_t>(sample) * static_cast<std::size_t>(branches) +
+           static_cast<std::size_t>(branch);
+  }
+  const double* at(std::size_t node_slot) const {
+    return values.data() + node_slot * static_cast<std::size_t>(joints);
+  }
+  NodeId idOf(std::size_t node_slot) const {
+    const auto per_sample = static_cast<std::size_t>(branches);
+    return nodeId(static_cast<int>(node_slot / per_sample), static_cast<int>(node_slot % per_sample));
+  }
+  std::size_t slotOf(NodeId node) const { return slot(sampleOf(node), branchOf(node)); }
+};
+
+}  // namespace lamina
