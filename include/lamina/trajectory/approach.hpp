@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/trajectory/timed_path.hpp"
+
+namespace lamina {
+
+/// How a machine comes from where it stands to where a job begins.
+struct ApproachSettings {
+  double lift_mm = 20.0;      ///< of the nozzle against its jet, at both ends of the way
+  double lift_mm_s = 20.0;    ///< speed of that
+  double joint_speed = 0.25;  ///< of the joints in between, of their greatest speeds
+};
+
+/// Adds the keys approach.*.
+void describe(SettingsSchema& schema, ApproachSettings& settings);
+
+/// A way of the joints on which nothing is laid.
+struct Approach {
+  std::vector<JointValues> stations;  ///< between which the joints go in proportion
+  std::unique_ptr<TimedPath> motion;  ///< the process is off all the time
+};
+
+/// The way from rest at `from` to rest at `to`: the nozzle is lifted against its jet, the joints go steadily
+/// to above `to`, and the nozzle comes down along its jet. Where a lift cannot be followed, or a joint's
+/// limits end it, it ends there.
+/// @throws InvalidConfig naming key, value and bound
+/// @throws InvalidInput if `from` and `to` are the same, or not values of the mechanism's joints
+/// @throws Unreachable if one of them is outside the joints' limits, naming joint, value and limits
+Approach approach(const JointValues& from, const JointValues& to, const Mechanism& mechanism,
+                  const ApproachSettings& settings, const TimingSettings& timing);
+
+}  // namespace lamina

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// How a trajectory is handed to a controller.
+struct HandOverSettings {
+  double rate_hz = 250.0;    ///< points of the trajectory per second
+  int points = 50;           ///< per chunk
+  double ahead_s = 0.5;      ///< of motion that the controller always has
+  double reaction_s = 0.05;  ///< from a pause or abort to the first point that it changes
+};
+
+/// Adds the keys hand_over.*.
+void describe(SettingsSchema& schema, HandOverSettings& settings);
+
+}  // namespace lamina

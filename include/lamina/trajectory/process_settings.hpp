@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+enum class ProcessKind : std::uint8_t {
+  Extruder,  ///< flow alone
+  Powder,    ///< powder and gas run all the time, the laser only while depositing
+  Wire,      ///< gas runs all the time, laser and wire only while depositing
+};
+
+/// What is switched along a toolpath, and when. A lead switches that much before the motion, to make up for
+/// what the device takes; a negative one after it.
+struct ProcessSettings {
+  ProcessKind kind = ProcessKind::Extruder;
+  double laser_on_lead_s = 0.0;
+  double laser_off_lead_s = 0.0;
+  double wire_on_lead_s = 0.0;
+  double wire_off_lead_s = 0.0;
+  double settling_s = 0.0;     ///< at rest with powder and gas on, before the first motion and after a pause
+  double wait_before_s = 0.0;  ///< at rest before each bead
+  double wait_after_s = 0.0;   ///< at rest after each bead
+};
+
+/// Adds the keys process.*.
+void describe(SettingsSchema& schema, ProcessSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/joint_stations.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kShortest = 1e-9;    // mm of the tip
+constexpr double kCoincident = 1e-7;  // s that the joints need from one station to the other
+constexpr double kStraight = 1e-6;    // rad, or rad/mm of the jet
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+const Path& pathAt(const Toolpath& toolpath, const WaypointIndex& at) {
+  if (at.layer >= toolpath.layers.size() || at.path >= toolpath.layers[at.layer].paths.size() ||
+      at.waypoint >= toolpath.layers[at.layer].paths[at.path].points.size())
+    throw InvalidInput("a joint path has " + toText(at) + ", which the toolpath has not");
+  return toolpath.layers[at.layer].paths[at.path];
+}
+
+void requireFitting(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism) {
+  if (!path.isRunnable())
+    throw Unreachable(toText(path.faults.front().at) + " cannot be run: " + path.faults.front().reason);
+  for (const DrivenJoint& joint : mechanism.joints())
+    if (!(joint.max_speed > 0.0 && std::isfinite(joint.max_speed)))
+      throw InvalidInput("the greatest speed of joint " + joint.name + " is " +
+                         std::to_string(joint.max_speed) + "; must be positive");
+  std::size_t expected = 0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& run : layer.paths) expected += run.motionCount() + 1;
+  if (path.at.size() != expected || path.values.size() != expected || expected == 0)
+    throw InvalidInput("a joint path has " + std::to_string(path.at.size()) + " stations and values of " +
+                       std::to_string(path.values.size()) + "; the toolpath has " + std::to_string(expected) +
+                       ", and one is needed");
+  for (std::size_t i = 0; i < expected; ++i)
+    if (path.values[i].size() != static_cast<Eigen::Index>(mechanism.joints().size()) ||
+        !path.values[i].allFinite())
+      throw InvalidInput("the joint values of " + toText(path.at[i]) + " are not " +
+                         std::to_string(mechanism.joints().size()) + " finite numbers");
+}
+
+/// Time the joints need at their greatest speeds [s].
+double jointTime(const JointValues& from, const JointValues& to, const Mechanism& mechanism) {
+  double time_s = 0.0;
+  for (Eigen::Index j = 0; j < from.size(); ++j)
+    time_s = std::max(time_s, std::abs(to[j] - from[j]) / mechanism.joints()[j].max_speed);
+  return time_s;
+}
+
+bool isOnOnePath(const WaypointIndex& a, const WaypointIndex& b) {
+  return a.layer == b.layer && a.path == b.path;
+}
+
+/// How the way from one waypoint of a path to the next is to be run.
+void setMotion(JointStation& station, const Path& path, std::size_t from, const MotionLimits& limits) {
+  const std::size_t to = station.heading_for.waypoint;
+  if (path.deposit == Deposit::Drops)
+    throw InvalidInput(toText(station.heading_for) + " lays drops; joint trajectories lay beads");
+  const double feed = path.feed_mm_s.at(to);
+  if (!(feed > 0.0 && std::isfinite(feed)))
+    throw InvalidInput("the feed to " + toText(station.heading_for) + " is " + std::to_string(feed) +
+                       " mm/s; must be positive");
+  const double length_mm = (path.points[to] - path.points[from]).norm();
+  if (length_mm < kShortest) return;
+  station.length_mm = length_mm;
+  station.feed_mm_s = feed;
+  const bool is_travel = path.role == PathRole::Travel;
+  station.acceleration_mm_s2 = is_travel ? limits.travel_acceleration_mm_s2 : limits.acceleration_mm_s2;
+  station.area_mm2 = is_travel ? 0.0 : crossSection(path.bead.at(to));
+}
+
+/// Whether tip and jet go on as they came.
+bool goesOn(const JointStation& before, const JointStation& here, const JointStation& after) {
+  if (here.length_mm == 0.0 || after.length_mm == 0.0) return false;
+  const auto rate = [](const JointStation& from, const JointStation& to) {
+    Eigen::Matrix<double, 6, 1> value;
+    value << to.pose.translation() - from.pose.translation(),
+        to.pose.linear().col(2) - from.pose.linear().col(2);
+    return Eigen::Matrix<double, 6, 1>(value / to.length_mm);
+  };
+  return (rate(here, after) - rate(before, here)).cwiseAbs().maxCoeff() < kStraight;
+}
+
+}  // namespace
+
+JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+                            const MotionLimits& limits) {
+  requireFitting(toolpath, path, mechanism);
+  JointStations stations;
+  stations.each.reserve(path.at.size());
+  stations.of_path.reserve(path.at.size());
+  for (std::size_t i = 0; i < path.at.size(); ++i) {
+    JointStation station;
+    station.values = path.values[i];
+    station.heading_for = path.at[i];
+    station.feed_mm_s = station.acceleration_mm_s2 = kNoLimit;
+    const Path& run = pathAt(toolpath, path.at[i]);
+    if (i > 0 && isOnOnePath(path.at[i - 1], path.at[i]))
+      setMotion(station, run, path.at[i - 1].waypoint, limits);
+    const bool is_new = i == 0 || station.length_mm > 0.0 ||
+                        jointTime(stations.each.back().values, station.values, mechanism) > kCoincident;
+    if (is_new) {
+      station.pose = mechanism.bedFromNozzle(station.values);
+      stations.each.push_back(std::move(station));
+    }
+    stations.of_path.push_back(stations.each.size() - 1);
+  }
+  for (std::size_t i = 1; i + 1 < stations.each.size(); ++i)
+    stations.each[i].is_smooth = goesOn(stations.each[i - 1], stations.each[i], stations.each[i + 1]);
+  return stations;
+}
+
+}  // namespace lamina

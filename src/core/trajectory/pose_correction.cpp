@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory/pose_correction.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kMostSteps = 20;
+constexpr double kRadianWeight = 100.0;  // mm: what a radian of the jet counts like
+constexpr double kRankThreshold = 1e-6;
+
+using Residual = Eigen::Matrix<double, 6, 1>;
+
+Residual residual(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) {
+  Residual error;
+  error << asked.translation() - is.translation(),
+      is.linear().col(2).cross(asked.linear().col(2)) * kRadianWeight;
+  return error;
+}
+
+}  // namespace
+
+PoseCorrection::PoseCorrection(const Mechanism& mechanism, const TrajectorySettings& settings)
+    : mechanism_(mechanism),
+      tip_mm_(0.5 * settings.line_tolerance_mm),
+      jet_rad_(0.5 * settings.line_tolerance_deg * M_PI / 180.0),
+      speeds_(static_cast<Eigen::Index>(mechanism.joints().size())) {
+  for (Eigen::Index j = 0; j < speeds_.size(); ++j) speeds_[j] = mechanism.joints()[j].max_speed;
+}
+
+bool PoseCorrection::isWithin(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) const {
+  const Residual error = residual(is, asked);
+  return error.head<3>().norm() <= tip_mm_ && error.tail<3>().norm() <= jet_rad_ * kRadianWeight &&
+         is.linear().col(2).dot(asked.linear().col(2)) > 0.0;
+}
+
+std::optional<JointValues> PoseCorrection::near(JointValues values, const Eigen::Isometry3d& asked,
+                                                Keep keep) const {
+  const int rows = keep == Keep::Tip ? 3 : 6;
+  const double close = 0.01 * std::min(tip_mm_, jet_rad_ * kRadianWeight);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Eigen::Isometry3d pose = mechanism_.bedFromNozzle(values);
+    const Residual error = residual(pose, asked);
+    if (error.head(rows).norm() < close) return values;
+    Jacobian jacobian = mechanism_.jacobian(values);
+    const Point3 jet = pose.linear().col(2);
+    jacobian.bottomRows<3>() -= (jet * (jet.transpose() * jacobian.bottomRows<3>())).eval();
+    jacobian.bottomRows<3>() *= kRadianWeight;
+    const Eigen::MatrixXd scaled = jacobian.topRows(rows) * speeds_.asDiagonal();
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(kRankThreshold);
+    solver.compute(scaled);
+    values += speeds_.cwiseProduct(solver.solve(error.head(rows)));
+    if (!values.allFinite()) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lamina

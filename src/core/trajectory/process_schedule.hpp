@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "lamina/trajectory/process_events.hpp"
+#include "lamina/trajectory/process_settings.hpp"
+#include "lamina/trajectory/process_signals.hpp"
+#include "trajectory/timeline.hpp"
+
+namespace lamina {
+
+/// When what is on along a timeline.
+class ProcessSchedule {
+ public:
+  /// A bead that leads and lags leave no time for has no laser or wire: an error of the settings for a whole
+  /// bead, but what may be left of one where it is paused.
+  enum class Beads : std::uint8_t { Whole, Cut };
+
+  ProcessSchedule() = default;
+  /// @throws InvalidInput if a whole bead has no time
+  ProcessSchedule(const Timeline& timeline, double averaging_s, const ProcessSettings& settings, Beads beads);
+
+  /// Everything is off from then on.
+  void makeSafeFrom(double time_s) { safe_from_s_ = std::min(safe_from_s_, time_s); }
+
+  ProcessSignals signalsAt(double time_s, double flow_mm3_s) const;
+  /// In order of time; at one instant in the order laser, wire, powder, gas.
+  std::vector<ProcessEvent> events() const;
+
+ private:
+  struct Interval {
+    double from_s = 0.0;
+    double to_s = 0.0;
+  };
+  using Intervals = std::vector<Interval>;
+  struct Leads {
+    double on_s = 0.0;
+    double off_s = 0.0;
+  };
+  static Intervals beadsOf(const Timeline& timeline, double averaging_s);
+  static Intervals runsOf(const Timeline& timeline, double averaging_s);
+  static Intervals shifted(const Intervals& beads, const Leads& leads, const char* what, Beads kind);
+  static bool isIn(const Intervals& intervals, double time_s);
+
+  ProcessSettings settings_;
+  Intervals laser_;
+  Intervals wire_;
+  Intervals carriers_;  ///< gas, and powder if that is the process
+  double safe_from_s_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace lamina

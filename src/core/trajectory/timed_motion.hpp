@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/trajectory/timed_path.hpp"
+#include "trajectory/process_schedule.hpp"
+#include "trajectory/speed_plan.hpp"
+
+namespace lamina {
+
+/// A curve and the speeds along it, which refer to it.
+class TimedMotion {
+ public:
+  TimedMotion(JointStations stations, const Mechanism& mechanism, const TimingSettings& settings);
+  TimedMotion(const TimedMotion&) = delete;
+  TimedMotion& operator=(const TimedMotion&) = delete;
+
+  const TimingSettings& settings() const { return settings_; }
+  const JointCurve& curve() const { return curve_; }
+  const SpeedPlan& plan() const { return plan_; }
+  const ProcessSchedule& schedule() const { return schedule_; }
+  /// Over which the motion is averaged to limit jerk.
+  double averaging() const;
+
+ private:
+  TimingSettings settings_;
+  JointCurve curve_;
+  SpeedPlan plan_;
+  ProcessSchedule schedule_;
+};
+
+}  // namespace lamina
