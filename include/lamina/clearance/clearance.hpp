@@ -16,9 +16,9 @@
 namespace lamina {
 
 /// What a head can run into.
-enum class Obstacle { Bed, Material };
+enum class Obstacle { Bed, Material, Machine };
 
-/// "bed", "material".
+/// "bed", "material", "machine".
 const char* toString(Obstacle obstacle);
 
 /// A toolpath, where its part stands, and what runs it; both must outlive the value.
@@ -28,15 +28,16 @@ struct MachineRun {
   const Machine& machine;
 };
 
-/// A place where a body of the machine is in bed or material.
+/// A place where a body of the machine is in bed, material or another body.
 struct Collision {
   WaypointIndex at;             ///< the nozzle is there, or on its way there
   Point3 tip = Point3::Zero();  ///< of the nozzle [mm, bed frame]
   std::string link;             ///< that collides
   Obstacle obstacle = Obstacle::Bed;
-  WaypointIndex laid;             ///< on the way to which the material was laid; of no meaning for the bed
-  Point3 place = Point3::Zero();  ///< middle of that piece of material, or beneath the tip on the bed [mm,
-                                  ///< bed frame]
+  std::string other;   ///< link that it is in; empty but for `Machine`
+  WaypointIndex laid;  ///< on the way to which the material was laid; of no meaning for others
+  /// Middle of that piece of material, beneath the tip on the bed, or middle of the body [mm, bed frame].
+  Point3 place = Point3::Zero();
 };
 
 /// How a toolpath clears what is there when it is run.

@@ -3,6 +3,7 @@
 #include "lamina/clearance/clearance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -147,7 +148,10 @@ class ClearanceCheck {
 
 }  // namespace
 
-const char* toString(Obstacle obstacle) { return obstacle == Obstacle::Bed ? "bed" : "material"; }
+const char* toString(Obstacle obstacle) {
+  constexpr std::array<const char*, 3> kNames = {"bed", "material", "machine"};
+  return kNames.at(static_cast<std::size_t>(obstacle));
+}
 
 ClearanceReport checkClearance(const MachineRun& run, const std::vector<MachineBody>& bodies,
                                const ClearanceSettings& settings, Progress& progress) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "clearance/deposited_boxes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/toolpath/layer_frame.hpp"
@@ -10,7 +11,8 @@ namespace lamina {
 namespace {
 
 constexpr double kWidthsPerPiece = 10.0;
-constexpr double kUpright = 1e-6;  // sine of the angle to the normal beneath which a bead goes along it
+constexpr double kLeastTop = 0.25;  // of the width: what a bead as high as wide has of a top
+constexpr double kUpright = 1e-6;   // sine of the angle to the normal beneath which a bead goes along it
 
 /// x along the bead, y across it, z off the layer as far as x allows.
 Eigen::Matrix3d axesOf(const Point3& along, const Point3& normal) {
@@ -28,7 +30,8 @@ class BoxLayer {
  public:
   BoxLayer(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part, double tolerance_mm)
       : bed_from_part_(bed_from_part),
-        normal_(bed_from_part.linear() * layerNormal(toolpath)),
+        layer_normal_(bed_from_part.linear() * layerNormal(toolpath)),
+        has_plane_layers_(hasPlaneLayers(toolpath)),
         tolerance_mm_(tolerance_mm) {}
 
   void lay(const Path& path, const WaypointIndex& at, std::vector<DepositedBox>& boxes) const {
@@ -40,8 +43,8 @@ class BoxLayer {
     const Point3 along =
         is_drop ? Point3(Point3::Zero()) : Point3(end - bed_from_part_ * path.points[before]);
     const Bead& bead = path.bead.at(at.waypoint);
-    const Eigen::Matrix3d axes = axesOf(along, normal_);
-    const double width = bead.width_mm - 2.0 * tolerance_mm_;
+    const Eigen::Matrix3d axes = axesOf(along, normalAt(path, at.waypoint));
+    const double width = std::max(topWidth(bead) - 2.0 * tolerance_mm_, tolerance_mm_);
     const double length = is_drop ? width : along.norm() / static_cast<double>(pieces);
     DepositedBox box;
     box.rotation = Eigen::Quaterniond(axes).cast<float>();
@@ -56,8 +59,22 @@ class BoxLayer {
   }
 
  private:
+  /// Layers that are not plane lean against each other: there the rounded flanks of a bead count for nothing,
+  /// since a nozzle comes near their tops, not their middles.
+  double topWidth(const Bead& bead) const {
+    if (has_plane_layers_) return bead.width_mm;
+    return std::max(bead.width_mm - bead.height_mm, kLeastTop * bead.width_mm);
+  }
+
+  /// Layers that are not plane are laid against the jet.
+  Point3 normalAt(const Path& path, std::size_t waypoint) const {
+    if (has_plane_layers_) return layer_normal_;
+    return bed_from_part_.linear() * (path.orientation.at(waypoint) * -Point3::UnitZ());
+  }
+
   Eigen::Isometry3d bed_from_part_;
-  Point3 normal_;
+  Point3 layer_normal_;
+  bool has_plane_layers_;
   double tolerance_mm_;
 };
 

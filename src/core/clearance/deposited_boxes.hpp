@@ -27,8 +27,9 @@ struct DepositedBoxes {
   std::vector<std::size_t> before_layer;  ///< how many are laid before each layer
 };
 
-/// Long beads are cut into pieces of about ten widths, so that boxes round them are small too. Beads that
-/// the tolerance leaves nothing of are no obstacles.
+/// A box lies beneath the nozzle tip along the layers' normal; on layers that are not plane, along the jet.
+/// Long beads are cut into pieces of about ten widths, so that boxes round them are small too. Beads that the
+/// tolerance leaves nothing of are no obstacles.
 /// @param tolerance_mm  taken off the top and both flanks
 DepositedBoxes depositedBoxes(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                               double tolerance_mm);

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <memory>
 #include <string>
 
 #include "clearance/deposited_boxes.hpp"
 #include "clearance/extents.hpp"
+#include "clearance/solid.hpp"
 #include "lamina/kinematics/machine_bodies.hpp"
 
 namespace lamina {
@@ -26,14 +26,12 @@ class HeadBody {
   bool meets(const DepositedBox& box, const Point3& origin) const;
 
  private:
-  struct Solid;
-
   std::string link_;
   Eigen::Affine3d origin_from_tip_;
   Eigen::Matrix3d rotation_;
   Point3 normal_;
+  Solid solid_;
   Extents around_origin_;
-  std::shared_ptr<const Solid> solid_;
 };
 
 }  // namespace lamina
