@@ -6,10 +6,12 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/program/drop_dialect.hpp"
+#include "lamina/program/five_axis_settings.hpp"
+#include "lamina/program/rapid_settings.hpp"
 
 namespace lamina {
 
-/// How a toolpath is written as G-code (Marlin flavour).
+/// How a toolpath is written as a program: G-code (Marlin flavour) unless said otherwise.
 struct ProgramSettings {
   double filament_diameter_mm = 1.75;
   double flow = 1.0;                    ///< factor on all extrusion
@@ -25,6 +27,8 @@ struct ProgramSettings {
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
   DropDialect drops;
+  FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints; keys of its own
+  RapidSettings rapid;         ///< of programs for robots; keys of its own
   std::string strategy;  ///< that filled the part; told in the header of drop programs, no setting of its own
 };
 

@@ -16,8 +16,8 @@ inline std::int64_t toUnits(double value, double scale) {
 /// @return one past the last character written
 template <int decimals>
 char* writeFixed(char* out, std::int64_t units) {
-  constexpr std::uint64_t kScale = decimals == 5 ? 100000 : 1000;
-  static_assert(decimals == 3 || decimals == 5, "the two precisions of a program");
+  constexpr std::uint64_t kScale = decimals == 5 ? 100000 : decimals == 4 ? 10000 : 1000;
+  static_assert(decimals >= 3 && decimals <= 5, "the precisions of a program");
   if (units < 0) *out++ = '-';
   const std::uint64_t magnitude =
       units < 0 ? -static_cast<std::uint64_t>(units) : static_cast<std::uint64_t>(units);

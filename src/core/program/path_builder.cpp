@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "lamina/program/toolpath_from_gcode.hpp"
+#include "program/motion_values.hpp"
 
 namespace lamina {
 namespace {
@@ -16,19 +17,6 @@ constexpr double kFilamentRounding = 1e-5;  // mm: last decimal of E
 constexpr double kLengthRounding = 1.5e-3;  // mm: diagonal of the last decimals of X and Y at both ends
 
 bool deposits(const GcodeMotion& motion) { return motion.extrusion_mm > 0.0 && motion.start != motion.end; }
-
-/// The values of the motions as those of the waypoints at which they end.
-template <class Value>
-AlongPath<Value> perWaypoint(const std::vector<Value>& of_motions, bool is_closed) {
-  const bool is_common = std::all_of(of_motions.begin(), of_motions.end(),
-                                     [&](const Value& value) { return value == of_motions.front(); });
-  if (is_common) return of_motions.front();
-  std::vector<Value> each;
-  each.reserve(of_motions.size() + 1);
-  each.push_back(is_closed ? of_motions.back() : of_motions.front());
-  each.insert(each.end(), of_motions.begin(), of_motions.end() - (is_closed ? 1 : 0));
-  return AlongPath<Value>(std::move(each));
-}
 
 }  // namespace
 
@@ -83,7 +71,7 @@ AlongPath<Bead> PathBuilder::beads(double layer_height_mm, double volume_per_fil
   if (is_common) return bead(mean, 0);
   std::vector<Bead> each(lengths.size());
   for (std::size_t m = 0; m < lengths.size(); ++m) each[m] = bead(filament_mm_[m] / lengths[m], m);
-  return perWaypoint(each, isClosed());
+  return perWaypoint(each, isClosed() ? PathEnds::Closed : PathEnds::Open);
 }
 
 Path PathBuilder::build(double layer_height_mm, double volume_per_filament) const {
@@ -93,7 +81,7 @@ Path PathBuilder::build(double layer_height_mm, double volume_per_filament) cons
   path.process.is_retracted = is_retracted_;
   path.points = points_;
   if (path.is_closed) path.points.pop_back();
-  path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed);
+  path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed ? PathEnds::Closed : PathEnds::Open);
   if (deposits_) path.bead = beads(layer_height_mm, volume_per_filament);
   return path;
 }

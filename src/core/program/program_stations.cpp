@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/program_stations.hpp"
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameTip = 1e-3;     // mm: beneath what machines hold, above what solvers leave
+constexpr double kSameJet = 1e-4;     // rad
+constexpr double kOnTheLimit = 1e-9;  // mm, rad: what rounding leaves
+constexpr double kDegrees = 180.0 / M_PI;
+
+std::string shown(const DrivenJoint& joint, double value) {
+  return joint.kind == JointKind::Linear ? std::to_string(value) + " mm"
+                                         : std::to_string(value * kDegrees) + " deg";
+}
+
+[[noreturn]] void refuseFaults(const JointPath& joints, const Mechanism& mechanism) {
+  const FaultyWaypoint& first = joints.faults.front();
+  throw Unreachable("'" + mechanism.name() + "' cannot run " + std::to_string(joints.faults.size()) +
+                    " waypoint(s); the first is " + toText(first.at) + ": " + toString(first.fault) +
+                    (first.reason.empty() ? "" : ", " + first.reason));
+}
+
+void requireSameWaypoint(const WaypointIndex& given, const WaypointIndex& expected) {
+  if (given.layer != expected.layer || given.path != expected.path || given.waypoint != expected.waypoint)
+    throw InvalidInput("the joints at " + toText(given) + " stand where those at " + toText(expected) +
+                       " are expected; they are of another toolpath");
+}
+
+void requireWithinLimits(const JointValues& values, const Mechanism& mechanism, const WaypointIndex& at) {
+  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
+    const DrivenJoint& joint = mechanism.joints()[j];
+    const double value = values[static_cast<Eigen::Index>(j)];
+    if (!(value >= joint.low - kOnTheLimit && value <= joint.high + kOnTheLimit))
+      throw Unreachable(toText(at) + ": joint " + joint.name + " of '" + mechanism.name() + "' would be at " +
+                        shown(joint, value) + "; must be within " + shown(joint, joint.low) + " to " +
+                        shown(joint, joint.high));
+  }
+}
+
+void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& expected,
+                     const WaypointIndex& at) {
+  const double off_mm = (given.translation() - expected.translation()).norm();
+  const Point3 jet = given.linear().col(2);
+  const Point3 wanted = expected.linear().col(2);
+  const double turn = std::atan2(jet.cross(wanted).norm(), jet.dot(wanted));
+  if (!(off_mm <= kSameTip && turn <= kSameJet))
+    throw InvalidInput(toText(at) + ": the joints bring the nozzle " + std::to_string(off_mm) + " mm and " +
+                       std::to_string(turn * kDegrees) +
+                       " deg off the waypoint; expected those of this toolpath where it stands");
+}
+
+}  // namespace
+
+ProgramStations::ProgramStations(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                                 const Mechanism& mechanism, const JointPath& joints)
+    : joints_(joints) {
+  if (!joints.isRunnable()) refuseFaults(joints, mechanism);
+  if (joints.values.size() != joints.at.size())
+    throw InvalidInput("the joint path has " + std::to_string(joints.at.size()) + " waypoints and " +
+                       std::to_string(joints.values.size()) + " values; must be as many");
+  std::size_t station = 0;
+  const auto check = [&](const Path& path, const WaypointIndex& expected) {
+    if (station >= joints.at.size())
+      throw InvalidInput("the joint path ends before " + toText(expected) + "; it is of another toolpath");
+    requireSameWaypoint(joints.at[station], expected);
+    const JointValues& values = joints.values[station++];
+    if (values.size() != static_cast<Eigen::Index>(mechanism.joints().size()))
+      throw InvalidInput(toText(expected) + ": there are values of " + std::to_string(values.size()) +
+                         " joints; '" + mechanism.name() + "' has " +
+                         std::to_string(mechanism.joints().size()));
+    requireWithinLimits(values, mechanism, expected);
+    Eigen::Isometry3d part_from_nozzle(path.orientation.at(expected.waypoint));
+    part_from_nozzle.translation() = path.points[expected.waypoint];
+    requireSamePose(mechanism.bedFromNozzle(values), bed_from_part * part_from_nozzle, expected);
+  };
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
+      const Path& path = toolpath.layers[l].paths[p];
+      first_.push_back(station);
+      check(path, {l, p, 0});
+      for (std::size_t m = 0; m < path.motionCount(); ++m) check(path, {l, p, path.motionEnd(m)});
+    }
+  if (station != joints.at.size())
+    throw InvalidInput("the joint path goes on after the toolpath, at " + toText(joints.at[station]) +
+                       "; it is of another toolpath");
+}
+
+}  // namespace lamina

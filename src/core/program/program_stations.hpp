@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/kinematics/joint_path.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+
+namespace lamina {
+
+/// The stations of a joint path by the toolpath's paths: that where a path begins, and one at the end of each
+/// of its motions.
+class ProgramStations {
+ public:
+  /// Checks that the mechanism can run it.
+  /// @throws Unreachable  if the joint path has faults, or a joint is outside its limits
+  /// @throws InvalidInput if the joint path is not of this toolpath where it stands
+  ProgramStations(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                  const Mechanism& mechanism, const JointPath& joints);
+
+  /// @param path  counted through all layers
+  const JointValues& begin(std::size_t path) const { return joints_.values[first_[path]]; }
+  const JointValues& end(std::size_t path, std::size_t motion) const {
+    return joints_.values[first_[path] + 1 + motion];
+  }
+
+ private:
+  const JointPath& joints_;
+  std::vector<std::size_t> first_;  ///< station at which each path begins
+};
+
+}  // namespace lamina
