@@ -95,7 +95,7 @@ void addClearance(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<ClearanceArguments>();
   subcommand
       ->add_option("input", arguments->input,
-                   "Program (.gcode), toolpath (.csv), mesh file or name of a part")
+                   "Program (.gcode, .mod), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
       ->check(CLI::IsMember(machineNames()));

@@ -107,7 +107,8 @@ void printText(const MeshInfo& info) {
 }  // namespace
 
 void addInfo(CLI::App& app, Chosen& chosen) {
-  CLI::App* subcommand = app.add_subcommand("info", "Report on a mesh: size, volume, defects");
+  CLI::App* subcommand = app.add_subcommand(
+      "info", "Report on a mesh: size, volume, defects; of programs, preview --json tells");
   const auto arguments = std::make_shared<InfoArguments>();
   subcommand->add_option("mesh", arguments->path, "Mesh file (STL, OBJ, PLY, 3MF)")->required();
   subcommand->add_option("--unit", arguments->unit, "Unit of the file's numbers (3MF states its own)")

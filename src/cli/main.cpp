@@ -37,6 +37,7 @@ int runCommandLine(int argc, char** argv) {
   app.require_subcommand(1);
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
+  addCheck(app, chosen);
   addClearance(app, chosen);
   addEmulate(app, chosen);
   addFillVoids(app, chosen);
@@ -47,6 +48,7 @@ int runCommandLine(int argc, char** argv) {
   addPreview(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);
+  addTrack(app, chosen);
   addTurn(app, chosen);
   addVoids(app, chosen);
   try {

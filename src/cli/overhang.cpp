@@ -185,7 +185,7 @@ void addOverhang(CLI::App& app, Chosen& chosen) {
   subcommand
       ->add_option(
           "input", arguments->input,
-          "Program (.gcode), toolpath (.csv), mesh file or name of a part; a part in inclined layers "
+          "Program (.gcode, .mod), toolpath (.csv), mesh file or name of a part; a part in inclined layers "
           "is compared with the same in level ones")
       ->required();
   subcommand->add_option("--before", arguments->before, "What to compare with: program, toolpath or part");

@@ -87,7 +87,7 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<PreviewArguments>();
   subcommand
       ->add_option("input", arguments->input,
-                   "Program (.gcode), toolpath (.csv), mesh file or name of a part")
+                   "Program (.gcode, .mod), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Picture to write (.png)")->capture_default_str();
   subcommand->add_option("--layer", arguments->layer, "Draw this layer from above; the first is 0")

@@ -178,7 +178,7 @@ void addSlice(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("part", arguments->part,
                          "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part");
   subcommand->add_option("-o,--output", arguments->output,
-                         "File to write: .gcode or .csv; without it nothing is written");
+                         "File to write: .gcode, .mod or .csv; without it nothing is written");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");
   subcommand->add_option("--threads", arguments->threads, "At most this many threads")
       ->check(CLI::Range(1, 1024));

@@ -39,6 +39,7 @@ void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
+void addCheck(CLI::App& app, Chosen& chosen);
 void addClearance(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
@@ -49,6 +50,7 @@ void addPart(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
+void addTrack(CLI::App& app, Chosen& chosen);
 void addTurn(CLI::App& app, Chosen& chosen);
 void addVoids(CLI::App& app, Chosen& chosen);
 

@@ -7,9 +7,9 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/program/csv_reader.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
 #include "lamina/slicing/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "terminal_progress.hpp"
@@ -23,12 +23,12 @@ std::string suffixOf(const std::string& input) { return std::filesystem::path(in
 
 }  // namespace
 
-bool isPart(const std::string& input) { return suffixOf(input) != ".gcode" && suffixOf(input) != ".csv"; }
+bool isPart(const std::string& input) { return !isProgramFile(input) && suffixOf(input) != ".csv"; }
 
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings) {
   ToolpathInput read;
-  if (suffixOf(input) == ".gcode") {
-    read.toolpath = toolpathFromGcodeFile(input, settings.program);
+  if (isProgramFile(input)) {
+    read.toolpath = readProgram(input, settings.program, settings.machine);
   } else if (suffixOf(input) == ".csv") {
     read.toolpath = readCsv(readFile(input), std::filesystem::path(input).filename().string());
   } else {

@@ -19,7 +19,8 @@ struct ToolpathInput {
 /// Whether the input is a part to be sliced: neither program nor toolpath.
 bool isPart(const std::string& input);
 
-/// Reads a program (.gcode) or toolpath (.csv), in coordinates of the bed, or slices a part.
+/// Reads a program (.gcode, .mod; five-axis G-code through the machine of the settings) or toolpath (.csv),
+/// in coordinates of the bed, or slices a part.
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings);
 
 /// The same for what looks along the jet: layers and nozzle of a file that tells neither lie as

@@ -8,10 +8,10 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/program_file.hpp"
 #include "lamina/job/void_job.hpp"
 #include "lamina/job/void_report_csv.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
 #include "lamina/voids/void_totals.hpp"
 #include "layer_overlay.hpp"
 #include "setting_options.hpp"
@@ -114,7 +114,7 @@ void write(const std::vector<LayerVoids>& layers, const std::string& output) {
 void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
   requireOutputs(arguments);
   const VoidJob job = jobFrom(arguments);
-  const Toolpath program = toolpathFromGcodeFile(arguments.program, job.settings.program);
+  const Toolpath program = readProgram(arguments.program, job.settings.program, job.settings.machine);
   requireLayer(arguments, program.layers.size());
   VoidReport report;
   {
@@ -135,7 +135,7 @@ void addVoids(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand =
       app.add_subcommand("voids", "Compare what a program deposits with the part it should fill");
   const auto arguments = std::make_shared<VoidArguments>();
-  subcommand->add_option("program", arguments->program, "Program (.gcode)")->required();
+  subcommand->add_option("program", arguments->program, "Program (.gcode, .mod)")->required();
   subcommand->add_option("--part", arguments->part,
                          "Mesh file or name of a parametric part; without it, what the outer walls enclose");
   subcommand->add_option("--layer", arguments->layer, "Tell the voids of this layer; the first is 0")

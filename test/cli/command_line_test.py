@@ -76,6 +76,34 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(told["sliced_volume_mm3"], 200.0, places=6)
         self.assertTrue(os.path.getsize(self.path("box.gcode")) > 0)
 
+    def test_five_axis_programs_are_written_and_read_through_their_machine(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
+        program, picture = self.path("box.gcode"), self.path("box.png")
+        machine = ["--set", "machine.name=five_axis_head_table"]
+        tilt = ["--set", "orientation.mode=fixed", "--set", "orientation.fixed_tilt_deg=10"]
+        self.assertEqual(run("slice", box, *machine, *tilt, "-o", program).returncode, 0)
+        self.assertIn(b"\n;FIVE_AXIS:tool_tip X Y Z B C\n", content(program))
+        told = json.loads(run("preview", program, *machine, "-o", picture, "--json").stdout)
+        self.assertEqual(told["layers"], 5)
+        told = json.loads(run("check", program, "--machine", "five_axis_head_table", "--json").stdout)
+        self.assertEqual(told["faulty_waypoints"], 0)
+        self.assertEqual(run("voids", program, *machine).returncode, 0)
+        self.assert_fails_with("InvalidProgram", "preview", program, "-o", picture)
+        self.assert_fails_with("Unreachable", "slice", box, *tilt, "-o", self.path("upright.gcode"))
+        self.assertFalse(os.path.exists(self.path("upright.gcode")))
+
+    def test_programs_of_arms_tell_their_joints(self):
+        box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1")
+        module, arm = self.path("box.mod"), ["--set", "machine.name=irb_4600"]
+        done = run("slice", box, *arm, "--set", "rapid.configuration=joints", "-o", module)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = json.loads(run("check", module, "--machine", "irb_4600", "--json").stdout)
+        self.assertEqual(told["faulty_waypoints"], 0)
+        told = json.loads(run("voids", module, "--json").stdout)
+        self.assertEqual(told["layers"], 5)
+        self.assert_fails_with("InvalidInput", "slice", box, *arm, "-o", self.path("box.gcode"))
+        self.assertFalse(os.path.exists(self.path("box.gcode")))
+
     def test_inclined_layers_are_sliced_and_drawn(self):
         box = self.make_part("box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=2")
         plane = ["--set", "slicing.plane.angle_deg=45", "--set", "machine.name=gantry_45"]

@@ -34,6 +34,17 @@ TEST(OutputWriter, IsChosenByTheSuffix) {
     writeOutput(folder.file("a" + suffix), {toolpath, bed_from_part}, {});
   EXPECT_EQ(readFile(folder.file("a.csv")).rfind(kCsvHeader, 0), 0U);
   EXPECT_NE(readFile(folder.file("a.gcode")).find("G90"), std::string::npos);
+  EXPECT_EQ(readFile(folder.file("a.mod")).rfind("MODULE a\n", 0), 0U);
+}
+
+TEST(OutputWriter, WritesAFileForEachModule) {
+  const test::ScratchFolder folder;
+  const Toolpath toolpath = oneLine();
+  ProgramSettings settings;
+  settings.rapid.max_points = 1;
+  writeOutput(folder.file("a.mod"), {toolpath, Eigen::Isometry3d::Identity()}, settings);
+  EXPECT_EQ(folder.fileCount(), 3U);
+  EXPECT_EQ(readFile(folder.file("a_2.mod")).rfind("MODULE a_2\n", 0), 0U);
 }
 
 TEST(OutputWriter, RefusesASuffixWithoutWriter) {

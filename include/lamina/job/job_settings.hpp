@@ -10,6 +10,7 @@
 #include "lamina/geometry/mesh_reader.hpp"
 #include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
+#include "lamina/kinematics/joint_path_settings.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/overhang/overhang_settings.hpp"
@@ -25,6 +26,8 @@
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/surface/flattening_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
+#include "lamina/trajectory/process_settings.hpp"
+#include "lamina/trajectory/trajectory_settings.hpp"
 #include "lamina/voids/drop_void_settings.hpp"
 
 namespace lamina {
@@ -59,6 +62,9 @@ struct JobSettings {
   FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;
+  JointPathSettings joints;
+  TrajectorySettings trajectory;
+  ProcessSettings process;
   ProgramSettings program;
 };
 

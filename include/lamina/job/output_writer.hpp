@@ -3,9 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "lamina/kinematics/joint_path.hpp"
+#include "lamina/kinematics/mechanism.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/program/text_sink.hpp"
@@ -13,24 +16,32 @@
 
 namespace lamina {
 
-/// What becomes a file: a toolpath, where its part stands, and the axes that a program speaks of.
+/// A machine or robot and its joints at each waypoint of a toolpath.
+struct LedJoints {
+  const Mechanism& mechanism;
+  const JointPath& path;
+};
+
+/// What becomes a file: a toolpath, where its part stands, the axes that a program speaks of, and the joints
+/// that it tells.
 struct PlacedToolpath {
   const Toolpath& toolpath;
   ProgramFrame frame;
+  std::optional<LedJoints> joints = std::nullopt;  ///< G-code then is five-axis G-code
 };
 
 /// Writes a toolpath in one format.
 using OutputWriter =
     std::function<void(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink)>;
 
-/// The suffixes that choose a writer, with their dot: .csv, .gcode.
+/// The suffixes that choose a writer, with their dot: .csv, .gcode, .mod.
 std::vector<std::string> outputSuffixes();
 
 /// The writer that the path's suffix chooses.
 /// @throws InvalidInput if there is none, naming those there are
 OutputWriter outputWriterFor(const std::string& path);
 
-/// Writes the file whole or not at all.
+/// Writes the file whole or not at all; a program in modules has a file for each (`writeRapidFiles`).
 /// @throws InvalidInput as above, or from the writer; FileError
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings);
 

@@ -29,10 +29,12 @@ struct SlicedPart {
 /// From mesh file to written program: reads and repairs, slices, plans, checks against the machine, writes.
 /// Everything is checked before the output is touched.
 ///
-/// @param progress  stages "read", "slice", "plan", "write"
-/// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix), Unreachable
-/// (larger than the
-///   machine), Cancelled
+/// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle; an arm's program
+/// in RAPID is checked against its joints, and tells them where the settings ask for that.
+///
+/// @param progress  stages "read", "slice", "plan", "joints" where joints are led, "write"
+/// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix, G-code for a
+///   robot), Unreachable (larger than the machine, or a program that it cannot run), Cancelled
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
 /// The same on a given machine, whatever the settings name.

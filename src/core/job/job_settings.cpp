@@ -98,7 +98,12 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.frames);
   describe(schema, settings.scan);
   describe(schema, settings.motion);
+  describe(schema, settings.joints);
+  describe(schema, settings.trajectory);
+  describe(schema, settings.process);
   describe(schema, settings.program);
+  describe(schema, settings.program.five_axis);
+  describe(schema, settings.program.rapid);
 }
 
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides) {
@@ -116,6 +121,7 @@ void validate(const JobSettings& settings) {
   schema.validate();
   requireConsistent(settings.planning);
   validate(settings.orientation);
+  validate(settings.joints);
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
   const std::string& strategy = settings.planning.infill.strategy;

@@ -97,13 +97,12 @@ PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& 
   planned.counts.slice_s = laps.lap();
   const std::vector<double> highest = highestUpTo(layers);
   std::vector<Layer> plans;
-  plans.reserve(layers.size());
-  for (ChartedLayer& layer : layers) plans.push_back(std::move(layer.plan));
-  const LayerLift lift = [&](std::size_t i, ToolpathLayer plan) -> LiftedLayer {
-    if (layers[i].charts.empty()) return {std::move(plan), 0.0};
-    return liftOnto(layers[i].charts, std::move(plan), settings.lifting, settings.planning.travel,
-                    highest[i]);
-  };
+  std::vector<std::vector<LayerChart>> charts;
+  for (ChartedLayer& layer : layers) {
+    plans.push_back(std::move(layer.plan));
+    charts.push_back(std::move(layer.charts));
+  }
+  const LayerLift lift = chartLift(charts, highest, settings.lifting, settings.planning.travel);
   planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
   for (const ChartedLayer& layer : layers)
     if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;

@@ -55,8 +55,12 @@ std::string percent(double part, double whole) {
   return text;
 }
 
-/// Machines hold their nozzle still; poses are for any head.
-bool maySteer(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".csv"; }
+/// Machines hold their nozzle still; poses are for any head, and a robot turns it.
+bool maySteer(const SliceJob& job) {
+  const std::string suffix = std::filesystem::path(job.output).extension().string();
+  return suffix == ".csv" ||
+         (suffix == ".mod" && job.settings.program.rapid.variant == RapidVariant::Powder5Axes);
+}
 
 /// Where no setting names the mode.
 std::vector<ModeChoice> modesBySurface(const Mesh& mesh, const SliceJob& job) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "job/led_program.hpp"
 #include "job/mode_choice.hpp"
 #include "job/tool_orientation.hpp"
 #include "lamina/base/error.hpp"
@@ -94,19 +95,21 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
 }
 
 void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
-  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode";
+  const bool is_five_axis = writesFiveAxis(job, machine, sliced);
+  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
   const bool is_as_planned =
       hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
-  if (is_program || is_as_planned) return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  if (is_program || (is_as_planned && !is_five_axis))
+    return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
   const double turn_deg = greatestJetTurn(sliced.toolpath, sliced.bed_from_part, machine) * 180.0 / M_PI;
   if (turn_deg < 0.01) return;
+  const char* format = machine.rotary_joints.empty()
+                           ? "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "
+                             "can; a program for this one is refused"
+                           : "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s";
   char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that can; a program "
-      "for this one is refused",
-      turn_deg, machine.name.c_str());
+  std::snprintf(text, sizeof text, format, turn_deg, machine.name.c_str());
   sliced.summary.notes.emplace_back(text);
 }
 

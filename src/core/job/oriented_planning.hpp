@@ -15,7 +15,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
 
 /// A program must be one for the machine: every pose is checked. Of poses in a file, or nowhere, only the
 /// tips are, if the layers or the orientation settings tilt the nozzle; the summary notes what head they
-/// need.
+/// need. Five-axis G-code is left to `leadProgram`.
 /// @throws Unreachable
 void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced);
 

@@ -8,18 +8,28 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/job/rapid_files.hpp"
 #include "lamina/program/csv_writer.hpp"
+#include "lamina/program/five_axis_writer.hpp"
 #include "lamina/program/gcode_writer.hpp"
 
 namespace lamina {
 namespace {
 
+void writeProgram(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
+  if (!placed.joints) return writeGcode(placed.toolpath, placed.frame, settings, sink);
+  const FiveAxisMotion motion{placed.toolpath, placed.frame.bed_from_part, placed.joints->mechanism,
+                              placed.joints->path};
+  writeFiveAxis(motion, settings.five_axis, settings, sink);
+}
+
 std::map<std::string, OutputWriter> registry() {
   return {
       {".csv", [](const PlacedToolpath& placed, const ProgramSettings&,
                   const TextSink& sink) { writeCsv(placed.toolpath, sink); }},
-      {".gcode", [](const PlacedToolpath& placed, const ProgramSettings& settings,
-                    const TextSink& sink) { writeGcode(placed.toolpath, placed.frame, settings, sink); }},
+      {".gcode", writeProgram},
+      {".mod", [](const PlacedToolpath& placed, const ProgramSettings& settings,
+                  const TextSink& sink) { writeRapid(placed, settings.rapid, sink); }},
   };
 }
 
@@ -41,6 +51,7 @@ OutputWriter outputWriterFor(const std::string& path) {
 
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings) {
   const OutputWriter write = outputWriterFor(path);
+  if (isRapidFile(path)) return writeRapidFiles(path, placed, settings.rapid);
   AtomicFile file(path);
   write(placed, settings, [&file](std::string_view piece) { file.write(piece); });
   file.commit();

@@ -20,6 +20,17 @@ double leastValue(const Box3& box, const Eigen::Affine3d& axes_from_box, int axi
   return least;
 }
 
+/// Tips of a path that deposits, and how low its beads reach.
+void include(const Path& path, Box3& box) {
+  if (path.role == PathRole::Travel) return;
+  for (std::size_t w = 0; w < path.points.size(); ++w) {
+    box.include(path.points[w]);
+    const Point3 jet = path.orientation.at(w) * Point3::UnitZ();
+    const Point3 beneath(0, 0, path.bead.at(w).height_mm * jet.z());
+    box.include(Point3(path.points[w] + beneath));
+  }
+}
+
 }  // namespace
 
 Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placement placement) {
@@ -41,6 +52,13 @@ Eigen::Isometry3d placePart(const Box3& part, const Machine& machine, Placement 
     bed_from_part.pretranslate((axis.low_mm - least) * axis.direction);
   }
   return bed_from_part;
+}
+
+Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const Machine& machine) {
+  Box3 box;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) include(path, box);
+  return placePart(box, machine, Placement::Centre);
 }
 
 }  // namespace lamina

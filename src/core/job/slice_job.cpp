@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "job/inclined_layers.hpp"
 #include "job/laps.hpp"
+#include "job/led_program.hpp"
 #include "job/oriented_planning.hpp"
 #include "job/part_planning.hpp"
 #include "job/part_source.hpp"
@@ -108,13 +110,15 @@ SourcePart readOnto(const Machine& machine, const SliceJob& job, SlicedPart& sli
   return source;
 }
 
-void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
+void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced,
+           const std::optional<LedProgram>& led) {
   if (job.output.empty()) return;
   ProgramSettings program = job.settings.program;
   program.strategy = job.settings.planning.infill.strategy;
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = programFromBed(machine);
-  writeOutput(job.output, {sliced.toolpath, frame}, program);
+  if (!led) return writeOutput(job.output, {sliced.toolpath, frame}, program);
+  writeOutput(job.output, {led->toolpath, frame, LedJoints{*led->mechanism, led->joints}}, program);
 }
 
 }  // namespace
@@ -135,6 +139,7 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
+  requireProgramFor(job, machine);
   requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
   const bool is_plane =
       hasPlaneLayers(job.settings.slicing.mode) || job.settings.slicing.plane.angle_deg != 0.0;
@@ -149,13 +154,14 @@ SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& pr
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
   requireWithin(machine, job, sliced);
+  const std::optional<LedProgram> led = leadProgram(job, machine, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
   inParallel(
       [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
-      [&] { write(job, machine, sliced); });
+      [&] { write(job, machine, sliced, led); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

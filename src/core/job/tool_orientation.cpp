@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-std::string textOf(const WaypointPlace& place) {
+std::string textOf(const WaypointIndex& place) {
   return "layer " + std::to_string(place.layer) + ", path " + std::to_string(place.path) + ", waypoint " +
          std::to_string(place.waypoint);
 }
@@ -52,7 +52,7 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
     return Point3(path.orientation.at(w) * Point3::UnitZ());
   };
   double greatest = 0.0;
-  WaypointPlace place;
+  WaypointIndex place;
   for (std::size_t l = 0; l < as_sliced.layers.size(); ++l)
     for (std::size_t p = 0; p < as_sliced.layers[l].paths.size(); ++p) {
       const Path& before = as_sliced.layers[l].paths[p];

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Whether the suffix is that of a program: .gcode or .mod.
+bool isProgramFile(const std::string& path);
+
+/// Reads a program of any kind, in coordinates of the bed: RAPID, G-code of linear axes, and five-axis G-code
+/// through the joints of the machine. The toolpath is named after the file.
+/// @throws FileError if it cannot be read
+/// @throws InvalidProgram naming the line, as `readRapidFile`, `toolpathFromGcodeFile`, `readFiveAxis`; of
+///   five axes also if the machine has others
+Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
+                     const MachineSettings& machine);
+
+}  // namespace lamina

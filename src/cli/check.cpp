@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/machine_check.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/placement.hpp"
+#include "lamina/job/program_file.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+#include "setting_options.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+#include "toolpath_input.hpp"
+
+namespace lamina::cli {
+namespace {
+
+constexpr int kCannotRun = 2;       // 1 is that of a check that could not be made
+constexpr std::size_t kShown = 10;  // of each kind, to people; --report and --json have all
+
+/// The command line of `lamina check` as it was typed.
+struct CheckArguments {
+  std::string input;
+  std::string machine;
+  std::string report;
+  SettingOptions settings;
+};
+
+/// What was found, and how long it takes if it can be run.
+struct Checked {
+  MachineCheck check;
+  std::optional<double> time_s;
+};
+
+std::vector<Finding> findingsOf(const MachineCheck& check) {
+  std::vector<Finding> findings = check.faults;
+  findings.insert(findings.end(), check.collisions.begin(), check.collisions.end());
+  return findings;
+}
+
+nlohmann::ordered_json toJson(const Finding& finding) {
+  return {{"layer", finding.at.layer},
+          {"path", finding.at.path},
+          {"waypoint", finding.at.waypoint},
+          {"tip_mm", {finding.tip.x(), finding.tip.y(), finding.tip.z()}},
+          {"what", finding.what},
+          {"reason", finding.reason}};
+}
+
+void printJson(const Checked& checked, const std::string& machine) {
+  const MachineCheck& check = checked.check;
+  nlohmann::ordered_json json = {{"machine", machine},
+                                 {"waypoints", check.waypoints},
+                                 {"faulty_waypoints", check.faults.size()},
+                                 {"colliding_waypoints", check.collisions.size()},
+                                 {"rewinds", check.rewinds},
+                                 {"findings", nlohmann::ordered_json::array()}};
+  json["time_s"] = checked.time_s ? nlohmann::ordered_json(*checked.time_s) : nlohmann::ordered_json();
+  for (const Finding& finding : findingsOf(check)) json["findings"].push_back(toJson(finding));
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const Checked& checked, const std::string& machine) {
+  const MachineCheck& check = checked.check;
+  std::printf("machine     %s\n", machine.c_str());
+  std::printf("waypoints   %zu\n", check.waypoints);
+  std::map<std::string, std::size_t> counts;
+  const std::vector<Finding> findings = findingsOf(check);
+  for (const Finding& finding : findings) {
+    if (++counts[finding.what] > kShown) continue;
+    std::printf("%-11s %s: %s\n", finding.what.c_str(), toText(finding.at).c_str(), finding.reason.c_str());
+  }
+  for (const auto& [what, count] : counts) std::printf("%-11s at %zu waypoints\n", what.c_str(), count);
+  std::printf("rewinds     %zu\n", check.rewinds);
+  if (checked.time_s) std::printf("print time  %.1f s\n", *checked.time_s);
+  std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
+}
+
+std::string quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
+void writeReport(const MachineCheck& check, const std::string& file) {
+  std::string text = "layer,path,waypoint,what,reason\n";
+  for (const Finding& finding : findingsOf(check))
+    text += std::to_string(finding.at.layer) + "," + std::to_string(finding.at.path) + "," +
+            std::to_string(finding.at.waypoint) + "," + finding.what + "," + quoted(finding.reason) + "\n";
+  writeFile(file, text);
+}
+
+void check(const CheckArguments& arguments, Chosen& chosen) {
+  requireApart({arguments.report}, {arguments.input, arguments.settings.config});
+  SettingOptions options = arguments.settings;
+  if (!arguments.machine.empty()) options.assignments.push_back("machine.name=" + arguments.machine);
+  const JobSettings settings = jobSettingsFrom(options);
+  validate(settings);
+  const auto mechanism = mechanismOf(settings.machine);
+  ToolpathInput input = readToolpath(arguments.input, settings);
+  // Programs tell where on the bed they stand.
+  const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
+  if (is_toolpath && settings.placement == Placement::Centre)
+    input.bed_from_part = placeDeposition(input.toolpath, machineOf(settings.machine));
+  Checked checked;
+  {
+    TerminalProgress progress;
+    const RunSettings run_settings = runSettings(settings);
+    MechanismRun run =
+        runOn(*mechanism, std::move(input.toolpath), input.bed_from_part, run_settings.joints, progress);
+    checked.check = checkRun(run, *mechanism, settings.clearance, progress);
+    if (run.path.isRunnable())
+      checked.time_s = inTime(std::move(run), *mechanism, run_settings.timing).time.total_s;
+  }
+  if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
+  if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
+  chosen.format == OutputFormat::Json ? printJson(checked, mechanism->name())
+                                      : printText(checked, mechanism->name());
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "check",
+      "Check that a machine or robot reaches every waypoint and runs into nothing; exits with 2 if not");
+  const auto arguments = std::make_shared<CheckArguments>();
+  subcommand
+      ->add_option("input", arguments->input,
+                   "Toolpath (.csv), program (.gcode, .mod), mesh file or name of a part")
+      ->required();
+  subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
+      ->check(CLI::IsMember(mechanismNames()));
+  subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { check(*arguments, chosen); }; });
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/clear_approach.hpp"
+
+#include <optional>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/clearance/joint_clearance.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kDoublings = 6;
+constexpr double kHighest = 1000.0;  // mm
+
+/// What the way runs into first.
+std::optional<Collision> firstCollision(const Approach& approach, const Mechanism& mechanism,
+                                        const ClearanceSettings& settings, Progress& progress) {
+  Path travel;
+  travel.role = PathRole::Travel;
+  JointPath path;
+  for (const JointValues& values : approach.stations) {
+    path.at.push_back({0, 0, travel.points.size()});
+    path.values.push_back(values);
+    travel.points.emplace_back(mechanism.bedFromNozzle(values).translation());
+  }
+  Toolpath toolpath;
+  toolpath.layers.push_back({0.0, 0.0, {travel}});
+  const JointClearanceReport report =
+      checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), mechanism, path},
+                          linkBodies(mechanism.urdf()), settings, progress);
+  if (report.collisions.empty()) return std::nullopt;
+  return report.collisions.front();
+}
+
+std::string textOf(const Collision& collision) {
+  return "link '" + collision.link + "' runs into " +
+         (collision.obstacle == Obstacle::Machine ? "link '" + collision.other + "'" : "the bed");
+}
+
+}  // namespace
+
+Approach clearApproach(const JointValues& from, const JointValues& to, const Mechanism& mechanism,
+                       const ApproachDemands& demands, Progress& progress) {
+  ApproachSettings way = demands.way;
+  std::optional<Collision> first;
+  for (int i = 0; i <= kDoublings && way.lift_mm <= kHighest; ++i, way.lift_mm *= 2.0) {
+    Approach tried = approach(from, to, mechanism, way, demands.timing);
+    const std::optional<Collision> collision = firstCollision(tried, mechanism, demands.clearance, progress);
+    if (!collision) return tried;
+    if (!first) first = collision;
+  }
+  throw Unreachable("on the way from where the machine stands to the start of the job " + textOf(*first) +
+                    ", and with higher lifts too; " + mechanism.name() + " must be moved clear before");
+}
+
+}  // namespace lamina

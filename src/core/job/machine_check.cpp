@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/machine_check.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/clearance/joint_clearance.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr char kCollision[] = "collision";
+
+std::string reasonOf(const Collision& collision, const DividedToolpath& divided) {
+  const std::string link = "link '" + collision.link + "' is in ";
+  if (collision.obstacle == Obstacle::Bed) return link + "the bed";
+  if (collision.obstacle == Obstacle::Machine) return link + "link '" + collision.other + "'";
+  return link + "what was laid at " + toText(divided.originalOf(collision.laid));
+}
+
+/// Findings in the order of the motion. Those of one kind at one waypoint are one: its motion may have many
+/// steps, and a closed path comes to its start twice.
+class Findings {
+ public:
+  void add(Finding finding) {
+    if (known_.emplace(finding.at.layer, finding.at.path, finding.at.waypoint, finding.what).second)
+      all_.push_back(std::move(finding));
+  }
+  std::vector<Finding> take() { return std::move(all_); }
+
+ private:
+  std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::string>> known_;
+  std::vector<Finding> all_;
+};
+
+std::size_t waypointsAskedFor(const DividedToolpath& divided) {
+  std::size_t count = 0;
+  for (const auto& layer : divided.original)
+    for (const auto& path : layer)
+      if (!path.empty()) count += *std::max_element(path.begin(), path.end()) + 1;
+  return count;
+}
+
+std::vector<Finding> faultsOf(const MechanismRun& run) {
+  Findings findings;
+  for (const FaultyWaypoint& faulty : run.path.faults) {
+    const Path& path = run.toolpath().layers[faulty.at.layer].paths[faulty.at.path];
+    findings.add({run.divided.originalOf(faulty.at), path.points[faulty.at.waypoint], toString(faulty.fault),
+                  faulty.reason});
+  }
+  return findings.take();
+}
+
+std::vector<Finding> collisionsOf(const MechanismRun& run, const JointClearanceReport& clearance) {
+  Findings findings;
+  const Eigen::Isometry3d part_from_bed = run.bed_from_part.inverse();
+  for (const Collision& collision : clearance.collisions)
+    findings.add({run.divided.originalOf(collision.at), part_from_bed * collision.tip, kCollision,
+                  reasonOf(collision, run.divided)});
+  return findings.take();
+}
+
+}  // namespace
+
+MachineCheck checkRun(const MechanismRun& run, const Mechanism& mechanism, const ClearanceSettings& settings,
+                      Progress& progress) {
+  MachineCheck check;
+  check.waypoints = waypointsAskedFor(run.divided);
+  check.rewinds = run.path.rewinds;
+  check.faults = faultsOf(run);
+  const LinkBodies bodies = linkBodies(mechanism.urdf());
+  check.collisions =
+      collisionsOf(run, checkJointClearance({run.toolpath(), run.bed_from_part, mechanism, run.path}, bodies,
+                                            settings, progress));
+  return check;
+}
+
+void requireClear(const MachineCheck& check, const Mechanism& mechanism) {
+  if (check.isClear()) return;
+  const Finding& first = check.faults.empty() ? check.collisions.front() : check.faults.front();
+  throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + mechanism.name() +
+                    " cannot run " + std::to_string(check.faults.size()) + " waypoints and collides at " +
+                    std::to_string(check.collisions.size()) + ")");
+}
+
+}  // namespace lamina

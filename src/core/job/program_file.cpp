@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/program_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/rapid_files.hpp"
+#include "lamina/program/five_axis_reader.hpp"
+#include "lamina/program/rapid_reader.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+
+namespace lamina {
+namespace {
+
+/// The comments that a program begins with: what tells of five axes stands there, and all the rest, which may
+/// be long, need not be held in memory to know.
+std::string headOf(const std::string& path) {
+  std::ifstream file(path);
+  std::string head;
+  for (std::string line; std::getline(file, line) && !line.empty() && line.front() == ';';)
+    head += line + "\n";
+  return head;
+}
+
+Toolpath readFiveAxisFile(const std::string& path, const ProgramSettings& settings,
+                          const MachineSettings& machine) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  try {
+    return readFiveAxis(readFile(path), *mechanismOf(machine), settings.five_axis, settings, name);
+  } catch (const InvalidConfig& error) {
+    throw InvalidProgram("'" + path + "' is five-axis G-code: " + error.what() +
+                         "; expected machine.name to be the machine that it was written for");
+  }
+}
+
+}  // namespace
+
+bool isProgramFile(const std::string& path) {
+  return isRapidFile(path) || std::filesystem::path(path).extension() == ".gcode";
+}
+
+Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
+                     const MachineSettings& machine) {
+  if (isRapidFile(path)) return readRapidFile(path);
+  if (isFiveAxisProgram(headOf(path))) return readFiveAxisFile(path, settings, machine);
+  return toolpathFromGcodeFile(path, settings);
+}
+
+}  // namespace lamina

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs `lamina check` and `lamina track` as a person or a script does.
+
+    check_and_track_test.py LAMINA
+"""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+HEAD = "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s\n"
+
+
+def run(*arguments):
+    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, timeout=60)
+
+
+def through(points, role="infill", width=0.4):
+    """A path through the points, the nozzle straight down."""
+    return HEAD + "".join(f"0,0,{role},0,{x},{y},{z},0,1,0,0,{width},0.2,20\n" for x, y, z in points)
+
+
+class CheckAndTrack(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, points, *path_of):
+        path = self.path("path.csv")
+        with open(path, "w") as file:
+            file.write(through(points, *path_of))
+        return path
+
+    def told(self, *arguments, code=0):
+        done = run(*arguments, "--json")
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout)
+
+    def listed(self, path):
+        with open(path, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_what_can_be_run_takes_its_time(self):
+        points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
+        for machine in ("irb_4600", "five_axis_head_ac", "rus_platform", "cartesian_gantry"):
+            told = self.told("check", points, "--machine", machine)
+            self.assertEqual(told["machine"], machine)
+            self.assertEqual(told["waypoints"], 2)
+            self.assertEqual(told["findings"], [])
+            self.assertGreater(told["time_s"], 40.0 / 20.0)
+        self.assertIn("the machine can run it", run("check", points, "--machine", "irb_4400").stdout)
+
+    def test_a_part_is_sliced_for_the_machine(self):
+        told = self.told("check", "box", "--machine", "irb_4600", "--set", "slicing.layer_height_mm=1", "--set",
+                         "slicing.first_layer_height_mm=1", "--set", "bead.width_mm=2")
+        self.assertGreater(told["waypoints"], 80)
+        self.assertEqual(told["faulty_waypoints"], 0)
+
+    def test_all_waypoints_out_of_reach_are_told(self):
+        points = self.write([(i, 0, 0.2) for i in range(20)] + [(1e5 + i, 0, 0.2) for i in range(15)])
+        report = self.path("report.csv")
+        arguments = ("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--set",
+                     "joints.max_step_mm=100000", "--report", report)
+        told = self.told(*arguments, code=2)
+        self.assertEqual(told["faulty_waypoints"], 15)
+        self.assertIsNone(told["time_s"])
+        unreached = [finding["waypoint"] for finding in told["findings"] if finding["what"] == "out_of_reach"]
+        self.assertEqual(unreached, list(range(20, 35)))
+        self.assertEqual([int(row["waypoint"]) for row in self.listed(report)], unreached)
+        done = run(*arguments)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("out_of_reach at 15 waypoints", done.stdout)
+        self.assertIn("the machine cannot run it", done.stdout)
+
+    def test_what_collides_is_told(self):
+        points = self.write([(0, 0, 50), (0, 0, -25), (10, 0, -25)], "travel", 0)
+        report = self.path("report.csv")
+        told = self.told("check", points, "--machine", "irb_4600", "--set", "part.placement=as_is", "--report",
+                         report, code=2)
+        self.assertEqual(told["faulty_waypoints"], 0)
+        self.assertEqual([finding["waypoint"] for finding in told["findings"]], [1, 2])
+        self.assertEqual([row["what"] for row in self.listed(report)], ["collision", "collision"])
+        self.assertIn("the bed", self.listed(report)[0]["reason"])
+
+    def test_what_cannot_be_checked_is_refused(self):
+        points = self.write([(0, 0, 0.2), (40, 0, 0.2)])
+        names = sorted(os.listdir(self.folder.name))
+        for code, arguments in (("InvalidConfig", [points, "--machine", "nowhere"]),
+                                ("FileError", [self.path("none.csv"), "--machine", "irb_4600"]),
+                                ("InvalidInput", [points, "--machine", "irb_4600", "--report", points]),
+                                ("InvalidConfig", [points, "--machine", "irb_4600", "--set", "joints.yaw_samples=0"])):
+            done = run("check", *arguments, "--json")
+            self.assertNotIn(done.returncode, (0, 2), arguments)
+            told = json.loads(done.stdout)
+            self.assertEqual(told["error"]["code"], code, told)
+            self.assertEqual(sorted(os.listdir(self.folder.name)), names, arguments)
+        self.assertIn("irb_4400", run("check", points, "--machine", "nowhere").stderr)
+
+    def test_a_toolpath_is_tracked_by_the_platform(self):
+        points = self.write([(50, 60, 0.2), (70, 60, 0.2)])
+        told = self.told("track", points)
+        # From rest to rest: 20 mm at 20 mm/s, up to it and down from it at 1000 mm/s2.
+        self.assertAlmostEqual(told["duration_s"], 1.0 + 20.0 / 1000.0, places=9)
+        for figure in ("linear_ise_mm2_s", "control_energy_nm2_s", "greatest_torque_nm", "greatest_tip_error_mm"):
+            self.assertGreater(told[figure], 0.0)
+        self.assertLess(told["greatest_tip_error_mm"], 1.0)
+        self.assertIn("1.020 s", run("track", points).stdout)
+        moved = self.told("track", self.write([(-10, 0, 0.2), (10, 0, 0.2)]), "--middle", "60,60")
+        self.assertAlmostEqual(moved["control_energy_nm2_s"], told["control_energy_nm2_s"], places=9)
+
+    def test_what_the_platform_cannot_track_is_refused(self):
+        points = self.write([(50, 60, 0.2), (70, 60, 0.2)])
+        for code, arguments in (("Unreachable", [points, "--middle", "500,60"]),
+                                ("InvalidConfig", [points, "--set", "controller.k1=0"]),
+                                ("InvalidConfig", [points, "--set", "controller.k3=1e9"]),
+                                ("InvalidConfig", [points, "--urdf", points]),
+                                ("FileError", [self.path("none.csv")])):
+            done = run("track", *arguments, "--json")
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertEqual(json.loads(done.stdout)["error"]["code"], code, arguments)
+
+
+if __name__ == "__main__":
+    unittest.main()

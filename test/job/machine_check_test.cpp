@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/machine_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+using Eigen::Isometry3d;
+
+MachineCheck checkOn(const std::string& machine, const Toolpath& toolpath, const Point3& place) {
+  const auto mechanism = mechanismByName(machine);
+  NoProgress nobody;
+  const MechanismRun run = runOn(*mechanism, toolpath, Isometry3d(Eigen::Translation3d(place)), {}, nobody);
+  return checkRun(run, *mechanism, {}, nobody);
+}
+
+/// A closed square of 100 mm, whose sides are divided into steps.
+Toolpath square() {
+  Path wall = test::straightPath({0, 0, 0.2}, {100, 0, 0.2});
+  wall.is_closed = true;
+  wall.points.insert(wall.points.end(), {{100, 100, 0.2}, {0, 100, 0.2}});
+  return {"square", {{0.2, 0.2, {wall}}}};
+}
+
+/// A travel down from 50 mm over the bed's middle.
+Toolpath travelDownTo(double height) {
+  Path travel = test::straightPath({0, 0, 50}, {0, 0, height});
+  travel.role = PathRole::Travel;
+  travel.bead = Bead{};
+  return {"travel", {{0.2, 0.2, {travel}}}};
+}
+
+std::string refusal(const MachineCheck& check, const std::string& machine) {
+  try {
+    requireClear(check, *mechanismByName(machine));
+  } catch (const Unreachable& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MachineCheck, IsClearWhereTheMachineRunsAll) {
+  for (const char* machine : {"five_axis_head_ac", "irb_4600", "cartesian_gantry"}) {
+    const MachineCheck check = checkOn(machine, square(), {60, 60, 0});
+    EXPECT_TRUE(check.isClear()) << machine;
+    EXPECT_EQ(check.waypoints, 4U);
+    EXPECT_EQ(refusal(check, machine), "");
+  }
+}
+
+TEST(MachineCheck, NamesEachWaypointOfAClosedPathOnce) {
+  const MachineCheck check = checkOn("five_axis_head_ac", square(), {1e5, 60, 0});
+  EXPECT_EQ(check.waypoints, 4U);
+  ASSERT_EQ(check.faults.size(), 4U);
+  for (std::size_t w = 0; w < 4; ++w) {
+    EXPECT_EQ(check.faults[w].at.waypoint, w);
+    EXPECT_EQ(check.faults[w].what, "out_of_limits");
+  }
+  EXPECT_TRUE(check.faults[0].tip.isApprox(Point3(0, 0, 0.2)));
+  EXPECT_NE(refusal(check, "five_axis_head_ac").find("cannot run 4 waypoints and collides at 0"),
+            std::string::npos);
+}
+
+TEST(MachineCheck, NamesANozzleInTheBedOnceWhateverTheStepsOfItsMotion) {
+  EXPECT_TRUE(checkOn("irb_4600", travelDownTo(5.0), {0, 0, 0}).isClear());
+  const MachineCheck check = checkOn("irb_4600", travelDownTo(-25.0), {0, 0, 0});
+  EXPECT_TRUE(check.faults.empty());
+  ASSERT_EQ(check.collisions.size(), 1U);
+  EXPECT_EQ(check.collisions[0].at.waypoint, 1U);
+  EXPECT_EQ(check.collisions[0].what, "collision");
+  EXPECT_EQ(check.collisions[0].reason, "link 'nozzle' is in the bed");
+  EXPECT_LT(check.collisions[0].tip.z(), 0.0);
+}
+
+}  // namespace
+}  // namespace lamina

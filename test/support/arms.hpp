@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lamina/base/random.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+
+namespace lamina::test {
+
+/// A joint of a URDF and its child link; the parent is that of the joint before.
+inline std::string rotaryJoint(const std::string& name, const std::string& parent, const std::string& origin,
+                               const std::string& axis) {
+  return "<link name=\"" + name + "_link\"/><joint name=\"" + name + "\" type=\"revolute\"><parent link=\"" +
+         parent + "\"/><child link=\"" + name + "_link\"/><origin " + origin + "/><axis xyz=\"" + axis +
+         "\"/><limit lower=\"-6.3\" upper=\"6.3\" velocity=\"3\" effort=\"1\"/></joint>";
+}
+
+inline std::string fixedJoint(const std::string& link, const std::string& parent, const std::string& origin) {
+  return "<link name=\"" + link + "\"/><joint name=\"to_" + link + "\" type=\"fixed\"><parent link=\"" +
+         parent + "\"/><child link=\"" + link + "\"/><origin " + origin + "/></joint>";
+}
+
+/// An arm of six joints, each as the origin and axis of its joint, with a bed and a nozzle.
+struct ArmDescription {
+  std::string origins[6];
+  std::string axes[6];
+
+  std::string urdf() const {
+    std::string text = "<robot name=\"arm\"><link name=\"base_link\"/>";
+    text += fixedJoint("bed", "base_link", "xyz=\"0.8 0.1 0.05\" rpy=\"0 0 0.3\"");
+    std::string parent = "base_link";
+    for (int j = 0; j < 6; ++j) {
+      const std::string name = "joint_" + std::to_string(j + 1);
+      text += rotaryJoint(name, parent, origins[j], axes[j]);
+      parent = name + "_link";
+    }
+    return text + fixedJoint("nozzle", parent, "xyz=\"0.03 0.05 0.2\" rpy=\"0.3 0.5 0.1\"") + "</robot>";
+  }
+};
+
+/// An arm whose wrist has its axes apart, as collaborative arms have; its last digits are rounded.
+inline ArmDescription offsetWristArm() {
+  return {{"xyz=\"0 0 0.089159\"", "xyz=\"0 0.13585 0\" rpy=\"0 1.570796 0\"", "xyz=\"0 -0.1197 0.425\"",
+           "xyz=\"0 0 0.39225\" rpy=\"0 1.570796 0\"", "xyz=\"0 0.093 0\"", "xyz=\"0 0 0.09465\""},
+          {"0 0 1", "0 1 0", "0 1 0", "0 1 0", "0 0 1", "0 1 0"}};
+}
+
+/// An arm with a spherical wrist, as in urdf/irb_4600.urdf but with turned joints and rounded angles: axes
+/// stand off by some 1e-5 rad.
+inline ArmDescription roundedArm() {
+  return {{"xyz=\"0 0 0.495\"", "xyz=\"0.175 0.02 0\" rpy=\"-1.5708 0 0\"", "xyz=\"0 -0.9 0\"",
+           "xyz=\"0.3 -0.175 0.04\" rpy=\"0 1.5708 0\"", "xyz=\"0 0 0.66\" rpy=\"1.5708 0 0\"",
+           "xyz=\"0 0 0\" rpy=\"-1.5708 0 0\""},
+          {"0 0 1", "0 0 1", "0 0 -1", "0 0 1", "0 0 1", "0 0 -1"}};
+}
+
+/// Values in the ranges of the joints, and at most a turn.
+inline JointValues anyJointValues(const Mechanism& mechanism, Random& random) {
+  JointValues values(static_cast<Eigen::Index>(mechanism.joints().size()));
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    const DrivenJoint& joint = mechanism.joints()[static_cast<std::size_t>(j)];
+    values[j] = random.uniform(std::max(joint.low, -M_PI), std::min(joint.high, M_PI));
+  }
+  return values;
+}
+
+/// Distance of two poses: of the tips [m] or the turn [rad], whichever is greater.
+inline double distance(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const double turn = (a.linear() - b.linear()).norm() / std::sqrt(2.0);
+  return std::max(1e-3 * (a.translation() - b.translation()).norm(), turn);
+}
+
+/// Greatest difference of joint values but for whole turns.
+inline double turnDistance(const JointValues& a, const JointValues& b) {
+  return (a - b)
+      .unaryExpr([](double angle) { return std::abs(std::remainder(angle, 2.0 * M_PI)); })
+      .maxCoeff();
+}
+
+}  // namespace lamina::test
