@@ -12,8 +12,6 @@ namespace {
 
 constexpr double kUnitTolerance = 1e-6;  // of a quaternion's norm: messages may come from single precision
 
-double toCubicMetres(double cubic_millimetres) { return cubic_millimetres * 1e-9; }
-
 template <class Message, class Value>
 std::vector<Message> toMessages(const std::vector<Value>& values) {
   std::vector<Message> messages;
@@ -181,6 +179,10 @@ sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& val
     state.name.push_back(machine.axes[static_cast<std::size_t>(i)].name);
     state.position.push_back(toMetres(values_mm[i]));
   }
+  for (const std::string& joint : machine.rotary_joints) {
+    state.name.push_back(joint);
+    state.position.push_back(0.0);
+  }
   return state;
 }
 
@@ -196,10 +198,13 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   return message;
 }
 
+void requirePlannedFor(const MachineToolpath& placed, const std::string& machine) {
+  if (!placed.machine.empty() && placed.machine != machine)
+    throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node has '" + machine + "'");
+}
+
 void requireRunsOn(const MachineToolpath& placed, const Machine& machine) {
-  if (!placed.machine.empty() && placed.machine != machine.name)
-    throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node has '" + machine.name +
-                       "'");
+  requirePlannedFor(placed, machine.name);
   requireReachable(placed.toolpath, placed.bed_from_part, machine);
 }
 

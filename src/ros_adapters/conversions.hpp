@@ -28,6 +28,11 @@ inline double toMetres(double millimetres) { return millimetres * kMetresPerMill
 /// Length [mm] of a length [m]; the same for speeds.
 inline double toMillimetres(double metres) { return metres * kMillimetresPerMetre; }
 
+/// Volume [m³] of a volume [mm³]; the same for flows.
+inline double toCubicMetres(double cubic_millimetres) { return cubic_millimetres * 1e-9; }
+/// Volume [mm³] of a volume [m³]; the same for flows.
+inline double toCubicMillimetres(double cubic_metres) { return cubic_metres * 1e9; }
+
 geometry_msgs::Point toMessage(const Point3& point);
 Point3 fromMessage(const geometry_msgs::Point& point);
 
@@ -65,7 +70,11 @@ lamina_msgs::Toolpath stamped(const MachineToolpath& placed, const ros::Time& st
 /// @throws InvalidInput if the toolpath does not satisfy `validate`, has an unknown role, or its pose is none
 MachineToolpath fromMessage(const lamina_msgs::Toolpath& message);
 
-/// @throws InvalidInput if the toolpath was planned for another machine (one without a name is for any)
+/// @throws InvalidInput if the toolpath was planned for another machine than the one of that name (one
+/// without a name is for any)
+void requirePlannedFor(const MachineToolpath& placed, const std::string& machine);
+
+/// @throws InvalidInput as `requirePlannedFor`
 /// @throws Unreachable naming the first waypoint out of reach
 void requireRunsOn(const MachineToolpath& placed, const Machine& machine);
 

@@ -8,14 +8,18 @@
 
 #define lamina lamina_msgs
 #include <lamina/Bead.h>
+#include <lamina/DriveToolpathAction.h>
 #include <lamina/FillVoids.h>
 #include <lamina/FilledVoid.h>
+#include <lamina/FollowJointTrajectoryAction.h>
 #include <lamina/InclineAction.h>
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/MachineState.h>
+#include <lamina/ProcessState.h>
+#include <lamina/ProcessTrajectory.h>
 #include <lamina/RunStartup.h>
 #include <lamina/Setting.h>
 #include <lamina/SliceAction.h>
@@ -27,6 +31,7 @@
 #include <lamina/Toolpath.h>
 #include <lamina/ToolpathLayer.h>
 #include <lamina/ToolpathPath.h>
+#include <lamina/TrackingError.h>
 #include <lamina/VoidCount.h>
 #include <lamina/VoidFillingSummary.h>
 #undef lamina

@@ -19,10 +19,15 @@ inline constexpr char kVoidMarkers[] = "void_markers";            ///< visualiza
 inline constexpr char kMachineState[] = "machine_state";          ///< lamina/MachineState, latched
 inline constexpr char kMachinePosition[] =
     "machine_position";  ///< sensor_msgs/JointState: axes as the machine reports them
-inline constexpr char kJointStates[] = "joint_states";          ///< sensor_msgs/JointState
-inline constexpr char kJointTrajectory[] = "joint_trajectory";  ///< trajectory_msgs/JointTrajectory
-inline constexpr char kNozzlePath[] = "nozzle_path";            ///< nav_msgs/Path
-inline constexpr char kProfile[] = "profile";           ///< sensor_msgs/PointCloud2 of the profile sensor
+inline constexpr char kJointStates[] = "joint_states";              ///< sensor_msgs/JointState
+inline constexpr char kJointTrajectory[] = "joint_trajectory";      ///< trajectory_msgs/JointTrajectory
+inline constexpr char kNozzlePath[] = "nozzle_path";                ///< nav_msgs/Path
+inline constexpr char kProcessTrajectory[] = "process_trajectory";  ///< lamina/ProcessTrajectory
+inline constexpr char kProcessState[] = "process_state";            ///< lamina/ProcessState
+inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/TrackingError
+inline constexpr char kLaidMarkers[] = "laid_markers";    ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kProfile[] = "profile";             ///< sensor_msgs/PointCloud2 of the profile sensor
 inline constexpr char kDeposited[] = "deposited";       ///< sensor_msgs/PointCloud2 of the deposited material
 inline constexpr char kLayerHeight[] = "layer_height";  ///< lamina/LayerHeight
 inline constexpr char kHeightMap[] = "height_map";      ///< sensor_msgs/PointCloud2 of measured heights
@@ -48,6 +53,9 @@ inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigg
 
 // Actions.
 inline constexpr char kSlice[] = "slice";                   ///< lamina/Slice
+inline constexpr char kDriveToolpath[] = "drive_toolpath";  ///< lamina/DriveToolpath
+inline constexpr char kFollowJointTrajectory[] =
+    "follow_joint_trajectory";                              ///< of control_msgs, or of the same fields
 inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamProgram
 
 // Frames.

@@ -5,26 +5,24 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
-#include <tf2/buffer_core.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <set>
 #include <sstream>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/incline_settings.hpp"
 #include "messages.hpp"
-#include "names.hpp"
 #include "support/scratch_folder.hpp"
-#include "transforms.hpp"
+#include "tf_recording.hpp"
 #include "wait_until.hpp"
 
 namespace lamina {
 namespace {
+
+using test::TfRecording;
 
 constexpr double kSameTip = 1e-3;  // mm: 1e-6 m
 constexpr double kSameJet = 1e-6;  // rad
@@ -67,62 +65,6 @@ std::vector<Point3> tipsIn(const std::string& program, bool is_belt) {
   }
   return tips;
 }
-
-/// Everything said on tf and tf_static of a namespace.
-class TfRecording {
- public:
-  explicit TfRecording(const std::string& space) : node_(space), buffer_(ros::Duration(3600.0)) {
-    const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_tf = [this](const auto& message) {
-      keep(*message, false);
-    };
-    const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_static = [this](const auto& message) {
-      keep(*message, true);
-    };
-    tf_ = node_.subscribe<tf2_msgs::TFMessage>("tf", 100000, on_tf);
-    tf_static_ = node_.subscribe<tf2_msgs::TFMessage>("tf_static", 100, on_static);
-  }
-
-  bool isConnected() const { return tf_.getNumPublishers() > 0 && tf_static_.getNumPublishers() > 0; }
-
-  /// bed_from_nozzle at each stamp, in order of time [mm].
-  std::vector<Eigen::Isometry3d> nozzles() const {
-    std::vector<Eigen::Isometry3d> found;
-    for (const ros::Time& stamp : stamps_)
-      if (const auto pose = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, stamp))
-        found.push_back(*pose);
-    return found;
-  }
-  bool isAt(const Point3& tip) const {
-    if (stamps_.empty()) return false;
-    const auto pose = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, *stamps_.rbegin());
-    return pose && (pose->translation() - tip).norm() < kSameTip;
-  }
-
-  void write(rosbag::Bag& bag) const {
-    for (const auto& [topic, stamp, message] : messages_) bag.write(node_.resolveName(topic), stamp, message);
-  }
-
- private:
-  struct Received {
-    std::string topic;
-    ros::Time stamp;
-    tf2_msgs::TFMessage message;
-  };
-
-  void keep(const tf2_msgs::TFMessage& message, bool is_static) {
-    messages_.push_back({is_static ? "tf_static" : "tf", ros::Time::now(), message});
-    for (const auto& transform : message.transforms) {
-      buffer_.setTransform(transform, "test", is_static);
-      if (!is_static) stamps_.insert(transform.header.stamp);
-    }
-  }
-
-  ros::NodeHandle node_;
-  tf2::BufferCore buffer_;
-  std::set<ros::Time> stamps_;
-  std::vector<Received> messages_;
-  ros::Subscriber tf_, tf_static_;
-};
 
 /// Expects all tips in their order, each with the jet.
 void expectPlayed(const Case& played, const TfRecording& recording) {

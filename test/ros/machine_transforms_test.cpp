@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodes/trajectory_publisher/machine_transforms.hpp"
+#include "machine_transforms.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "lamina/base/error.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/mechanism.hpp"
 
 namespace {
 
@@ -15,7 +17,8 @@ using lamina::JointPositions;
 using lamina::MachineTransforms;
 using Transforms = std::vector<geometry_msgs::TransformStamped>;
 
-const JointPositions kPositions = {{"x", 0.010}, {"y", 0.020}, {"z", 0.030}};
+const JointPositions kPositions = {{"x", 0.010}, {"y", 0.020}, {"z", 0.030},
+                                   {"a", 0.0},   {"b", 0.0},   {"c", 0.0}};
 
 Eigen::Isometry3d isometry(const geometry_msgs::Transform& t) {
   return Eigen::Translation3d(t.translation.x, t.translation.y, t.translation.z) *
@@ -52,6 +55,25 @@ TEST(MachineTransforms, OfEveryMachineBringTheNozzleToItsAxisValuesOverTheBed) {
     const Eigen::Isometry3d bed_from_nozzle = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
     const Eigen::Vector3d expected_mm = lamina::bedFromNozzle(described, {10.0, 20.0, 30.0}).translation();
     EXPECT_TRUE((1e3 * bed_from_nozzle.translation()).isApprox(expected_mm, 1e-9)) << name;
+  }
+}
+
+TEST(MachineTransforms, OfEveryMechanismBringTheNozzleToWhereItsJointsDo) {
+  for (const std::string& name : lamina::mechanismNames()) {
+    const auto mechanism = lamina::mechanismByName(name);
+    const MachineTransforms machine(mechanism->urdf());
+    lamina::JointValues values = lamina::JointValues::Zero(static_cast<int>(mechanism->joints().size()));
+    for (Eigen::Index j = 0; j < values.size(); ++j) {
+      const lamina::DrivenJoint& joint = mechanism->joints()[static_cast<std::size_t>(j)];
+      const double wanted = joint.kind == lamina::JointKind::Linear ? 20.0 + 7.0 * j : 0.1 + 0.03 * j;
+      values[j] = std::clamp(wanted, joint.low, joint.high);
+    }
+    Transforms all = machine.fixed(ros::Time());
+    const Transforms moving = machine.moving(machine.positions(mechanism->urdfJoints(values)), ros::Time());
+    all.insert(all.end(), moving.begin(), moving.end());
+    Eigen::Isometry3d told = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
+    told.translation() *= 1e3;
+    EXPECT_TRUE(told.isApprox(mechanism->bedFromNozzle(values), 1e-9)) << name;
   }
 }
 

@@ -12,7 +12,9 @@
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
-#include "nodes/trajectory_publisher/trajectory_settings.hpp"
+#include "nodes/simulated_controller/controller_settings.hpp"
+#include "nodes/trajectory_driver/driver_settings.hpp"
+#include "nodes/trajectory_publisher/publisher_settings.hpp"
 
 namespace {
 
@@ -59,6 +61,20 @@ void load(const std::string& file, lamina::SettingsSchema& schema) {
     schema.set(setting.key, setting.text);
 }
 
+TEST(NodeConfig, OfTrajectoryDriverIsCompleteAndHasTheDefaults) {
+  lamina::DriverSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("trajectory_driver", schema);
+}
+
+TEST(NodeConfig, OfSimulatedControllerIsCompleteAndHasTheDefaults) {
+  lamina::ControllerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("simulated_controller", schema);
+}
+
 TEST(NodeConfig, OfTheLargeGantryLoadsAndHasAStartupSequence) {
   lamina::GcodeStreamerSettings streamer;
   lamina::SettingsSchema streamer_schema;
@@ -88,7 +104,7 @@ TEST(NodeConfig, OfVoidFillerIsCompleteAndHasTheDefaults) {
 }
 
 TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {
-  lamina::TrajectorySettings settings;
+  lamina::PublisherSettings settings;
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("trajectory_publisher", schema);
@@ -99,6 +115,34 @@ TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("layer_height_monitor", schema);
+}
+
+/// Sets what a file states of a node, under its name.
+/// @return how much
+std::size_t loadOf(const std::string& node, const std::string& file, lamina::SettingsSchema& schema) {
+  const std::string path = std::string(LAMINA_SOURCE_DIR) + "/config/" + file;
+  std::size_t count = 0;
+  for (const auto& setting : lamina::settingsFromYaml(lamina::readFile(path), path)) {
+    if (setting.key.rfind(node + ".", 0) != 0) continue;
+    schema.set(setting.key.substr(node.size() + 1), setting.text);
+    ++count;
+  }
+  return count;
+}
+
+TEST(NodeConfig, OfTheDemosByJointsHoldsSettingsThereAre) {
+  for (const std::string file : {"demo_five_axis.yaml", "demo_robot.yaml"}) {
+    lamina::JobSettings slicing;
+    lamina::SettingsSchema slicing_schema;
+    describe(slicing_schema, slicing);
+    EXPECT_GT(loadOf("slicing_service", file, slicing_schema), 0U);
+    EXPECT_NO_THROW(validate(slicing)) << file;
+  }
+  lamina::DriverSettings driver;
+  lamina::SettingsSchema driver_schema;
+  describe(driver_schema, driver);
+  EXPECT_GT(loadOf("trajectory_driver", "demo_robot.yaml", driver_schema), 0U);
+  EXPECT_EQ(driver.run.timing.process.kind, lamina::ProcessKind::Powder);
 }
 
 TEST(NodeConfig, OfTheDemosHoldsSettingsThereAre) {

@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   lamina::runNode(argc, argv, {"trajectory_publisher"}, [] {
-    lamina::TrajectorySettings settings;
+    lamina::PublisherSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);
     lamina::applyParameters(schema, ros::NodeHandle("~"));

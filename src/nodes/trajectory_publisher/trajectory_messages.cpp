@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory_messages.hpp"
 
-#include <algorithm>
-
+#include "conversions.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -31,23 +30,6 @@ nav_msgs::Path nozzlePath(const Toolpath& toolpath, double spacing_mm) {
     }
   }
   return message;
-}
-
-trajectory_msgs::JointTrajectory jointTrajectory(const Machine& machine,
-                                                 const Eigen::Isometry3d& bed_from_part,
-                                                 ToolpathPlayer& player, const TimeSpan& span,
-                                                 double step_s) {
-  trajectory_msgs::JointTrajectory message;
-  for (const MachineAxis& axis : machine.axes) message.joint_names.push_back(axis.name);
-  for (std::size_t i = 0;; ++i) {
-    const double time_s = std::min(span.end_s, span.begin_s + static_cast<double>(i) * step_s);
-    trajectory_msgs::JointTrajectoryPoint point;
-    point.positions =
-        jointState(machine, axisValues(machine, bed_from_part * player.at(time_s).position)).position;
-    point.time_from_start = ros::Duration(time_s - span.begin_s);
-    message.points.push_back(point);
-    if (time_s >= span.end_s) return message;
-  }
 }
 
 }  // namespace lamina

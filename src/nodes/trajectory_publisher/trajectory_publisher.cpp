@@ -34,6 +34,22 @@ geometry_msgs::TransformStamped named(const std::string& parent, const std::stri
   return message;
 }
 
+/// The machine of three linear axes that a mechanism is, if it is one.
+std::optional<Machine> linearMachine(const Mechanism& mechanism) {
+  for (const DrivenJoint& joint : mechanism.joints())
+    if (joint.kind != JointKind::Linear) return std::nullopt;
+  return machineFromUrdf(mechanism.urdf());
+}
+
+JointPositions positionsIn(const sensor_msgs::JointState& state) {
+  if (state.name.size() != state.position.size())
+    throw InvalidInput(std::to_string(state.name.size()) + " axes and " +
+                       std::to_string(state.position.size()) + " positions; there must be as many");
+  JointPositions positions;
+  for (std::size_t i = 0; i < state.name.size(); ++i) positions[state.name[i]] = state.position[i];
+  return positions;
+}
+
 /// A service that does one thing.
 template <class Action>
 ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Action action) {
@@ -49,8 +65,11 @@ ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Actio
 
 }  // namespace
 
-TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings)
-    : settings_(settings), machine_(machineOf(settings.machine)), transforms_(machine_.urdf) {
+TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSettings& settings)
+    : settings_(settings),
+      mechanism_(mechanismOf(settings.machine)),
+      linear_(linearMachine(*mechanism_)),
+      transforms_(mechanism_->urdf()) {
   describeMachine(node);
   advertise(node);
   toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
@@ -64,13 +83,13 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const TrajectoryS
     timer_ = node.createTimer(ros::Duration(1.0 / settings_.rate_hz), &TrajectoryPublisher::onTick, this);
   }
   ROS_INFO(
-      "machine %s; %s", machine_.name.c_str(),
+      "machine %s; %s", mechanism_->name().c_str(),
       settings_.mode == TrajectoryMode::Follow ? "following its reports" : "waiting for a toolpath to play");
 }
 
 void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
   constexpr char kDescription[] = "robot_description";
-  if (!node.hasParam(kDescription)) node.setParam(kDescription, machine_.urdf);
+  if (!node.hasParam(kDescription)) node.setParam(kDescription, mechanism_->urdf());
   auto fixed = transforms_.fixed(ros::Time::now());
   if (transforms_.rootLink() != names::kWorldFrame)
     fixed.push_back(
@@ -89,7 +108,7 @@ void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
   play_ = trigger(own, "play", [this] { is_playing_ = true; });
   pause_ = trigger(own, "pause", [this] { is_playing_ = false; });
   rewind_ = trigger(own, "rewind", [this] {
-    if (playback_) playback_->at_s = 0.0, playback_->announced_layers = 0;
+    if (shown_) shown_->at_s = 0.0, shown_->announced_layers = 0;
   });
 }
 
@@ -125,20 +144,33 @@ void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& messag
 }
 
 void TrajectoryPublisher::accept(MachineToolpath placed) {
-  requireRunsOn(placed, machine_);
-  nav_msgs::Path path = nozzlePath(placed.toolpath, settings_.path_spacing_mm);
+  if (linear_)
+    requireRunsOn(placed, *linear_);
+  else
+    requirePlannedFor(placed, mechanism_->name());
+  auto shown = std::make_unique<Shown>(std::move(placed));
+  shown->playback = playbackOf(shown->placed);
+  const MachineToolpath& accepted = shown->placed;
+  nav_msgs::Path path = nozzlePath(accepted.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
-  static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(placed.bed_from_part)));
+  static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(accepted.bed_from_part)));
   nozzle_path_.publish(path);
-  ROS_INFO("toolpath %s of '%s': %zu layers", placed.id.c_str(), placed.toolpath.part_name.c_str(),
-           placed.toolpath.layers.size());
-  if (settings_.mode == TrajectoryMode::Visualise)
-    playback_ = std::make_unique<Playback>(std::move(placed), settings_.motion);
+  ROS_INFO("toolpath %s of '%s': %zu layers, %.0f s", accepted.id.c_str(),
+           accepted.toolpath.part_name.c_str(), accepted.toolpath.layers.size(),
+           shown->playback->time().total_s);
+  if (settings_.mode == TrajectoryMode::Visualise) shown_ = std::move(shown);
+}
+
+std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath& placed) const {
+  if (linear_) return linearPlayback(placed, *linear_, settings_.run.timing.motion);
+  NoProgress nobody;
+  MechanismRun run = runOn(*mechanism_, placed.toolpath, placed.bed_from_part, settings_.run.joints, nobody);
+  return jointPlayback(inTime(std::move(run), *mechanism_, settings_.run.timing), *mechanism_, transforms_);
 }
 
 void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {
   try {
-    publishPosition(*message);
+    publishPosition(positionsIn(*message), *message);
   } catch (const Error& error) {
     ROS_ERROR_THROTTLE(5.0, "machine position refused: %s", error.what());
   }
@@ -147,54 +179,52 @@ void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPt
 void TrajectoryPublisher::onTick(const ros::TimerEvent& event) {
   const double passed_s = std::max(0.0, (event.current_real - last_tick_).toSec());
   last_tick_ = event.current_real;
-  if (!playback_) return;
-  if (is_playing_ && playback_->has_begun)
-    playback_->at_s = std::min(playback_->time.total_s, playback_->at_s + passed_s * settings_.speed_up);
-  playback_->has_begun = true;
+  if (!shown_) return;
+  if (is_playing_ && shown_->has_begun)
+    shown_->at_s = std::min(shown_->playback->time().total_s, shown_->at_s + passed_s * settings_.speed_up);
+  shown_->has_begun = true;
   announceLayer(event.current_real);
   publishWaypoints(event.current_real);
-  publishNozzle(playback_->player.at(playback_->at_s), event.current_real);
+  publishPlayed(shown_->playback->at(shown_->at_s), event.current_real);
 }
 
 /// Those since the last tick, at their own times: between them the nozzle goes straight.
 void TrajectoryPublisher::publishWaypoints(const ros::Time& until) {
-  ToolpathPlayer& player = playback_->player;
-  for (double time_s = player.nextWaypointTime(); time_s < playback_->at_s;
-       time_s = player.nextWaypointTime()) {
-    const ros::Duration ago((playback_->at_s - time_s) / settings_.speed_up);
-    publishNozzle(player.at(time_s), until - ago);
+  Playback& played = *shown_->playback;
+  for (double time_s = played.nextWaypointTime(); time_s < shown_->at_s; time_s = played.nextWaypointTime()) {
+    const ros::Duration ago((shown_->at_s - time_s) / settings_.speed_up);
+    publishPlayed(played.at(time_s), until - ago);
   }
 }
 
-void TrajectoryPublisher::publishNozzle(const NozzleSample& sample, const ros::Time& stamp) {
+void TrajectoryPublisher::publishPlayed(const JointPositions& positions, const ros::Time& stamp) {
   if (stamp <= last_stamp_) return;  // tf takes one transform at a time
   last_stamp_ = stamp;
-  sensor_msgs::JointState state =
-      jointState(machine_, axisValues(machine_, playback_->placed.bed_from_part * sample.position));
+  sensor_msgs::JointState state;
   state.header.stamp = stamp;
-  publishPosition(state);
+  for (const auto& [name, position] : positions) {
+    state.name.push_back(name);
+    state.position.push_back(position);
+  }
+  publishPosition(positions, state);
 }
 
 void TrajectoryPublisher::announceLayer(const ros::Time& stamp) {
-  const auto& starts = playback_->time.layer_start_s;
-  const auto begun = static_cast<std::size_t>(
-      std::upper_bound(starts.begin(), starts.end(), playback_->at_s) - starts.begin());
-  if (begun == playback_->announced_layers) return;
-  playback_->announced_layers = begun;
-  const TimeSpan span{starts[begun - 1], begun < starts.size() ? starts[begun] : playback_->time.total_s};
-  trajectory_msgs::JointTrajectory trajectory = jointTrajectory(
-      machine_, playback_->placed.bed_from_part, playback_->layer_player, span, 1.0 / settings_.rate_hz);
+  const auto& starts = shown_->playback->time().layer_start_s;
+  const auto begun =
+      static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), shown_->at_s) - starts.begin());
+  if (begun == shown_->announced_layers) return;
+  shown_->announced_layers = begun;
+  const TimeSpan span{starts[begun - 1],
+                      begun < starts.size() ? starts[begun] : shown_->playback->time().total_s};
+  trajectory_msgs::JointTrajectory trajectory = shown_->playback->trajectory(span, 1.0 / settings_.rate_hz);
   trajectory.header.stamp = stamp;
   trajectory.header.frame_id = transforms_.rootLink();
   joint_trajectory_.publish(trajectory);
 }
 
-void TrajectoryPublisher::publishPosition(const sensor_msgs::JointState& state) {
-  if (state.name.size() != state.position.size())
-    throw InvalidInput(std::to_string(state.name.size()) + " axes and " +
-                       std::to_string(state.position.size()) + " positions; there must be as many");
-  JointPositions positions;
-  for (std::size_t i = 0; i < state.name.size(); ++i) positions[state.name[i]] = state.position[i];
+void TrajectoryPublisher::publishPosition(const JointPositions& positions,
+                                          const sensor_msgs::JointState& state) {
   tf2_msgs::TFMessage transforms;
   transforms.transforms = transforms_.moving(positions, state.header.stamp);
   tf_.publish(transforms);

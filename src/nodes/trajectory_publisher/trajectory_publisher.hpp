@@ -8,13 +8,15 @@
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <memory>
+#include <optional>
 
 #include "conversions.hpp"
 #include "lamina/kinematics/machine.hpp"
-#include "lamina/toolpath/timing.hpp"
+#include "lamina/kinematics/mechanism.hpp"
 #include "machine_transforms.hpp"
 #include "messages.hpp"
-#include "trajectory_settings.hpp"
+#include "playback.hpp"
+#include "publisher_settings.hpp"
 
 namespace lamina {
 
@@ -24,20 +26,14 @@ class TrajectoryPublisher {
  public:
   /// @throws InvalidConfig if the machine is unknown; as `toolpathFromGcodeFile` and `requireRunsOn` if a
   ///   program is to be loaded
-  TrajectoryPublisher(ros::NodeHandle node, const TrajectorySettings& settings);
+  TrajectoryPublisher(ros::NodeHandle node, const PublisherSettings& settings);
 
  private:
-  /// A toolpath being played; never moved, since the players refer to it.
-  struct Playback {
-    Playback(MachineToolpath accepted, const MotionLimits& limits)
-        : placed(std::move(accepted)),
-          time(estimateTime(placed.toolpath, limits)),
-          player(placed.toolpath, limits),
-          layer_player(placed.toolpath, limits) {}
+  /// A toolpath being played; never moved, since the playback refers to it.
+  struct Shown {
+    explicit Shown(MachineToolpath accepted) : placed(std::move(accepted)) {}
     const MachineToolpath placed;
-    const ToolpathTime time;
-    ToolpathPlayer player;
-    ToolpathPlayer layer_player;
+    std::unique_ptr<Playback> playback;
     double at_s = 0.0;
     std::size_t announced_layers = 0;
     bool has_begun = false;  ///< the first waypoint was published
@@ -51,15 +47,17 @@ class TrajectoryPublisher {
   std::string load(const std::string& program);
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
   void accept(MachineToolpath placed);
+  std::unique_ptr<Playback> playbackOf(const MachineToolpath& placed) const;
   void onMachinePosition(const sensor_msgs::JointStateConstPtr& message);
   void onTick(const ros::TimerEvent& event);
   void announceLayer(const ros::Time& stamp);
   void publishWaypoints(const ros::Time& until);
-  void publishNozzle(const NozzleSample& sample, const ros::Time& stamp);
-  void publishPosition(const sensor_msgs::JointState& state);
+  void publishPlayed(const JointPositions& positions, const ros::Time& stamp);
+  void publishPosition(const JointPositions& positions, const sensor_msgs::JointState& state);
 
-  TrajectorySettings settings_;
-  Machine machine_;
+  PublisherSettings settings_;
+  std::unique_ptr<const Mechanism> mechanism_;
+  std::optional<Machine> linear_;  ///< the same, if all its axes are linear
   MachineTransforms transforms_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
   ros::Publisher tf_;
@@ -73,7 +71,7 @@ class TrajectoryPublisher {
   ros::ServiceServer pause_;
   ros::ServiceServer rewind_;
   ros::Timer timer_;
-  std::unique_ptr<Playback> playback_;
+  std::unique_ptr<Shown> shown_;
   ros::Time last_tick_;
   ros::Time last_stamp_;  ///< of a position that was played
   bool is_playing_ = true;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trajectory_settings.hpp"
+#include "publisher_settings.hpp"
 
 namespace lamina {
 
-void describe(SettingsSchema& schema, TrajectorySettings& settings) {
+void describe(SettingsSchema& schema, PublisherSettings& settings) {
   describe(schema, settings.machine, "Machine whose axes move.");
   schema.choice<TrajectoryMode>(
       "mode", settings.mode, {{"visualise", TrajectoryMode::Visualise}, {"follow", TrajectoryMode::Follow}},
@@ -18,7 +18,7 @@ void describe(SettingsSchema& schema, TrajectorySettings& settings) {
   schema.number("rate_hz", settings.rate_hz, {0.0, 1000.0, true}, "Positions a second while playing.");
   schema.number("path_spacing_mm", settings.path_spacing_mm, {0.0, 1e3},
                 "Least distance between the poses of nozzle_path.");
-  describe(schema, settings.motion);
+  describe(schema, settings.run);
 }
 
 }  // namespace lamina

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <kdl_parser/kdl_parser.hpp>
 
+#include "conversions.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -45,6 +46,20 @@ MachineTransforms::MachineTransforms(const std::string& urdf) {
     const bool is_fixed = segment.getJoint().getType() == KDL::Joint::None;
     (is_fixed ? fixed_ : moving_).push_back({entry.second.parent->first, segment});
   }
+}
+
+JointPositions MachineTransforms::positions(const std::map<std::string, double>& values) const {
+  JointPositions positions;
+  for (const Link& link : moving_) {
+    const KDL::Joint& joint = link.segment.getJoint();
+    const auto value = values.find(joint.getName());
+    if (value == values.end()) continue;
+    const bool is_linear = joint.getType() == KDL::Joint::TransAxis ||
+                           joint.getType() == KDL::Joint::TransX || joint.getType() == KDL::Joint::TransY ||
+                           joint.getType() == KDL::Joint::TransZ;
+    positions[joint.getName()] = is_linear ? toMetres(value->second) : value->second;
+  }
+  return positions;
 }
 
 std::vector<geometry_msgs::TransformStamped> MachineTransforms::fixed(const ros::Time& stamp) const {

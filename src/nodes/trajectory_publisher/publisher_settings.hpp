@@ -5,9 +5,9 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
-#include "lamina/toolpath/motion_limits.hpp"
 
 namespace lamina {
 
@@ -17,7 +17,7 @@ enum class TrajectoryMode {
   Follow,     ///< the machine's own reports
 };
 
-struct TrajectorySettings {
+struct PublisherSettings {
   MachineSettings machine;
   std::string load_program;  ///< shown and played from the start; empty for none
   ProgramSettings reading;   ///< filament and flow by which programs are read
@@ -25,11 +25,11 @@ struct TrajectorySettings {
   double speed_up = 1.0;         ///< of playing
   double rate_hz = 50.0;         ///< of playing
   double path_spacing_mm = 1.0;  ///< least distance between the poses of nozzle_path
-  MotionLimits motion;           ///< of playing
+  RunSettings run;               ///< of playing
 };
 
 /// Adds the keys machine.*, mode, load_program, program.filament_diameter_mm, program.flow, speed_up,
-/// rate_hz, path_spacing_mm and motion.*.
-void describe(SettingsSchema& schema, TrajectorySettings& settings);
+/// rate_hz, path_spacing_mm, joints.*, motion.*, trajectory.* and process.*.
+void describe(SettingsSchema& schema, PublisherSettings& settings);
 
 }  // namespace lamina

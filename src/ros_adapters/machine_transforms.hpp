@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Axis positions by joint name [m].
+/// Axis positions by joint name [m, rad].
 using JointPositions = std::map<std::string, double>;
 
 /// The transforms between a machine's links. robot_state_publisher computes the same, but its queue of 100
@@ -23,6 +23,9 @@ class MachineTransforms {
   explicit MachineTransforms(const std::string& urdf);
 
   const std::string& rootLink() const { return root_; }
+  /// Values of joints in SI; joints that move no link stay behind.
+  /// @param values  by name [mm, rad] (`Mechanism::urdfJoints`)
+  JointPositions positions(const std::map<std::string, double>& values) const;
   /// Of the links that never move against their parents.
   std::vector<geometry_msgs::TransformStamped> fixed(const ros::Time& stamp) const;
   /// Of the links that do.

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/trajectory/simulated_controller.hpp"
+
+namespace lamina {
+
+struct ControllerSettings {
+  MachineSettings machine;
+  ServoSettings servo;
+  double report_hz = 50.0;      ///< of positions, feedback and the process
+  double path_tolerance = 0.0;  ///< of every joint while it follows [mm, rad]; 0 for none
+};
+
+/// Adds the keys machine.*, servo.*, report_hz and path_tolerance.
+void describe(SettingsSchema& schema, ControllerSettings& settings);
+
+}  // namespace lamina

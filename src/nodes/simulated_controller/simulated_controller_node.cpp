@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulated_controller_node.hpp"
+
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "joint_messages.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kQueue = 1000;
+constexpr double kSlack = 1e-3;  // mm, rad or a share: what rounding and time between cycles leave
+
+/// Linear joints in the middle of their ranges, rotary ones at 0 or as near to it as they get.
+JointValues parked(const Mechanism& mechanism) {
+  const std::vector<DrivenJoint>& joints = mechanism.joints();
+  JointValues values(static_cast<Eigen::Index>(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const bool is_linear = joints[j].kind == JointKind::Linear;
+    values[static_cast<Eigen::Index>(j)] =
+        is_linear ? 0.5 * (joints[j].low + joints[j].high) : std::clamp(0.0, joints[j].low, joints[j].high);
+  }
+  return values;
+}
+
+std::string textOf(const DrivenJoint& joint, double is, double low, double high) {
+  return "joint '" + joint.name + "' " + std::to_string(is) + ", expected " + std::to_string(low) + " to " +
+         std::to_string(high);
+}
+
+/// @throws InvalidInput if a joint leaves its limits, is too fast, or would have to jump to join the points
+void requireFeasible(const TrajectoryChunk& chunk, const Mechanism& mechanism, const JointState& now) {
+  const auto joining = std::find_if(chunk.points.begin(), chunk.points.end(),
+                                    [&](const JointState& point) { return point.time_s > now.time_s; });
+  if (joining == chunk.points.end())
+    throw InvalidInput("the last point is " + std::to_string(now.time_s - chunk.points.back().time_s) +
+                       " s in the past; expected one that is still to come");
+  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
+    const DrivenJoint& joint = mechanism.joints()[j];
+    const auto i = static_cast<Eigen::Index>(j);
+    const double fastest = joint.max_speed * (1.0 + kSlack);
+    for (const JointState& point : chunk.points) {
+      if (point.position[i] < joint.low - kSlack || point.position[i] > joint.high + kSlack)
+        throw InvalidInput("a point is at " + textOf(joint, point.position[i], joint.low, joint.high));
+      if (std::abs(point.velocity[i]) > fastest)
+        throw InvalidInput("a point has the speed of " + textOf(joint, point.velocity[i], -fastest, fastest));
+    }
+    const double reach = fastest * (joining->time_s - now.time_s) + kSlack;
+    if (std::abs(joining->position[i] - now.position[i]) > reach)
+      throw InvalidInput("the next point cannot be come to in time: " + textOf(joint, joining->position[i],
+                                                                               now.position[i] - reach,
+                                                                               now.position[i] + reach));
+  }
+}
+
+template <class Message>
+using Callback = boost::function<void(const boost::shared_ptr<Message const>&)>;
+
+}  // namespace
+
+SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const ControllerSettings& settings)
+    : settings_(settings),
+      mechanism_(mechanismOf(settings.machine)),
+      transforms_(mechanism_->urdf()),
+      controller_(clock_, *mechanism_, settings.servo, parked(*mechanism_)),
+      position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kQueue)),
+      process_state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
+      server_(node, names::kFollowJointTrajectory, false) {
+  const Callback<lamina_msgs::ProcessTrajectory> onProcess = [this](const auto& message) {
+    process_.accept(*message);
+  };
+  process_trajectory_ =
+      node.subscribe<lamina_msgs::ProcessTrajectory>(names::kProcessTrajectory, kQueue, onProcess);
+  const boost::function<void(const ros::TimerEvent&)> tick = [this](const ros::TimerEvent&) { onTick(); };
+  timer_ = node.createTimer(ros::Duration(1.0 / settings_.report_hz), tick);
+  server_.registerGoalCallback([this] { onGoal(); });
+  server_.registerPreemptCallback([this] { onPreempt(); });
+  server_.start();
+  ROS_INFO("simulating %s, %.0f Hz", mechanism_->name().c_str(), settings_.servo.rate_hz);
+}
+
+void SimulatedControllerNode::onGoal() {
+  const auto goal = server_.acceptNewGoal();
+  try {
+    controller_.advance();
+    accept(*goal);
+  } catch (const Error& error) {
+    follow::Result result;
+    result.error_code = follow::Result::INVALID_GOAL;
+    result.error_string = error.what();
+    ROS_ERROR("goal refused: %s", error.what());
+    controller_.brake();
+    server_.setAborted(result, error.what());
+  }
+}
+
+void SimulatedControllerNode::accept(const follow::Goal& goal) {
+  if (goal.trajectory.points.empty()) throw InvalidInput("a goal without points; expected one at least");
+  const ros::Time begin =
+      goal.trajectory.header.stamp.isZero() ? ros::Time::now() : goal.trajectory.header.stamp;
+  TrajectoryChunk chunk;
+  for (const auto& point : goal.trajectory.points) {
+    chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, mechanism_->joints()));
+    chunk.points.back().time_s = (begin - clock_.epoch() + point.time_from_start).toSec();
+    const std::size_t count = chunk.points.size();
+    if (count > 1 && !(chunk.points[count - 1].time_s > chunk.points[count - 2].time_s))
+      throw InvalidInput("point " + std::to_string(count - 1) + " is not later than the one before");
+  }
+  JointState now;
+  now.time_s = clock_.now() - 1.0 / settings_.servo.rate_hz;  // of the last cycle or earlier
+  now.position = controller_.wanted();
+  requireFeasible(chunk, *mechanism_, now);
+  controller_.accept(chunk);
+  goal_end_s_ = chunk.points.back().time_s;
+}
+
+/// A goal that is cancelled, and not followed by another, brakes the machine.
+void SimulatedControllerNode::onPreempt() {
+  if (server_.isNewGoalAvailable()) return;
+  controller_.advance();
+  controller_.brake();
+  server_.setPreempted();
+}
+
+void SimulatedControllerNode::onTick() {
+  controller_.advance();
+  warnOfStarvation();
+  report(ros::Time::now());
+  if (!server_.isActive()) return;
+  if (isOutOfTolerance()) {
+    follow::Result result;
+    result.error_code = follow::Result::PATH_TOLERANCE_VIOLATED;
+    result.error_string = "a joint left its path by more than " + std::to_string(settings_.path_tolerance);
+    controller_.brake();
+    return server_.setAborted(result, result.error_string);
+  }
+  if (clock_.now() >= goal_end_s_) server_.setSucceeded();
+}
+
+void SimulatedControllerNode::warnOfStarvation() {
+  const std::size_t starvations = controller_.report().starvations;
+  if (starvations == starvations_) return;
+  starvations_ = starvations;
+  ROS_WARN("nothing left to follow while moving: braking, process off");
+}
+
+bool SimulatedControllerNode::isOutOfTolerance() const {
+  if (settings_.path_tolerance <= 0.0) return false;
+  return (controller_.wanted() - controller_.position()).cwiseAbs().maxCoeff() > settings_.path_tolerance;
+}
+
+void SimulatedControllerNode::report(const ros::Time& now) {
+  sensor_msgs::JointState state;
+  state.header.stamp = now;
+  for (const auto& [name, position] : transforms_.positions(mechanism_->urdfJoints(controller_.position()))) {
+    state.name.push_back(name);
+    state.position.push_back(position);
+  }
+  position_.publish(state);
+
+  lamina_msgs::ProcessState process;
+  // Nothing is deposited but on the way of a goal.
+  const lamina_msgs::ProcessPoint point = toMessage(server_.isActive() ? process_.at(now) : safeSignals());
+  process.header.stamp = now;
+  process.flow = point.flow;
+  process.laser = point.laser;
+  process.wire = point.wire;
+  process.powder = point.powder;
+  process.gas = point.gas;
+  process_state_.publish(process);
+
+  if (!server_.isActive()) return;
+  follow::Feedback feedback;
+  feedback.header.stamp = now;
+  feedback.joint_names = jointNames(*mechanism_);
+  JointState wanted;
+  wanted.position = controller_.wanted();
+  wanted.velocity = wanted.acceleration = JointValues::Zero(wanted.position.size());
+  JointState actual = wanted;
+  actual.position = controller_.position();
+  actual.velocity = controller_.velocity();
+  JointState error = wanted;
+  error.position = wanted.position - actual.position;
+  feedback.desired = toMessage(wanted, mechanism_->joints());
+  feedback.actual = toMessage(actual, mechanism_->joints());
+  feedback.error = toMessage(error, mechanism_->joints());
+  server_.publishFeedback(feedback);
+}
+
+}  // namespace lamina

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller_client.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "joint_messages.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+trajectory_msgs::JointTrajectory toMessage(const TrajectoryChunk& chunk, const Mechanism& mechanism,
+                                           const ros::Time& begin) {
+  const double first_s = chunk.points.front().time_s;
+  trajectory_msgs::JointTrajectory message;
+  message.header.stamp = begin + ros::Duration(first_s);
+  message.joint_names = jointNames(mechanism);
+  for (const JointState& state : chunk.points) {
+    message.points.push_back(toMessage(state, mechanism.joints()));
+    message.points.back().time_from_start = ros::Duration(state.time_s - first_s);
+  }
+  return message;
+}
+
+}  // namespace
+
+ControllerClient::ControllerClient(ros::NodeHandle& node, const Mechanism& mechanism, Listener listener)
+    : mechanism_(mechanism),
+      listener_(std::move(listener)),
+      client_(node, names::kFollowJointTrajectory, false) {}
+
+void ControllerClient::requirePresent(double wait_s) {
+  // A wait of 0 would be one without end.
+  if (client_.isServerConnected() || client_.waitForServer(ros::Duration(std::max(wait_s, 1e-3)))) return;
+  throw TimedOut("no controller answers on '" + std::string(names::kFollowJointTrajectory) + "' after " +
+                 std::to_string(wait_s) + " s; expected one for " + mechanism_.name());
+}
+
+void ControllerClient::begin() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++goals_;  // what is still heard of an earlier goal is of none now
+  failure_.reset();
+  is_done_ = false;
+}
+
+void ControllerClient::send(const TrajectoryChunk& chunk, const ros::Time& begin) {
+  follow::Goal goal;
+  goal.trajectory = toMessage(chunk, mechanism_, begin);
+  std::size_t number = 0;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    number = ++goals_;
+    is_done_ = false;
+  }
+  client_.sendGoal(
+      goal, [this, number](const auto& state, const auto& result) { onDone(number, state, result); },
+      Client::SimpleActiveCallback(), [this](const auto& feedback) { onFeedback(feedback); });
+}
+
+void ControllerClient::cancel() { client_.cancelAllGoals(); }
+
+std::optional<std::string> ControllerClient::failure() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return failure_;
+}
+
+bool ControllerClient::isDone() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return is_done_;
+}
+
+void ControllerClient::onDone(std::size_t goal, const actionlib::SimpleClientGoalState& state,
+                              const follow::Result::ConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (goal != goals_) return;  // another took its place
+  is_done_ = true;
+  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) return;
+  failure_ = "the controller ended a goal as " + state.toString();
+  if (result && !result->error_string.empty()) *failure_ += ": " + result->error_string;
+}
+
+void ControllerClient::onFeedback(const follow::Feedback::ConstPtr& feedback) {
+  try {
+    const auto& joints = mechanism_.joints();
+    listener_({fromMessage(feedback->desired, feedback->joint_names, joints).position,
+               fromMessage(feedback->actual, feedback->joint_names, joints).position});
+  } catch (const Error& error) {
+    ROS_ERROR_THROTTLE(5.0, "report of the controller refused: %s", error.what());
+  }
+}
+
+}  // namespace lamina

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "follow_joint_trajectory.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/trajectory/hand_over.hpp"
+
+namespace lamina {
+
+/// A report of the controller.
+struct ControllerReport {
+  JointValues wanted;  ///< [mm, rad]
+  JointValues actual;
+};
+
+/// The controller that follows joint trajectories, as an action. Every chunk is a goal that takes the place
+/// of the one before from its first point on.
+class ControllerClient {
+ public:
+  using Listener = std::function<void(const ControllerReport&)>;
+
+  /// @param listener  called from ROS's threads, which hold locks of the client: it must not wait for
+  /// anything
+  ///   that is held while a chunk is sent
+  ControllerClient(ros::NodeHandle& node, const Mechanism& mechanism, Listener listener);
+
+  /// @throws TimedOut if the controller is not there in time
+  void requirePresent(double wait_s);
+  /// Forgets what became of earlier goals.
+  void begin();
+  /// @param begin  when the clock of the points was 0
+  void send(const TrajectoryChunk& chunk, const ros::Time& begin);
+  /// The controller stops by itself.
+  void cancel();
+  /// Why the controller gave up; nothing while it goes on, and once it is done.
+  std::optional<std::string> failure() const;
+  /// Whether it has come to the end of what was sent last.
+  bool isDone() const;
+
+ private:
+  using Client = actionlib::SimpleActionClient<follow::Action>;
+
+  void onDone(std::size_t goal, const actionlib::SimpleClientGoalState& state,
+              const follow::Result::ConstPtr& result);
+  void onFeedback(const follow::Feedback::ConstPtr& feedback);
+
+  const Mechanism& mechanism_;
+  Listener listener_;
+  mutable std::mutex mutex_;  ///< of what follows
+  std::size_t goals_ = 0;
+  std::optional<std::string> failure_;
+  bool is_done_ = false;
+  Client client_;
+};
+
+}  // namespace lamina

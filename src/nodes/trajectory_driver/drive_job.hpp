@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "conversions.hpp"
+#include "driver_settings.hpp"
+#include "lamina/base/progress.hpp"
+#include "lamina/job/machine_check.hpp"
+#include "lamina/job/mechanism_run.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/trajectory/approach.hpp"
+
+namespace lamina {
+
+/// A toolpath that can be driven.
+struct DriveJob {
+  std::string toolpath_id;
+  TimedRun timed;
+};
+
+/// @param found  is told what stands in the way, also if that is nothing; not called if it is not looked for
+/// @throws InvalidInput if the toolpath was planned for another machine; Unreachable naming the first
+/// waypoint
+///   that cannot be run, or where something collides; Cancelled
+DriveJob driveJob(const MachineToolpath& placed, const Mechanism& mechanism, const DriverSettings& settings,
+                  const std::function<void(const MachineCheck&)>& found, Progress& progress);
+
+/// The way from where the machine stands to the start of a job; nothing if it stands there.
+/// @throws Unreachable if there is none that is clear, or the machine stands outside its limits; Cancelled
+std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const Mechanism& mechanism,
+                                   const DriverSettings& settings, Progress& progress);
+
+}  // namespace lamina

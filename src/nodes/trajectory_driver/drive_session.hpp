@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "controller_client.hpp"
+#include "driver_settings.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/packml.hpp"
+#include "lamina/trajectory/timed_path.hpp"
+#include "present_joints.hpp"
+#include "process_publisher.hpp"
+#include "tracking.hpp"
+
+namespace lamina {
+
+/// Where a drive is.
+struct DriveStatus {
+  PackmlState state = PackmlState::Starting;
+  double time_s = 0.0;      ///< of the motion, pauses included; not before 0
+  double duration_s = 0.0;  ///< of it all, pauses so far included
+  WaypointIndex heading_for;
+  Eigen::Vector3d tip_mm = Eigen::Vector3d::Zero();  ///< [bed frame]
+  Feeding feeding;
+  JointValues joint_error;  ///< actual less wanted [mm, rad]; of size 0 before the motion
+  double tip_error_mm = 0.0;
+  double worst_tip_error_mm = 0.0;
+  double rms_tip_error_mm = 0.0;
+  Failure failure;
+};
+
+/// What is driven: a toolpath, or the way to its start.
+struct DriveMotion {
+  const TimedPath& path;
+  std::string toolpath_id;
+  PackmlState running = PackmlState::Execute;  ///< Starting on the way to the start
+};
+
+/// What a drive is connected with.
+struct DriveLinks {
+  ControllerClient& controller;
+  ProcessPublisher& process;
+  const PresentJoints& joints;
+};
+
+/// One motion on its way through a controller. Its calls may come from several threads.
+class DriveSession {
+ public:
+  /// All that is referred to must outlive the session.
+  DriveSession(const DriveMotion& motion, const Mechanism& mechanism, const DriverSettings& settings,
+               const DriveLinks& links);
+
+  /// Hands over what is due. False once the motion has ended and everything is at rest.
+  bool step(const ros::Time& now);
+  void hear(const ControllerReport& report, const ros::Time& now);
+
+  /// @return why not; nothing if it is done
+  std::optional<std::string> pause(const ros::Time& now);
+  std::optional<std::string> resume(const ros::Time& now);
+  /// Brakes along the path, everything of the process off at once. Does nothing if it has ended or is
+  /// aborted.
+  void abort(const ros::Time& now, const Failure& why);
+
+  DriveStatus status() const;
+
+ private:
+  enum class Lift { Yes, No };
+
+  double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
+  void watch(const ros::Time& now);
+  void handOver(double now_s);
+  void follow(double now_s);
+  bool advance(const ros::Time& now);
+  bool complete(const ros::Time& now);
+  void brake(double now_s, const Failure& why, Lift lift);
+  void giveUp(const ros::Time& now, const Failure& why);
+
+  const DriveMotion motion_;
+  const Mechanism& mechanism_;
+  const DriverSettings& settings_;
+  const DriveLinks links_;
+
+  mutable std::mutex mutex_;  ///< of what follows up to the reports
+  HandOver hand_over_;
+  ros::Time begin_;
+  double handed_s_ = 0.0;  ///< end of what was handed over
+  bool was_starved_ = false;
+  std::optional<ros::Time> given_up_at_;
+  DriveStatus status_;
+
+  // Reports come while the client of the controller is locked, which is locked too while a chunk is sent.
+  mutable std::mutex report_mutex_;
+  Tracking tracking_;
+  ros::Time last_report_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "driver_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, DriverSettings& settings) {
+  describe(schema, settings.machine, "Machine or robot that is driven.");
+  describe(schema, settings.run);
+  describe(schema, settings.hand_over);
+  schema.flag("check_clearance", settings.is_clearance_checked,
+              "Refuse a toolpath whose links run into bed, part or each other.");
+  describe(schema, settings.clearance);
+  schema.number(
+      "tracking.tip_mm", settings.tracking.tip_mm, {0.0, 1e3},
+      "Error of the nozzle tip that aborts the job, ten times that on the way to its start; 0 for no limit.");
+  schema.number("tracking.silence_s", settings.tracking.silence_s, {0.0, 60.0, true},
+                "Time without a report of the controller that aborts the job.");
+  describe(schema, settings.approach);
+  schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
+                "From the first hand-over to the first motion.");
+  schema.number("lift_mm", settings.lift_mm, {0.0, 1e3}, "How far the tool is lifted after an abort.");
+  schema.number("lift_mm_s", settings.lift_mm_s, {0.0, 1e3, true}, "Speed at which it is lifted.");
+  schema.number("controller_wait_s", settings.controller_wait_s, {0.0, 600.0},
+                "How long a job waits for the controller, and to hear of the joints.");
+}
+
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+#include "lamina/clearance/clearance_settings.hpp"
+#include "lamina/job/run_settings.hpp"
+#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/trajectory/approach.hpp"
+#include "lamina/trajectory/hand_over_settings.hpp"
+
+namespace lamina {
+
+/// What makes a driver give up.
+struct TrackingLimits {
+  double tip_mm = 5.0;     ///< of the tip from where it is to be; 0 for no limit
+  double silence_s = 1.0;  ///< without a report of the controller
+};
+
+struct DriverSettings {
+  MachineSettings machine;
+  RunSettings run;
+  HandOverSettings hand_over;
+  bool is_clearance_checked = true;  ///< before the first motion
+  ClearanceSettings clearance;
+  TrackingLimits tracking;
+  ApproachSettings approach;
+  double start_delay_s = 0.5;    ///< from the first chunk to its first point
+  double lift_mm = 10.0;         ///< of the tool after an abort
+  double lift_mm_s = 10.0;       ///< speed of that
+  double controller_wait_s = 5;  ///< for the controller and the joints' positions to be there
+};
+
+/// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, hand_over.*, clearance.*,
+/// tracking.*, approach.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
+void describe(SettingsSchema& schema, DriverSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "present_joints.hpp"
+
+#include <ros/ros.h>
+
+#include <cmath>
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "shutdown.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLookPeriod = 0.02;  // s
+constexpr double kStill = 1e-3;       // mm or rad: what encoders of a joint at rest may tell
+
+}  // namespace
+
+PresentJoints::PresentJoints(ros::NodeHandle& node, const Mechanism& mechanism) : mechanism_(mechanism) {
+  const boost::function<void(const sensor_msgs::JointStateConstPtr&)> onState = [this](const auto& state) {
+    hear(*state);
+  };
+  subscriber_ = node.subscribe<sensor_msgs::JointState>(names::kJointStates, 100, onState);
+}
+
+void PresentJoints::hear(const sensor_msgs::JointState& state) {
+  const ros::Time now = ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::size_t i = 0; i < std::min(state.name.size(), state.position.size()); ++i) {
+    for (const DrivenJoint& joint : mechanism_.joints()) {
+      if (joint.name != state.name[i] || !std::isfinite(state.position[i])) continue;
+      Heard& heard = heard_[joint.name];
+      heard.value = joint.kind == JointKind::Linear ? toMillimetres(state.position[i]) : state.position[i];
+      if (heard.at.isZero() || std::abs(heard.value - heard.mark) > kStill) {
+        heard.mark = heard.value;
+        heard.moved_at = now;
+      }
+      heard.at = now;
+    }
+  }
+}
+
+std::string PresentJoints::missingSince(const ros::Time& time) const {
+  for (const DrivenJoint& joint : mechanism_.joints()) {
+    const auto found = heard_.find(joint.name);
+    if (found == heard_.end() || found->second.at < time) return joint.name;
+  }
+  return "";
+}
+
+JointValues PresentJoints::fresh(double age_s, double wait_s) const {
+  const ros::Time begin = ros::Time::now();
+  for (;;) {
+    const ros::Time now = ros::Time::now();
+    std::string missing;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      const double past_s = std::min(age_s, now.toSec());
+      missing = missingSince(now - ros::Duration(past_s));
+      if (missing.empty()) {
+        JointValues values(static_cast<Eigen::Index>(mechanism_.joints().size()));
+        for (Eigen::Index j = 0; j < values.size(); ++j)
+          values[j] = heard_.at(mechanism_.joints()[static_cast<std::size_t>(j)].name).value;
+        return values;
+      }
+    }
+    if (isToldToStop() || !ros::ok()) throw Cancelled("the node was ended");
+    if ((now - begin).toSec() >= wait_s)
+      throw TimedOut("'" + std::string(names::kJointStates) + "' tells nothing of joint '" + missing +
+                     "' in " + std::to_string(wait_s) + " s; expected all driven joints of " +
+                     mechanism_.name() + ", to know where it stands");
+    ros::Duration(kLookPeriod).sleep();
+  }
+}
+
+bool PresentJoints::areStillFor(double time_s) const {
+  const ros::Time now = ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const auto& [name, heard] : heard_)
+    if ((now - heard.moved_at).toSec() < time_s) return false;
+  return true;
+}
+
+}  // namespace lamina

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "lamina/kinematics/mechanism.hpp"
+
+namespace lamina {
+
+/// Where the driven joints of a mechanism are, as `joint_states` tells. Joints may come in several messages.
+class PresentJoints {
+ public:
+  PresentJoints(ros::NodeHandle& node, const Mechanism& mechanism);
+
+  /// Waits for them.
+  /// @param age_s   since a joint was heard of, at most
+  /// @throws TimedOut naming the joint that nothing is heard of; Cancelled if the node is told to stop
+  JointValues fresh(double age_s, double wait_s) const;
+  /// Whether no joint has moved for so long. True if nothing is heard of them.
+  bool areStillFor(double time_s) const;
+
+ private:
+  struct Heard {
+    double value = 0.0;  ///< [mm, rad]
+    double mark = 0.0;   ///< where it was when it moved last
+    ros::Time at;
+    ros::Time moved_at;
+  };
+  void hear(const sensor_msgs::JointState& state);
+  /// A joint that was not heard of since then; empty if there is none.
+  std::string missingSince(const ros::Time& time) const;
+
+  const Mechanism& mechanism_;
+  mutable std::mutex mutex_;
+  std::map<std::string, Heard> heard_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "lamina/trajectory/hand_over.hpp"
+
+namespace lamina {
+
+/// Sends what the process does along with the chunks of a trajectory, on process_trajectory.
+class ProcessPublisher {
+ public:
+  explicit ProcessPublisher(ros::NodeHandle& node);
+
+  /// @param begin  when the clock of the points was 0
+  void send(const TrajectoryChunk& chunk, const ros::Time& begin, const std::string& toolpath_id);
+  /// Everything off, from this instant on.
+  void makeSafe(const ros::Time& now);
+
+ private:
+  ros::Publisher publisher_;
+};
+
+}  // namespace lamina

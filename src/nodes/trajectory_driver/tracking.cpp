@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+
+void Tracking::add(const JointValues& wanted, const JointValues& actual) {
+  joints_ = actual - wanted;
+  const Eigen::Vector3d asked = mechanism_.bedFromNozzle(wanted).translation();
+  tip_mm_ = (mechanism_.bedFromNozzle(actual).translation() - asked).norm();
+  worst_tip_mm_ = std::max(worst_tip_mm_, tip_mm_);
+  squares_mm2_ += tip_mm_ * tip_mm_;
+  ++reports_;
+}
+
+double Tracking::rmsTip() const {
+  return reports_ == 0 ? 0.0 : std::sqrt(squares_mm2_ / static_cast<double>(reports_));
+}
+
+}  // namespace lamina

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "lamina/kinematics/mechanism.hpp"
+
+namespace lamina {
+
+/// How far a mechanism was from where it was to be, report by report.
+class Tracking {
+ public:
+  explicit Tracking(const Mechanism& mechanism)
+      : mechanism_(mechanism),
+        joints_(JointValues::Zero(static_cast<Eigen::Index>(mechanism.joints().size()))) {}
+
+  /// A report of the controller.
+  void add(const JointValues& wanted, const JointValues& actual);
+
+  const JointValues& joints() const { return joints_; }  ///< actual less wanted, of the last report; 0 before
+  double tip() const { return tip_mm_; }                 ///< of the last report [mm]
+  double worstTip() const { return worst_tip_mm_; }      ///< [mm]
+  double rmsTip() const;                                 ///< [mm]
+
+ private:
+  const Mechanism& mechanism_;
+  JointValues joints_;
+  std::size_t reports_ = 0;
+  double tip_mm_ = 0.0;
+  double worst_tip_mm_ = 0.0;
+  double squares_mm2_ = 0.0;
+};
+
+/// How well a controller was fed.
+struct Feeding {
+  std::size_t starvations = 0;  ///< times that it had nothing left to run before the end
+  double least_queued_s = 0.0;  ///< of motion, while there was more to hand over
+};
+
+}  // namespace lamina

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trajectory_driver.hpp"
+
+#include <ros/ros.h>
+
+#include "check_markers.hpp"
+#include "drive_messages.hpp"
+#include "joint_messages.hpp"
+#include "names.hpp"
+#include "shutdown.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kStep = 0.02;        // s between looks at what is due
+constexpr double kArrival = 1.0;      // s that a toolpath may take to come
+constexpr double kShowPeriod = 0.1;   // s between reports
+const ros::WallDuration kFlush(0.2);  // that last messages need to leave the node
+
+/// Nothing to report to but a goal that may be cancelled.
+template <class Server>
+class GoalProgress final : public Progress {
+ public:
+  explicit GoalProgress(Server& server) : server_(server) {}
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return server_.isPreemptRequested() || isToldToStop() || !ros::ok(); }
+
+ private:
+  Server& server_;
+};
+
+}  // namespace
+
+TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings)
+    : settings_(settings),
+      mechanism_(mechanismOf(settings.machine)),
+      state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
+      tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
+      laid_(node.advertise<visualization_msgs::MarkerArray>(names::kLaidMarkers, 100, true)),
+      findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
+      pause_(node.advertiseService(names::kPause, &TrajectoryDriver::onPause, this)),
+      resume_(node.advertiseService(names::kResume, &TrajectoryDriver::onResume, this)),
+      abort_(node.advertiseService(names::kAbort, &TrajectoryDriver::onAbort, this)),
+      process_(node),
+      joints_(node, *mechanism_),
+      controller_(node, *mechanism_,
+                  [this](const ControllerReport& report) {
+                    if (const auto job = session()) job->hear(report, ros::Time::now());
+                  }),
+      action_(
+          node, names::kDriveToolpath,
+          [this](const lamina_msgs::DriveToolpathGoalConstPtr& goal) { onGoal(goal); }, false) {
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
+      [this](const auto& toolpath) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        toolpath_ = toolpath;
+      };
+  updater_.setHardwareID(mechanism_->name());
+  updater_.add("drive", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    fillDiagnostics(status_, diagnostics);
+  });
+  const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
+    updater_.update();
+  };
+  diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
+  toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  DriveStatus idle;
+  idle.state = PackmlState::Idle;
+  publishState(idle);
+  action_.start();
+}
+
+void TrajectoryDriver::awaitRest() const {
+  while (is_driving_ && ros::ok()) ros::WallDuration(kStep).sleep();
+  kFlush.sleep();
+}
+
+void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal) {
+  is_driving_ = true;
+  DriveStatus status;
+  job_ = goal->toolpath_id;
+  publishState(status);
+  try {
+    status = drive(goal->toolpath_id);
+  } catch (...) {
+    // Nothing has moved of the job: it was refused, or the machine is not there.
+    status.failure = currentFailure();
+    status.state = PackmlState::Aborted;
+  }
+  publishState(status);
+  const lamina_msgs::DriveToolpathResult result = toResult(status);
+  if (status.failure.code == ErrorCode::Ok) {
+    ROS_INFO(
+        "driven in %.1f s; tip error at most %.4f mm, rms %.4f mm; %zu starvations, %.2f s queued at least",
+        status.time_s, status.worst_tip_error_mm, status.rms_tip_error_mm, status.feeding.starvations,
+        status.feeding.least_queued_s);
+    action_.setSucceeded(result);
+  } else {
+    ROS_ERROR("not driven: %s: %s", toString(status.failure.code), status.failure.message.c_str());
+    if (action_.isPreemptRequested())
+      action_.setPreempted(result, status.failure.message);
+    else
+      action_.setAborted(result, status.failure.message);
+  }
+  is_driving_ = false;
+}
+
+DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
+  const MachineToolpath placed = toolpath(toolpath_id);
+  controller_.requirePresent(settings_.controller_wait_s);
+  GoalProgress<Server> progress(action_);
+  const DriveJob job = driveJob(
+      placed, *mechanism_, settings_,
+      [this](const MachineCheck& check) { findings_.publish(checkMarkers(check)); }, progress);
+  growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
+  const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
+  if (const auto way = wayToStart(here, job, *mechanism_, settings_, progress)) {
+    ROS_INFO("going to the start of %s: %.1f s", job.toolpath_id.c_str(), way->motion->duration());
+    DriveStatus status = run({*way->motion, job.toolpath_id, PackmlState::Starting});
+    if (status.state != PackmlState::Complete) return status;
+  }
+  const TimedPath& path = *job.timed.trajectory;
+  ROS_INFO("driving %s: %.1f s on %s", job.toolpath_id.c_str(), path.duration(), mechanism_->name().c_str());
+  DriveStatus status = run({path, job.toolpath_id});
+  if (status.state == PackmlState::Complete) laid_.publish(growing_->whole());
+  show(status);
+  return status;
+}
+
+/// A toolpath may be asked for before it has come through.
+MachineToolpath TrajectoryDriver::toolpath(const std::string& id) const {
+  lamina_msgs::ToolpathConstPtr message;
+  for (const ros::Time end = ros::Time::now() + ros::Duration(kArrival);;) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      message = toolpath_;
+    }
+    const bool is_there = message && message->id == id;
+    if (is_there || ros::Time::now() >= end || isToldToStop() || !ros::ok()) break;
+    ros::Duration(kStep).sleep();
+  }
+  if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");
+  if (message->id != id)
+    throw InvalidInput("toolpath " + id + " is asked for; the one published last is " + message->id);
+  return fromMessage(*message);
+}
+
+DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
+  const auto session = std::make_shared<DriveSession>(motion, *mechanism_, settings_,
+                                                      DriveLinks{controller_, process_, joints_});
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    session_ = session;
+  }
+  // However it ends, nothing burns or flows, and no session is left behind.
+  const std::shared_ptr<void> safe_end(nullptr, [this](void*) {
+    process_.makeSafe(ros::Time::now());
+    const std::lock_guard<std::mutex> lock(mutex_);
+    session_.reset();
+  });
+  ros::Time shown;
+  while (session->step(ros::Time::now())) {
+    if (action_.isPreemptRequested())
+      session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
+    if (isToldToStop() || !ros::ok())
+      session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+    if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
+      shown = ros::Time::now();
+      show(session->status());
+    }
+    if (!ros::Duration(kStep).sleep()) break;
+  }
+  return session->status();
+}
+
+void TrajectoryDriver::show(const DriveStatus& status) {
+  action_.publishFeedback(toFeedback(status));
+  publishState(status);
+  lamina_msgs::TrackingError tracking = toTrackingError(status, *mechanism_);
+  tracking.header.stamp = ros::Time::now();
+  tracking_.publish(tracking);
+  const visualization_msgs::MarkerArray laid = growing_->upTo(status.heading_for);
+  if (!laid.markers.empty()) laid_.publish(laid);
+}
+
+void TrajectoryDriver::publishState(const DriveStatus& status) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    status_ = status;
+  }
+  lamina_msgs::MachineState message = toMachineState(status, job_);
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kBedFrame;
+  state_.publish(message);
+}
+
+std::shared_ptr<DriveSession> TrajectoryDriver::session() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return session_;
+}
+
+bool TrajectoryDriver::onPause(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  const std::optional<std::string> refusal =
+      job ? job->pause(ros::Time::now()) : std::optional<std::string>("no toolpath is being driven");
+  response.success = !refusal;
+  response.message = refusal.value_or("holding");
+  return true;
+}
+
+bool TrajectoryDriver::onResume(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  const std::optional<std::string> refusal =
+      job ? job->resume(ros::Time::now()) : std::optional<std::string>("no toolpath is being driven");
+  response.success = !refusal;
+  response.message = refusal.value_or("going on");
+  return true;
+}
+
+bool TrajectoryDriver::onAbort(Trigger::Request&, Trigger::Response& response) {
+  const auto job = session();
+  response.success = job != nullptr;
+  response.message = job ? "stopping" : "no toolpath is being driven";
+  if (job) job->abort(ros::Time::now(), {ErrorCode::Cancelled, "aborted on request"});
+  return true;
+}
+
+}  // namespace lamina

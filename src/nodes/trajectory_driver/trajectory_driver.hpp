@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "controller_client.hpp"
+#include "conversions.hpp"
+#include "drive_job.hpp"
+#include "drive_session.hpp"
+#include "driver_settings.hpp"
+#include "growing_part.hpp"
+#include "messages.hpp"
+#include "present_joints.hpp"
+#include "process_publisher.hpp"
+
+namespace lamina {
+
+/// Runs toolpaths on a machine or robot whose controller follows joint trajectories: in chunks with
+/// look-ahead, the process in step. Its action, services and topics: docs/nodes/trajectory_driver.md.
+///
+/// One job at a time: a new goal aborts the one under way.
+class TrajectoryDriver {
+ public:
+  /// @throws InvalidConfig if the machine is unknown
+  TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings);
+
+  /// Returns once nothing moves any more and that has been told; a job under way is aborted by
+  /// `isToldToStop`.
+  void awaitRest() const;
+
+ private:
+  using Trigger = std_srvs::Trigger;
+  using Server = actionlib::SimpleActionServer<lamina_msgs::DriveToolpathAction>;
+
+  void onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal);
+  DriveStatus drive(const std::string& toolpath_id);
+  MachineToolpath toolpath(const std::string& id) const;
+  DriveStatus run(const DriveMotion& motion);
+  void show(const DriveStatus& status);
+  void publishState(const DriveStatus& status);
+
+  bool onPause(Trigger::Request& request, Trigger::Response& response);
+  bool onResume(Trigger::Request& request, Trigger::Response& response);
+  bool onAbort(Trigger::Request& request, Trigger::Response& response);
+  std::shared_ptr<DriveSession> session() const;
+
+  DriverSettings settings_;
+  std::unique_ptr<const Mechanism> mechanism_;
+  ros::Publisher state_;
+  ros::Publisher tracking_;
+  ros::Publisher laid_;
+  ros::Publisher findings_;
+  ros::Subscriber toolpath_subscriber_;
+  ros::ServiceServer pause_;
+  ros::ServiceServer resume_;
+  ros::ServiceServer abort_;
+  diagnostic_updater::Updater updater_;
+  ros::Timer diagnostics_timer_;
+  ProcessPublisher process_;
+  PresentJoints joints_;
+
+  mutable std::mutex mutex_;  ///< of what follows up to the controller
+  std::shared_ptr<DriveSession> session_;
+  lamina_msgs::ToolpathConstPtr toolpath_;
+  DriveStatus status_;
+
+  std::atomic<bool> is_driving_{false};
+  std::string job_;
+  std::unique_ptr<GrowingPart> growing_;
+  ControllerClient controller_;
+  // Last, so that its thread ends before what it uses.
+  Server action_;
+};
+
+}  // namespace lamina

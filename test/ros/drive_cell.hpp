@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "conversions.hpp"
+#include "lamina/kinematics/mechanism.hpp"
+#include "messages.hpp"
+#include "names.hpp"
+#include "wait_until.hpp"
+
+namespace lamina::test {
+
+/// A cell of driver and controller, as a client of it sees it.
+class DriveCell {
+ public:
+  using Client = actionlib::SimpleActionClient<lamina_msgs::DriveToolpathAction>;
+
+  /// What the machine and its process did at one instant.
+  struct Report {
+    JointValues joints;
+    lamina_msgs::ProcessState process;
+  };
+
+  DriveCell(const std::string& space, const std::string& machine)
+      : mechanism(mechanismByName(machine)), node_(space), client_(node_, names::kDriveToolpath, false) {
+    const boost::function<void(const sensor_msgs::JointStateConstPtr&)> on_position =
+        [this](const auto& message) { hear(*message); };
+    const boost::function<void(const lamina_msgs::ProcessStateConstPtr&)> on_process =
+        [this](const auto& message) {
+          if (!joints_) return;
+          reports.push_back({*joints_, *message});
+        };
+    const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state =
+        [this](const auto& message) { state = message->state_name; };
+    const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_findings =
+        [this](const auto& message) { findings = message->markers.size(); };
+    position_ = node_.subscribe<sensor_msgs::JointState>(names::kMachinePosition, 1000, on_position);
+    process_ = node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 1000, on_process);
+    state_ = node_.subscribe<lamina_msgs::MachineState>(names::kMachineState, 1000, on_state);
+    findings_ = node_.subscribe<visualization_msgs::MarkerArray>(names::kCheckMarkers, 10, on_findings);
+    toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  }
+
+  /// Publishes a toolpath on the bed and asks for it.
+  void drive(Toolpath toolpath, const std::string& planned_for) {
+    MachineToolpath placed;
+    placed.machine = planned_for;
+    placed.id = toolpathId(toolpath);
+    placed.toolpath = std::move(toolpath);
+    toolpath_.publish(toMessage(placed));
+    ask(placed.id);
+  }
+  void drive(Toolpath toolpath) { drive(std::move(toolpath), mechanism->name()); }
+  void ask(const std::string& id) {
+    waitUntil([&] { return client_.isServerConnected(); });
+    lamina_msgs::DriveToolpathGoal goal;
+    goal.toolpath_id = id;
+    client_.sendGoal(goal);
+  }
+
+  bool isDone() const { return client_.getState().isDone(); }
+  bool ends() {
+    return waitUntil([&] { return isDone(); });
+  }
+  lamina_msgs::DriveToolpathResult result() const { return *client_.getResult(); }
+  bool calls(const std::string& service) {
+    std_srvs::Trigger trigger;
+    return node_.serviceClient<std_srvs::Trigger>(service).call(trigger) && trigger.response.success;
+  }
+
+  bool isDepositing() const { return !reports.empty() && reports.back().process.flow > 0.0; }
+  static bool isSafe(const Report& report) {
+    const auto& process = report.process;
+    return process.flow == 0.0 && !process.laser && !process.wire && !process.powder && !process.gas;
+  }
+  Eigen::Vector3d tip(const Report& report) const {
+    return mechanism->bedFromNozzle(report.joints).translation();
+  }
+  /// Whether joints are at rest and the process is off from now on, for a while.
+  bool staysSafe() {
+    const std::size_t first = reports.size() + 1;
+    if (!waitUntil([&] { return reports.size() > first + 15; })) return false;
+    for (std::size_t i = first; i < reports.size(); ++i)
+      if (!isSafe(reports[i]) || (reports[i].joints - reports[first].joints).norm() > 1e-6) return false;
+    return true;
+  }
+
+  std::unique_ptr<const Mechanism> mechanism;
+  std::vector<Report> reports;  ///< of machine and process
+  std::string state;
+  std::size_t findings = 0;  ///< markers
+
+ private:
+  void hear(const sensor_msgs::JointState& message) {
+    JointValues joints(static_cast<Eigen::Index>(mechanism->joints().size()));
+    for (std::size_t j = 0; j < mechanism->joints().size(); ++j) {
+      const DrivenJoint& joint = mechanism->joints()[j];
+      for (std::size_t i = 0; i < message.name.size(); ++i)
+        if (message.name[i] == joint.name)
+          joints[static_cast<Eigen::Index>(j)] =
+              message.position[i] * (joint.kind == JointKind::Linear ? 1000.0 : 1.0);
+    }
+    joints_ = joints;
+  }
+
+  ros::NodeHandle node_;
+  Client client_;
+  std::optional<JointValues> joints_;
+  ros::Subscriber position_, process_, state_, findings_;
+  ros::Publisher toolpath_;
+};
+
+}  // namespace lamina::test

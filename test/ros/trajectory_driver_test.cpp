@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <actionlib/server/simple_action_server.h>
+#include <gtest/gtest.h>
+
+#include "drive_cell.hpp"
+#include "follow_joint_trajectory.hpp"
+#include "node_process.hpp"
+
+namespace lamina {
+namespace {
+
+using lamina_msgs::Status;
+using test::DriveCell;
+using test::waitUntil;
+
+constexpr double kHeight = 0.5;  // mm
+constexpr double kHalf = 20.0;   // mm: beads go from -20 to 20 along x
+constexpr double kLag = 0.5;     // mm that joints trail by, or a report is old
+
+Path straight(PathRole role, const Point3& from, const Point3& to) {
+  Path path;
+  path.role = role;
+  path.points = {from, to};
+  path.feed_mm_s = 30.0;
+  path.orientation = Eigen::AngleAxisd(0.15, Point3(1, 1, 0).normalized()) * nozzleDown();
+  if (role != PathRole::Travel) path.bead = Bead{1.0, kHeight};
+  return path;
+}
+
+/// Two beads with the jet leaning, at a height, and the travel between them.
+Toolpath twoBeads(double z = kHeight) {
+  const Point3 ends[] = {{-kHalf, 5, z}, {kHalf, 5, z}, {kHalf, 35, z}, {-kHalf, 35, z}};
+  return {"beads",
+          {{z,
+            kHeight,
+            {straight(PathRole::OuterWall, ends[0], ends[1]), straight(PathRole::Travel, ends[1], ends[2]),
+             straight(PathRole::OuterWall, ends[2], ends[3])}}}};
+}
+
+bool isOnBead(const Point3& tip, double within) {
+  const double off = std::min(std::abs(tip.y() - 5.0), std::abs(tip.y() - 35.0));
+  return off < kLag && std::abs(tip.z() - kHeight) < kLag && std::abs(tip.x()) < kHalf + within;
+}
+
+void expectDriven(DriveCell& cell) {
+  ASSERT_TRUE(cell.ends());
+  const auto result = cell.result();
+  ASSERT_EQ(result.status.code, Status::OK + 0) << result.status.message;
+  EXPECT_GT(result.duration, 3.5);  // 110 mm at 30 mm/s
+  EXPECT_GT(result.worst_tip_error, 0.0);
+  EXPECT_LT(result.worst_tip_error, 1e-3);
+  EXPECT_LE(result.rms_tip_error, result.worst_tip_error);
+  EXPECT_EQ(result.starvations, 0U);
+  EXPECT_EQ(cell.state, "Complete");
+  EXPECT_TRUE(cell.staysSafe());
+  EXPECT_LT((cell.tip(cell.reports.back()) - Point3(-kHalf, 35, kHeight)).norm(), 0.01);
+}
+
+class DrivenMachine : public testing::TestWithParam<std::pair<const char*, const char*>> {
+ protected:
+  DrivenMachine() : cell(GetParam().first, GetParam().second) {}
+
+  void awaitBead() {
+    ASSERT_TRUE(waitUntil([&] { return cell.isDepositing() || cell.isDone(); }));
+    ASSERT_FALSE(cell.isDone()) << cell.result().status.message;
+  }
+  void awaitTravel() {
+    awaitBead();
+    ASSERT_TRUE(waitUntil([&] { return !cell.isDepositing(); }));
+  }
+
+  DriveCell cell;
+};
+
+TEST_P(DrivenMachine, DrivesAPartToItsEndAndDepositsOnBeadsOnly) {
+  cell.drive(twoBeads());
+  expectDriven(cell);
+  std::size_t deposited = 0;
+  for (const auto& report : cell.reports) {
+    const Point3 tip = cell.tip(report);
+    if (report.process.flow > 0.0) {
+      ++deposited;
+      EXPECT_TRUE(isOnBead(tip, kLag)) << tip.transpose();
+    } else {
+      EXPECT_FALSE(isOnBead(tip, -2.0)) << tip.transpose();
+    }
+  }
+  EXPECT_GT(deposited, 30U);
+}
+
+TEST_P(DrivenMachine, PausesOnBeadAndTravelAndCompletesOnceResumed) {
+  cell.drive(twoBeads());
+  EXPECT_FALSE(cell.calls("pause")) << "on the way to the start";
+  awaitBead();
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(cell.calls("pause"));
+    ASSERT_TRUE(waitUntil([&] { return cell.state == "Held"; }));
+    EXPECT_TRUE(cell.staysSafe());
+    ASSERT_TRUE(cell.calls("resume"));
+    EXPECT_FALSE(cell.calls("resume"));
+    if (i == 0) {
+      awaitTravel();
+      ros::WallDuration(0.2).sleep();
+    }
+  }
+  expectDriven(cell);
+}
+
+TEST_P(DrivenMachine, AbortsOnABeadAndLiftsTheTool) {
+  cell.drive(twoBeads());
+  awaitBead();
+  ASSERT_TRUE(cell.calls("abort"));
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, Status::CANCELLED + 0);
+  EXPECT_EQ(cell.state, "Aborted");
+  EXPECT_TRUE(cell.staysSafe());
+  EXPECT_GT(cell.tip(cell.reports.back()).z(), kHeight + 9.0);
+  EXPECT_FALSE(cell.calls("abort"));
+}
+
+TEST_P(DrivenMachine, AbortsOnATravelAndOnTheWayToTheStart) {
+  cell.drive(twoBeads());
+  awaitTravel();
+  ASSERT_TRUE(cell.calls("abort"));
+  ASSERT_TRUE(cell.ends());
+  EXPECT_TRUE(cell.staysSafe());
+  cell.drive(twoBeads());
+  ASSERT_TRUE(waitUntil([&] { return cell.state == "Starting"; }));
+  ASSERT_TRUE(waitUntil([&] { return cell.calls("abort"); }));
+  ASSERT_TRUE(cell.ends());
+  EXPECT_EQ(cell.result().status.code, Status::CANCELLED + 0);
+  EXPECT_TRUE(cell.staysSafe());
+}
+
+TEST_P(DrivenMachine, RefusesWhatItCannotDriveAndNothingMoves) {
+  ASSERT_TRUE(waitUntil([&] { return cell.reports.size() > 5; }));
+  const std::size_t before = cell.reports.size() - 1;
+  const auto refusal = [&] {
+    EXPECT_TRUE(cell.ends());
+    EXPECT_EQ(cell.state, "Aborted");
+    return cell.result().status;
+  };
+  cell.ask("0000000000000000");
+  EXPECT_EQ(refusal().code, Status::INVALID_INPUT + 0);
+  cell.drive(twoBeads(0.7), "irb_4400");
+  EXPECT_EQ(refusal().code, Status::INVALID_INPUT + 0);
+  Toolpath far = twoBeads();
+  far.layers[0].paths[1].points[1].x() = far.layers[0].paths[2].points[0].x() = 9000.0;
+  cell.drive(far);
+  const Status reach = refusal();
+  EXPECT_EQ(reach.code, Status::UNREACHABLE + 0);
+  EXPECT_NE(reach.message.find("path 1, waypoint 1"), std::string::npos) << reach.message;
+  cell.drive(twoBeads(-40.0));
+  const Status collision = refusal();
+  EXPECT_EQ(collision.code, Status::UNREACHABLE + 0);
+  EXPECT_NE(collision.message.find("'nozzle'"), std::string::npos) << collision.message;
+  EXPECT_TRUE(waitUntil([&] { return cell.findings > 1; }));
+  EXPECT_TRUE(cell.staysSafe());
+  EXPECT_LT((cell.reports.back().joints - cell.reports[before].joints).norm(), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(TrajectoryDriver, DrivenMachine,
+                         testing::Values(std::pair{"arm", "irb_4600"},
+                                         std::pair{"table", "five_axis_head_table"}),
+                         [](const auto& machine) { return std::string(machine.param.first); });
+
+TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenToldToStop) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    DriveCell cell("told", "five_axis_head_table");
+    test::NodeProcess driver(LAMINA_NODE, {"__ns:=/told", "_machine/name:=five_axis_head_table",
+                                           "_hand_over/ahead_s:=1.0", "_approach/joint_speed:=1.0"});
+    cell.drive(twoBeads());
+    ASSERT_TRUE(waitUntil([&] { return cell.isDepositing(); }));
+    EXPECT_EQ(driver.end(signal), 0);
+    EXPECT_TRUE(waitUntil([&] { return cell.state == "Aborted"; }));
+    EXPECT_TRUE(cell.staysSafe());
+    EXPECT_GT(cell.tip(cell.reports.back()).z(), kHeight + 9.0) << "it was lifted before the node left";
+  }
+}
+
+/// A controller that does as it is told by the test.
+class FaultyController {
+ public:
+  using Server = actionlib::SimpleActionServer<follow::Action>;
+
+  explicit FaultyController(const Mechanism& mechanism)
+      : node_("faulty"),
+        states_(node_.advertise<sensor_msgs::JointState>(names::kJointStates, 10)),
+        server_(node_, names::kFollowJointTrajectory, false) {
+    for (const DrivenJoint& joint : mechanism.joints()) {
+      const bool is_linear = joint.kind == JointKind::Linear;
+      const double at = is_linear ? 0.5 * (joint.low + joint.high) : std::clamp(0.0, joint.low, joint.high);
+      state_.name.push_back(joint.name);
+      state_.position.push_back(is_linear ? at / 1000.0 : at);
+    }
+    const boost::function<void(const ros::TimerEvent&)> tell = [this](const ros::TimerEvent&) {
+      if (tells_joints) states_.publish(state_);
+    };
+    timer_ = node_.createTimer(ros::Duration(0.02), tell);
+    server_.registerGoalCallback([this] {
+      server_.acceptNewGoal();
+      if (!refuses) return;
+      follow::Result result;
+      result.error_string = "drives are off";
+      server_.setAborted(result);
+    });
+    server_.registerPreemptCallback([this] {
+      was_cancelled = !server_.isNewGoalAvailable();
+      if (was_cancelled) server_.setPreempted();
+    });
+    server_.start();
+  }
+
+  bool tells_joints = false;
+  bool refuses = true;
+  bool was_cancelled = false;
+
+ private:
+  ros::NodeHandle node_;
+  sensor_msgs::JointState state_;
+  ros::Publisher states_;
+  ros::Timer timer_;
+  Server server_;
+};
+
+TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
+  DriveCell cell("faulty", "five_axis_head_table");
+  const auto failure = [&] {
+    cell.drive(twoBeads());
+    EXPECT_TRUE(cell.ends());
+    EXPECT_EQ(cell.state, "Aborted");
+    return cell.result().status;
+  };
+  EXPECT_EQ(failure().code, Status::TIMED_OUT + 0) << "no controller";
+  FaultyController controller(*cell.mechanism);
+  const Status blind = failure();
+  EXPECT_EQ(blind.code, Status::TIMED_OUT + 0);
+  EXPECT_NE(blind.message.find("joint_states"), std::string::npos) << blind.message;
+  controller.tells_joints = true;
+  const Status refused = failure();
+  EXPECT_EQ(refused.code, Status::DEVICE_ERROR + 0);
+  EXPECT_NE(refused.message.find("drives are off"), std::string::npos) << refused.message;
+  controller.refuses = false;
+  EXPECT_EQ(failure().code, Status::DISCONNECTED + 0) << "silent";
+  EXPECT_TRUE(controller.was_cancelled);
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "trajectory_driver_test");
+  const ros::NodeHandle keeps_ros_started;
+  return RUN_ALL_TESTS();
+}
