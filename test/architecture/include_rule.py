@@ -18,9 +18,11 @@ ARROWS = {
     "infill": ["geometry", "toolpath"],
     "voids": ["infill"],
     "planning": ["slicing", "infill", "voids", "toolpath"],
-    "program": ["toolpath"],
+    "program": ["toolpath", "kinematics"],
     "transform": ["program"],
     "kinematics": ["toolpath"],
+    "trajectory": ["kinematics"],
+    "dynamics": ["trajectory"],
     "streaming": ["program"],
     "startup": ["streaming"],
     "deposition": ["toolpath"],
@@ -28,7 +30,7 @@ ARROWS = {
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang"],
-    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
+    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -6,6 +6,7 @@ import unittest
 
 import budgets
 import include_rule
+import one_definition
 
 
 def tree(files):
@@ -40,6 +41,17 @@ class IncludeRule(unittest.TestCase):
 
     def test_a_folder_outside_the_rule_is_refused(self):
         self.assertEqual(len(faults({"src/core/extras/a.cpp": "\n"})), 1)
+
+
+class OneDefinition(unittest.TestCase):
+    def test_two_types_of_one_name_are_refused(self):
+        found = one_definition.faults(tree({"include/a.hpp": "struct Place {\n};\n", "src/b.hpp": "class Place final {\n};\n"}))
+        self.assertEqual(len(list(found)), 1)
+
+    def test_a_type_may_be_announced_and_have_parts_elsewhere(self):
+        found = one_definition.faults(tree({"include/a.hpp": "class Place {\n};\n",
+                                            "src/b.hpp": "class Place;\nclass Place::State {\n};\n"}))
+        self.assertEqual(list(found), [])
 
 
 class Budgets(unittest.TestCase):

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Leading an arm along a spiral of steep walls: seconds over the number of waypoints, with 72 turns about the
+// jet at each; and the most memory that the process ever had.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <string>
+
+#include "lamina/kinematics/joint_path_planner.hpp"
+
+namespace {
+
+using namespace lamina;
+
+/// A spiral of 60 mm radius, 0.5 mm from waypoint to waypoint, its jet inclined outwards by 20 deg.
+Toolpath spiral(std::size_t waypoints) {
+  constexpr double kRadius = 60.0;
+  Path path;
+  path.role = PathRole::OuterWall;
+  path.feed_mm_s = 20.0;
+  path.bead = Bead{2.0, 0.5};
+  std::vector<Eigen::Quaterniond> nozzles;
+  for (std::size_t i = 0; i < waypoints; ++i) {
+    const double at = 0.5 / kRadius * static_cast<double>(i);
+    const Point3 outwards(std::cos(at), std::sin(at), 0.0);
+    path.points.push_back(kRadius * outwards + Point3(0, 0, 0.5 * at / (2.0 * M_PI)));
+    const Eigen::AngleAxisd tilt(20.0 * M_PI / 180.0, outwards.cross(Point3::UnitZ()));
+    nozzles.emplace_back(tilt * nozzleDown());
+  }
+  path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));
+  Toolpath toolpath;
+  toolpath.layers.push_back({0.5, 0.5, {std::move(path)}});
+  return toolpath;
+}
+
+double mostMemoryMb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void plan(benchmark::State& state, const std::string& name) {
+  const auto mechanism = mechanismByName(name);
+  const Toolpath toolpath = spiral(static_cast<std::size_t>(state.range(0)));
+  NoProgress progress;
+  std::size_t faults = 0;
+  for (auto _ : state) {
+    const JointPath path =
+        planJointPath(toolpath, Eigen::Isometry3d::Identity(), *mechanism, JointPathSettings(), progress);
+    faults = path.faults.size();
+    benchmark::DoNotOptimize(path.values.data());
+  }
+  state.counters["faults"] = static_cast<double>(faults);
+  state.counters["MB"] = mostMemoryMb();
+}
+
+}  // namespace
+
+BENCHMARK_CAPTURE(plan, irb_4600, "irb_4600")
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_MAIN();
