@@ -26,11 +26,16 @@ ARROWS = {
     "streaming": ["program"],
     "startup": ["streaming"],
     "deposition": ["toolpath"],
+    "sweep": ["toolpath"],
+    "scaffold": ["infill"],
+    "pores": ["geometry"],
+    "stiffness": ["geometry"],
+    "statistics": ["base"],
     "overhang": ["toolpath", "surface"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang"],
-    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "overhang", "clearance", "monitoring", "picture"],
+    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "sweep", "scaffold", "pores", "stiffness", "statistics", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -7,6 +7,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,10 +42,14 @@ class TfRecording {
         found.push_back(*pose);
     return found;
   }
+  /// bed_from_nozzle at the latest stamp [mm]; none before the first.
+  std::optional<Eigen::Isometry3d> lastNozzle() const {
+    if (stamps_.empty()) return std::nullopt;
+    return lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, *stamps_.rbegin());
+  }
   /// Whether the nozzle tip is there at last, within a micrometre.
   bool isAt(const Point3& tip) const {
-    if (stamps_.empty()) return false;
-    const auto pose = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, *stamps_.rbegin());
+    const auto pose = lastNozzle();
     return pose && (pose->translation() - tip).norm() < 1e-3;
   }
 
