@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/geometry/isosurface.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "geometry/cube_cases.hpp"
 #include "lamina/base/error.hpp"
