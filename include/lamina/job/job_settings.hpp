@@ -7,6 +7,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/clearance/clearance_settings.hpp"
+#include "lamina/deposition/deposition_settings.hpp"
 #include "lamina/geometry/mesh_reader.hpp"
 #include "lamina/job/copies.hpp"
 #include "lamina/job/placement.hpp"
@@ -59,6 +60,7 @@ struct JobSettings {
   DropVoidSettings drop_voids;
   OverhangSettings overhang;
   ClearanceSettings clearance;
+  DepositionSettings deposition;
   FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;

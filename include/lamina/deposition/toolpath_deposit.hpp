@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/progress.hpp"
+#include "lamina/deposition/deposition_settings.hpp"
+#include "lamina/deposition/voxel_deposit.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// What a toolpath leaves behind.
+struct ToolpathDeposit {
+  VoxelGrid grid;
+  DepositTotals totals;
+  double highest_mm = 0.0;  ///< `VoxelDeposit::highest`
+};
+
+/// The motions of a path that extrude, in order: one per motion of a bead, one per drop. Volume is the
+/// bead's cross-section times the length, or the disc of the drop; the strand is round and of the same
+/// cross-section, a drop a ball of the same volume.
+std::vector<JetMotion> jetMotions(const Path& path);
+
+/// Box for what is laid: around the waypoints that deposit, wider on all sides by five radii of the thickest
+/// strand (or the reach, if that is less) and a voxel, not beneath the bed. Empty if nothing is laid.
+Box3 depositBox(const Toolpath& toolpath, const DepositionSettings& settings);
+
+/// Memory that `depositedVoxels` needs for the voxels, from a walk along the path [bytes].
+double depositBytes(const Toolpath& toolpath, const DepositionSettings& settings);
+
+/// Lays a toolpath, in coordinates of the bed, from its first motion to its last (`VoxelDeposit`).
+/// The result is the same whatever the number of threads.
+/// @throws InvalidInput if nothing is laid, or the voxels would take more memory than
+///   deposition.memory_limit_mb (or than is free): it names a voxel size that would fit
+/// @throws Cancelled
+ToolpathDeposit depositedVoxels(const Toolpath& toolpath, const DepositionSettings& settings,
+                                Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/deposition/toolpath_deposit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "brick_walk.hpp"
+#include "lamina/base/available_memory.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/deposition/strand.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMargin = 5.0;  // radii of the strand
+constexpr double kMegabyte = 1e6;
+constexpr double kCoarser = 1.03;  // from one trial of a voxel size to the next
+constexpr double kDigit = 1e-3;    // of a voxel size that is told
+constexpr std::size_t kPathsPerReport = 64;
+
+bool isLaid(const Path& path, const DepositionSettings& settings) {
+  if (path.role == PathRole::Travel) return false;
+  return path.role != PathRole::Skirt || settings.is_skirt_laid;
+}
+
+void forEachPath(const Toolpath& toolpath, const DepositionSettings& settings,
+                 const std::function<void(const Path&)>& visit) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (isLaid(path, settings)) visit(path);
+}
+
+Eigen::Vector3d jetOf(const Path& path, std::size_t waypoint) {
+  return (path.orientation.at(waypoint) * Eigen::Vector3d::UnitZ()).normalized();
+}
+
+std::vector<JetMotion> dropMotions(const Path& path) {
+  std::vector<JetMotion> drops;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const Bead& bead = path.bead.at(i);
+    const double volume = 0.25 * M_PI * bead.width_mm * bead.width_mm * bead.height_mm;
+    if (volume == 0.0) continue;
+    const Eigen::Vector3d jet = jetOf(path, i);
+    drops.push_back({path.points[i], path.points[i], jet, jet, volume, ballRadius(volume)});
+  }
+  return drops;
+}
+
+/// What the voxels may take [bytes].
+double memoryLimit(const DepositionSettings& settings) {
+  return settings.memory_limit_mb > 0.0 ? settings.memory_limit_mb * kMegabyte : availableMemory();
+}
+
+/// The smallest of a series of voxel sizes whose voxels fit into `limit` bytes, in microns rounded up.
+double voxelThatFits(const Toolpath& toolpath, DepositionSettings settings, double bytes, double limit) {
+  double voxel_mm = settings.voxel_mm * std::max(1.0, 0.9 * std::cbrt(bytes / limit));
+  const double longest = depositBox(toolpath, settings).size().maxCoeff();
+  for (; voxel_mm < longest; voxel_mm *= kCoarser) {
+    settings.voxel_mm = std::ceil(voxel_mm / kDigit) * kDigit;
+    if (depositBytes(toolpath, settings) <= limit) break;
+  }
+  return settings.voxel_mm;
+}
+
+void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings) {
+  const double limit = memoryLimit(settings);
+  const double bytes = depositBytes(toolpath, settings);
+  if (bytes <= limit) return;
+  const double fits = voxelThatFits(toolpath, settings, bytes, limit);
+  throw InvalidInput("deposition.voxel_mm is " + std::to_string(settings.voxel_mm) + " mm, which needs " +
+                     std::to_string(bytes / kMegabyte) + " MB; " +
+                     (settings.memory_limit_mb > 0.0 ? "deposition.memory_limit_mb allows " : "free are ") +
+                     std::to_string(limit / kMegabyte) + " MB, into which voxels of " + std::to_string(fits) +
+                     " mm fit");
+}
+
+}  // namespace
+
+std::vector<JetMotion> jetMotions(const Path& path) {
+  if (path.role == PathRole::Travel) return {};
+  if (path.deposit == Deposit::Drops) return dropMotions(path);
+  std::vector<JetMotion> motions;
+  motions.reserve(path.motionCount());
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const std::size_t end = path.motionEnd(m);
+    const double area = crossSection(path.bead.at(end));
+    const double volume = area * (path.points[end] - path.points[m]).norm();
+    if (volume == 0.0) continue;
+    motions.push_back(
+        {path.points[m], path.points[end], jetOf(path, m), jetOf(path, end), volume, strandRadius(area)});
+  }
+  return motions;
+}
+
+Box3 depositBox(const Toolpath& toolpath, const DepositionSettings& settings) {
+  Box3 box;
+  double thickest = 0.0;
+  forEachPath(toolpath, settings, [&](const Path& path) {
+    for (const JetMotion& motion : jetMotions(path)) {
+      box.include(motion.start);
+      box.include(motion.end);
+      thickest = std::max(thickest, motion.radius_mm);
+    }
+  });
+  if (box.isEmpty()) return box;
+  const double margin = std::min(kMargin * thickest, settings.reach_mm) + settings.voxel_mm;
+  box.low -= Point3::Constant(margin);
+  box.high += Point3::Constant(margin);
+  box.low.z() = std::max(box.low.z(), std::min(settings.bed_z_mm, box.high.z() - settings.voxel_mm));
+  return box;
+}
+
+double depositBytes(const Toolpath& toolpath, const DepositionSettings& settings) {
+  const Box3 box = depositBox(toolpath, settings);
+  if (box.isEmpty()) return 0.0;
+  BrickWalk walk(voxelFrame(box, settings.voxel_mm));
+  forEachPath(toolpath, settings, [&](const Path& path) {
+    for (const JetMotion& motion : jetMotions(path)) walk.follow(motion);
+  });
+  return walk.bytes();
+}
+
+ToolpathDeposit depositedVoxels(const Toolpath& toolpath, const DepositionSettings& settings,
+                                Progress& progress) {
+  static const std::string kStage = "deposit";
+  const Box3 box = depositBox(toolpath, settings);
+  if (box.isEmpty()) throw InvalidInput("toolpath '" + toolpath.part_name + "' deposits nothing");
+  requireMemory(toolpath, settings);
+  VoxelDeposit deposit(voxelFrame(box, settings.voxel_mm), settings);
+  std::size_t paths = 0;
+  forEachPath(toolpath, settings, [&](const Path&) { ++paths; });
+  std::size_t done = 0;
+  forEachPath(toolpath, settings, [&](const Path& path) {
+    if (done % kPathsPerReport == 0)
+      progress.report(kStage, static_cast<double>(done) / static_cast<double>(paths));
+    throwIfCancelled(progress, kStage);
+    for (const JetMotion& motion : jetMotions(path)) deposit.lay(motion);
+    ++done;
+  });
+  progress.report(kStage, 1.0);
+  const DepositTotals totals = deposit.totals();
+  const double highest_mm = deposit.highest();
+  return {deposit.takeGrid(), totals, highest_mm};
+}
+
+}  // namespace lamina
