@@ -39,6 +39,7 @@ int runCommandLine(int argc, char** argv) {
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   addCheck(app, chosen);
   addClearance(app, chosen);
+  addCoordinates(app, chosen);
   addEmulate(app, chosen);
   addFillVoids(app, chosen);
   addIncline(app, chosen);

@@ -21,16 +21,19 @@ namespace lamina {
 /// a comment opens a path or layer, and at retractions; deposition that ends where it started is closed.
 /// Layers are those of the slicer's comments, and what comes before the first and after the last of them is
 /// left out; without comments a layer begins wherever material is laid at another height. Bead height is that
-/// of the comments, motion by motion, or of the layer; bead width is that of the stadium which holds the
+/// of the comments, motion by motion, or of the layer. Between FullControl's marks everything is of the part,
+/// outside them nothing. Bead width is that of the stadium which holds the
 /// volume laid per length. Where one width explains a path within the rounding of a program (1e-5 mm of
-/// filament, 1e-3 mm of length) the path has one width.
+/// filament, 1e-3 mm of length) the path has one width. A filament diameter that the comments tell goes
+/// before that of the settings.
 class ToolpathBuilder {
  public:
   /// Of the settings, filament diameter and flow are used.
   explicit ToolpathBuilder(const ProgramSettings& settings);
   ~ToolpathBuilder();
 
-  /// Takes in a comment that may tell the program's frame (`readFrameComment`); stands before the motions.
+  /// Takes in a comment that may tell the program's frame (`readFrameComment`), which stands before the
+  /// motions, the filament, or where the start code ends and the end code begins.
   void tell(std::string_view comment);
   void add(const GcodeMotion& motion);
   /// The toolpath so far; the builder is empty afterwards.

@@ -24,6 +24,11 @@ struct ToolpathTime {
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits);
 
+/// The time [s] every motion would take at its feed all the way: the sum of length over feed. Less than any
+/// machine needs.
+/// @throws InvalidInput if a feed is not positive
+double nominalTime(const Toolpath& toolpath);
+
 /// The nozzle at one instant.
 struct NozzleSample {
   double time_s = 0.0;

@@ -105,9 +105,47 @@ void setHeight(std::string_view text, SlicerContext& context) {
   context.is_layer_height_open = false;
 }
 
+bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+/// Simplify3D names what follows in plain words ("feature outer perimeter", before version 4 "outer
+/// perimeter"), which its settings, told in the header, are not.
+std::optional<PathRole> featureRole(std::string_view comment) {
+  const bool says_feature = takePrefix(comment, "feature ");
+  for (const char letter : comment)
+    if (letter != ' ' && (letter < 'a' || letter > 'z')) return std::nullopt;
+  // Supports come first: "support infill" is none of the part.
+  for (const std::string_view other : {"support", "skirt", "brim", "raft", "pillar", "shield"})
+    if (holds(comment, other)) return PathRole::Skirt;
+  if (holds(comment, "outer perimeter") || holds(comment, "external single")) return PathRole::OuterWall;
+  if (holds(comment, "perimeter") || holds(comment, "internal single")) return PathRole::InnerWall;
+  if (holds(comment, "gap fill")) return PathRole::GapFill;
+  if (holds(comment, "fill") || holds(comment, "solid") || holds(comment, "bridge")) return PathRole::Infill;
+  return says_feature ? std::optional(PathRole::Infill) : std::nullopt;
+}
+
+/// @return whether the comment is one of Simplify3D's
+bool readSimplify3d(std::string_view comment, SlicerContext& context) {
+  if (takePrefix(comment, "layer end")) {
+    context.layer.reset();
+    ++context.section;
+  } else if (takePrefix(comment, "layer ")) {
+    openLayer(number<int>(comment), context);
+  } else if (takePrefix(comment, "tool H")) {
+    setHeight(comment, context);
+  } else if (const auto role = featureRole(comment)) {
+    context.role = role;
+    ++context.section;
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void readComment(std::string_view comment, SlicerContext& context) {
+  context.dialect = dialectAfter(context.dialect, comment);
+  if (context.dialect == SlicerDialect::Simplify3d && readSimplify3d(comment, context)) return;
   if (takePrefix(comment, "TYPE:")) {
     context.role = find(kTypes, comment);
     ++context.section;
@@ -123,6 +161,14 @@ void readComment(std::string_view comment, SlicerContext& context) {
   } else if (const auto role = find(kMotionRemarks, comment)) {
     context.role = role;
   }
+}
+
+std::optional<double> filamentDiameterTold(std::string_view comment) {
+  if (!takePrefix(comment, "filament_diameter = ") && !takePrefix(comment, "filamentDiameters,"))
+    return std::nullopt;
+  const auto diameter_mm = number<double>(comment);
+  const bool is_possible = diameter_mm && *diameter_mm > 0.1 && *diameter_mm <= 20.0;
+  return is_possible ? diameter_mm : std::nullopt;
 }
 
 }  // namespace lamina

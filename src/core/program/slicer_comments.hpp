@@ -6,12 +6,15 @@
 #include <optional>
 #include <string_view>
 
+#include "lamina/program/slicer_dialect.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
-/// What the comments of Lamina, Cura, PrusaSlicer and Slic3r (verbose) tell of the motions that follow.
+/// What the comments of Lamina, Cura, PrusaSlicer, Slic3r (verbose) and Simplify3D tell of the motions that
+/// follow.
 struct SlicerContext {
+  SlicerDialect dialect = SlicerDialect::Unknown;
   std::optional<int> layer;         ///< as numbered by the slicer; none before the first and after the part
   std::optional<PathRole> role;     ///< none if not told, or of a kind Lamina has no name for
   std::optional<double> height_mm;  ///< of the beads
@@ -22,5 +25,10 @@ struct SlicerContext {
 
 /// Updates the context; other comments change nothing.
 void readComment(std::string_view comment, SlicerContext& context);
+
+/// The diameter [mm] of the filament the program was made for, if the comment tells it: `filament_diameter =
+/// 1.75` as PrusaSlicer and Slic3r have it, `filamentDiameters,1.75|2.85` as Simplify3D; the first of
+/// several.
+std::optional<double> filamentDiameterTold(std::string_view comment);
 
 }  // namespace lamina

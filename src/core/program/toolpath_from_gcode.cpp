@@ -9,9 +9,11 @@
 #include "lamina/base/error.hpp"
 #include "lamina/program/drop_program.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "lamina/program/slicer_dialect.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "program/extrusion.hpp"
 #include "program/path_builder.hpp"
+#include "program/slicer_comments.hpp"
 
 namespace lamina {
 namespace {
@@ -35,14 +37,23 @@ bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.
 
 class ToolpathBuilder::State {
  public:
-  explicit State(const ProgramSettings& settings) : volume_per_filament_(1.0 / filamentPerVolume(settings)) {}
+  explicit State(const ProgramSettings& settings)
+      : volume_per_filament_(1.0 / filamentPerVolume(settings)),
+        filament_diameter_mm_(settings.filament_diameter_mm),
+        told_diameter_mm_(settings.filament_diameter_mm) {}
 
   void tell(std::string_view comment) {
+    if (comment == kStartCodeEnds) forget();
+    is_over_ |= comment == kEndCodeBegins;
+    if (const auto diameter_mm = filamentDiameterTold(comment)) told_diameter_mm_ = *diameter_mm;
     if (!readFrameComment(comment, told_)) return;
     layers_from_program_ = told_.bed_from_layers.conjugate() * told_.bed_from_program;
   }
 
-  void addTold(const GcodeMotion& motion) { layers_from_program_ ? add(inLayers(motion)) : add(motion); }
+  void addTold(const GcodeMotion& motion) {
+    if (is_over_) return;
+    layers_from_program_ ? add(inLayers(motion)) : add(motion);
+  }
 
   void add(const GcodeMotion& motion) {
     if (motion.layer != layer_) changeLayer(motion.layer);
@@ -65,6 +76,8 @@ class ToolpathBuilder::State {
   Toolpath finish(const std::string& part_name) {
     closeLayer(runs_.size());
     toolpath_.part_name = part_name;
+    if (told_diameter_mm_ != filament_diameter_mm_)
+      scaleBeads(std::pow(told_diameter_mm_ / filament_diameter_mm_, 2));
     if (!layers_from_program_) return std::move(toolpath_);
     return withNozzle(turned(std::move(toolpath_), told_.bed_from_layers), told_.bed_from_nozzle);
   }
@@ -95,9 +108,24 @@ class ToolpathBuilder::State {
     if (has_comments_)
       closeLayer(runs_.size());
     else
-      toolpath_.layers.clear(), runs_.clear(), reached_.reset();
+      forget();
     has_comments_ = true;
     layer_ = layer;
+  }
+
+  /// What was read was no part of the part.
+  void forget() { toolpath_.layers.clear(), runs_.clear(), reached_.reset(); }
+
+  /// A slicer may tell the filament only after the motions.
+  void scaleBeads(double area_factor) {
+    for (ToolpathLayer& layer : toolpath_.layers)
+      for (Path& path : layer.paths) {
+        if (path.role == PathRole::Travel) continue;
+        std::vector<Bead> beads = path.bead.values();
+        for (Bead& bead : beads)
+          if (bead.width_mm > 0.0) bead = beadOfArea(crossSection(bead) * area_factor, bead.height_mm);
+        path.bead = AlongPath<Bead>(std::move(beads));
+      }
   }
 
   /// The travel that leads to the new height belongs to the new layer.
@@ -127,6 +155,9 @@ class ToolpathBuilder::State {
   }
 
   double volume_per_filament_;
+  double filament_diameter_mm_;  ///< of the settings
+  double told_diameter_mm_;      ///< by the program, else as set
+  bool is_over_ = false;         ///< end code has begun
   ToldFrame told_;
   std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that tells its frame
   std::optional<int> layer_;

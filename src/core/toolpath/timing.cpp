@@ -47,6 +47,20 @@ class TimedMotions {
 
 }  // namespace
 
+double nominalTime(const Toolpath& toolpath) {
+  double sum_s = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const std::size_t end = path.motionEnd(m);
+        const double feed_mm_s = path.feed_mm_s.at(end);
+        if (!(feed_mm_s > 0.0))
+          throw InvalidInput("a feed is " + std::to_string(feed_mm_s) + " mm/s; must be positive");
+        sum_s += (path.points[end] - path.points[m]).norm() / feed_mm_s;
+      }
+  return sum_s;
+}
+
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits) {
   ToolpathTime time;
   time.layer_start_s.reserve(toolpath.layers.size());
