@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/voxel_grid.hpp"
+
+namespace lamina {
+
+/// Heights that a layer takes up [mm, frame of the grid].
+struct LayerBand {
+  double low_mm = 0.0;
+  double high_mm = 0.0;
+};
+
+/// Voxels of a layer: those of the slices whose middles lie in its band.
+struct LayerVoids {
+  LayerBand band;
+  std::int64_t solid = 0;
+  std::int64_t open = 0;      ///< all others of the frame
+  std::int64_t enclosed = 0;  ///< open ones that are cut off from the border of the frame within their slice
+
+  /// Enclosed part of what the layer's outlines take up; 0 of nothing.
+  double voidRatio() const;
+  /// Open part of the whole frame; 0 of nothing.
+  double openRatio() const;
+};
+
+/// Slices are looked at in parallel, in memory proportional to a slice for each thread.
+/// @param solid  with a margin of one voxel around the print, else what meets the border is not enclosed
+/// @throws InvalidInput if a band is not finite or upside down
+/// @throws Cancelled if `progress` is cancelled
+std::vector<LayerVoids> voidsByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,
+                                     Progress& progress);
+
+/// The open voxels of one slice, in a frame of one voxel along z.
+VoxelGrid openSlice(const VoxelGrid& solid, int k);
+
+}  // namespace lamina

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/voxel_grid.hpp"
+
+namespace lamina {
+
+/// Area of all voxel faces between solid and open [mm²], those on the border of the frame among them
+/// (deposition-and-scaffolds.md section 2.10).
+double voxelFaceArea(const VoxelGrid& solid);
+
+}  // namespace lamina
