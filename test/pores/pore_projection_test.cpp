@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lamina/base/error.hpp"
-#include "lamina/pores/layer_voids.hpp"
+#include "lamina/pores/layer_pores.hpp"
 #include "pores/voxel_patterns.hpp"
 
 namespace lamina {
@@ -47,7 +47,7 @@ TEST(PoreProjectionTest, HolesThatMeetAtACornerAreTwo) {
   EXPECT_NEAR(projection.meanDiameterUm(), 50.0 * (5.0 + 10.0) / std::sqrt(M_PI), 1e-9);
 }
 
-TEST(LayerVoidsTest, CountWhatIsCutOffFromTheBorder) {
+TEST(LayerPoresTest, CountWhatIsCutOffFromTheBorder) {
   // Two layers of two slices: a ring in the lower one, a full plate in the upper one.
   VoxelGrid grid({Point3(0, 0, 1), 0.5, {12, 12, 4}});
   for (int k = 0; k < 4; ++k)
@@ -55,7 +55,7 @@ TEST(LayerVoidsTest, CountWhatIsCutOffFromTheBorder) {
       for (int i = 1; i < 11; ++i) grid.fill(i, j, k);
   openBox(grid, {{3, 3, 0}, {9, 9, 2}});
   NoProgress nobody;
-  const auto layers = voidsByLayer(grid, {{1.0, 2.0}, {2.0, 3.0}, {5.0, 6.0}}, nobody);
+  const auto layers = poresByLayer(grid, {{1.0, 2.0}, {2.0, 3.0}, {5.0, 6.0}}, nobody);
   ASSERT_EQ(layers.size(), 3U);
   EXPECT_EQ(layers[0].enclosed, 72);
   EXPECT_DOUBLE_EQ(layers[0].voidRatio(), 0.36);
@@ -63,7 +63,7 @@ TEST(LayerVoidsTest, CountWhatIsCutOffFromTheBorder) {
   EXPECT_EQ(layers[1].enclosed, 0);
   EXPECT_EQ(layers[1].solid, 200);
   EXPECT_EQ(layers[2].voidRatio(), 0.0);
-  EXPECT_THROW(voidsByLayer(grid, {{2.0, 1.0}}, nobody), InvalidInput);
+  EXPECT_THROW(poresByLayer(grid, {{2.0, 1.0}}, nobody), InvalidInput);
 }
 
 }  // namespace

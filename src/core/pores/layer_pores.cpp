@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/pores/layer_voids.hpp"
+#include "lamina/pores/layer_pores.hpp"
 
 #include <cmath>
 #include <string>
@@ -17,7 +17,7 @@ double partOf(std::int64_t part, std::int64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void addSlice(const VoxelGrid& solid, int k, LayerVoids& layer) {
+void addSlice(const VoxelGrid& solid, int k, LayerPores& layer) {
   NoProgress nobody;
   const PoreGroups openings = labelPores(openSlice(solid, k), nobody);
   std::int64_t open = 0;
@@ -31,14 +31,14 @@ void addSlice(const VoxelGrid& solid, int k, LayerVoids& layer) {
 
 }  // namespace
 
-double LayerVoids::voidRatio() const { return partOf(enclosed, enclosed + solid); }
+double LayerPores::voidRatio() const { return partOf(enclosed, enclosed + solid); }
 
-double LayerVoids::openRatio() const { return partOf(open, open + solid); }
+double LayerPores::openRatio() const { return partOf(open, open + solid); }
 
-std::vector<LayerVoids> voidsByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,
+std::vector<LayerPores> poresByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,
                                      Progress& progress) {
   const VoxelFrame& frame = solid.frame();
-  std::vector<LayerVoids> layers(bands.size());
+  std::vector<LayerPores> layers(bands.size());
   for (std::size_t l = 0; l < bands.size(); ++l) {
     const LayerBand& band = bands[l];
     if (!std::isfinite(band.low_mm) || !std::isfinite(band.high_mm) || band.low_mm > band.high_mm)

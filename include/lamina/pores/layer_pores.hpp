@@ -17,7 +17,7 @@ struct LayerBand {
 };
 
 /// Voxels of a layer: those of the slices whose middles lie in its band.
-struct LayerVoids {
+struct LayerPores {
   LayerBand band;
   std::int64_t solid = 0;
   std::int64_t open = 0;      ///< all others of the frame
@@ -33,7 +33,7 @@ struct LayerVoids {
 /// @param solid  with a margin of one voxel around the print, else what meets the border is not enclosed
 /// @throws InvalidInput if a band is not finite or upside down
 /// @throws Cancelled if `progress` is cancelled
-std::vector<LayerVoids> voidsByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,
+std::vector<LayerPores> poresByLayer(const VoxelGrid& solid, const std::vector<LayerBand>& bands,
                                      Progress& progress);
 
 /// The open voxels of one slice, in a frame of one voxel along z.

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/program/program_frame.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/program/text_sink.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Writes the toolpath as G-code in the dialect of FullControl GCode Designer (deposition-and-scaffolds.md
+/// section 2.1): a `;FLAVOR:` line and the start code, `;END OF THE START GCODE`, motions in mm with relative
+/// extrusion (G0 travels, G1 deposits) and no comments, `;START OF THE END GCODE` and the end code. Of
+/// coordinates and feeds only those that change are written, to 3 decimals; extrusion has 5, and the rounding
+/// of each E is carried on to the next. Nothing is retracted: the dialect has no word for it.
+///
+/// The nozzle goes over the first waypoint before it comes down to it.
+///
+/// @throws InvalidInput if `validate` refuses the toolpath, it deposits nothing, or has drops or a nozzle
+/// that
+///   does not point straight down; before the first piece is written
+/// @throws InvalidConfig as `writeGcode`
+void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                      const TextSink& sink);
+
+}  // namespace lamina

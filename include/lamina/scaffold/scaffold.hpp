@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/scaffold/scaffold_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The kinds by name: bending_specimen, box, cube, cylinder, sinusoidal.
+std::vector<std::string> scaffoldNames();
+
+/// One sentence on the kind.
+/// @throws InvalidConfig if there is no such kind; names those there are
+std::string scaffoldMeaning(const std::string& name);
+
+/// The settings that a kind starts from: those of the specimens of deposition-and-scaffolds.md section 3.
+/// @throws InvalidConfig if there is no such kind; names those there are
+ScaffoldSettings scaffoldDefaults(const std::string& name);
+
+/// The part as a toolpath, on the bed, its low corner where the settings say. Layers are as many as make up
+/// the height best; the nozzle is at the top of each. Travels join the paths.
+///
+/// A sinusoidal scaffold of side L has layers of n filaments y_i(x) = A + i (L - 2 A) / (n - 1) + A f(2 pi B
+/// x / L), x from 0 to L, turned about the middle by 90 deg from layer to layer; where sine and cosine
+/// alternate every two layers. Mirrored, every other filament has -A f. A bead fills pi/4 of its width times
+/// height, mirrored 0.98 of it: with these the published porosities come out.
+///
+/// Boxes, cubes, cylinders and specimens are filled inside their perimeters at the density asked for; a bead
+/// is a stadium. Rectilinear lines are those of the fill `zigzag`, solid rings those of `perimeters`. The
+/// gyroid's period is such that its curves have on average the length that the density asks for.
+///
+/// @throws InvalidConfig naming key, value and bound, also if settings contradict each other: layers higher
+///   than beads are wide, an amplitude above half the length, mirrored filaments other than sine waves, or a
+///   shape without room for its beads; or if there is no such kind
+Toolpath makeScaffold(const std::string& name, const ScaffoldSettings& settings);
+
+}  // namespace lamina
