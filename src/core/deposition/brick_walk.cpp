@@ -15,6 +15,7 @@ constexpr double kBrickBytes =
     8.0 * VoxelGrid::kBrick * VoxelGrid::kBrick + 32.0;  // and of its place in store
 constexpr double kStride = 4.0;                          // voxels along a motion
 constexpr double kAround = 1.3;                          // radii of the strand
+constexpr double kStrideOfStrand = 0.5;                  // radii of the strand
 
 }  // namespace
 
@@ -28,7 +29,8 @@ BrickWalk::BrickWalk(const VoxelFrame& frame) : frame_(frame) {
 void BrickWalk::follow(const JetMotion& motion) {
   if (is_met_.empty()) return;
   const double length = (motion.end - motion.start).norm();
-  const double strides = std::ceil(length / (kStride * frame_.voxel_mm));
+  const double stride_mm = std::max(kStride * frame_.voxel_mm, kStrideOfStrand * motion.radius_mm);
+  const double strides = std::ceil(length / stride_mm);
   const double around = kAround * motion.radius_mm + frame_.voxel_mm;
   for (double stride = 0.0; stride <= strides; ++stride) {
     const double fraction = strides > 0.0 ? stride / strides : 0.0;
