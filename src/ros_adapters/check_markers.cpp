@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "conversions.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -37,8 +38,7 @@ Marker textOf(const Finding& finding) {
   Marker text = markerOf("first_finding", Marker::TEXT_VIEW_FACING, 0.0F);
   text.pose.position = toMessage(Point3(finding.tip + kTextAbove * Point3::UnitZ()));
   text.scale.z = toMetres(kText);
-  text.text = "layer " + std::to_string(finding.at.layer) + ", path " + std::to_string(finding.at.path) +
-              ", waypoint " + std::to_string(finding.at.waypoint) + ": " + finding.reason;
+  text.text = toText(finding.at) + ": " + finding.reason;
   return text;
 }
 

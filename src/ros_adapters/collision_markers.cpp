@@ -3,6 +3,7 @@
 #include "collision_markers.hpp"
 
 #include "conversions.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {
 namespace {
@@ -38,9 +39,7 @@ Marker textOf(const Collision& collision) {
   Marker text = markerAt("first_collision", 0, Marker::TEXT_VIEW_FACING);
   text.pose.position = toMessage(Point3(collision.tip + kTextAbove * Point3::UnitZ()));
   text.scale.z = toMetres(kText);
-  text.text = "layer " + std::to_string(collision.at.layer) + ", path " + std::to_string(collision.at.path) +
-              ", waypoint " + std::to_string(collision.at.waypoint) + ": " + collision.link + " in " +
-              toString(collision.obstacle);
+  text.text = toText(collision.at) + ": " + collision.link + " in " + toString(collision.obstacle);
   return text;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "growing_part.hpp"
 
-#include <tuple>
 #include <utility>
 
 #include "conversions.hpp"
@@ -46,8 +45,7 @@ GrowingPart::GrowingPart(const Toolpath& toolpath, std::string frame)
 MarkerArray GrowingPart::upTo(const WaypointIndex& heading_for) {
   WaypointIndex end = heading_for;
   end.waypoint = motionTo(toolpath_.layers.at(end.layer).paths.at(end.path), end.waypoint);
-  const bool goes_back =
-      std::tie(end.layer, end.path, end.waypoint) < std::tie(next_.layer, next_.path, next_.waypoint);
+  const bool goes_back = end < next_;
   MarkerArray changed;
   if (!has_begun_ || goes_back) begin(changed);
   lay(end, changed);
@@ -70,8 +68,7 @@ void GrowingPart::begin(MarkerArray& markers) {
 }
 
 bool GrowingPart::isBefore(const WaypointIndex& at) const {
-  return next_.layer < toolpath_.layers.size() &&
-         std::tie(next_.layer, next_.path, next_.waypoint) < std::tie(at.layer, at.path, at.waypoint);
+  return next_.layer < toolpath_.layers.size() && next_ < at;
 }
 
 void GrowingPart::lay(const WaypointIndex& at, MarkerArray& markers) {

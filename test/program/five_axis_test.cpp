@@ -174,7 +174,7 @@ TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
   EXPECT_EQ(refusal(faulty),
             "'table' cannot run 1 waypoint(s); the first is layer 0, path 0, waypoint 1: wind_up, joint c is "
             "wound up");
-  EXPECT_NE(refusal(outside).find("waypoint 1: joint x of 'table' would be at 501.000000 mm"),
+  EXPECT_NE(refusal(outside).find("waypoint 1, 'table': joint x at 501.000000 mm; must be within"),
             std::string::npos);
   EXPECT_NE(refusal(elsewhere).find("waypoint 1: the joints bring the nozzle 1.000000 mm"),
             std::string::npos);

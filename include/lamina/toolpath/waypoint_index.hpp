@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 
 namespace lamina {
 
@@ -11,6 +12,15 @@ struct WaypointIndex {
   std::size_t layer = 0;
   std::size_t path = 0;
   std::size_t waypoint = 0;
+
+  friend bool operator==(const WaypointIndex& a, const WaypointIndex& b) {
+    return a.layer == b.layer && a.path == b.path && a.waypoint == b.waypoint;
+  }
+  friend bool operator!=(const WaypointIndex& a, const WaypointIndex& b) { return !(a == b); }
+  /// In the order of the motion, but for waypoint 0 of a closed path, which tells of its return.
+  friend bool operator<(const WaypointIndex& a, const WaypointIndex& b) {
+    return std::tie(a.layer, a.path, a.waypoint) < std::tie(b.layer, b.path, b.waypoint);
+  }
 };
 
 }  // namespace lamina

@@ -149,10 +149,6 @@ bool hasMovingBodies(const LinkBodies& bodies) {
   return false;
 }
 
-bool isSameWaypoint(const Collision& a, const Collision& b) {
-  return a.at.layer == b.at.layer && a.at.path == b.at.path && a.at.waypoint == b.at.waypoint;
-}
-
 }  // namespace
 
 JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
@@ -176,7 +172,7 @@ JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& 
   for (const JointValues& values : run.path.values) report.waypoints += values.size() > 0 ? 1 : 0;
   for (const std::vector<Collision>& some : found)
     for (const Collision& collision : some)
-      if (report.collisions.empty() || !isSameWaypoint(report.collisions.back(), collision))
+      if (report.collisions.empty() || report.collisions.back().at != collision.at)
         report.collisions.push_back(collision);
   return report;
 }

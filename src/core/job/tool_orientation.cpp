@@ -7,14 +7,10 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {
 namespace {
-
-std::string textOf(const WaypointIndex& place) {
-  return "layer " + std::to_string(place.layer) + ", path " + std::to_string(place.path) + ", waypoint " +
-         std::to_string(place.waypoint);
-}
 
 /// One sentence for all runs that a limit changed, with the one that was changed most.
 void addLimit(const OrientationReport& report, OrientationLimit limit, std::vector<std::string>& notes) {
@@ -32,7 +28,7 @@ void addLimit(const OrientationReport& report, OrientationLimit limit, std::vect
   std::snprintf(text, sizeof text,
                 "orientation.%s changed %zu runs, most at %s: %.2f deg wanted, %.2f deg given",
                 limit == OrientationLimit::Tilt ? "max_tilt_deg" : "max_turn_deg_per_mm", runs,
-                textOf(worst->worst).c_str(), worst->wanted_deg, worst->given_deg);
+                toText(worst->worst).c_str(), worst->wanted_deg, worst->given_deg);
   notes.emplace_back(text);
 }
 
@@ -71,7 +67,7 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
   std::snprintf(text, sizeof text,
                 "the nozzle would be held %.1f deg off the layer's normal at %s; expected at most %.4g deg "
                 "(orientation.max_off_normal_deg): it would run into what is laid",
-                greatest, textOf(place).c_str(), settings.limits.max_off_normal_deg);
+                greatest, toText(place).c_str(), settings.limits.max_off_normal_deg);
   throw InvalidInput(text);
 }
 

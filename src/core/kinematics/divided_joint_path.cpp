@@ -54,11 +54,7 @@ std::vector<char> woundUpAt(const JointPath& path) {
   std::vector<char> is_wound_up(path.at.size(), 0);
   std::size_t i = 0;
   for (const FaultyWaypoint& faulty : path.faults) {
-    const auto isThere = [&] {
-      return path.at[i].layer == faulty.at.layer && path.at[i].path == faulty.at.path &&
-             path.at[i].waypoint == faulty.at.waypoint;
-    };
-    while (i + 1 < path.at.size() && !isThere()) ++i;
+    while (i + 1 < path.at.size() && path.at[i] != faulty.at) ++i;
     if (faulty.fault == JointFault::WindUp) is_wound_up[i] = 1;
   }
   return is_wound_up;

@@ -17,10 +17,6 @@ double distanceToSegment(const Point3& point, const Point3& start, const Point3&
   return (point - start - t * along).norm();
 }
 
-bool isSameMotion(const WaypointIndex& a, const WaypointIndex& b) {
-  return a.layer == b.layer && a.path == b.path && a.waypoint == b.waypoint;
-}
-
 }  // namespace
 
 void StretchChain::lay(const LaidPiece& piece) {
@@ -41,7 +37,7 @@ void StretchChain::lay(const LaidPiece& piece) {
     stretch_->points = {piece.start};
   }
   stretch_->length_mm += piece.length_mm;
-  if (stretch_->points.size() > 1 && isSameMotion(piece.at, last_))
+  if (stretch_->points.size() > 1 && piece.at == last_)
     stretch_->points.back() = piece.end;
   else if (piece.end != piece.start)
     stretch_->points.push_back(piece.end);

@@ -212,17 +212,12 @@ class FiveAxisInterpreter {
   }
 
   void addMotion(const Point3& tip, double filament_mm, double feed_mm_s) {
-    GcodeMotion motion;
+    GcodeMotion motion = motionIn(context_);
     motion.start = nozzle_;
     motion.end = tip;
     motion.extrusion_mm = filament_mm;
     motion.feed_mm_s = feed_mm_s;
     motion.line = line_;
-    motion.layer = context_.layer;
-    motion.role = context_.role;
-    motion.height_mm = context_.height_mm;
-    motion.layer_height_mm = context_.layer_height_mm;
-    motion.section = context_.section;
     if (!context_.layer) refuse("a motion before the first layer; expected ';LAYER:' before it");
     builder_.add(motion);
     nozzle_ = tip;

@@ -12,6 +12,7 @@
 #include "program/extrusion.hpp"
 #include "program/five_axis_lines.hpp"
 #include "program/joint_chords.hpp"
+#include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
 #include "program/start_code.hpp"
 
@@ -19,34 +20,11 @@ namespace lamina {
 namespace {
 
 constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
-constexpr double kLargest = 1e5;          // mm/s
-
-struct ListedPath {
-  const Path* path = nullptr;
-  std::size_t layer = 0;
-  std::size_t index = 0;  ///< in its layer
-};
-
-std::vector<ListedPath> listPaths(const Toolpath& toolpath) {
-  std::vector<ListedPath> paths;
-  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
-    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
-      paths.push_back({&toolpath.layers[l].paths[p], l, p});
-  if (paths.empty())
-    throw InvalidInput("the toolpath of '" + toolpath.part_name +
-                       "' has no path; a program needs at least one motion");
-  return paths;
-}
 
 void requireWritable(const ListedPath& listed) {
-  const Path& path = *listed.path;
-  const auto refuse = [&listed](std::size_t waypoint, const std::string& what) {
-    throw InvalidInput("toolpath " + toText({listed.layer, listed.index, waypoint}) + ": " + what);
-  };
-  if (path.deposit == Deposit::Drops) refuse(0, "drops are laid; a five-axis program lays beads only");
-  for (std::size_t i = 0; i < path.feed_mm_s.values().size(); ++i)
-    if (!(path.feed_mm_s.at(i) >= 1e-3 && path.feed_mm_s.at(i) < kLargest))
-      refuse(i, "feed is " + std::to_string(path.feed_mm_s.at(i)) + " mm/s; must be 0.001 mm/s at least");
+  if (listed.path->deposit == Deposit::Drops)
+    refuseWaypoint(listed, 0, "drops are laid; a five-axis program lays beads only");
+  requireWritableFeeds(listed);
 }
 
 std::string plain(std::string text) {
@@ -64,7 +42,7 @@ class FiveAxisProgram {
         settings_(settings),
         program_(program),
         letters_(axisLetters(motion.machine)),
-        paths_(listPaths(motion.toolpath)),
+        paths_(listedPaths(motion.toolpath)),
         rise_mm_((motion.bed_from_part.linear() * layerNormal(motion.toolpath))
                      .dot(motion.bed_from_part.translation())) {
     for (const ListedPath& path : paths_) requireWritable(path);

@@ -222,17 +222,12 @@ void GcodeInterpreter::dwell(const WordTable& words) const {
 
 void GcodeInterpreter::emit(const Point3& end, double extrusion_mm) {
   if (handlers_.motion) {
-    GcodeMotion motion;
+    GcodeMotion motion = motionIn(context_);
     motion.start = position_;
     motion.end = end;
     motion.extrusion_mm = extrusion_mm;
     motion.feed_mm_s = feed_mm_s_;
     motion.line = line_;
-    motion.layer = context_.layer;
-    motion.role = context_.role;
-    motion.height_mm = context_.height_mm;
-    motion.layer_height_mm = context_.layer_height_mm;
-    motion.section = context_.section;
     handlers_.motion(motion);
   }
   position_ = end;

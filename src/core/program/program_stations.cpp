@@ -6,19 +6,14 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/kinematics/joint_limits.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSameTip = 1e-3;     // mm: beneath what machines hold, above what solvers leave
-constexpr double kSameJet = 1e-4;     // rad
-constexpr double kOnTheLimit = 1e-9;  // mm, rad: what rounding leaves
+constexpr double kSameTip = 1e-3;  // mm: beneath what machines hold, above what solvers leave
+constexpr double kSameJet = 1e-4;  // rad
 constexpr double kDegrees = 180.0 / M_PI;
-
-std::string shown(const DrivenJoint& joint, double value) {
-  return joint.kind == JointKind::Linear ? std::to_string(value) + " mm"
-                                         : std::to_string(value * kDegrees) + " deg";
-}
 
 [[noreturn]] void refuseFaults(const JointPath& joints, const Mechanism& mechanism) {
   const FaultyWaypoint& first = joints.faults.front();
@@ -28,20 +23,14 @@ std::string shown(const DrivenJoint& joint, double value) {
 }
 
 void requireSameWaypoint(const WaypointIndex& given, const WaypointIndex& expected) {
-  if (given.layer != expected.layer || given.path != expected.path || given.waypoint != expected.waypoint)
+  if (given != expected)
     throw InvalidInput("the joints at " + toText(given) + " stand where those at " + toText(expected) +
                        " are expected; they are of another toolpath");
 }
 
 void requireWithinLimits(const JointValues& values, const Mechanism& mechanism, const WaypointIndex& at) {
-  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[j];
-    const double value = values[static_cast<Eigen::Index>(j)];
-    if (!(value >= joint.low - kOnTheLimit && value <= joint.high + kOnTheLimit))
-      throw Unreachable(toText(at) + ": joint " + joint.name + " of '" + mechanism.name() + "' would be at " +
-                        shown(joint, value) + "; must be within " + shown(joint, joint.low) + " to " +
-                        shown(joint, joint.high));
-  }
+  if (const auto fault = limitFault(values, mechanism))
+    throw Unreachable(toText(at) + ", '" + mechanism.name() + "': " + *fault);
 }
 
 void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& expected,

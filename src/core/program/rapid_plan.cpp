@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kLargest = 1e5;      // mm and mm/s: 100 m, beyond any robot
+constexpr double kFarthest = 1e5;     // mm: beyond any robot
 constexpr double kSamePose = 1e-6;    // mm and rad: under what targets resolve
 constexpr double kUnitLength = 1e-6;  // of a quaternion
 
@@ -24,11 +24,9 @@ class PathChecks {
     if (path_.deposit == Deposit::Drops) refuse(0, "drops are laid; a robot's program lays beads only");
     if (path_.points.size() < 2) refuse(path_.points.size(), "a path needs at least 2 waypoints");
     for (std::size_t i = 0; i < path_.points.size(); ++i)
-      if (path_.points[i].hasNaN() || path_.points[i].cwiseAbs().maxCoeff() >= kLargest)
+      if (path_.points[i].hasNaN() || path_.points[i].cwiseAbs().maxCoeff() >= kFarthest)
         refuse(i, "the position is not a number within 100 m");
-    for (std::size_t i = 0; i < path_.feed_mm_s.values().size(); ++i)
-      if (!(path_.feed_mm_s.at(i) >= 0.001 && path_.feed_mm_s.at(i) < kLargest))
-        refuse(i, "feed is " + std::to_string(path_.feed_mm_s.at(i)) + " mm/s; must be 0.001 mm/s at least");
+    requireWritableFeeds(at_);
     for (std::size_t i = 0; i < path_.orientation.values().size(); ++i)
       if (!(std::abs(path_.orientation.at(i).norm() - 1.0) <= kUnitLength))
         refuse(i, "the orientation is no quaternion of unit length");
@@ -56,8 +54,7 @@ class PathChecks {
   }
 
   [[noreturn]] void refuse(std::size_t waypoint, const std::string& what) const {
-    throw InvalidInput("toolpath layer " + std::to_string(at_.layer) + ", path " + std::to_string(at_.index) +
-                       ", waypoint " + std::to_string(waypoint) + ": " + what);
+    refuseWaypoint(at_, waypoint, what);
   }
 
   const RapidPath& at_;
@@ -67,12 +64,11 @@ class PathChecks {
 
 std::vector<RapidPath> pathsOf(const Toolpath& toolpath) {
   std::vector<RapidPath> paths;
-  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
-    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
-      paths.push_back({&toolpath.layers[l].paths[p], l, p});
-  if (paths.empty())
-    throw InvalidInput("the toolpath of '" + toolpath.part_name +
-                       "' has no path; a program needs at least one motion");
+  for (const ListedPath& listed : listedPaths(toolpath)) {
+    RapidPath path;
+    static_cast<ListedPath&>(path) = listed;
+    paths.push_back(path);
+  }
   return paths;
 }
 

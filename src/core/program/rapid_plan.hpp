@@ -6,16 +6,13 @@
 #include <vector>
 
 #include "lamina/program/rapid_settings.hpp"
-#include "lamina/toolpath/toolpath.hpp"
+#include "program/listed_paths.hpp"
 
 namespace lamina {
 
 /// A path as moves of a robot: one that takes the pose it starts in, where the path before ends in another,
 /// and then its motions.
-struct RapidPath {
-  const Path* path = nullptr;
-  std::size_t layer = 0;
-  std::size_t index = 0;      ///< in its layer
+struct RapidPath : ListedPath {
   bool is_turned = false;     ///< begins with a move of its own
   bool switches_on = false;   ///< the process starts before its first motion
   bool switches_off = false;  ///< the process stops after its last motion

@@ -171,4 +171,14 @@ std::optional<double> filamentDiameterTold(std::string_view comment) {
   return is_possible ? diameter_mm : std::nullopt;
 }
 
+GcodeMotion motionIn(const SlicerContext& context) {
+  GcodeMotion motion;
+  motion.layer = context.layer;
+  motion.role = context.role;
+  motion.height_mm = context.height_mm;
+  motion.layer_height_mm = context.layer_height_mm;
+  motion.section = context.section;
+  return motion;
+}
+
 }  // namespace lamina

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "lamina/program/gcode_reader.hpp"
 #include "lamina/program/slicer_dialect.hpp"
-#include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
@@ -30,5 +30,8 @@ void readComment(std::string_view comment, SlicerContext& context);
 /// 1.75` as PrusaSlicer and Slic3r have it, `filamentDiameters,1.75|2.85` as Simplify3D; the first of
 /// several.
 std::optional<double> filamentDiameterTold(std::string_view comment);
+
+/// A motion of which nothing is known but what the comments tell.
+GcodeMotion motionIn(const SlicerContext& context);
 
 }  // namespace lamina

@@ -2,60 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/trajectory/approach.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "trajectory/pose_correction.hpp"
+#include "lamina/kinematics/joint_limits.hpp"
+#include "trajectory/straight_lift.hpp"
 #include "trajectory/timed_motion.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kStep = 1.0;    // mm of a lift
-constexpr double kSlack = 1e-6;  // mm, rad: what limits lose on their way through a controller
-
-bool isWithin(const DrivenJoint& joint, double value) {
-  return value >= joint.low - kSlack && value <= joint.high + kSlack;
-}
-
 void requireWithinLimits(const JointValues& values, const Mechanism& mechanism, const std::string& what) {
-  const std::vector<DrivenJoint>& joints = mechanism.joints();
-  if (values.size() != static_cast<Eigen::Index>(joints.size()) || !values.allFinite())
-    throw InvalidInput(what + " is not given by " + std::to_string(joints.size()) + " finite joint values");
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const double value = values[static_cast<Eigen::Index>(j)];
-    if (isWithin(joints[j], value)) continue;
-    throw Unreachable("joint '" + joints[j].name + "' is at " + std::to_string(value) + " at " + what +
-                      "; its limits are " + std::to_string(joints[j].low) + " and " +
-                      std::to_string(joints[j].high));
-  }
-}
-
-bool areWithinLimits(const JointValues& values, const Mechanism& mechanism) {
-  for (std::size_t j = 0; j < mechanism.joints().size(); ++j)
-    if (!isWithin(mechanism.joints()[j], values[static_cast<Eigen::Index>(j)])) return false;
-  return true;
-}
-
-/// From `start` on against the jet, step by step as far as it goes.
-std::vector<JointValues> lift(const JointValues& start, double height_mm, const Mechanism& mechanism,
-                              const TrajectorySettings& settings) {
-  const PoseCorrection correction(mechanism, settings);
-  const Eigen::Isometry3d from = mechanism.bedFromNozzle(start);
-  const auto steps = static_cast<int>(std::ceil(height_mm / kStep));
-  std::vector<JointValues> values{start};
-  for (int i = 1; i <= steps; ++i) {
-    Eigen::Isometry3d asked = from;
-    asked.translation() -= from.linear().col(2) * (height_mm * i / steps);
-    const auto next = correction.near(values.back(), asked, PoseCorrection::Keep::TipAndJet);
-    if (!next || !areWithinLimits(*next, mechanism)) break;
-    values.push_back(*next);
-  }
-  return values;
+  const std::size_t joints = mechanism.joints().size();
+  if (values.size() != static_cast<Eigen::Index>(joints) || !values.allFinite())
+    throw InvalidInput(what + " is not given by " + std::to_string(joints) + " finite joint values");
+  if (const auto fault = limitFault(values, mechanism)) throw Unreachable(what + ": " + *fault);
 }
 
 class Way {
@@ -119,8 +82,10 @@ Approach approach(const JointValues& from, const JointValues& to, const Mechanis
   requireWithinLimits(to, mechanism, "where the job begins");
   if (from == to) throw InvalidInput("the machine stands where the job begins; expected a way to go");
 
-  const std::vector<JointValues> up = lift(from, settings.lift_mm, mechanism, timing.trajectory);
-  const std::vector<JointValues> down = lift(to, settings.lift_mm, mechanism, timing.trajectory);
+  const std::vector<JointValues> up =
+      straightLift(from, settings.lift_mm, mechanism, timing.trajectory).values;
+  const std::vector<JointValues> down =
+      straightLift(to, settings.lift_mm, mechanism, timing.trajectory).values;
   Way way(from, mechanism);
   const double acceleration = timing.motion.travel_acceleration_mm_s2;
   for (std::size_t i = 1; i < up.size(); ++i) way.goStraight(up[i], settings.lift_mm_s, acceleration);

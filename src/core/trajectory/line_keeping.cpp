@@ -23,10 +23,6 @@ Eigen::Isometry3d halfway(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b
   return middle;
 }
 
-bool isSame(const WaypointIndex& a, const WaypointIndex& b) {
-  return a.layer == b.layer && a.path == b.path && a.waypoint == b.waypoint;
-}
-
 class LineKeeper {
  public:
   LineKeeper(const Mechanism& mechanism, const TrajectorySettings& settings)
@@ -58,7 +54,7 @@ class LineKeeper {
  private:
   static void appendLoose(JointStations& out, const JointStation& to) {
     out.each.push_back(to);
-    if (out.loose.empty() || !isSame(out.loose.back(), to.heading_for)) out.loose.push_back(to.heading_for);
+    if (out.loose.empty() || out.loose.back() != to.heading_for) out.loose.push_back(to.heading_for);
   }
 
   /// Joint values near `values` with the tip as asked: with the jet as it comes where that is good enough,
