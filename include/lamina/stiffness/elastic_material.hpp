@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace lamina {
+
+/// A material that is elastic alike in all directions.
+struct ElasticMaterial {
+  double youngs_modulus_mpa = 3861.0;  ///< of the polylactide of specification section 2.11
+  double poissons_ratio = 0.35;        ///< below 0.5; from 0.49 on elements of eight nodes lock
+
+  /// Lamé's first constant [MPa].
+  double lambda() const {
+    return youngs_modulus_mpa * poissons_ratio / ((1.0 + poissons_ratio) * (1.0 - 2.0 * poissons_ratio));
+  }
+  /// Shear modulus [MPa].
+  double mu() const { return youngs_modulus_mpa / (2.0 * (1.0 + poissons_ratio)); }
+};
+
+}  // namespace lamina
