@@ -27,6 +27,12 @@ std::int64_t centreOf(int index) { return (std::int64_t{index} << kShift) + kHal
 int firstFrom(std::int64_t low) { return static_cast<int>((low - kHalf + kFine - 1) >> kShift); }
 int lastUpTo(std::int64_t high) { return static_cast<int>((high - kHalf) >> kShift); }
 
+/// Bits of a word from `low` to `high`, both included; either may lie beyond the word.
+std::uint64_t bitsBetween(int low, int high) {
+  constexpr int kLast = VoxelGrid::kWord - 1;
+  return ~std::uint64_t{0} << std::max(0, low) & ~std::uint64_t{0} >> (kLast - std::min(kLast, high));
+}
+
 }  // namespace
 
 struct NearestRoom::Search {
@@ -40,6 +46,7 @@ struct NearestRoom::Row {
   int j = 0;
   int k = 0;
   std::int64_t across2 = 0;  ///< of the distance from the middle squared, what j and k contribute
+  double behind = 0.0;       ///< of the distance behind the nozzle's plane, what j and k contribute [voxels]
 };
 
 NearestRoom::NearestRoom(int lowest_k, double reach)
@@ -60,54 +67,41 @@ std::int64_t NearestRoom::radiusKnownFull(const Search& search) const {
 
 /// Adds the open voxels of the row at distances in [inner, outer).
 void NearestRoom::collectRow(const Search& search, const Row& row, std::int64_t inner, std::int64_t outer) {
-  const Outlet& outlet = search.outlet;
   const std::int64_t middle = search.middle[0];
   const std::int64_t half = wholeRoot(outer * outer - row.across2 - 1);
   int low = std::max(0, firstFrom(middle - half));
   int high = std::min(search.grid.frame().count[0] - 1, lastUpTo(middle + half));
-  const double behind = outlet.jet.y() * (row.j + 0.5 - outlet.tip.y()) +
-                        outlet.jet.z() * (row.k + 0.5 - outlet.tip.z()) + kOnPlane;
-  if (std::abs(outlet.jet.x()) < kParallel) {
-    if (behind < 0.0) return;
-  } else {
-    const double border = std::clamp(outlet.tip.x() - 0.5 - behind / outlet.jet.x(), -2.0, kFarBorder);
-    if (outlet.jet.x() > 0.0) {
+  const double jet_x = search.outlet.jet.x();
+  if (std::abs(jet_x) >= kParallel) {
+    const double border = std::clamp(search.outlet.tip.x() - 0.5 - row.behind / jet_x, -2.0, kFarBorder);
+    if (jet_x > 0.0) {
       low = std::max(low, static_cast<int>(std::ceil(border)));
     } else {
       high = std::min(high, static_cast<int>(std::floor(border)));
     }
   }
-  const std::int64_t hollow2 = inner * inner - row.across2;
-  if (hollow2 <= 0) {
-    collectSpan(search, row, low, high);
-    return;
-  }
-  const std::int64_t hollow = wholeRoot(hollow2 - 1);
-  collectSpan(search, row, low, std::min(high, firstFrom(middle - hollow) - 1));
-  collectSpan(search, row, std::max(low, lastUpTo(middle + hollow) + 1), high);
-}
-
-void NearestRoom::collectSpan(const Search& search, const Row& row, int low, int high) {
-  for (int i = low; i <= high;) {
-    const int w = i / VoxelGrid::kWord;
+  if (low > high) return;
+  for (int w = low / VoxelGrid::kWord; w <= high / VoxelGrid::kWord; ++w) {
     const int begin = w * VoxelGrid::kWord;
-    const int last = std::min(high, begin + VoxelGrid::kWord - 1);
-    std::uint64_t open = ~search.grid.word(w, row.j, row.k) & (~std::uint64_t{0} << (i - begin)) &
-                         (~std::uint64_t{0} >> (begin + VoxelGrid::kWord - 1 - last));
+    std::uint64_t open = ~search.grid.word(w, row.j, row.k) & bitsBetween(low - begin, high - begin);
     for (; open != 0; open &= open - 1) {
-      const int at = begin + __builtin_ctzll(open);
-      const std::int64_t dx = centreOf(at) - search.middle[0];
-      found_.push_back({dx * dx + row.across2, at, row.j, row.k});
+      const int i = begin + __builtin_ctzll(open);
+      const std::int64_t dx = centreOf(i) - middle;
+      const std::int64_t distance2 = dx * dx + row.across2;
+      if (distance2 >= inner * inner) found_.push_back({distance2, i, row.j, row.k});
     }
-    i = last + 1;
   }
 }
 
 /// Adds the open voxels at distances in [inner, outer).
 void NearestRoom::collect(const Search& search, std::int64_t inner, std::int64_t outer) {
   const VoxelFrame& frame = search.grid.frame();
+  const Outlet& outlet = search.outlet;
+  const bool is_level = std::abs(outlet.jet.x()) < kParallel && std::abs(outlet.jet.y()) < kParallel;
   const int last_k = std::min(frame.count[2] - 1, lastUpTo(search.middle[2] + outer));
   for (int k = std::max(lowest_k_, firstFrom(search.middle[2] - outer)); k <= last_k; ++k) {
+    const double behind = outlet.jet.z() * (k + 0.5 - outlet.tip.z()) + kOnPlane;
+    if (is_level && behind < 0.0) continue;
     const std::int64_t dz = centreOf(k) - search.middle[2];
     const std::int64_t left = outer * outer - dz * dz;
     if (left <= 0) continue;
@@ -115,7 +109,8 @@ void NearestRoom::collect(const Search& search, std::int64_t inner, std::int64_t
     const int last_j = std::min(frame.count[1] - 1, lastUpTo(search.middle[1] + half));
     for (int j = std::max(0, firstFrom(search.middle[1] - half)); j <= last_j; ++j) {
       const std::int64_t dy = centreOf(j) - search.middle[1];
-      collectRow(search, {j, k, dy * dy + dz * dz}, inner, outer);
+      const Row row{j, k, dy * dy + dz * dz, behind + outlet.jet.y() * (j + 0.5 - outlet.tip.y())};
+      if (row.behind >= 0.0 || std::abs(outlet.jet.x()) >= kParallel) collectRow(search, row, inner, outer);
     }
   }
 }

@@ -47,7 +47,6 @@ class NearestRoom {
   std::int64_t radiusKnownFull(const Search& search) const;
   void collect(const Search& search, std::int64_t inner, std::int64_t outer);
   void collectRow(const Search& search, const Row& row, std::int64_t inner, std::int64_t outer);
-  void collectSpan(const Search& search, const Row& row, int low, int high);
   std::int64_t keepNearest(std::int64_t count);
 
   int lowest_k_;
