@@ -50,6 +50,7 @@ int runCommandLine(int argc, char** argv) {
   addPreview(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);
+  addSweep(app, chosen);
   addTrack(app, chosen);
   addTurn(app, chosen);
   addVoids(app, chosen);

@@ -52,6 +52,7 @@ void addPart(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
+void addSweep(CLI::App& app, Chosen& chosen);
 void addTrack(CLI::App& app, Chosen& chosen);
 void addTurn(CLI::App& app, Chosen& chosen);
 void addVoids(CLI::App& app, Chosen& chosen);

@@ -59,14 +59,16 @@ TEST(Sweep, BeadThatChangesHasItsMeanSection) {
 }
 
 TEST(Sweep, AbsoluteHeightWidensTheCutsOfUpperLayers) {
-  // Ends 0.4 mm apart: nearer than half a width only if that is found from the height above the bed.
-  const Toolpath toolpath = test::layered({1.5}, [](std::size_t, double z, double) {
-    return std::vector<Path>{test::bead({{0, 0, z}, {10, 0, z}, {10, 10, z}, {0, 0.2, z}}, {0.3, 0.3})};
+  // Ends 0.17 mm apart: more than half of 0.3 mm, less than half of 1.5 (1 - pi/4) + 0.0707 / 1.5 = 0.369 mm.
+  const Toolpath toolpath = test::layered({1.2, 1.5}, [](std::size_t, double z, double h) {
+    std::vector<Path> paths;
+    if (h < 0.5) paths = {test::bead({{0, 0, z}, {10, 0, z}, {10, 10, z}, {0, 0.17, z}}, {0.3, h})};
+    return paths;
   });
   SweepSettings settings;
   EXPECT_EQ(sweepsOf(toolpath, settings).size(), 1U);
   settings.cut_height = CutHeight::Absolute;
-  EXPECT_EQ(sweepsOf(toolpath, settings).size(), 1U);  // an upright stadium is thin
+  EXPECT_EQ(sweepsOf(toolpath, settings).size(), 2U);
 }
 
 TEST(Sweep, RefusesDrops) {

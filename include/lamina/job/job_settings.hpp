@@ -26,6 +26,7 @@
 #include "lamina/slicing/height_field_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/surface/flattening_settings.hpp"
+#include "lamina/sweep/sweep_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/trajectory/process_settings.hpp"
 #include "lamina/trajectory/trajectory_settings.hpp"
@@ -61,6 +62,7 @@ struct JobSettings {
   OverhangSettings overhang;
   ClearanceSettings clearance;
   DepositionSettings deposition;
+  SweepSettings sweep;
   FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;

@@ -27,7 +27,8 @@ double unionVolume(const std::vector<BeadSolid>& solids, Progress& progress);
 VoxelGrid voxelUnion(const std::vector<BeadSolid>& solids, double voxel_mm, Progress& progress);
 
 /// The surface of the union, closed and without edges of more than two triangles: found between the voxels of
-/// `inside`, its vertices where the distance to the solids vanishes.
+/// `inside`, its vertices where the distance to the solids vanishes, but at least 1/100 of a voxel off its
+/// lattice. What is thinner than a voxel, as the cusps between beads may be, is lost.
 /// @param inside  `voxelUnion` of the same solids
 /// @throws InvalidMesh as `isosurface`
 Mesh unionSurface(const std::vector<BeadSolid>& solids, const VoxelGrid& inside);

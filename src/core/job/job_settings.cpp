@@ -96,6 +96,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.overhang);
   describe(schema, settings.clearance);
   describe(schema, settings.deposition);
+  describe(schema, settings.sweep);
   describe(schema, settings.frames);
   describe(schema, settings.scan);
   describe(schema, settings.motion);

@@ -119,7 +119,8 @@ VoxelGrid voxelUnion(const std::vector<BeadSolid>& solids, double voxel_mm, Prog
 
 Mesh unionSurface(const std::vector<BeadSolid>& solids, const VoxelGrid& inside) {
   const VoxelFrame& frame = inside.frame();
-  const double least = 1e-6 * frame.voxel_mm;  // voxels and depth agree but for rounding
+  // Vertices at one lattice point would become one in a file of single precision.
+  const double least = 0.01 * frame.voxel_mm;
   const SolidCells cells(solids, frame.corner, frame.voxel_mm);
   return isosurface(inside, [&](int i, int j, int k) {
     const double depth = cells.depth(frame.centre(i, j, k));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/sweep/sweep.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -54,10 +55,11 @@ Sweep section(const Sweep& sweep, std::size_t first, std::size_t last) {
   return part;
 }
 
+/// The published program takes the height of the layer above the bed, and has no upright stadium.
 double cuttingWidth(const Sweep& sweep, CutHeight height) {
   const double z_mm = sweep.points.front().z();
   if (height == CutHeight::Bead || !(z_mm > 0.0)) return sweep.bead.width_mm;
-  return beadOfArea(crossSection(sweep.bead), z_mm).width_mm;
+  return z_mm * (1.0 - 0.25 * M_PI) + crossSection(sweep.bead) / z_mm;
 }
 
 std::vector<std::size_t> cutsOf(const Sweep& sweep, const SweepSettings& settings) {
