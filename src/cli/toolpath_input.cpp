@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "toolpath_input.hpp"
 
-#include <filesystem>
 #include <utility>
 
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/program/csv_reader.hpp"
 #include "lamina/slicing/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "terminal_progress.hpp"
@@ -19,22 +16,18 @@ namespace {
 
 constexpr double kSamePlane = 1e-6;  // rad: digits of a setting
 
-std::string suffixOf(const std::string& input) { return std::filesystem::path(input).extension().string(); }
-
 }  // namespace
 
-bool isPart(const std::string& input) { return !isProgramFile(input) && suffixOf(input) != ".csv"; }
+bool isPart(const std::string& input) { return !isProgramFile(input) && !isToolpathFile(input); }
 
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings) {
   ToolpathInput read;
-  if (isProgramFile(input)) {
-    read.toolpath = readProgram(input, settings.program, settings.machine);
-  } else if (suffixOf(input) == ".csv") {
-    read.toolpath = readCsv(readFile(input), std::filesystem::path(input).filename().string());
-  } else {
+  if (isPart(input)) {
     TerminalProgress progress;
     SlicedPart sliced = runSliceJob({input, "", settings}, progress);
     read = {std::move(sliced.toolpath), sliced.bed_from_part};
+  } else {
+    read.toolpath = readToolpathFile(input, settings.program, settings.machine);
   }
   return read;
 }

@@ -30,6 +30,19 @@ TEST(LayerFrame, TurningKeepsLengthsAndTellsThePlanes) {
     }
 }
 
+TEST(LayerFrame, PlacedOnTheBedLayersStayWhereTheirWaypointsAre) {
+  Eigen::Isometry3d bed_from_part = Eigen::Translation3d(3, -4, 5) * Eigen::Isometry3d::Identity();
+  bed_from_part.rotate(tilt());
+  const Toolpath level = test::twoLayers();
+  const Toolpath moved = placed(level, bed_from_part);
+  EXPECT_NO_THROW(validate(moved));
+  EXPECT_TRUE(hasPlaneLayers(moved));
+  const Path& first = level.layers[0].paths.back();
+  EXPECT_TRUE(moved.layers[0].paths.back().points[1].isApprox(bed_from_part * first.points[1], kRounding));
+  EXPECT_TRUE((moved.layers[0].paths.back().orientation.at(0) * Point3::UnitZ())
+                  .isApprox(bed_from_part.linear() * (first.orientation.at(0) * Point3::UnitZ()), kRounding));
+}
+
 TEST(LayerFrame, InItsOwnFrameALayerIsLevelAgain) {
   const Toolpath level = test::twoLayers();
   const Toolpath back = inLayerFrame(turned(level, tilt()));

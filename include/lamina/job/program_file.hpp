@@ -21,4 +21,13 @@ bool isProgramFile(const std::string& path);
 Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
                      const MachineSettings& machine);
 
+/// Whether the suffix is that of a toolpath: .csv.
+bool isToolpathFile(const std::string& path);
+
+/// Reads a program as `readProgram`, or the CSV of a toolpath (`readCsv`).
+/// @throws InvalidInput if the suffix is that of neither
+/// @throws as those
+Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settings,
+                          const MachineSettings& machine);
+
 }  // namespace lamina

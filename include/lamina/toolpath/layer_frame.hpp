@@ -24,6 +24,10 @@ Point3 layerNormal(const Toolpath& toolpath);
 /// The toolpath turned about the origin: points, nozzle and layers. Lengths, beads and feeds stay.
 Toolpath turned(Toolpath toolpath, const Eigen::Quaterniond& rotation);
 
+/// The toolpath in another frame, say that of the bed.
+/// @param frame_from_part  translation [mm]
+Toolpath placed(const Toolpath& toolpath, const Eigen::Isometry3d& frame_from_part);
+
 /// The toolpath turned so that its layers are level: every waypoint of a planar layer is at its `z_mm`.
 Toolpath inLayerFrame(Toolpath toolpath);
 

@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/rapid_files.hpp"
+#include "lamina/program/csv_reader.hpp"
 #include "lamina/program/five_axis_reader.hpp"
 #include "lamina/program/rapid_reader.hpp"
 #include "lamina/program/toolpath_from_gcode.hpp"
@@ -47,6 +48,15 @@ Toolpath readProgram(const std::string& path, const ProgramSettings& settings,
   if (isRapidFile(path)) return readRapidFile(path);
   if (isFiveAxisProgram(headOf(path))) return readFiveAxisFile(path, settings, machine);
   return toolpathFromGcodeFile(path, settings);
+}
+
+bool isToolpathFile(const std::string& path) { return std::filesystem::path(path).extension() == ".csv"; }
+
+Toolpath readToolpathFile(const std::string& path, const ProgramSettings& settings,
+                          const MachineSettings& machine) {
+  if (isToolpathFile(path)) return readCsv(readFile(path), std::filesystem::path(path).filename().string());
+  if (isProgramFile(path)) return readProgram(path, settings, machine);
+  throw InvalidInput("'" + path + "' is neither a program nor a toolpath; expected .gcode, .mod or .csv");
 }
 
 }  // namespace lamina

@@ -60,6 +60,16 @@ Toolpath turned(Toolpath toolpath, const Eigen::Quaterniond& rotation) {
   return toolpath;
 }
 
+Toolpath placed(const Toolpath& toolpath, const Eigen::Isometry3d& frame_from_part) {
+  Toolpath moved = turned(toolpath, Eigen::Quaterniond(frame_from_part.linear()));
+  const Point3 shift = frame_from_part.translation();
+  changePaths(moved, [&shift](Path& path) {
+    for (Point3& point : path.points) point += shift;
+  });
+  for (ToolpathLayer& layer : moved.layers) layer.z_mm += layerNormal(moved).dot(shift);
+  return moved;
+}
+
 Toolpath inLayerFrame(Toolpath toolpath) {
   const Eigen::Quaterniond layers_from_part = toolpath.part_from_layers.conjugate();
   toolpath = turned(std::move(toolpath), layers_from_part);
