@@ -22,11 +22,6 @@ constexpr double kCoarser = 1.03;  // from one trial of a voxel size to the next
 constexpr double kDigit = 1e-3;    // of a voxel size that is told
 constexpr std::size_t kPathsPerReport = 64;
 
-bool isLaid(const Path& path, const DepositionSettings& settings) {
-  if (path.role == PathRole::Travel) return false;
-  return path.role != PathRole::Skirt || settings.is_skirt_laid;
-}
-
 void forEachPath(const Toolpath& toolpath, const DepositionSettings& settings,
                  const std::function<void(const Path&)>& visit) {
   for (const ToolpathLayer& layer : toolpath.layers)
@@ -36,18 +31,6 @@ void forEachPath(const Toolpath& toolpath, const DepositionSettings& settings,
 
 Eigen::Vector3d jetOf(const Path& path, std::size_t waypoint) {
   return (path.orientation.at(waypoint) * Eigen::Vector3d::UnitZ()).normalized();
-}
-
-std::vector<JetMotion> dropMotions(const Path& path) {
-  std::vector<JetMotion> drops;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const Bead& bead = path.bead.at(i);
-    const double volume = 0.25 * M_PI * bead.width_mm * bead.width_mm * bead.height_mm;
-    if (volume == 0.0) continue;
-    const Eigen::Vector3d jet = jetOf(path, i);
-    drops.push_back({path.points[i], path.points[i], jet, jet, volume, ballRadius(volume)});
-  }
-  return drops;
 }
 
 /// What the voxels may take [bytes].
@@ -80,18 +63,35 @@ void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings)
 
 }  // namespace
 
+bool isLaid(const Path& path, const DepositionSettings& settings) {
+  if (path.role == PathRole::Travel) return false;
+  return path.role != PathRole::Skirt || settings.is_skirt_laid;
+}
+
+JetMotion jetMotion(const Path& path, std::size_t motion) {
+  const std::size_t end = path.motionEnd(motion);
+  const double area = crossSection(path.bead.at(end));
+  const double volume = area * (path.points[end] - path.points[motion]).norm();
+  return {path.points[motion], path.points[end], jetOf(path, motion),
+          jetOf(path, end),    volume,           strandRadius(area)};
+}
+
+JetMotion jetDrop(const Path& path, std::size_t waypoint) {
+  const Bead& bead = path.bead.at(waypoint);
+  const double volume = 0.25 * M_PI * bead.width_mm * bead.width_mm * bead.height_mm;
+  const Eigen::Vector3d jet = jetOf(path, waypoint);
+  return {path.points[waypoint], path.points[waypoint], jet, jet, volume, ballRadius(volume)};
+}
+
 std::vector<JetMotion> jetMotions(const Path& path) {
   if (path.role == PathRole::Travel) return {};
-  if (path.deposit == Deposit::Drops) return dropMotions(path);
+  const bool is_drops = path.deposit == Deposit::Drops;
+  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
   std::vector<JetMotion> motions;
-  motions.reserve(path.motionCount());
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    const double area = crossSection(path.bead.at(end));
-    const double volume = area * (path.points[end] - path.points[m]).norm();
-    if (volume == 0.0) continue;
-    motions.push_back(
-        {path.points[m], path.points[end], jetOf(path, m), jetOf(path, end), volume, strandRadius(area)});
+  motions.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const JetMotion motion = is_drops ? jetDrop(path, i) : jetMotion(path, i);
+    if (motion.volume_mm3 > 0.0) motions.push_back(motion);
   }
   return motions;
 }
@@ -124,13 +124,17 @@ double depositBytes(const Toolpath& toolpath, const DepositionSettings& settings
   return walk.bytes();
 }
 
-ToolpathDeposit depositedVoxels(const Toolpath& toolpath, const DepositionSettings& settings,
-                                Progress& progress) {
-  static const std::string kStage = "deposit";
+VoxelDeposit roomFor(const Toolpath& toolpath, const DepositionSettings& settings) {
   const Box3 box = depositBox(toolpath, settings);
   if (box.isEmpty()) throw InvalidInput("toolpath '" + toolpath.part_name + "' deposits nothing");
   requireMemory(toolpath, settings);
-  VoxelDeposit deposit(voxelFrame(box, settings.voxel_mm), settings);
+  return {voxelFrame(box, settings.voxel_mm), settings};
+}
+
+ToolpathDeposit depositedVoxels(const Toolpath& toolpath, const DepositionSettings& settings,
+                                Progress& progress) {
+  static const std::string kStage = "deposit";
+  VoxelDeposit deposit = roomFor(toolpath, settings);
   std::size_t paths = 0;
   forEachPath(toolpath, settings, [&](const Path&) { ++paths; });
   std::size_t done = 0;

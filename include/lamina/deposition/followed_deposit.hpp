@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/deposition/path_follower.hpp"
+#include "lamina/deposition/toolpath_deposit.hpp"
+
+namespace lamina {
+
+/// What a toolpath leaves behind, laid as the nozzle comes by (`PathFollower`, `VoxelDeposit`). Once the
+/// nozzle has been at the end, as much is laid as `depositedVoxels` lays, in portions that begin elsewhere.
+class FollowedDeposit {
+ public:
+  static constexpr double kLeastPiece = 0.2;  ///< of a motion that is not at its end, laid at once [mm]
+
+  /// @param toolpath  in coordinates of the bed
+  /// @throws InvalidInput as `depositedVoxels`, `PathFollower`
+  FollowedDeposit(Toolpath toolpath, const DepositionSettings& settings, const FollowingSettings& following);
+  FollowedDeposit(const FollowedDeposit&) = delete;
+  FollowedDeposit& operator=(const FollowedDeposit&) = delete;
+
+  /// Lays what the nozzle has passed once it was reported at `tip` [mm, bed].
+  void observe(const Point3& tip);
+
+  const VoxelDeposit& deposit() const { return deposit_; }
+  /// What the whole toolpath extrudes [mm³].
+  double plannedVolume() const { return planned_mm3_; }
+  bool isComplete() const { return follower_.isAtEnd(); }
+
+ private:
+  void layUpTo(const PathPlace& place);
+  void layPart(const Path& path, double until);
+
+  const Toolpath toolpath_;
+  DepositionSettings settings_;
+  PathFollower follower_;
+  VoxelDeposit deposit_;
+  PathPlace laid_;  ///< up to there
+  double planned_mm3_ = 0.0;
+};
+
+}  // namespace lamina

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A place on a toolpath. Places are in the order in which the nozzle comes by.
+struct PathPlace {
+  std::size_t path = 0;    ///< counted through all layers; as many as there are at the end
+  std::size_t motion = 0;  ///< of the path
+  double fraction = 0.0;   ///< of the motion, 0 to 1
+
+  friend bool operator==(const PathPlace& a, const PathPlace& b) {
+    return a.path == b.path && a.motion == b.motion && a.fraction == b.fraction;
+  }
+};
+
+/// How the nozzle's reported positions are taken for places on a toolpath.
+struct FollowingSettings {
+  double tolerance_mm = 0.15;     ///< farther off the toolpath the nozzle is not on it
+  double look_ahead_mm = 1000.0;  ///< of the toolpath, from one report to the next
+};
+
+/// Adds the keys following.tolerance_mm and following.look_ahead_mm.
+void describe(SettingsSchema& schema, FollowingSettings& settings);
+
+/// Tells from reported positions of the nozzle how far along a toolpath it is: never back, and all that lies
+/// between two places has been run.
+///
+/// A position is taken for the nearest place of the first stretch ahead that passes within the tolerance. It
+/// counts at once if the way there along the toolpath is that of the nozzle, as it is where reports are dense
+/// or tell of every corner. Else it is a guess, which counts once `kSureOnTheWay` reports in a row went on
+/// from it like this, or `kSureAhead` found places ahead however far, each a tolerance apart at least: so
+/// neither a crossing, a neighbouring line, a stray report nor a motion that is not of the toolpath leads
+/// ahead. Positions off the toolpath change nothing.
+///
+/// Cost of a report is that of the motions up to its place; off the toolpath, of those within the look-ahead.
+class PathFollower {
+ public:
+  static constexpr int kSureOnTheWay = 3;
+  static constexpr int kSureAhead = 20;
+
+  /// @param toolpath  in the frame of the positions; must outlive this
+  /// @throws InvalidInput as `validate`
+  PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
+
+  /// The place once the nozzle was reported at `tip` [mm]. One that is not finite changes nothing.
+  PathPlace observe(const Point3& tip);
+
+  const PathPlace& place() const { return place_; }
+  bool isAtEnd() const { return place_.path == paths_.size(); }
+  /// All paths in the order they are run.
+  const std::vector<const Path*>& paths() const { return paths_; }
+
+ private:
+  /// A place ahead, and how far [mm].
+  struct Found {
+    PathPlace place;
+    double way_mm = 0.0;
+  };
+  /// A place that a report may have been at.
+  struct Guess {
+    PathPlace place;
+    Point3 tip = Point3::Zero();
+    int on_the_way = 1;  ///< reports in a row
+    int ahead = 1;       ///< reports in a row
+  };
+
+  std::optional<Found> firstNear(const PathPlace& from, const Point3& tip) const;
+  bool isOnTheWay(const Found& found, const Point3& from, const Point3& tip) const;
+  bool goesOn(const Point3& tip);
+  void accept(const PathPlace& place, const Point3& tip);
+  PathPlace endIfNear(const PathPlace& place) const;
+
+  std::vector<const Path*> paths_;
+  FollowingSettings settings_;
+  PathPlace place_;
+  Point3 tip_ = Point3::Zero();  ///< where the nozzle was at `place_`
+  std::optional<Guess> guess_;
+};
+
+}  // namespace lamina
