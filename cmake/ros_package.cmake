@@ -5,11 +5,13 @@ find_package(catkin REQUIRED COMPONENTS
   sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
 
 add_message_files(FILES
-  Bead.msg FilledVoid.msg InclineSummary.msg JointTolerance.msg LayerHeight.msg MachineState.msg ProcessPoint.msg ProcessState.msg
+  Bead.msg DepositionState.msg DepositionSummary.msg FilledVoid.msg InclineSummary.msg JointTolerance.msg LayerHeight.msg
+  MachineState.msg ProcessPoint.msg ProcessState.msg
   ProcessTrajectory.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
 add_service_files(FILES FillVoids.srv InclineGcode.srv LoadProgram.srv RunStartup.srv SliceMesh.srv)
-add_action_files(FILES DriveToolpath.action FollowJointTrajectory.action Incline.action Slice.action StreamProgram.action)
+add_action_files(FILES DriveToolpath.action FollowJointTrajectory.action Incline.action SimulateDeposition.action Slice.action
+  StreamProgram.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)
 
 catkin_package(

@@ -8,6 +8,8 @@
 
 #define lamina lamina_msgs
 #include <lamina/Bead.h>
+#include <lamina/DepositionState.h>
+#include <lamina/DepositionSummary.h>
 #include <lamina/DriveToolpathAction.h>
 #include <lamina/FillVoids.h>
 #include <lamina/FilledVoid.h>
@@ -22,6 +24,7 @@
 #include <lamina/ProcessTrajectory.h>
 #include <lamina/RunStartup.h>
 #include <lamina/Setting.h>
+#include <lamina/SimulateDepositionAction.h>
 #include <lamina/SliceAction.h>
 #include <lamina/SliceMesh.h>
 #include <lamina/SliceSummary.h>

@@ -28,9 +28,11 @@ inline constexpr char kTrackingError[] = "tracking_error";          ///< lamina/
 inline constexpr char kLaidMarkers[] = "laid_markers";    ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kCheckMarkers[] = "check_markers";  ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kProfile[] = "profile";             ///< sensor_msgs/PointCloud2 of the profile sensor
-inline constexpr char kDeposited[] = "deposited";       ///< sensor_msgs/PointCloud2 of the deposited material
-inline constexpr char kLayerHeight[] = "layer_height";  ///< lamina/LayerHeight
-inline constexpr char kHeightMap[] = "height_map";      ///< sensor_msgs/PointCloud2 of measured heights
+inline constexpr char kDeposited[] = "deposited";  ///< sensor_msgs/PointCloud2 of the deposited material
+inline constexpr char kDepositedMarkers[] = "deposited_markers";  ///< visualization_msgs/MarkerArray, latched
+inline constexpr char kDepositionState[] = "deposition_state";    ///< lamina/DepositionState, latched
+inline constexpr char kLayerHeight[] = "layer_height";            ///< lamina/LayerHeight
+inline constexpr char kHeightMap[] = "height_map";          ///< sensor_msgs/PointCloud2 of measured heights
 inline constexpr char kHeightOctomap[] = "height_octomap";  ///< octomap_msgs/Octomap, if that is installed
 inline constexpr char kHeightDeviation[] =
     "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected
@@ -52,8 +54,9 @@ inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
 inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigger
 
 // Actions.
-inline constexpr char kSlice[] = "slice";                   ///< lamina/Slice
-inline constexpr char kDriveToolpath[] = "drive_toolpath";  ///< lamina/DriveToolpath
+inline constexpr char kSlice[] = "slice";                             ///< lamina/Slice
+inline constexpr char kSimulateDeposition[] = "simulate_deposition";  ///< lamina/SimulateDeposition
+inline constexpr char kDriveToolpath[] = "drive_toolpath";            ///< lamina/DriveToolpath
 inline constexpr char kFollowJointTrajectory[] =
     "follow_joint_trajectory";                              ///< of control_msgs, or of the same fields
 inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamProgram

@@ -35,4 +35,15 @@ std::optional<Eigen::Isometry3d> lookUp(const tf2::BufferCore& buffer, const std
   }
 }
 
+Readiness readiness(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
+                    const ros::Time& stamp) {
+  if (buffer.canTransform(target, source, stamp)) return Readiness::Ready;
+  try {
+    const ros::Time latest = buffer.lookupTransform(target, source, ros::Time(0)).header.stamp;
+    return latest < stamp ? Readiness::NotYet : Readiness::Never;
+  } catch (const tf2::TransformException&) {
+    return Readiness::NotYet;
+  }
+}
+
 }  // namespace lamina

@@ -20,4 +20,9 @@ geometry_msgs::Transform toTransformMessage(const Eigen::Isometry3d& transform);
 std::optional<Eigen::Isometry3d> lookUp(const tf2::BufferCore& buffer, const std::string& target,
                                         const std::string& source, const ros::Time& stamp);
 
+/// Whether tf knows a transform at a time, or may still learn it.
+enum class Readiness { Ready, NotYet, Never };
+Readiness readiness(const tf2::BufferCore& buffer, const std::string& target, const std::string& source,
+                    const ros::Time& stamp);
+
 }  // namespace lamina

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_intake.hpp"
 
-#include <tf2/exceptions.h>
-
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
@@ -14,20 +12,6 @@ namespace {
 
 constexpr double kRemembered = 30.0;  // s of transforms
 constexpr double kTurn = 0.02;        // s between looks at what is due
-
-enum class Readiness { Ready, NotYet, Never };
-
-/// Whether tf knows where the cloud was taken, or may still learn it.
-Readiness readiness(const tf2::BufferCore& buffer, const sensor_msgs::PointCloud2& cloud) {
-  const std::string& frame = cloud.header.frame_id;
-  if (buffer.canTransform(names::kBedFrame, frame, cloud.header.stamp)) return Readiness::Ready;
-  try {
-    const ros::Time latest = buffer.lookupTransform(names::kBedFrame, frame, ros::Time(0)).header.stamp;
-    return latest < cloud.header.stamp ? Readiness::NotYet : Readiness::Never;
-  } catch (const tf2::TransformException&) {
-    return Readiness::NotYet;
-  }
-}
 
 }  // namespace
 
@@ -79,7 +63,7 @@ void ProfileIntake::passDue() {
   for (auto& [frame, clouds] : waiting_) {
     while (!clouds.empty()) {
       const auto cloud = clouds.begin()->second;
-      const Readiness ready = readiness(buffer_, *cloud);
+      const Readiness ready = readiness(buffer_, names::kBedFrame, frame, cloud->header.stamp);
       if (ready == Readiness::NotYet) break;
       clouds.erase(clouds.begin());
       if (ready == Readiness::Ready)

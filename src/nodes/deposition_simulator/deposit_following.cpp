@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deposit_following.hpp"
+
+#include "conversions.hpp"
+#include "deposit_messages.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "names.hpp"
+
+namespace lamina {
+
+DepositFollowing::DepositFollowing(ros::NodeHandle node, const DepositionSimulatorSettings& settings)
+    : settings_(settings),
+      deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>(names::kDepositedMarkers, 1, true)),
+      state_(node.advertise<lamina_msgs::DepositionState>(names::kDepositionState, 1, true)),
+      intake_(node,
+              [this](const Eigen::Isometry3d& bed_from_nozzle) {
+                if (followed_) followed_->observe(bed_from_nozzle.translation());
+              }),
+      timer_(node.createWallTimer(ros::WallDuration(settings.period_s),
+                                  [this](const ros::WallTimerEvent&) { publish(); })) {}
+
+void DepositFollowing::begin(const lamina_msgs::Toolpath& message) {
+  followed_.reset();
+  toolpath_id_ = message.id;
+  published_mm3_ = shown_mm3_ = 0.0;
+  try {
+    const MachineToolpath read = fromMessage(message);
+    followed_ = std::make_unique<FollowedDeposit>(placed(read.toolpath, read.bed_from_part),
+                                                  settings_.simulation.deposition, settings_.following);
+    ROS_INFO("following toolpath %s of '%s': %.1f mm3 in voxels of %g mm", toolpath_id_.c_str(),
+             read.toolpath.part_name.c_str(), followed_->plannedVolume(),
+             settings_.simulation.deposition.voxel_mm);
+    publishState();
+  } catch (...) {
+    const Failure failure = currentFailure();
+    ROS_ERROR("cannot follow toolpath %s: %s: %s", toolpath_id_.c_str(), toString(failure.code),
+              failure.message.c_str());
+  }
+}
+
+void DepositFollowing::publish() {
+  if (!followed_) return;
+  const double extruded_mm3 = followed_->deposit().totals().extruded_mm3;
+  if (extruded_mm3 != published_mm3_ || followed_->isComplete() != was_complete_) publishState();
+  const bool is_watched = deposited_.getNumSubscribers() + markers_.getNumSubscribers() > 0;
+  if (extruded_mm3 == shown_mm3_ || !is_watched) return;
+  shown_mm3_ = extruded_mm3;
+  deposited_.publish(depositedCloud(followed_->deposit().grid(), settings_.shown));
+  if (markers_.getNumSubscribers() > 0)
+    markers_.publish(depositedMarkers(followed_->deposit().grid(), settings_.shown));
+}
+
+void DepositFollowing::publishState() {
+  const VoxelDeposit& deposit = followed_->deposit();
+  const DepositTotals totals = deposit.totals();
+  lamina_msgs::DepositionState state;
+  state.header.stamp = ros::Time::now();
+  state.header.frame_id = names::kBedFrame;
+  state.toolpath_id = toolpath_id_;
+  state.planned_volume = toCubicMetres(followed_->plannedVolume());
+  state.fraction = static_cast<float>(totals.extruded_mm3 / followed_->plannedVolume());
+  state.is_complete = followed_->isComplete();
+  state.summary = toMessage(summaryOf(deposit.grid(), totals, deposit.highest()));
+  state_.publish(state);
+  published_mm3_ = totals.extruded_mm3;
+  was_complete_ = state.is_complete != 0;
+}
+
+}  // namespace lamina

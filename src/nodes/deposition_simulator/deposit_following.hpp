@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <memory>
+#include <string>
+
+#include "lamina/deposition/followed_deposit.hpp"
+#include "messages.hpp"
+#include "nozzle_intake.hpp"
+#include "simulator_settings.hpp"
+
+namespace lamina {
+
+/// Lays a toolpath behind the machine that runs it, by the nozzle's pose on tf, and publishes what is laid.
+class DepositFollowing {
+ public:
+  DepositFollowing(ros::NodeHandle node, const DepositionSimulatorSettings& settings);
+
+  /// Begins anew with a toolpath. One that cannot be laid is told in the log, and nothing is followed.
+  void begin(const lamina_msgs::Toolpath& message);
+
+ private:
+  void publish();
+  void publishState();
+
+  DepositionSimulatorSettings settings_;
+  std::unique_ptr<FollowedDeposit> followed_;  ///< empty before the first toolpath
+  std::string toolpath_id_;
+  double published_mm3_ = 0.0;  ///< as much was extruded at the last state
+  bool was_complete_ = false;   ///< at the last state
+  double shown_mm3_ = 0.0;      ///< and at the last cloud
+  ros::Publisher deposited_;
+  ros::Publisher markers_;
+  ros::Publisher state_;
+  NozzleIntake intake_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace lamina

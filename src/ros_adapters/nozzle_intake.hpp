@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <set>
+
+#include "transform_intake.hpp"
+
+namespace lamina {
+
+/// Receives every pose of the nozzle over the bed that tf tells, in the order of their stamps: a look at tf
+/// now and then misses the corners of a machine in accelerated time. Poses at stamps of other transforms come
+/// in between.
+class NozzleIntake {
+ public:
+  /// @param bed_from_nozzle  translation [mm]
+  using Receiver = std::function<void(const Eigen::Isometry3d& bed_from_nozzle)>;
+
+  /// Subscribes to tf. The receiver is called in callbacks of the node's queue.
+  NozzleIntake(ros::NodeHandle node, Receiver receiver);
+
+ private:
+  void onTransforms(const tf2_msgs::TFMessage& message);
+  void passDue();
+
+  tf2::BufferCore buffer_;
+  TransformIntake transforms_;
+  Receiver receiver_;
+  std::set<ros::Time> waiting_;  ///< stamps
+  ros::Time passed_;             ///< the last one
+  ros::Subscriber subscriber_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace lamina
