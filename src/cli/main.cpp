@@ -47,7 +47,9 @@ int runCommandLine(int argc, char** argv) {
   addInfo(app, chosen);
   addOverhang(app, chosen);
   addPart(app, chosen);
+  addPores(app, chosen);
   addPreview(app, chosen);
+  addScaffold(app, chosen);
   addSlice(app, chosen);
   addStream(app, chosen);
   addSweep(app, chosen);

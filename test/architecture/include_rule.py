@@ -34,7 +34,7 @@ ARROWS = {
     "overhang": ["toolpath", "surface"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
-    "picture": ["overhang"],
+    "picture": ["overhang", "pores"],
     "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "sweep", "scaffold", "pores", "stiffness", "statistics", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "voxel_input.hpp"
+
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/deposition/toolpath_deposit.hpp"
+#include "toolpath_input.hpp"
+
+namespace lamina::cli {
+
+VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress) {
+  const Toolpath toolpath = readOnBed(input, settings);
+  std::vector<LayerBand> layers;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    layers.push_back({layer.z_mm - layer.height_mm, layer.z_mm});
+  return {depositedVoxels(toolpath, settings.deposition, progress).grid, std::move(layers)};
+}
+
+Toolpath readOnBed(const std::string& input, const JobSettings& settings) {
+  ToolpathInput read = readToolpath(input, settings);
+  for (ToolpathLayer& layer : read.toolpath.layers) {
+    layer.z_mm += read.bed_from_part.translation().z();
+    for (Path& path : layer.paths)
+      for (Point3& point : path.points) point = read.bed_from_part * point;
+  }
+  return std::move(read.toolpath);
+}
+
+std::optional<Box3> cropFrom(const std::vector<double>& corners_mm) {
+  if (corners_mm.empty()) return std::nullopt;
+  const Box3 box{Point3(corners_mm[0], corners_mm[1], corners_mm[2]),
+                 Point3(corners_mm[3], corners_mm[4], corners_mm[5])};
+  if ((box.high - box.low).minCoeff() > 0.0) return box;
+  const auto toText = [](const Point3& point) {
+    return "(" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ", " +
+           std::to_string(point.z()) + ")";
+  };
+  throw InvalidInput("crop is from " + toText(box.low) + " to " + toText(box.high) +
+                     " mm; the second corner must be above the first along all axes");
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/job/job_settings.hpp"
+#include "lamina/pores/layer_pores.hpp"
+
+namespace lamina::cli {
+
+/// What a subcommand looks at: voxels, and the layers they were laid in.
+struct VoxelInput {
+  VoxelGrid grid;
+  std::vector<LayerBand> layers;
+};
+
+/// Reads or slices a toolpath (`readToolpath`) and lays it into voxels of `deposition.voxel_mm`, in
+/// coordinates of the bed.
+VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress);
+
+/// The toolpath of an input in coordinates of the bed.
+Toolpath readOnBed(const std::string& input, const JobSettings& settings);
+
+/// The box between two corners, or none of no numbers.
+/// @param corners_mm  six numbers or none
+/// @throws InvalidInput if the second corner is not above the first along all axes
+std::optional<Box3> cropFrom(const std::vector<double>& corners_mm);
+
+}  // namespace lamina::cli
