@@ -23,7 +23,7 @@ enum class FullSpacing {
 enum class ScaffoldWave {
   Cosine,
   Sine,
-  SineCosine,  ///< sine and cosine from layer to layer
+  SineCosine,  ///< cosine in the first layer, sine in the next, and so on
 };
 
 /// How neighbouring filaments of a sinusoidal scaffold lie to each other.
@@ -61,7 +61,7 @@ struct ScaffoldSettings {
   double amplitude_mm = 0.5;
   int cycles = 5;     ///< of the wave along the length
   int filaments = 5;  ///< of a layer
-  int cycle_segments = 20;
+  int cycle_segments = 18;
 };
 
 /// Adds the keys scaffold.*.
