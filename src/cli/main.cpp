@@ -51,6 +51,7 @@ int runCommandLine(int argc, char** argv) {
   addPreview(app, chosen);
   addScaffold(app, chosen);
   addSlice(app, chosen);
+  addStatistics(app, chosen);
   addStream(app, chosen);
   addSweep(app, chosen);
   addTrack(app, chosen);

@@ -168,7 +168,8 @@ void addPores(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<PoreArguments>();
   subcommand
       ->add_option("input", arguments->input,
-                   "Program (.gcode, .mod) or toolpath (.csv), laid into voxels, or a name of a part")
+                   "Program (.gcode, .mod) or toolpath (.csv), laid into voxels; mesh file or name of a "
+                   "part, as drawn")
       ->required();
   subcommand->add_option("--voxel-mm", arguments->voxel_mm, "Side of a voxel; short for deposition.voxel_mm");
   subcommand
@@ -176,7 +177,7 @@ void addPores(CLI::App& app, Chosen& chosen) {
                    "Low and high corner [mm] of what is looked at; the box of all that is solid if left out")
       ->expected(6);
   subcommand->add_option("--picture", arguments->picture, "Picture to write (.png) of what is open along z");
-  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and deposition");
+  addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading and deposition");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { pores(*arguments, chosen.format); }; });

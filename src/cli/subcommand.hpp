@@ -53,6 +53,7 @@ void addPores(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addScaffold(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
+void addStatistics(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 void addSweep(CLI::App& app, Chosen& chosen);
 void addTrack(CLI::App& app, Chosen& chosen);

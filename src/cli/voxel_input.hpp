@@ -19,8 +19,8 @@ struct VoxelInput {
   std::vector<LayerBand> layers;
 };
 
-/// Reads or slices a toolpath (`readToolpath`) and lays it into voxels of `deposition.voxel_mm`, in
-/// coordinates of the bed.
+/// Reads a program or toolpath and lays it into voxels of `deposition.voxel_mm`, in coordinates of the bed; a
+/// part (mesh file or name) fills the voxels that it encloses, and has no layers.
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress);
 
 /// The toolpath of an input in coordinates of the bed.
