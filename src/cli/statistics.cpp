@@ -82,6 +82,7 @@ std::map<std::string, std::vector<double>> groupsOf(const std::vector<double>& r
   std::map<std::string, std::vector<double>> groups;
   for (std::size_t row = 0; row < response.size(); ++row) {
     std::vector<std::string> levels;
+    levels.reserve(factors.size());
     for (const Factor& factor : factors) levels.push_back(factor.levels[row]);
     groups[listed(levels, ", ")].push_back(response[row]);
   }

@@ -49,6 +49,7 @@ Eigen::MatrixXd products(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 std::vector<Term> termsOf(const std::vector<Factor>& factors) {
   std::vector<Term> terms;
+  terms.reserve(factors.size() * (factors.size() + 1) / 2);
   for (const Factor& factor : factors) terms.push_back({factor.name, sumContrasts(factor)});
   for (std::size_t a = 0; a < factors.size(); ++a)
     for (std::size_t b = a + 1; b < factors.size(); ++b)
