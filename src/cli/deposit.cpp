@@ -130,16 +130,6 @@ std::optional<Box3> cropOf(const DepositArguments& arguments) {
   return box;
 }
 
-/// In coordinates of the bed, laid as the settings say.
-Toolpath onBed(ToolpathInput input) {
-  for (ToolpathLayer& layer : input.toolpath.layers) {
-    layer.z_mm += input.bed_from_part.translation().z();
-    for (Path& path : layer.paths)
-      for (Point3& point : path.points) point = input.bed_from_part * point;
-  }
-  return std::move(input.toolpath);
-}
-
 void drawPictures(const std::vector<SheetPicture>& pictures, const VoxelGrid& grid) {
   for (const SheetPicture& picture : pictures) {
     std::ostringstream where;

@@ -52,6 +52,7 @@ int runCommandLine(int argc, char** argv) {
   addScaffold(app, chosen);
   addSlice(app, chosen);
   addStatistics(app, chosen);
+  addStiffness(app, chosen);
   addStream(app, chosen);
   addSweep(app, chosen);
   addTrack(app, chosen);

@@ -54,6 +54,7 @@ void addPreview(CLI::App& app, Chosen& chosen);
 void addScaffold(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStatistics(CLI::App& app, Chosen& chosen);
+void addStiffness(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 void addSweep(CLI::App& app, Chosen& chosen);
 void addTrack(CLI::App& app, Chosen& chosen);

@@ -32,6 +32,15 @@ ToolpathInput readToolpath(const std::string& input, const JobSettings& settings
   return read;
 }
 
+Toolpath onBed(ToolpathInput input) {
+  for (ToolpathLayer& layer : input.toolpath.layers) {
+    layer.z_mm += input.bed_from_part.translation().z();
+    for (Path& path : layer.paths)
+      for (Point3& point : path.points) point = input.bed_from_part * point;
+  }
+  return std::move(input.toolpath);
+}
+
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings) {
   ToolpathInput read = readToolpath(input, settings);
   const PlaneSettings& plane = settings.slicing.plane;

@@ -23,7 +23,10 @@ bool isPart(const std::string& input);
 /// in coordinates of the bed, or slices a part.
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings);
 
-/// The same for what looks along the jet: layers and nozzle of a file that tells neither lie as
+/// The toolpath in coordinates of the bed.
+Toolpath onBed(ToolpathInput input);
+
+/// `readToolpath` for what looks along the jet: layers and nozzle of a file that tells neither lie as
 /// `slicing.plane` says.
 /// @throws InvalidInput if the file tells of inclined layers other than those of slicing.plane
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings);

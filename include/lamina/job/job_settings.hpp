@@ -25,6 +25,7 @@
 #include "lamina/slicing/curved_settings.hpp"
 #include "lamina/slicing/height_field_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
+#include "lamina/stiffness/stiffness_settings.hpp"
 #include "lamina/surface/flattening_settings.hpp"
 #include "lamina/sweep/sweep_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
@@ -63,6 +64,7 @@ struct JobSettings {
   ClearanceSettings clearance;
   DepositionSettings deposition;
   SweepSettings sweep;
+  StiffnessSettings stiffness;
   FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;

@@ -34,6 +34,9 @@ class ElementLattice {
  public:
   static constexpr std::int32_t kLongestRun = 63;
 
+  /// Nothing.
+  ElementLattice() = default;
+
   /// One element for each solid voxel of a range.
   /// @throws InvalidInput if there are more nodes than 2^31
   ElementLattice(const VoxelGrid& grid, const VoxelRange& range);

@@ -33,6 +33,7 @@ struct ElementModel {
 /// What a load does to a part.
 struct StiffnessResult {
   ElementModel model;
+  GivenNodes given;                  ///< nodes whose displacement is given, along x, y, z
   NodeField<double> displacement;    ///< of each node [mm]
   std::vector<Stress> stress;        ///< in the middle of each element, in the order of the lattice's runs
   double force_n = 0.0;              ///< of the plate or punch, from the reactions of what rests

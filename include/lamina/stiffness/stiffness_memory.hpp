@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-
 namespace lamina {
 
 /// Memory [bytes] to solve so many elements and nodes, from above.
-double stiffnessBytes(std::int64_t elements, std::int64_t nodes);
+double stiffnessBytes(double elements, double nodes);
 
 /// Refuses work that does not fit in memory.
 /// @param needed  [bytes]

@@ -97,6 +97,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.clearance);
   describe(schema, settings.deposition);
   describe(schema, settings.sweep);
+  describe(schema, settings.stiffness);
   describe(schema, settings.frames);
   describe(schema, settings.scan);
   describe(schema, settings.motion);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stiffness/multigrid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,12 @@ constexpr int kSmoothings = 2;  // degree of the polynomial, before and after
 constexpr float kOverCorrection = 1.2F;
 constexpr int kEigenvalueIterations = 15;
 constexpr double kEigenvalueMargin = 1.15;  // what so many iterations leave out
+
+void clear(NodeField<float>& field) {
+  forEntries(field.size(), [&](std::size_t axis, std::size_t begin, std::size_t end) {
+    std::fill(field.along[axis].data() + begin, field.along[axis].data() + end, 0.0F);
+  });
+}
 
 /// Makes the sum of squares over `inverse_weight` 1, and returns its root from before.
 double normalise(NodeField<float>& field, const std::vector<float>& inverse_weight) {
@@ -51,7 +58,7 @@ float greatestEigenvalue(MultigridLevel& level) {
   clearGiven(level.step, level.given);
   double eigenvalue = normalise(level.step, level.inverse_diagonal);
   for (int i = 0; i < kEigenvalueIterations && eigenvalue > 0.0; ++i) {
-    fill(level.residual, 0.0F);
+    clear(level.residual);
     subtractProduct(level);
     forEntries(level.step.size(), [&](std::size_t axis, std::size_t begin, std::size_t end) {
       const float* inverse = level.inverse_diagonal.data();
@@ -69,12 +76,13 @@ void smooth(MultigridLevel& level) {
     const float keep = static_cast<float>(2 * k - 3) / static_cast<float>(2 * k + 1);
     const float take =
         static_cast<float>(8 * k - 4) / (static_cast<float>(2 * k + 1) * level.greatest_eigenvalue);
-    if (k == 1) fill(level.step, 0.0F);
+    const bool is_first = k == 1;
     forEntries(level.step.size(), [&](std::size_t axis, std::size_t begin, std::size_t end) {
       const float* inverse = level.inverse_diagonal.data();
       const float* residual = pointer(level.residual, axis);
       float* step = pointer(level.step, axis);
       float* solution = pointer(level.solution, axis);
+      if (is_first) std::fill(step + begin, step + end, 0.0F);
       for (std::size_t at = begin; at < end; ++at) {
         step[at] = keep * step[at] + take * inverse[at] * residual[at];
         solution[at] += step[at];
@@ -117,7 +125,7 @@ void Multigrid::correct(std::size_t at) {
   gatherForces(level.elements.lattice, level.residual, coarse.elements.lattice, coarse.residual);
   clearGiven(coarse.residual, coarse.given);
   solve(at + 1);
-  fill(level.step, 0.0F);
+  clear(level.step);
   addInterpolated(coarse.elements.lattice, coarse.solution, level.elements.lattice, level.step);
   clearGiven(level.step, level.given);
   forEntries(level.step.size(), [&](std::size_t axis, std::size_t begin, std::size_t end) {
@@ -134,7 +142,7 @@ void Multigrid::solve(std::size_t at) {
     coarsest_->solve(level.residual, level.solution);
     return;
   }
-  fill(level.solution, 0.0F);
+  clear(level.solution);
   smooth(level);
   const int visits = at == 0 ? 1 : 2;
   for (int visit = 0; visit < visits; ++visit) {

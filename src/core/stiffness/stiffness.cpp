@@ -60,7 +60,7 @@ ElementModel modelOf(const VoxelGrid& grid, const StiffnessSettings& settings) {
   if (range.isEmpty()) throw InvalidInput("no voxel is solid; one at least must be");
   const VoxelFrame& frame = grid.frame();
   // Nodes are not counted yet; there is about one for each element at least.
-  const std::int64_t solid = grid.solidCount();
+  const auto solid = static_cast<double>(grid.solidCount());
   requireMemory(stiffnessBytes(solid, solid), settings.memory_mb, frame.voxel_mm);
   ElementLattice lattice(grid, range);
   requireMemory(stiffnessBytes(solid, lattice.nodeCount()), settings.memory_mb, frame.voxel_mm);
@@ -113,13 +113,13 @@ void findGreatestStress(StiffnessResult& result) {
 StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& settings, Progress& progress) {
   validate(settings);
   throwIfCancelled(progress, "solve");
-  StiffnessResult result{modelOf(grid, settings), {}, {}, 0.0, 0.0, 0.0, 0.0F, Point3::Zero(), 0, 0.0, {}};
+  StiffnessResult result;
+  result.model = modelOf(grid, settings);
   result.dropped = dropIdleParts(result.model);
   const ElementModel& model = result.model;
-  const GivenNodes given =
-      givenNodes(model.lattice, model.load, connectedParts(model.lattice, model.load.held));
+  result.given = givenNodes(model.lattice, model.load, connectedParts(model.lattice, model.load.held));
   result.displacement = givenDisplacement(model);
-  const Iteration reached = balance({{model.lattice, settings.material, model.element_mm}, given},
+  const Iteration reached = balance({{model.lattice, settings.material, model.element_mm}, result.given},
                                     {settings.residual, settings.iterations}, result.displacement, progress);
   if (!(reached.residual <= settings.residual))
     throw InvalidInput("forces are balanced to " + std::to_string(reached.residual) + " after " +

@@ -21,8 +21,8 @@ constexpr double kBytesOfElement = 16.0 + 24.0;
 
 }  // namespace
 
-double stiffnessBytes(std::int64_t elements, std::int64_t nodes) {
-  return kBytesOfElement * static_cast<double>(elements) + kBytesOfNode * static_cast<double>(nodes);
+double stiffnessBytes(double elements, double nodes) {
+  return kBytesOfElement * elements + kBytesOfNode * nodes;
 }
 
 void requireMemory(double needed, int limit_mb, double voxel_mm) {

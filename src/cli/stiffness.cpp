@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/stiffness/stiffness.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/available_memory.hpp"
+#include "lamina/deposition/toolpath_deposit.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/solid_voxels.hpp"
+#include "lamina/stiffness/calculix_deck.hpp"
+#include "lamina/stiffness/stiffness_vtk.hpp"
+#include "setting_options.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+#include "toolpath_input.hpp"
+
+namespace lamina::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kMegabyte = 1e6;
+constexpr std::size_t kDroppedShown = 5;  // to people; --json has all
+
+/// The command line of `lamina stiffness` as it was typed.
+struct StiffnessArguments {
+  std::string input;
+  std::string output;
+  std::string deck;
+  std::string load;
+  std::string axis;
+  double voxel_mm = 0.0;    ///< 0 for that of the settings
+  bool is_printed = false;  ///< a part is sliced and laid rather than taken as drawn
+  SettingOptions settings;
+};
+
+JobSettings settingsFrom(const StiffnessArguments& arguments) {
+  SettingOptions options = arguments.settings;
+  if (!arguments.load.empty()) options.assignments.push_back("stiffness.load=" + arguments.load);
+  if (!arguments.axis.empty()) options.assignments.push_back("stiffness.axis=" + arguments.axis);
+  JobSettings settings = jobSettingsFrom(options);
+  if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
+  validate(settings);
+  return settings;
+}
+
+VoxelGrid voxelsOf(const StiffnessArguments& arguments, const JobSettings& settings) {
+  if (isPart(arguments.input) && !arguments.is_printed) {
+    TerminalProgress progress;
+    return solidVoxels(arguments.input, settings, progress);
+  }
+  const Toolpath toolpath = onBed(readToolpath(arguments.input, settings));
+  TerminalProgress progress;
+  return depositedVoxels(toolpath, settings.deposition, progress).grid;
+}
+
+nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
+
+nlohmann::ordered_json toJson(const LoadCase& load, Load kind) {
+  if (kind == Load::Compression)
+    return {{"kind", "compression"},
+            {"axis", std::string(1, "xyz"[load.axis])},
+            {"compression_mm", load.displacement_mm},
+            {"length_mm", load.length_mm},
+            {"area_mm2", load.area_mm2}};
+  return {{"kind", "bending"},
+          {"axis", std::string(1, "xyz"[load.axis])},
+          {"deflection_mm", load.displacement_mm},
+          {"span_mm", load.length_mm},
+          {"width_mm", load.width_mm},
+          {"height_mm", load.height_mm}};
+}
+
+void printJson(const StiffnessResult& result, const StiffnessSettings& settings, double solve_s,
+               double wall_s) {
+  const ElementLattice& lattice = result.model.lattice;
+  nlohmann::ordered_json dropped = nlohmann::ordered_json::array();
+  for (const DroppedPart& part : result.dropped)
+    dropped.push_back({{"elements", part.elements},
+                       {"low_mm", toJson(part.box.low)},
+                       {"high_mm", toJson(part.box.high)},
+                       {"misses", part.misses}});
+  const nlohmann::ordered_json json = {{"load", toJson(result.model.load, settings.load)},
+                                       {"force_n", result.force_n},
+                                       {"modulus_mpa", result.modulus_mpa},
+                                       {"imbalance_n", result.imbalance_n},
+                                       {"greatest_stress_mpa", result.greatest_stress_mpa},
+                                       {"greatest_stress_at_mm", toJson(result.greatest_stress_at)},
+                                       {"voxel_mm", result.model.element_mm},
+                                       {"elements", lattice.elementCount()},
+                                       {"nodes", lattice.nodeCount()},
+                                       {"dropped", dropped},
+                                       {"iterations", result.iterations},
+                                       {"residual", result.residual},
+                                       {"solve_s", solve_s},
+                                       {"wall_s", wall_s},
+                                       {"peak_memory_mb", peakMemory() / kMegabyte}};
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const StiffnessResult& result, const StiffnessSettings& settings, double solve_s) {
+  const ElementLattice& lattice = result.model.lattice;
+  const LoadCase& load = result.model.load;
+  const Point3& at = result.greatest_stress_at;
+  if (settings.load == Load::Compression)
+    std::printf("compression  %.4g mm along %c of %.4g mm, section %.6g mm2\n", load.displacement_mm,
+                "xyz"[load.axis], load.length_mm, load.area_mm2);
+  else
+    std::printf("bending      %.4g mm along %c over %.4g mm, section %.4g x %.4g mm\n", load.displacement_mm,
+                "xyz"[load.axis], load.length_mm, load.width_mm, load.height_mm);
+  std::printf("force        %.6g N\n", result.force_n);
+  std::printf("modulus      %.6g MPa\n", result.modulus_mpa);
+  std::printf("stress       %.4g MPa at most (von Mises), at (%.3f, %.3f, %.3f)\n",
+              static_cast<double>(result.greatest_stress_mpa), at.x(), at.y(), at.z());
+  std::printf("elements     %lld of %g mm, %d nodes\n", static_cast<long long>(lattice.elementCount()),
+              result.model.element_mm, lattice.nodeCount());
+  for (std::size_t i = 0; i < std::min(kDroppedShown, result.dropped.size()); ++i)
+    std::printf("left out     %lld elements that do not reach: %s\n",
+                static_cast<long long>(result.dropped[i].elements), result.dropped[i].misses.c_str());
+  if (result.dropped.size() > kDroppedShown)
+    std::printf("left out     %zu more\n", result.dropped.size() - kDroppedShown);
+  std::printf("solved       %d iterations to %.2g in %.2f s, %.0f MB at most\n", result.iterations,
+              result.residual, solve_s, peakMemory() / kMegabyte);
+}
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
+  const Clock::time_point start = Clock::now();
+  requireSuffix(arguments.output, {".vtk"});
+  requireSuffix(arguments.deck, {".inp"});
+  requireApart({arguments.output, arguments.deck}, {arguments.input, arguments.settings.config});
+  const JobSettings settings = settingsFrom(arguments);
+  const VoxelGrid grid = voxelsOf(arguments, settings);
+  const Clock::time_point solving = Clock::now();
+  TerminalProgress progress;
+  const StiffnessResult result = solveStiffness(grid, settings.stiffness, progress);
+  const double solve_s = secondsSince(solving);
+  if (!arguments.output.empty()) writeVtk(result, arguments.output);
+  if (!arguments.deck.empty()) writeCalculixDeck(result, settings.stiffness.material, arguments.deck);
+  format == OutputFormat::Json ? printJson(result, settings.stiffness, solve_s, secondsSince(start))
+                               : printText(result, settings.stiffness, solve_s);
+}
+
+}  // namespace
+
+void addStiffness(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "stiffness",
+      "Compress or bend a part as voxels: force, equivalent modulus, displacements and stresses");
+  const auto arguments = std::make_shared<StiffnessArguments>();
+  subcommand
+      ->add_option(
+          "input", arguments->input,
+          "Mesh file or name of a part, solid as drawn; or program (.gcode, .mod) or toolpath (.csv), "
+          "as it is laid")
+      ->required();
+  subcommand->add_flag("--printed", arguments->is_printed, "Slice a part and take it as it is laid");
+  subcommand->add_option("-o,--output", arguments->output,
+                         "Elements with displacement and stress to write (.vtk, for ParaView)");
+  subcommand->add_option("--deck", arguments->deck, "The same problem for CalculiX to write (.inp)");
+  subcommand->add_option("--load", arguments->load, "compression or bending; short for stiffness.load");
+  subcommand->add_option("--axis", arguments->axis, "x, y or z; short for stiffness.axis");
+  subcommand->add_option("--voxel-mm", arguments->voxel_mm, "Side of a voxel; short for deposition.voxel_mm");
+  addSettingOptions(*subcommand, arguments->settings,
+                    "Settings (YAML) for reading, deposition and stiffness");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { stiffness(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli
