@@ -13,6 +13,8 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/stiffness/calculix_deck.hpp"
+#include "lamina/stiffness/stiffness.hpp"
 #include "lamina/sweep/abaqus_script.hpp"
 #include "lamina/sweep/solid_union.hpp"
 #include "setting_options.hpp"
@@ -29,6 +31,7 @@ struct SweepArguments {
   std::string corners;  ///< empty for what the settings say
   std::string output;
   std::string abaqus;
+  std::string deck;
   double density_g_cm3 = 1.24;
   SettingOptions settings;
 };
@@ -41,7 +44,8 @@ struct SweepReport {
   double volume_mm3 = 0.0;
   Box3 box;
   std::optional<std::size_t> triangles;
-  double surface_mm3 = 0.0;  ///< what the triangles enclose
+  double surface_mm3 = 0.0;       ///< what the triangles enclose
+  std::optional<double> force_n;  ///< of plate or punch, as the deck loads it
   double wall_s = 0.0;
 
   std::size_t trajectories() const { return sweeps.empty() ? 0 : sweeps.back().trajectory + 1; }
@@ -51,6 +55,25 @@ struct SweepReport {
  private:
   static bool isNarrower(const Sweep& a, const Sweep& b) { return a.bead.width_mm < b.bead.width_mm; }
 };
+
+/// Writes what the voxels of the union are asked for, the script first: it costs least and refuses most.
+void writeOutputs(const std::vector<BeadSolid>& solids, const SweepArguments& arguments,
+                  const JobSettings& settings, SweepReport& report) {
+  if (!arguments.abaqus.empty()) writeFile(arguments.abaqus, abaqusScript(report.sweeps));
+  if (arguments.output.empty() && arguments.deck.empty()) return;
+  TerminalProgress progress;
+  const VoxelGrid inside = voxelUnion(solids, settings.sweep.voxel_mm, progress);
+  if (!arguments.deck.empty()) {
+    const StiffnessResult result = solveStiffness(inside, settings.stiffness, progress);
+    writeCalculixDeck(result, settings.stiffness.material, arguments.deck);
+    report.force_n = result.force_n;
+  }
+  if (arguments.output.empty()) return;
+  const Mesh mesh = unionSurface(solids, inside);
+  writeStl(arguments.output, mesh);
+  report.triangles = mesh.triangles.size();
+  report.surface_mm3 = volume(mesh);
+}
 
 SweepReport sweepAll(const SweepArguments& arguments, const JobSettings& settings) {
   const auto start = std::chrono::steady_clock::now();
@@ -64,15 +87,7 @@ SweepReport sweepAll(const SweepArguments& arguments, const JobSettings& setting
   const std::vector<BeadSolid> solids = beadSolids(report.sweeps, report.corners);
   report.box = unionBox(solids);
   report.volume_mm3 = unionVolume(solids, progress);
-  std::string script;
-  if (!arguments.abaqus.empty()) script = abaqusScript(report.sweeps);
-  if (!arguments.output.empty()) {
-    const Mesh mesh = unionSurface(solids, voxelUnion(solids, settings.sweep.voxel_mm, progress));
-    writeStl(arguments.output, mesh);
-    report.triangles = mesh.triangles.size();
-    report.surface_mm3 = volume(mesh);
-  }
-  if (!arguments.abaqus.empty()) writeFile(arguments.abaqus, script);
+  writeOutputs(solids, arguments, settings, report);
   report.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
@@ -100,6 +115,7 @@ void printJson(const SweepReport& report, double mass_g) {
     json["triangles"] = *report.triangles;
     json["surface_encloses_mm3"] = report.surface_mm3;
   }
+  if (report.force_n) json["force_n"] = *report.force_n;
   json["wall_s"] = report.wall_s;
   std::printf("%s\n", json.dump(2).c_str());
 }
@@ -114,6 +130,7 @@ void printText(const SweepReport& report, double mass_g) {
   std::printf("size       %.6g x %.6g x %.6g mm\n", size.x(), size.y(), size.z());
   if (report.triangles)
     std::printf("surface    %zu triangles enclose %.6g mm3\n", *report.triangles, report.surface_mm3);
+  if (report.force_n) std::printf("force      %.6g N, as the deck is loaded\n", *report.force_n);
   std::printf("took       %.2f s\n", report.wall_s);
 }
 
@@ -123,7 +140,8 @@ void sweep(const SweepArguments& arguments, OutputFormat format) {
   const JobSettings settings = jobSettingsFrom(options);
   requireSuffix(arguments.output, {".stl"});
   requireSuffix(arguments.abaqus, {".py"});
-  requireApart({arguments.output, arguments.abaqus}, {arguments.input, options.config});
+  requireSuffix(arguments.deck, {".inp"});
+  requireApart({arguments.output, arguments.abaqus, arguments.deck}, {arguments.input, options.config});
   const SweepReport report = sweepAll(arguments, settings);
   const double mass_g = report.volume_mm3 * arguments.density_g_cm3 / 1e3;
   format == OutputFormat::Json ? printJson(report, mass_g) : printText(report, mass_g);
@@ -143,6 +161,8 @@ void addSweep(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"whole", "lines", "revolved", "sections"}));
   subcommand->add_option("-o,--output", arguments->output, "Surface of the union to write (.stl)");
   subcommand->add_option("--abaqus", arguments->abaqus, "Script for Abaqus/CAE to write (.py)");
+  subcommand->add_option("--deck", arguments->deck,
+                         "The voxels of the union, loaded as stiffness.* says, for CalculiX to write (.inp)");
   subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is laid")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -7,6 +7,7 @@
 import csv
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -83,6 +84,19 @@ class SweptBeads(unittest.TestCase):
             text = file.read()
         compile(text, script, "exec")
         self.assertEqual(text.count("SolidSweep("), 2)
+
+    def test_calculix_finds_the_same_force(self):
+        deck = self.path("loop.inp")
+        told = self.told("sweep", self.program, "--deck", deck, "--set", "stiffness.load=compression", "--set",
+                         "stiffness.compression_mm=0.01")
+        self.assertGreater(told["force_n"], 0.0)
+        if shutil.which("ccx") is None:
+            self.skipTest("needs calculix-ccx")
+        done = subprocess.run(["ccx", deck[:-4]], capture_output=True, text=True, timeout=200, cwd=self.folder.name)
+        self.assertEqual(done.returncode, 0, done.stdout[-400:])
+        with open(deck[:-4] + ".dat", encoding="utf-8") as file:
+            total = file.read().split("total force")[1].split("\n\n")[1].split()
+        self.assertAlmostEqual(abs(float(total[2])) / told["force_n"], 1.0, places=3)
 
     def test_refusals_leave_no_file(self):
         surface = self.path("loop.stl")
