@@ -119,6 +119,14 @@ TEST_F(Settings, ComeBackFromTheirYaml) {
   EXPECT_EQ(settingsToYaml(schema_of_copy), yaml);
 }
 
+/// YAML 1.1, which rosparam reads, takes 1e-06 for text.
+TEST_F(Settings, TellSmallNumbersWithADotBeforeTheExponent) {
+  lamp_.power_w = 1e-6;
+  EXPECT_NE(settingsToYaml(schema_).find("power_w: 1.0e-06\n"), std::string::npos) << settingsToYaml(schema_);
+  lamp_.power_w = 2.5e-7;
+  EXPECT_NE(settingsToYaml(schema_).find("power_w: 2.5e-07\n"), std::string::npos) << settingsToYaml(schema_);
+}
+
 TEST(SettingsFromYaml, FlattensMapsIntoDottedKeysInOrder) {
   const auto settings = settingsFromYaml("b:\n  y: 1\n  x: {z: two}\na.c: 3.50\n", "file");
   ASSERT_EQ(settings.size(), 3U);

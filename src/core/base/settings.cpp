@@ -21,6 +21,13 @@ std::string shortest(double value) {
   return {buffer, end};
 }
 
+/// With a dot before an exponent: YAML 1.1, which rosparam reads, takes 1e-06 for text.
+std::string withDot(std::string number) {
+  const std::size_t exponent = number.find('e');
+  if (exponent != std::string::npos && number.find('.') == std::string::npos) number.insert(exponent, ".0");
+  return number;
+}
+
 std::string describeBounds(const Bounds& bounds) {
   const std::string high = std::isinf(bounds.high) ? "inf)" : shortest(bounds.high) + "]";
   const std::string low =
@@ -88,7 +95,7 @@ void SettingsSchema::number(const std::string& key, double& field, Bounds bounds
     field = value;
   };
   settings_.push_back(
-      {key, "number", describeBounds(bounds), meaning, set, [&field] { return shortest(field); }});
+      {key, "number", describeBounds(bounds), meaning, set, [&field] { return withDot(shortest(field)); }});
 }
 
 void SettingsSchema::integer(const std::string& key, int& field, Bounds bounds, const std::string& meaning) {
