@@ -32,14 +32,7 @@ ToolpathInput readToolpath(const std::string& input, const JobSettings& settings
   return read;
 }
 
-Toolpath onBed(ToolpathInput input) {
-  for (ToolpathLayer& layer : input.toolpath.layers) {
-    layer.z_mm += input.bed_from_part.translation().z();
-    for (Path& path : layer.paths)
-      for (Point3& point : path.points) point = input.bed_from_part * point;
-  }
-  return std::move(input.toolpath);
-}
+Toolpath onBed(const ToolpathInput& input) { return placed(input.toolpath, input.bed_from_part); }
 
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings) {
   ToolpathInput read = readToolpath(input, settings);
