@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From mesh to measured heights without a machine in between: what the toolpath says is laid into a map, a
-// simulated sensor looks at it during the scan passes, and the monitor compares.
+// From mesh to measured heights without a machine in between: what the toolpath says is laid into a map or
+// into voxels, a simulated sensor looks at it during the scan passes, and the monitor compares.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
 #include "lamina/deposition/bead_deposit.hpp"
+#include "lamina/deposition/voxel_deposit.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/kinematics/machine.hpp"
@@ -21,15 +22,69 @@ namespace {
 
 constexpr double kNoise = 0.005;  // mm
 
+constexpr double kCell = 0.1;  // mm
+
+/// A bed that a nozzle pointing down deposits on.
+class Bed {
+ public:
+  virtual ~Bed() = default;
+  virtual void lay(const DepositedMotion& motion) = 0;
+  virtual HeightSource surface() const = 0;
+  virtual double highest() const = 0;
+};
+
+class BedOfHeights final : public Bed {
+ public:
+  explicit BedOfHeights(const Box2& area) : deposit_(HeightMap(heightGrid(area, kCell), 0.0)) {}
+  void lay(const DepositedMotion& motion) override { deposit_.lay(motion); }
+  HeightSource surface() const override { return sourceOf(deposit_.surface()); }
+  double highest() const override { return deposit_.highest(); }
+
+ private:
+  BeadDeposit deposit_;
+};
+
+class BedOfVoxels final : public Bed {
+ public:
+  explicit BedOfVoxels(const Box2& area)
+      : deposit_(voxelFrame({{area.low.x(), area.low.y(), 0}, {area.high.x(), area.high.y(), 5}}, kCell), {},
+                 TopHeights::Kept) {}
+  void lay(const DepositedMotion& motion) override {
+    const Eigen::Vector3d down(0, 0, -1);
+    deposit_.lay({motion.start, motion.end, down, down, motion.volume_mm3});
+  }
+  HeightSource surface() const override {
+    const HeightGrid grid = heightGrid({low(), high()}, kCell);
+    return {grid, [this, grid](int column, int row) {
+              const Point2 at = grid.centre(column, row);
+              return deposit_.surfaceHeight(at.x(), at.y());
+            }};
+  }
+  double highest() const override { return deposit_.highest(); }
+
+ private:
+  Point2 low() const { return deposit_.grid().frame().box().low.head<2>(); }
+  Point2 high() const { return deposit_.grid().frame().box().high.head<2>(); }
+
+  VoxelDeposit deposit_;
+};
+
 class EmulatedPrint {
  public:
-  /// @param flow  part of the planned volume that comes out
-  explicit EmulatedPrint(double flow)
-      : flow_(flow), part_(slice()), monitor_(part_.toolpath, part_.bed_from_part, {}) {
+  enum class Kept { Heights, Voxels };
+
+  /// @param flow     part of the planned volume that comes out
+  /// @param density  of the infill
+  explicit EmulatedPrint(double flow, Kept kept = Kept::Heights, double density = 0.2)
+      : flow_(flow), part_(slice(density)), monitor_(part_.toolpath, part_.bed_from_part, {}) {
     const Box3 box = depositionBox(part_.toolpath);
     const Point2 middle = (part_.bed_from_part * box.centre()).head<2>();
     const Point2 half = 0.5 * box.size().head<2>() + Point2(5, 5);
-    deposit_ = std::make_unique<BeadDeposit>(HeightMap(heightGrid({middle - half, middle + half}, 0.1), 0.0));
+    const Box2 area{middle - half, middle + half};
+    if (kept == Kept::Heights)
+      bed_ = std::make_unique<BedOfHeights>(area);
+    else
+      bed_ = std::make_unique<BedOfVoxels>(area);
   }
 
   std::vector<LayerHeightReport> run() {
@@ -40,12 +95,13 @@ class EmulatedPrint {
   }
 
  private:
-  static SlicedPart slice() {
+  static SlicedPart slice(double density) {
     const test::ScratchFolder folder;
     SliceJob job;
     job.part = folder.file("box.stl");
     writeStl(job.part, test::boxBetween({0, 0, 0}, {12, 8, 2}));
     job.settings.scan.every_layers = 1;
+    job.settings.planning.infill.density = density;
     NoProgress progress;
     return runSliceJob(job, progress);
   }
@@ -58,7 +114,7 @@ class EmulatedPrint {
       if (path.role == PathRole::Travel)
         measureAlong(from, to);
       else
-        deposit_->lay({from, to, flow_ * (to - from).norm() * crossSection(path.bead.at(end))});
+        bed_->lay({from, to, flow_ * (to - from).norm() * crossSection(path.bead.at(end))});
     }
   }
 
@@ -68,7 +124,7 @@ class EmulatedPrint {
       const Point3 tip = from + (to - from) * (double(i) / profiles);
       const Eigen::Isometry3d bed_from_sensor =
           bedFromNozzle(machine_, axisValues(machine_, tip)) * machine_.nozzle_from_sensor;
-      std::vector<Point3> points = sensor_.measure(deposit_->surface(), bed_from_sensor, deposit_->highest());
+      std::vector<Point3> points = sensor_.measure(bed_->surface(), bed_from_sensor, bed_->highest());
       for (Point3& point : points) point = bed_from_sensor * point;
       note(monitor_.insert(points, tip.z()));
     }
@@ -89,12 +145,11 @@ class EmulatedPrint {
   Machine machine_ = machineByName("cartesian_gantry");
   HeightMonitor monitor_;
   ProfileSensor sensor_{sensorSettings()};
-  std::unique_ptr<BeadDeposit> deposit_;
+  std::unique_ptr<Bed> bed_;
   std::vector<LayerHeightReport> reports_;
 };
 
-TEST(EmulatedPrint, IsMeasuredAsHighAsPlanned) {
-  const auto reports = EmulatedPrint(1.0).run();
+void expectAsHighAsPlanned(const std::vector<LayerHeightReport>& reports) {
   ASSERT_EQ(reports.size(), 10u);
   for (std::size_t i = 0; i < reports.size(); ++i) {
     const HeightStatistics& of = reports[i].statistics;
@@ -104,6 +159,12 @@ TEST(EmulatedPrint, IsMeasuredAsHighAsPlanned) {
     EXPECT_NEAR(of.mean_mm, 0.0, 0.005) << "layer " << i;
     EXPECT_LT(of.rms_mm, 0.03) << "layer " << i;
   }
+}
+
+TEST(EmulatedPrint, IsMeasuredAsHighAsPlanned) { expectAsHighAsPlanned(EmulatedPrint(1.0).run()); }
+
+TEST(EmulatedPrint, SolidInVoxelsIsMeasuredAsHighAsPlanned) {
+  expectAsHighAsPlanned(EmulatedPrint(1.0, EmulatedPrint::Kept::Voxels, 1.0).run());
 }
 
 TEST(EmulatedPrint, ThatStarvesIsTooLow) {

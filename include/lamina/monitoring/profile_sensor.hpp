@@ -8,7 +8,7 @@
 
 #include "lamina/base/random.hpp"
 #include "lamina/base/settings.hpp"
-#include "lamina/geometry/height_map.hpp"
+#include "lamina/geometry/height_source.hpp"
 
 namespace lamina {
 
@@ -26,18 +26,23 @@ struct ProfileSensorSettings {
 /// Adds the keys sensor.*.
 void describe(SettingsSchema& schema, ProfileSensorSettings& settings);
 
-/// Simulates the sensor over a height map.
+/// Simulates the sensor over a surface of heights.
 class ProfileSensor {
  public:
   /// @throws InvalidConfig if the settings leave no range
   explicit ProfileSensor(const ProfileSensorSettings& settings);
 
   /// What the sensor sees: where each ray first meets the surface [mm, sensor frame], in the order of the
-  /// fan. Rays that meet nothing known within the range give no point. The columns of the map cast shadows.
+  /// fan. Rays that meet nothing known within the range give no point. The columns of the surface cast
+  /// shadows.
   ///
   /// @param highest  height above which the surface has nothing [mm]: spares the search there
-  std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
+  std::vector<Point3> measure(const HeightSource& surface, const Eigen::Isometry3d& bed_from_sensor,
                               double highest = std::numeric_limits<double>::infinity());
+  std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
+                              double highest = std::numeric_limits<double>::infinity()) {
+    return measure(sourceOf(surface), bed_from_sensor, highest);
+  }
 
  private:
   ProfileSensorSettings settings_;

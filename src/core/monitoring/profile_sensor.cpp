@@ -45,8 +45,8 @@ struct Crossings {
 
 /// Where the ray meets the columns of the map, as a fraction of its length, from a fraction on. A column
 /// higher than the ray's entry is met at its side.
-std::optional<double> firstHit(const HeightMap& surface, const Ray& ray, double from) {
-  const HeightGrid& grid = surface.grid();
+std::optional<double> firstHit(const HeightSource& surface, const Ray& ray, double from) {
+  const HeightGrid& grid = surface.grid;
   const Point3 along = ray.far - ray.near;
   const Point2 start = (ray.near.head<2>() - grid.origin) / grid.cell_mm;
   Crossings x(start.x(), along.x() / grid.cell_mm, from);
@@ -55,7 +55,7 @@ std::optional<double> firstHit(const HeightMap& surface, const Ray& ray, double 
   while (entry < 1.0) {
     const double exit = std::min({x.next, y.next, 1.0});
     if (grid.contains(x.index, y.index)) {
-      const double height = surface.at(grid.cell(x.index, y.index));
+      const double height = surface.height(x.index, y.index);
       if (ray.near.z() + entry * along.z() <= height) return entry;
       if (ray.near.z() + exit * along.z() <= height) return (height - ray.near.z()) / along.z();
     }
@@ -75,8 +75,8 @@ ProfileSensor::ProfileSensor(const ProfileSensorSettings& settings)
                         std::to_string(2.0 * settings.stand_off_mm));
 }
 
-std::vector<Point3> ProfileSensor::measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
-                                           double highest) {
+std::vector<Point3> ProfileSensor::measure(const HeightSource& surface,
+                                           const Eigen::Isometry3d& bed_from_sensor, double highest) {
   std::vector<Point3> points;
   points.reserve(static_cast<std::size_t>(settings_.points));
   const double nearest = settings_.stand_off_mm - 0.5 * settings_.range_mm;

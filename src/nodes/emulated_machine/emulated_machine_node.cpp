@@ -17,16 +17,9 @@ namespace lamina {
 namespace {
 
 constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber in accelerated time
-constexpr double kMarginMm = 10.0;
-
-/// @param belt_mm  of a bed without end, that much is shown
-HeightMap bareBed(Machine machine, double cell_mm, double belt_mm) {
-  for (MachineAxis& axis : machine.axes)
-    if (isEndless(axis)) axis.high_mm = axis.low_mm + belt_mm;
-  const Box3 reach = workspace(machine);
-  const Point2 margin = Point2::Constant(kMarginMm);
-  const Box2 area{reach.low.head<2>() - margin, reach.high.head<2>() + margin};
-  return HeightMap(heightGrid(area, cell_mm), 0.0);
+/// The same wherever linear axes take it.
+Eigen::Vector3d jetOf(const Machine& machine) {
+  return bedFromNozzle(machine, axisValues(machine, Point3::Zero())).linear().col(2).normalized();
 }
 
 }  // namespace
@@ -38,7 +31,9 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
       bed_from_program_(programFromBed(machine_).inverse()),
-      deposit_(bareBed(machine_, settings.deposit_cell_mm, settings.deposit_belt_mm)),
+      jet_(jetOf(machine_)),
+      deposit_(bareBed(machine_, settings)),
+      shown_(deposit_->surface().grid.area()),
       sensor_(settings.sensor),
       start_(ros::Time::now()) {
   EmulatedObserver observer;
@@ -103,11 +98,12 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
 }
 
 void EmulatedMachineNode::lay(const Point3& from, const Point3& to, double volume_mm3) {
-  const HeightGrid& shown = deposit_.surface().grid();
-  if (shown.cellAt(to.head<2>()) == HeightGrid::kNoCell)
+  const bool is_shown =
+      (to.head<2>() - shown_.low).minCoeff() >= 0.0 && (shown_.high - to.head<2>()).minCoeff() > 0.0;
+  if (!is_shown)
     ROS_WARN_ONCE("material laid at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown", to.x(),
                   to.y());
-  deposit_.lay({from, to, volume_mm3});
+  deposit_->lay({from, to, jet_, jet_, volume_mm3});
   has_news_ = true;
 }
 
@@ -124,8 +120,8 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
 
 void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
-  const auto points =
-      sensor_.measure(deposit_.surface(), bed_from_nozzle * machine_.nozzle_from_sensor, deposit_.highest());
+  const auto points = sensor_.measure(deposit_->surface(), bed_from_nozzle * machine_.nozzle_from_sensor,
+                                      deposit_->highest());
   if (points.empty()) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
   message.header.stamp = stampOf(sample.time_s);
@@ -136,14 +132,7 @@ void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
 void EmulatedMachineNode::publishDeposited() {
   if (deposited_.getNumSubscribers() == 0) return;
   has_news_ = false;
-  const HeightMap& surface = deposit_.surface();
-  std::vector<Point3> points;
-  for (std::size_t cell = 0; cell < surface.grid().cellCount(); ++cell) {
-    if (!(surface.at(cell) > 0.0)) continue;
-    const Point2 centre = surface.grid().centre(cell);
-    points.emplace_back(centre.x(), centre.y(), surface.at(cell));
-  }
-  sensor_msgs::PointCloud2 message = toCloudMessage(points);
+  sensor_msgs::PointCloud2 message = toCloudMessage(deposit_->points());
   message.header.stamp = last_stamp_;
   message.header.frame_id = names::kBedFrame;
   deposited_.publish(message);

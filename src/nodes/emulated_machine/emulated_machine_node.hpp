@@ -7,10 +7,10 @@
 #include <memory>
 #include <thread>
 
-#include "lamina/deposition/bead_deposit.hpp"
 #include "lamina/kinematics/machine.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/streaming/emulated_machine.hpp"
+#include "machine_deposit.hpp"
 #include "machine_settings.hpp"
 #include "motion_queue.hpp"
 #include "motion_samples.hpp"
@@ -51,7 +51,9 @@ class EmulatedMachineNode {
   ros::Publisher profile_;
   ros::Publisher deposited_;
   Eigen::Affine3d bed_from_program_;
-  BeadDeposit deposit_;
+  Eigen::Vector3d jet_;  ///< [bed]
+  std::unique_ptr<MachineDeposit> deposit_;
+  Box2 shown_;  ///< of the bed
   ProfileSensor sensor_;
   MotionQueue motions_;
   double last_end_s_ = -1.0;  ///< machine time of the last position

@@ -18,10 +18,14 @@ void describe(SettingsSchema& schema, EmulatedMachineSettings& settings) {
                 "Distance between positions along a motion; its end is always one.");
   schema.number("profile_spacing_mm", settings.profile_spacing_mm, {0.0, 1000.0, true},
                 "Distance between profiles, and positions, along a motion that is measured.");
+  schema.choice<DepositModel>(
+      "deposit.model", settings.deposit_model,
+      {{"auto", DepositModel::Auto}, {"voxels", DepositModel::Voxels}, {"heights", DepositModel::Heights}},
+      "Deposited material in voxels, or as a map of heights, as on belts if auto.");
   schema.number("deposit.cell_mm", settings.deposit_cell_mm, {0.02, 10.0},
-                "Cell of the map of deposited material.");
+                "Voxel of the deposited material, half a layer at most; or cell of the map.");
   schema.number("deposit.belt_mm", settings.deposit_belt_mm, {0.0, 1e5, true},
-                "How much of a belt the map shows, from its start.");
+                "How much of a belt is shown, from its start.");
   schema.number("deposit.period_s", settings.deposited_period_s, {0.0, 3600.0, true},
                 "Time between publications of the deposited material.");
   schema.flag("profile_while_depositing", settings.profile_while_depositing,

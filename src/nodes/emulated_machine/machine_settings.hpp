@@ -12,15 +12,23 @@
 
 namespace lamina {
 
+/// How what is deposited is kept.
+enum class DepositModel {
+  Auto,     ///< voxels, on belts heights
+  Voxels,   ///< `VoxelDeposit`
+  Heights,  ///< `BeadDeposit`
+};
+
 struct EmulatedMachineSettings {
   std::string pty = "/tmp/lamina_machine";  ///< link to the pseudo-terminal
   int tcp_port = -1;                        ///< on the loopback interface; 0 for any free one, -1 for none
   std::string faults;                       ///< "kind=rate kind=line,line", as in `lamina emulate --fault`
   MachineSettings machine;
   double filament_diameter_mm = 1.75;
-  double position_spacing_mm = 1.0;       ///< of the positions published along a motion
-  double profile_spacing_mm = 0.1;        ///< of profiles, and of the positions they are taken at
-  double deposit_cell_mm = 0.1;           ///< of the map of deposited material
+  double position_spacing_mm = 1.0;  ///< of the positions published along a motion
+  double profile_spacing_mm = 0.1;   ///< of profiles, and of the positions they are taken at
+  DepositModel deposit_model = DepositModel::Auto;
+  double deposit_cell_mm = 0.1;           ///< of what is deposited: voxels, or cells of the map of heights
   double deposit_belt_mm = 200.0;         ///< how much of a belt the map shows
   double deposited_period_s = 0.5;        ///< between publications of the deposited material
   bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "machine_deposit.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lamina/deposition/bead_deposit.hpp"
+#include "lamina/geometry/voxel_view.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMarginMm = 10.0;
+constexpr std::size_t kMostPoints = 1000000;  // of a cloud
+
+class VoxelsOnBed final : public MachineDeposit {
+ public:
+  VoxelsOnBed(const Box3& shown, double voxel_mm)
+      : deposit_(voxelFrame(shown, voxel_mm), DepositionSettings{}, TopHeights::Kept) {}
+
+  void lay(const JetMotion& motion) override { deposit_.lay(motion); }
+  double highest() const override { return deposit_.highest(); }
+  std::vector<Point3> points() const override { return shownVoxels(deposit_.grid(), kMostPoints); }
+
+  HeightSource surface() const override {
+    const VoxelFrame& frame = deposit_.grid().frame();
+    HeightGrid columns;
+    columns.origin = frame.corner.head<2>();
+    columns.cell_mm = frame.voxel_mm;
+    columns.columns = frame.count[0];
+    columns.rows = frame.count[1];
+    return {columns, [this, columns](int column, int row) {
+              const Point2 centre = columns.centre(column, row);
+              return deposit_.surfaceHeight(centre.x(), centre.y());
+            }};
+  }
+
+ private:
+  VoxelDeposit deposit_;
+};
+
+class HeightsOnBed final : public MachineDeposit {
+ public:
+  HeightsOnBed(const Box3& shown, double cell_mm)
+      : deposit_(HeightMap(heightGrid({shown.low.head<2>(), shown.high.head<2>()}, cell_mm), 0.0)) {}
+
+  void lay(const JetMotion& motion) override { deposit_.lay({motion.start, motion.end, motion.volume_mm3}); }
+  double highest() const override { return deposit_.highest(); }
+  HeightSource surface() const override { return sourceOf(deposit_.surface()); }
+
+  std::vector<Point3> points() const override {
+    const HeightMap& surface = deposit_.surface();
+    std::vector<Point3> points;
+    for (std::size_t cell = 0; cell < surface.grid().cellCount(); ++cell) {
+      if (!(surface.at(cell) > 0.0)) continue;
+      const Point2 centre = surface.grid().centre(cell);
+      points.emplace_back(centre.x(), centre.y(), surface.at(cell));
+    }
+    return points;
+  }
+
+ private:
+  BeadDeposit deposit_;
+};
+
+/// What the machine reaches over its bed; of a bed without end, `belt_mm`.
+Box3 shownBed(Machine machine, double belt_mm) {
+  for (MachineAxis& axis : machine.axes)
+    if (isEndless(axis)) axis.high_mm = axis.low_mm + belt_mm;
+  Box3 reach = workspace(machine);
+  const Point3 margin(kMarginMm, kMarginMm, kMarginMm);
+  reach.low -= margin;
+  reach.high += margin;
+  reach.low.z() = 0.0;
+  return reach;
+}
+
+DepositModel modelFor(const Machine& machine, DepositModel asked) {
+  if (asked != DepositModel::Auto) return asked;
+  const bool is_belt = std::any_of(machine.axes.begin(), machine.axes.end(),
+                                   [](const MachineAxis& axis) { return isEndless(axis); });
+  return is_belt ? DepositModel::Heights : DepositModel::Voxels;
+}
+
+}  // namespace
+
+std::unique_ptr<MachineDeposit> bareBed(Machine machine, const EmulatedMachineSettings& settings) {
+  const DepositModel model = modelFor(machine, settings.deposit_model);
+  const Box3 shown = shownBed(std::move(machine), settings.deposit_belt_mm);
+  if (model == DepositModel::Heights) return std::make_unique<HeightsOnBed>(shown, settings.deposit_cell_mm);
+  return std::make_unique<VoxelsOnBed>(shown, settings.deposit_cell_mm);
+}
+
+}  // namespace lamina

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lamina/deposition/voxel_deposit.hpp"
+#include "lamina/geometry/height_source.hpp"
+#include "lamina/kinematics/machine.hpp"
+#include "machine_settings.hpp"
+
+namespace lamina {
+
+/// What an emulated machine has deposited, in frame `bed`.
+class MachineDeposit {
+ public:
+  MachineDeposit() = default;
+  MachineDeposit(const MachineDeposit&) = delete;
+  MachineDeposit& operator=(const MachineDeposit&) = delete;
+  virtual ~MachineDeposit() = default;
+
+  virtual void lay(const JetMotion& motion) = 0;
+  /// What a sensor above sees; valid while this lives.
+  virtual HeightSource surface() const = 0;
+  /// Largest height of the surface [mm].
+  virtual double highest() const = 0;
+  /// Points of the surface where something lies [mm].
+  virtual std::vector<Point3> points() const = 0;
+};
+
+/// Nothing yet, over the bed that the settings say is shown.
+/// @throws InvalidInput if that has more cells than a map can have
+std::unique_ptr<MachineDeposit> bareBed(Machine machine, const EmulatedMachineSettings& settings);
+
+}  // namespace lamina

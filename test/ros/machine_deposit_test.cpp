@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodes/emulated_machine/machine_deposit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace {
+
+using lamina::Bead;
+using lamina::DepositModel;
+using lamina::Point3;
+
+constexpr double kWidth = 0.4;
+constexpr double kHeight = 0.2;
+
+std::unique_ptr<lamina::MachineDeposit> bareBedOf(const std::string& machine, DepositModel model) {
+  lamina::EmulatedMachineSettings settings;
+  settings.deposit_model = model;
+  return bareBed(lamina::machineByName(machine), settings);
+}
+
+/// A solid layer of 10 mm x 5 mm.
+void layLayer(lamina::MachineDeposit& deposit, double z) {
+  const Bead bead{kWidth, kHeight};
+  const Eigen::Vector3d down(0, 0, -1);
+  for (double y = 100.0; y < 105.0; y += planWidth(bead))
+    deposit.lay({{100, y, z}, {110, y, z}, down, down, 10.0 * crossSection(bead)});
+}
+
+class MachineDepositModels : public testing::TestWithParam<DepositModel> {};
+
+TEST_P(MachineDepositModels, ASolidBlockIsAsHighAsItsNozzleWas) {
+  const auto deposit = bareBedOf("cartesian_gantry", GetParam());
+  EXPECT_EQ(deposit->highest(), 0.0);
+  EXPECT_TRUE(deposit->points().empty());
+  for (int layer = 1; layer <= 5; ++layer) layLayer(*deposit, kHeight * layer);
+  EXPECT_NEAR(deposit->highest(), 1.0, 1e-6);
+  const lamina::HeightSource surface = deposit->surface();
+  double sum = 0.0;
+  int cells = 0;
+  for (int row = 0; row < surface.grid.rows; ++row)
+    for (int column = 0; column < surface.grid.columns; ++column) {
+      const lamina::Point2 at = surface.grid.centre(column, row) - lamina::Point2(100, 100);
+      if (at.x() < 1.0 || at.x() > 9.0 || at.y() < 1.0 || at.y() > 4.0) continue;
+      sum += surface.height(column, row) - 1.0;
+      ++cells;
+    }
+  ASSERT_GT(cells, 2000);
+  EXPECT_NEAR(sum / cells, 0.0, 0.01) << "a twentieth of a layer";
+  for (const Point3& point : deposit->points()) {
+    EXPECT_LE(point.z(), 1.0 + 1e-6);
+    EXPECT_NEAR(point.x(), 105.0, 5.6);
+    EXPECT_NEAR(point.y(), 102.5, 3.2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MachineDepositModels,
+                         testing::Values(DepositModel::Voxels, DepositModel::Heights), [](const auto& model) {
+                           return model.param == DepositModel::Voxels ? "Voxels" : "Heights";
+                         });
+
+TEST(MachineDeposit, InVoxelsAStrandInTheAirLiesAlongTheJet) {
+  const auto deposit = bareBedOf("gantry_45", DepositModel::Auto);
+  const double radius = 0.3;
+  const Eigen::Vector3d jet = Eigen::Vector3d(0, 1, -1).normalized();
+  const Point3 start(100, 100, 10);
+  deposit->lay({start, start + Point3(10, 0, 0), jet, jet, 10.0 * M_PI * radius * radius});
+  const std::vector<Point3> points = deposit->points();
+  ASSERT_GT(points.size(), 500U);
+  Point3 middle = Point3::Zero();
+  for (const Point3& point : points) middle += point / static_cast<double>(points.size());
+  EXPECT_LT((middle - (start + Point3(5, 0, 0) + radius * jet)).norm(), 0.1);
+  for (const Point3& point : points) EXPECT_GT(point.z(), 9.0) << "nothing hangs down to the bed";
+}
+
+TEST(MachineDeposit, OnABeltAutoKeepsHeights) {
+  const auto deposit = bareBedOf("belt_45", DepositModel::Auto);
+  const Eigen::Vector3d jet = Eigen::Vector3d(0, 1, -1).normalized();
+  deposit->lay({{100, 50, 0.35}, {110, 50, 0.35}, jet, jet, 1.0});
+  const std::vector<Point3> points = deposit->points();
+  ASSERT_FALSE(points.empty());
+  const auto higher = [](const Point3& a, const Point3& b) { return a.z() < b.z(); };
+  EXPECT_NEAR(std::max_element(points.begin(), points.end(), higher)->z(), deposit->highest(), 1e-9);
+}
+
+}  // namespace
