@@ -19,6 +19,7 @@
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 #include "toolpath_input.hpp"
+#include "voxel_input.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -118,18 +119,6 @@ void requireOutputs(const DepositArguments& arguments) {
   requireApart(pictures, {arguments.input, arguments.settings.config});
 }
 
-std::optional<Box3> cropOf(const DepositArguments& arguments) {
-  const std::vector<double>& crop = arguments.crop_mm;
-  if (crop.empty()) return std::nullopt;
-  const Box3 box{Point3(crop[0], crop[1], crop[2]), Point3(crop[3], crop[4], crop[5])};
-  if (!((box.high - box.low).minCoeff() > 0.0))
-    throw InvalidInput("crop is from (" + std::to_string(crop[0]) + ", " + std::to_string(crop[1]) + ", " +
-                       std::to_string(crop[2]) + ") to (" + std::to_string(crop[3]) + ", " +
-                       std::to_string(crop[4]) + ", " + std::to_string(crop[5]) +
-                       ") mm; expected the second corner above the first along all axes");
-  return box;
-}
-
 void drawPictures(const std::vector<SheetPicture>& pictures, const VoxelGrid& grid) {
   for (const SheetPicture& picture : pictures) {
     std::ostringstream where;
@@ -149,7 +138,7 @@ Findings examine(ToolpathDeposit deposit, const DepositArguments& arguments,
   findings.grid_mb = static_cast<double>(deposit.grid.bytes()) / kMegabyte;
   const VoxelFrame& frame = deposit.grid.frame();
   const VoxelRange solid = deposit.grid.solidRange();
-  const std::optional<Box3> crop = cropOf(arguments);
+  const std::optional<Box3> crop = cropFrom(arguments.crop_mm);
   const VoxelRange range = crop ? voxelsIn(frame, *crop) : solid;
   if (range.isEmpty()) throw InvalidInput("no voxel lies in the crop");
   findings.bits_per_voxel = 8.0 * double(deposit.grid.bytes()) / double(frameOf(frame, solid).voxelCount());
@@ -226,7 +215,7 @@ void deposit(const DepositArguments& arguments, OutputFormat format) {
   if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
   validate(settings);
   requireOutputs(arguments);
-  cropOf(arguments);
+  cropFrom(arguments.crop_mm);
   const Toolpath toolpath = onBed(readToolpath(arguments.input, settings));
   const std::vector<SheetPicture> pictures = picturesOf(arguments, toolpath);
   const Clock::time_point laying = Clock::now();

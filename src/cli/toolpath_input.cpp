@@ -32,7 +32,10 @@ ToolpathInput readToolpath(const std::string& input, const JobSettings& settings
   return read;
 }
 
-Toolpath onBed(const ToolpathInput& input) { return placed(input.toolpath, input.bed_from_part); }
+Toolpath onBed(ToolpathInput input) {
+  const bool is_there = input.bed_from_part.matrix() == Eigen::Matrix4d::Identity();
+  return is_there ? std::move(input.toolpath) : placed(input.toolpath, input.bed_from_part);
+}
 
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings) {
   ToolpathInput read = readToolpath(input, settings);

@@ -24,7 +24,7 @@ bool isPart(const std::string& input);
 ToolpathInput readToolpath(const std::string& input, const JobSettings& settings);
 
 /// The toolpath in coordinates of the bed.
-Toolpath onBed(const ToolpathInput& input);
+Toolpath onBed(ToolpathInput input);
 
 /// `readToolpath` for what looks along the jet: layers and nozzle of a file that tells neither lie as
 /// `slicing.plane` says.

@@ -26,21 +26,11 @@ Mesh meshOf(const std::string& part, const JobSettings& settings) {
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress) {
   if (isPart(input))
     return {voxelisedMesh(meshOf(input, settings), settings.deposition.voxel_mm, progress), {}};
-  const Toolpath toolpath = readOnBed(input, settings);
+  const Toolpath toolpath = onBed(readToolpath(input, settings));
   std::vector<LayerBand> layers;
   for (const ToolpathLayer& layer : toolpath.layers)
     layers.push_back({layer.z_mm - layer.height_mm, layer.z_mm});
   return {depositedVoxels(toolpath, settings.deposition, progress).grid, std::move(layers)};
-}
-
-Toolpath readOnBed(const std::string& input, const JobSettings& settings) {
-  ToolpathInput read = readToolpath(input, settings);
-  for (ToolpathLayer& layer : read.toolpath.layers) {
-    layer.z_mm += read.bed_from_part.translation().z();
-    for (Path& path : layer.paths)
-      for (Point3& point : path.points) point = read.bed_from_part * point;
-  }
-  return std::move(read.toolpath);
 }
 
 std::optional<Box3> cropFrom(const std::vector<double>& corners_mm) {

@@ -23,9 +23,6 @@ struct VoxelInput {
 /// part (mesh file or name) fills the voxels that it encloses, and has no layers.
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress);
 
-/// The toolpath of an input in coordinates of the bed.
-Toolpath readOnBed(const std::string& input, const JobSettings& settings);
-
 /// The box between two corners, or none of no numbers.
 /// @param corners_mm  six numbers or none
 /// @throws InvalidInput if the second corner is not above the first along all axes
