@@ -1,22 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/stiffness/stiffness.hpp"
-
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/available_memory.hpp"
-#include "lamina/deposition/toolpath_deposit.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/solid_voxels.hpp"
-#include "lamina/stiffness/calculix_deck.hpp"
-#include "lamina/stiffness/stiffness_vtk.hpp"
+#include "lamina/job/stiffness_job.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -46,16 +40,6 @@ JobSettings settingsFrom(const StiffnessArguments& arguments) {
   if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
   validate(settings);
   return settings;
-}
-
-VoxelGrid voxelsOf(const StiffnessArguments& arguments, const JobSettings& settings) {
-  if (isPart(arguments.input) && !arguments.is_printed) {
-    TerminalProgress progress;
-    return solidVoxels(arguments.input, settings, progress);
-  }
-  const Toolpath toolpath = onBed(readToolpath(arguments.input, settings));
-  TerminalProgress progress;
-  return depositedVoxels(toolpath, settings.deposition, progress).grid;
 }
 
 nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
@@ -133,19 +117,18 @@ double secondsSince(Clock::time_point start) {
 
 void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
   const Clock::time_point start = Clock::now();
-  requireSuffix(arguments.output, {".vtk"});
-  requireSuffix(arguments.deck, {".inp"});
-  requireApart({arguments.output, arguments.deck}, {arguments.input, arguments.settings.config});
+  requireApart({arguments.output, arguments.deck}, {arguments.settings.config});
   const JobSettings settings = settingsFrom(arguments);
-  const VoxelGrid grid = voxelsOf(arguments, settings);
-  const Clock::time_point solving = Clock::now();
+  StiffnessJob job;
+  job.input = arguments.input;
+  job.solid = arguments.is_printed ? PartSolid::AsLaid : PartSolid::AsDrawn;
+  job.output = arguments.output;
+  job.deck = arguments.deck;
+  job.settings = settings;
   TerminalProgress progress;
-  const StiffnessResult result = solveStiffness(grid, settings.stiffness, progress);
-  const double solve_s = secondsSince(solving);
-  if (!arguments.output.empty()) writeVtk(result, arguments.output);
-  if (!arguments.deck.empty()) writeCalculixDeck(result, settings.stiffness.material, arguments.deck);
-  format == OutputFormat::Json ? printJson(result, settings.stiffness, solve_s, secondsSince(start))
-                               : printText(result, settings.stiffness, solve_s);
+  const LoadedPart part = runStiffnessJob(job, progress);
+  format == OutputFormat::Json ? printJson(part.result, settings.stiffness, part.solve_s, secondsSince(start))
+                               : printText(part.result, settings.stiffness, part.solve_s);
 }
 
 }  // namespace

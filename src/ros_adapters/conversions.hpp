@@ -32,6 +32,8 @@ inline double toMillimetres(double metres) { return metres * kMillimetresPerMetr
 inline double toCubicMetres(double cubic_millimetres) { return cubic_millimetres * 1e-9; }
 /// Volume [mm³] of a volume [m³]; the same for flows.
 inline double toCubicMillimetres(double cubic_metres) { return cubic_metres * 1e9; }
+/// Stress or modulus [Pa] of one in MPa.
+inline double toPascals(double megapascals) { return megapascals * 1e6; }
 
 geometry_msgs::Point toMessage(const Point3& point);
 Point3 fromMessage(const geometry_msgs::Point& point);

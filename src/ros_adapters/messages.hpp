@@ -7,6 +7,7 @@
 // lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
 
 #define lamina lamina_msgs
+#include <lamina/ComputeStiffnessAction.h>
 #include <lamina/Bead.h>
 #include <lamina/DepositionState.h>
 #include <lamina/DepositionSummary.h>

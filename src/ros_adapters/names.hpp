@@ -55,6 +55,8 @@ inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigg
 
 // Actions.
 inline constexpr char kSlice[] = "slice";                             ///< lamina/Slice
+inline constexpr char kStiffnessPoints[] = "stiffness_points";        ///< sensor_msgs/PointCloud2, latched
+inline constexpr char kComputeStiffness[] = "compute_stiffness";      ///< lamina/ComputeStiffness
 inline constexpr char kSimulateDeposition[] = "simulate_deposition";  ///< lamina/SimulateDeposition
 inline constexpr char kDriveToolpath[] = "drive_toolpath";            ///< lamina/DriveToolpath
 inline constexpr char kFollowJointTrajectory[] =

@@ -62,15 +62,20 @@ sensor_msgs::PointCloud2 emptyCloud(const std::vector<std::string>& fields) {
   return cloud;
 }
 
-void append(sensor_msgs::PointCloud2& cloud, std::initializer_list<double> millimetres) {
-  for (const double value : millimetres) {
-    const auto metres = static_cast<float>(toMetres(value));
-    std::uint8_t bytes[sizeof metres];
-    std::memcpy(bytes, &metres, sizeof metres);
-    cloud.data.insert(cloud.data.end(), bytes, bytes + sizeof metres);
-  }
+void appendFloat(sensor_msgs::PointCloud2& cloud, float value) {
+  std::uint8_t bytes[sizeof value];
+  std::memcpy(bytes, &value, sizeof value);
+  cloud.data.insert(cloud.data.end(), bytes, bytes + sizeof value);
+}
+
+void endPoint(sensor_msgs::PointCloud2& cloud) {
   ++cloud.width;
   cloud.row_step += cloud.point_step;
+}
+
+void append(sensor_msgs::PointCloud2& cloud, std::initializer_list<double> millimetres) {
+  for (const double value : millimetres) appendFloat(cloud, static_cast<float>(toMetres(value)));
+  endPoint(cloud);
 }
 
 }  // namespace
@@ -96,10 +101,21 @@ CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isom
 }
 
 sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points) {
-  sensor_msgs::PointCloud2 cloud = emptyCloud({"x", "y", "z"});
+  return toCloudMessage(points, {});
+}
+
+sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points,
+                                        const std::vector<CloudField>& fields) {
+  std::vector<std::string> names{"x", "y", "z"};
+  for (const CloudField& field : fields) names.push_back(field.name);
+  sensor_msgs::PointCloud2 cloud = emptyCloud(names);
   cloud.is_dense = true;
   cloud.data.reserve(points.size() * cloud.point_step);
-  for (const Point3& point : points) append(cloud, {point.x(), point.y(), point.z()});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const double value : points[i]) appendFloat(cloud, static_cast<float>(toMetres(value)));
+    for (const CloudField& field : fields) appendFloat(cloud, field.values.at(i));
+    endPoint(cloud);
+  }
   return cloud;
 }
 

@@ -6,6 +6,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "lamina/geometry/height_map.hpp"
@@ -27,6 +28,18 @@ CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isom
 /// A cloud with the fields x, y and z (float32). Header: the publisher's.
 /// @param points  [mm]
 sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points);
+
+/// A value of each point of a cloud, in SI units.
+struct CloudField {
+  std::string name;
+  std::vector<float> values;
+};
+
+/// A cloud with the fields x, y and z and others (float32). Header: the publisher's.
+/// @param points  [mm]
+/// @param fields  as many values each as there are points
+sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points,
+                                        const std::vector<CloudField>& fields);
 
 /// One point per known cell, with the fields x, y, z and `deviation` (float32) [m], the last NaN where
 /// unknown.

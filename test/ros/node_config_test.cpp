@@ -109,6 +109,7 @@ TEST(NodeConfig, OfVoidFillerIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("void_filler", schema);
+  expectDefaults("stiffness_solver", schema);
 }
 
 TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/stiffness_job.hpp"
+
+#include <chrono>
+
+#include "lamina/deposition/toolpath_deposit.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/program_file.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/job/solid_voxels.hpp"
+#include "lamina/stiffness/calculix_deck.hpp"
+#include "lamina/stiffness/stiffness_vtk.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+VoxelGrid voxelsOf(const StiffnessJob& job, Progress& progress) {
+  const JobSettings& settings = job.settings;
+  const bool is_part = !isProgramFile(job.input) && !isToolpathFile(job.input);
+  if (is_part && job.solid == PartSolid::AsDrawn) return solidVoxels(job.input, settings, progress);
+  if (!is_part) {
+    const Toolpath toolpath = readToolpathFile(job.input, settings.program, settings.machine);
+    return depositedVoxels(toolpath, settings.deposition, progress).grid;
+  }
+  const SlicedPart sliced = runSliceJob({job.input, "", settings}, progress);
+  return depositedVoxels(placed(sliced.toolpath, sliced.bed_from_part), settings.deposition, progress).grid;
+}
+
+}  // namespace
+
+LoadedPart runStiffnessJob(const StiffnessJob& job, Progress& progress) {
+  requireSuffix(job.output, {".vtk"});
+  requireSuffix(job.deck, {".inp"});
+  requireApart({job.output, job.deck}, {job.input});
+  validate(job.settings);
+  const VoxelGrid grid = voxelsOf(job, progress);
+  const Clock::time_point start = Clock::now();
+  LoadedPart part;
+  part.result = solveStiffness(grid, job.settings.stiffness, progress);
+  part.solve_s = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!job.output.empty()) writeVtk(part.result, job.output);
+  if (!job.deck.empty()) writeCalculixDeck(part.result, job.settings.stiffness.material, job.deck);
+  return part;
+}
+
+}  // namespace lamina
