@@ -7,8 +7,8 @@
 // lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
 
 #define lamina lamina_msgs
-#include <lamina/ComputeStiffnessAction.h>
 #include <lamina/Bead.h>
+#include <lamina/ComputeStiffnessAction.h>
 #include <lamina/DepositionState.h>
 #include <lamina/DepositionSummary.h>
 #include <lamina/DriveToolpathAction.h>

@@ -16,7 +16,7 @@ bool isInside(unsigned corners_inside, const Corner& corner) {
 
 std::uint8_t edgeBetween(const Corner& a, const Corner& b) {
   const auto& edges = cubeEdges();
-  for (std::uint8_t e = 0; e < edges.size(); ++e) {
+  for (std::uint8_t e = 0; e < kNoEdge; ++e) {
     Corner end = edges[e].corner;
     end[static_cast<std::size_t>(edges[e].axis)] = 1;
     if ((edges[e].corner == a && end == b) || (edges[e].corner == b && end == a)) return e;
