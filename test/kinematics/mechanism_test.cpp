@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/kinematics/machine.hpp"
+#include "support/description_failure.hpp"
 
 namespace lamina {
 namespace {
@@ -42,15 +43,6 @@ std::string gantryWith(const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
   return text;
-}
-
-std::string failureOf(const std::string& urdf) {
-  try {
-    mechanismFromUrdf(urdf);
-    return "";
-  } catch (const InvalidConfig& error) {
-    return error.what();
-  }
 }
 
 TEST(Mechanism, EveryOneReachesWhereItsJointsBroughtIt) {
@@ -140,21 +132,22 @@ TEST(Mechanism, ABeltHasNoEnd) {
 }
 
 TEST(Mechanism, RefusesDescriptionsByWhatIsWrongWithThem) {
-  EXPECT_EQ(failureOf(gantryWith("\"nozzle\"", "\"tip\"")),
+  EXPECT_EQ(test::descriptionFailure(gantryWith("\"nozzle\"", "\"tip\"")),
             "machine 'cartesian_gantry' has no link 'nozzle'");
-  EXPECT_EQ(failureOf(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
+  EXPECT_EQ(test::descriptionFailure(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
             "machine 'cartesian_gantry': the axis of joint 'z' is 2.000000 long; expected 1");
-  EXPECT_EQ(failureOf(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
+  EXPECT_EQ(test::descriptionFailure(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
             "machine 'cartesian_gantry': the axes x, y and z do not span space");
-  EXPECT_EQ(failureOf(gantryWith("upper=\"0.25\"", "upper=\"-1\"")),
+  EXPECT_EQ(test::descriptionFailure(gantryWith("upper=\"0.25\"", "upper=\"-1\"")),
             "machine 'cartesian_gantry': joint 'z' has limits 0.000000 to -1.000000; the lower must be the "
             "lesser");
-  EXPECT_EQ(failureOf(gantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
+  EXPECT_EQ(test::descriptionFailure(gantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
             "machine 'cartesian_gantry': joint 'z' has a velocity of 0.000000; must be positive");
-  EXPECT_EQ(
-      failureOf(gantryWith("<joint name=\"z\" type=\"prismatic\">", "<joint name=\"z\" type=\"fixed\">")),
-      "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
-  const std::string unknown = failureOf(gantryWith("<joint name=\"x\"", "<joint name=\"left\""));
+  EXPECT_EQ(test::descriptionFailure(
+                gantryWith("<joint name=\"z\" type=\"prismatic\">", "<joint name=\"z\" type=\"fixed\">")),
+            "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
+  const std::string unknown =
+      test::descriptionFailure(gantryWith("<joint name=\"x\"", "<joint name=\"left\""));
   EXPECT_EQ(
       unknown.find("machine 'cartesian_gantry' has no joint by which its kind is told; expected one of x"),
       0U);
@@ -162,8 +155,8 @@ TEST(Mechanism, RefusesDescriptionsByWhatIsWrongWithThem) {
 
 TEST(Mechanism, NamesTheJointThatHasNoLimits) {
   const std::string limit = "<limit lower=\"0\" upper=\"0.25\" velocity=\"0.2\" effort=\"100\"/>";
-  EXPECT_NE(failureOf(gantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
-      << failureOf(gantryWith(limit, ""));
+  EXPECT_NE(test::descriptionFailure(gantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
+      << test::descriptionFailure(gantryWith(limit, ""));
 }
 
 TEST(Mechanism, RefusesAnUnknownName) { EXPECT_THROW(mechanismByName("delta"), InvalidConfig); }

@@ -11,6 +11,7 @@
 #include "lamina/base/random.hpp"
 #include "lamina/kinematics/machine.hpp"
 #include "support/any_machine.hpp"
+#include "support/description_failure.hpp"
 
 namespace lamina {
 namespace {
@@ -57,15 +58,6 @@ bool isSame(const JointValues& a, const JointValues& b, double tolerance) {
   for (Eigen::Index j = 3; j < a.size(); ++j)
     if (std::abs(std::remainder(a[j] - b[j], 2.0 * M_PI)) > tolerance) return false;
   return true;
-}
-
-std::string failureOf(const std::string& urdf) {
-  try {
-    mechanismFromUrdf(urdf);
-    return "";
-  } catch (const InvalidConfig& error) {
-    return error.what();
-  }
 }
 
 TEST(MultiAxisMachine, HeadsTurnTheJetAboutTheirPivot) {
@@ -239,7 +231,7 @@ TEST(MultiAxisMachine, RefusesOtherJointsAndMoreOfThem) {
   const auto failureWith = [&](const char* name) {
     MachineParts parts = anyParts(random);
     parts.push_back({name, Point3::UnitZ(), Point3::Zero(), Point3::Zero()});
-    return failureOf(urdfOf(parts, 2));
+    return test::descriptionFailure(urdfOf(parts, 2));
   };
   EXPECT_EQ(failureWith("c"), "machine 'any' has 3 rotary joints; at most two are understood");
   EXPECT_EQ(
@@ -248,7 +240,7 @@ TEST(MultiAxisMachine, RefusesOtherJointsAndMoreOfThem) {
       "understood");
   MachineParts four = anyParts(random);
   four.erase(four.begin() + 1);
-  EXPECT_EQ(failureOf(urdfOf(four)),
+  EXPECT_EQ(test::descriptionFailure(urdfOf(four)),
             "machine 'any' has 2 linear axes between bed and nozzle; expected x, y and z");
 }
 
@@ -257,13 +249,14 @@ TEST(MultiAxisMachine, RefusesRotaryJointsThatTiltNoJet) {
   MachineParts parts = anyParts(random);
   parts[3].axis = parts[4].axis = Point3::UnitX();
   parts[4].rpy.setZero();
-  EXPECT_NE(failureOf(urdfOf(parts)).find("are parallel; expected two that tilt the jet to any side"),
+  EXPECT_NE(test::descriptionFailure(urdfOf(parts))
+                .find("are parallel; expected two that tilt the jet to any side"),
             std::string::npos);
   std::string about_jet = mechanismByName("five_axis_table_ac")->urdf();
   const std::string tilting = "<joint name=\"a\" type=\"revolute\">";
   about_jet.replace(about_jet.find(tilting), tilting.size(),
                     "<joint name=\"base_to_cradle\" type=\"fixed\">");
-  EXPECT_EQ(failureOf(about_jet),
+  EXPECT_EQ(test::descriptionFailure(about_jet),
             "machine 'five_axis_table_ac': joint 'c' turns about the jet; expected an axis that tilts it");
 }
 

@@ -11,6 +11,7 @@
 #include "lamina/geometry/vector.hpp"
 #include "lamina/kinematics/mechanism.hpp"
 #include "support/arms.hpp"
+#include "support/description_failure.hpp"
 
 namespace lamina {
 namespace {
@@ -208,20 +209,12 @@ TEST(SixAxisArm, AnExternalAxisKeepsItsValue) {
   for (const InverseSolution& solution : solutions) EXPECT_EQ(solution.values[6], values[6]);
 }
 
-std::string failureOf(const std::string& urdf) {
-  try {
-    mechanismFromUrdf(urdf);
-    return "";
-  } catch (const InvalidConfig& error) {
-    return error.what();
-  }
-}
-
 TEST(SixAxisArm, AnArmOfFiveJointsIsRefused) {
   std::string text = test::offsetWristArm().urdf();
   const std::string last = "<joint name=\"joint_6\" type=\"revolute\"";
   text.replace(text.find(last), last.size(), "<joint name=\"joint_6\" type=\"fixed\"");
-  EXPECT_NE(failureOf(text).find("5 rotary joints"), std::string::npos) << failureOf(text);
+  EXPECT_NE(test::descriptionFailure(text).find("5 rotary joints"), std::string::npos)
+      << test::descriptionFailure(text);
 }
 
 }  // namespace

@@ -5,39 +5,25 @@
 #include <cstdio>
 #include <utility>
 
-#include "lamina/base/atomic_file.hpp"
+#include "stiffness/buffered_file.hpp"
 #include "stiffness/element_nodes.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::size_t kFlush = 1U << 20U;
 // Eight nodes, fully integrated, strain linear as it follows from the displacements.
 constexpr const char* kElement = "C3D8";
 
-/// Lines written to a file, a mebibyte at a time.
+/// Lines of a deck.
 class Deck {
  public:
   explicit Deck(const std::string& path) : file_(path) {}
 
-  void line(const std::string& text) {
-    buffer_ += text;
-    buffer_ += '\n';
-    if (buffer_.size() > kFlush) flush();
-  }
-  void commit() {
-    flush();
-    file_.commit();
-  }
+  void line(const std::string& text) { file_.append(text + '\n'); }
+  void commit() { file_.commit(); }
 
  private:
-  void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
-  }
-
-  AtomicFile file_;
-  std::string buffer_;
+  BufferedFile file_;
 };
 
 std::string exact(double value) {

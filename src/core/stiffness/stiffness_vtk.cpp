@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/stiffness/stiffness_vtk.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include "lamina/base/atomic_file.hpp"
+#include "stiffness/buffered_file.hpp"
 #include "stiffness/element_nodes.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::size_t kFlush = 1U << 20U;
 constexpr std::int32_t kHexahedron = 12;  // number of the cell in VTK
 
 /// Text and numbers of four bytes, most significant first, as legacy VTK files have them.
@@ -19,28 +19,19 @@ class VtkFile {
  public:
   explicit VtkFile(const std::string& path) : file_(path) {}
 
-  void text(const std::string& line) { buffer_ += line; }
+  void text(const std::string& line) { file_.append(line); }
   template <class Number>
   void number(Number value) {
     static_assert(sizeof(Number) == 4);
-    char bytes[4];
-    std::memcpy(bytes, &value, 4);
-    for (int i = 3; i >= 0; --i) buffer_ += bytes[i];
-    if (buffer_.size() > kFlush) flush();
+    std::string bytes(4, '\0');
+    std::memcpy(bytes.data(), &value, 4);
+    std::reverse(bytes.begin(), bytes.end());
+    file_.append(bytes);
   }
-  void commit() {
-    flush();
-    file_.commit();
-  }
+  void commit() { file_.commit(); }
 
  private:
-  void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
-  }
-
-  AtomicFile file_;
-  std::string buffer_;
+  BufferedFile file_;
 };
 
 void writeGrid(const ElementModel& model, VtkFile& file) {
