@@ -31,11 +31,14 @@ ARROWS = {
     "pores": ["geometry"],
     "stiffness": ["geometry"],
     "statistics": ["base"],
+    "metrics": ["dynamics", "surface"],
+    "optimisation": ["statistics"],
+    "study": ["optimisation", "picture"],
     "overhang": ["toolpath", "surface"],
     "clearance": ["kinematics"],
     "monitoring": ["toolpath"],
     "picture": ["overhang", "pores"],
-    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "sweep", "scaffold", "pores", "stiffness", "statistics", "overhang", "clearance", "monitoring", "picture"],
+    "job": ["planning", "orientation", "voids", "program", "transform", "kinematics", "trajectory", "dynamics", "streaming", "startup", "deposition", "sweep", "scaffold", "pores", "stiffness", "statistics", "metrics", "optimisation", "study", "overhang", "clearance", "monitoring", "picture"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/random.hpp"
+
+namespace lamina {
+
+/// What values a variable takes.
+enum class VariableKind {
+  Continuous,   ///< any number between two bounds, both included
+  Integer,      ///< whole numbers between two bounds, both included
+  Levels,       ///< one of some numbers; what lies between has a meaning, but cannot be chosen
+  Categorical,  ///< one of some texts, without order
+};
+
+/// What a search may change.
+struct Variable {
+  std::string name;  ///< a key of the configuration, or what a command's arguments call it
+  VariableKind kind = VariableKind::Continuous;
+  double low = 0.0;                  ///< Continuous, Integer
+  double high = 0.0;                 ///< Continuous, Integer
+  std::vector<double> levels;        ///< Levels: ascending, at least two
+  std::vector<std::string> choices;  ///< Categorical: at least two, all different
+};
+
+/// One value for each variable, in order. Categorical: the index of the choice.
+using DesignPoint = std::vector<double>;
+
+/// The variables of a search.
+using DesignSpace = std::vector<Variable>;
+
+/// Least value of a variable.
+double lowOf(const Variable& variable);
+/// Greatest value of a variable; Categorical: the last index.
+double highOf(const Variable& variable);
+
+/// @throws InvalidConfig naming the variable if there is none, two have one name, bounds are not finite or
+///   not in order, integer bounds are not whole, or there are too few or unordered levels or choices
+void validate(const DesignSpace& space);
+
+/// @throws InvalidInput naming variable and value if the point has another number of values than there are
+///   variables, or one of them is none of its variable's
+void requireWithin(const DesignSpace& space, const DesignPoint& point);
+
+/// The nearest point whose values are all allowed: clamped to the bounds, rounded to whole numbers, indices
+/// or levels (halves up).
+DesignPoint nearestWithin(const DesignSpace& space, DesignPoint point);
+
+/// Each value uniform over what its variable allows, independent of the others.
+DesignPoint randomPoint(const DesignSpace& space, Random& random);
+
+/// A value as it stands in a configuration: a choice, or the shortest number that reads back the same.
+std::string textOf(const Variable& variable, double value);
+
+/// The value that a text stands for.
+/// @throws InvalidInput naming variable and text if it is none of its values
+double valueOf(const Variable& variable, const std::string& text);
+
+}  // namespace lamina

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// Which way is better.
+enum class Sense { Minimise, Maximise };
+
+/// A response to be made small or large.
+struct Objective {
+  std::string response;
+  Sense sense = Sense::Minimise;
+  double weight = 1.0;  ///< where objectives are summed; one of weight 0 is only predicted
+};
+
+/// A response that must lie in an interval, bounds included.
+struct Constraint {
+  std::string response;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+/// What a search is for.
+struct Goals {
+  std::vector<Objective> objectives;
+  std::vector<Constraint> constraints;
+};
+
+/// @throws InvalidConfig naming the response if there is no objective, a weight is negative or not finite,
+///   an interval is empty, or a name is none of the responses
+void validate(const Goals& goals, const std::vector<std::string>& response_names);
+
+/// The index of a response.
+/// @throws InvalidConfig naming those there are if it is none of them
+std::size_t responseIndex(const std::vector<std::string>& response_names, const std::string& response);
+
+/// The objectives as numbers to be made small: those to be maximised change their sign.
+std::vector<double> costsOf(const Goals& goals, const std::vector<std::string>& response_names,
+                            const std::vector<double>& responses);
+
+/// By how much responses leave their intervals: the sum over constraints of the distance from the interval,
+/// each divided by the magnitude of the bound (by 1 if that is less); 0 if all hold. A response that is not a
+/// number leaves its interval infinitely far.
+double violationOf(const Goals& goals, const std::vector<std::string>& response_names,
+                   const std::vector<double>& responses);
+
+}  // namespace lamina
