@@ -37,7 +37,8 @@ TEST_P(DropConsistency, TakesTheDefaultsAndWhatAgreesWithThem) {
 
 TEST_P(DropConsistency, RefusesWhatDropsDoNotFollow) {
   for (const char* assignment :
-       {"infill.density=0.5", "infill.density=0", "walls.count=3", "skirt.count=2", "voids.refill=beads"}) {
+       {"infill.density=0.5", "infill.density=0", "infill.pitch_mm=0.5", "infill.outer_layers=2",
+        "walls.count=3", "skirt.count=2", "voids.refill=beads"}) {
     const SettingText setting = settingFromAssignment(assignment);
     const std::string refusal = refusalOf(GetParam(), {assignment});
     for (const std::string& told : {setting.key, setting.text, std::string("expected")})

@@ -112,16 +112,14 @@ TEST(Walls, FillADiscOfTheRadiusThatTheLastOneVanishesAt) {
 }
 
 TEST(Walls, LeaveBeadsAlongNarrowPlacesInsteadOfASolidInfill) {
-  PlanSettings settings = wallsOf(1);
-  settings.infill.density = 1.0;
+  const PlanSettings settings = wallsOf(1);
   const Regions slot = {{rectangle(0, 0, 20, 1.4), {}}};  // 0.6 mm between the walls
   const Walls solid = makeWalls(slot, settings, kPitch, WallContact::Fitted);
   ASSERT_EQ(solid.narrow_infill.size(), 1U);
   EXPECT_EQ(solid.narrow_infill[0].role, PathRole::GapFill);
   for (const double width : solid.narrow_infill[0].width_mm) EXPECT_NEAR(width, 0.6, 0.01);
   EXPECT_LT(area(solid.infill), 0.05);
-  settings.infill.density = 0.5;
-  const Walls sparse = makeWalls(slot, settings, kPitch, WallContact::Fitted);
+  const Walls sparse = makeWalls(slot, settings, kPitch, WallContact::Overlapping);
   EXPECT_TRUE(sparse.narrow_infill.empty());
   EXPECT_GT(area(sparse.infill), 19.2 * 0.6);  // it overlaps the wall
 }

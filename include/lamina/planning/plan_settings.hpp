@@ -31,7 +31,10 @@ struct WallSettings {
 /// How what the walls leave is filled.
 struct InfillSettings {
   std::string strategy = "zigzag";
-  double density = 0.2;  ///< 1 is solid, 0 is none
+  double density = 0.2;         ///< 1 is solid, 0 is none
+  double pitch_mm = 0.0;        ///< between neighbouring lines; 0 takes what the density asks for
+  int outer_layers = 0;         ///< so many first and last layers have a pitch of their own
+  double outer_pitch_mm = 0.0;  ///< of those; 0 is solid
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
@@ -39,6 +42,11 @@ struct InfillSettings {
 
 /// Whether the density is 1, but for rounding.
 inline bool isSolid(const InfillSettings& settings) { return settings.density > 1.0 - 1e-6; }
+
+/// Whether any layer has lines of infill.
+inline bool isFilled(const InfillSettings& settings) {
+  return settings.density > 0.0 || settings.pitch_mm > 0.0 || settings.outer_layers > 0;
+}
 
 /// What becomes of voids that walls and infill leave.
 enum class VoidRefill { None, Beads };
@@ -97,7 +105,7 @@ struct PlanSettings {
 
 /// One wall and nothing inside it.
 inline bool isLoneWall(const PlanSettings& settings) {
-  return settings.walls.count == 1 && settings.infill.density == 0.0;
+  return settings.walls.count == 1 && !isFilled(settings.infill);
 }
 
 /// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, anchoring.*,

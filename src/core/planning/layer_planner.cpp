@@ -15,6 +15,7 @@
 #include "planning/anchored_run.hpp"
 #include "planning/bed_side.hpp"
 #include "planning/footing.hpp"
+#include "planning/infill_spacing.hpp"
 #include "planning/ordering.hpp"
 #include "planning/run_path.hpp"
 #include "planning/seam.hpp"
@@ -66,6 +67,7 @@ class LayerPlanner {
     result_.height_mm = layer.slab.height();
     bead_ = {settings_.bead.width_mm, result_.height_mm};
     pitch_ = settings_.bead.pitch_mm > 0.0 ? settings_.bead.pitch_mm : planWidth(bead_);
+    infill_ = infillSpacing(settings_.infill, pitch_, {index, context.layer_count});
   }
 
   PlannedLayer plan(const std::vector<Polygon>& contours) && {
@@ -94,13 +96,19 @@ class LayerPlanner {
   /// A vase is hollow.
   bool isFilledByBeads() const { return !laysDrops() && context_.strategy.link != LayerLink::Rising; }
 
+  /// A sparse fill runs into the walls rather than ending at them.
+  WallContact contact() const {
+    const WallContact contact = context_.strategy.contact;
+    return contact == WallContact::Fitted && !isSolid(infill_) ? WallContact::Overlapping : contact;
+  }
+
   /// @return area [mm²] that gets no bead
   double addIsland(const Region& island) {
     if (laysDrops()) {
       addInfill({island});
       return 0.0;
     }
-    Walls walls = makeWalls({island}, settings_, pitch_, context_.strategy.contact);
+    Walls walls = makeWalls({island}, settings_, pitch_, contact());
     const std::size_t count = walls.walls.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
@@ -108,11 +116,11 @@ class LayerPlanner {
       addShortest(std::move(walls.walls[k].thin), {});
     }
     const std::size_t before = result_.paths.size();
-    if (settings_.infill.density > 0.0) addInfill(walls.infill);
+    if (infill_.spacing_mm > 0.0) addInfill(walls.infill);
     starts_ += startsOf(walls.infill, fillsSince(before), pitch_);
     addShortest(std::move(walls.narrow_infill), {});
-    if (!isSolid(settings_.infill)) sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
-    return walls.unprinted_mm2 + (isSolid(settings_.infill) ? areaMissed(walls.infill, before) : 0.0);
+    if (!isSolid(infill_)) sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
+    return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, before) : 0.0);
   }
 
   /// Area [mm²] of those regions into which none of the paths goes that were laid since there were so many.
@@ -160,8 +168,10 @@ class LayerPlanner {
     if (area.empty()) return;
     const SmoothingSettings& smoothing = settings_.fill.smoothing;
     std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
-    for (FillPath& fill : fills)
+    for (FillPath& fill : fills) {
       fill = simplified(smoothed(std::move(fill), smoothing), smoothing.tolerance_mm);
+      for (double& width : fill.width_mm) width *= pitch_ / infill_.pitch_mm;
+    }
     if (context_.strategy.order == RunOrder::AsGiven) {
       for (const FillPath& fill : fills) addFill(fill, area);
       return;
@@ -182,7 +192,7 @@ class LayerPlanner {
   void refillVoids(const Regions& material) {
     RefillSettings settings;
     settings.least_area = settings_.voids.least_area;
-    const Regions solid = isSolid(settings_.infill) ? material : difference(material, sparse_);
+    const Regions solid = isSolid(infill_) ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addShortest(refill(findVoids(solid, result_, {}), settings), material);
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
@@ -196,8 +206,8 @@ class LayerPlanner {
   InfillRequest infillRequest() const {
     const InfillSettings& infill = settings_.infill;
     InfillRequest request;
-    request.pitch_mm = pitch_;
-    request.spacing_mm = isSolid(infill) ? pitch_ : pitch_ / infill.density;
+    request.pitch_mm = infill_.pitch_mm;
+    request.spacing_mm = infill_.spacing_mm;
     const double turn = infill.alternation_deg * static_cast<double>(index_);
     request.angle_rad = std::fmod(infill.angle_deg + turn, 360.0) * M_PI / 180.0;
     request.turn_rad = std::fmod(turn, 360.0) * M_PI / 180.0;
@@ -257,6 +267,7 @@ class LayerPlanner {
   std::size_t moved_starts_ = 0;
   Bead bead_;           ///< nominal
   double pitch_ = 0.0;  ///< between neighbouring beads [mm]
+  InfillSpacing infill_;
   double unprinted_mm2_ = 0.0;
   Refilling refilling_;
   FillStarts starts_;

@@ -20,6 +20,7 @@ namespace lamina {
 struct PlanContext {
   PlanSettings settings;
   InfillStrategy strategy;
+  std::size_t layer_count = 0;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
   std::optional<BedPlane> bed;     ///< beneath inclined layers
   LayerLift lift;                  ///< of layers planned in a plan; none of those planned where they are

@@ -27,6 +27,16 @@ std::string text(double value) {
                       "', which lays drops; expected " + expected);
 }
 
+void requireNoInfillPitch(const PlanSettings& settings, const std::string& why) {
+  const auto require = [&](const std::string& key, double value) {
+    if (value == 0.0) return;
+    throw InvalidConfig(key + " is " + text(value) + " with infill.strategy '" + settings.infill.strategy +
+                        "', " + why + "; expected the default 0");
+  };
+  require("infill.pitch_mm", settings.infill.pitch_mm);
+  require("infill.outer_layers", settings.infill.outer_layers);
+}
+
 void requireNoCount(const std::string& key, int count, int usual, const PlanSettings& settings) {
   if (count == 0 || count == usual) return;
   refuse(key + " is " + std::to_string(count), settings,
@@ -48,6 +58,7 @@ void requireConsistentDrops(const PlanSettings& settings) {
     refuse("infill.density is " + text(density), settings,
            "1 or the default " + text(usual.infill.density) +
                ": drops cover the whole section, as densely as drops.pitch_mm tells");
+  requireNoInfillPitch(settings, "which lays drops");
   requireNoCount("walls.count", settings.walls.count, usual.walls.count, settings);
   requireNoCount("skirt.count", settings.skirt.count, usual.skirt.count, settings);
   if (settings.voids.refill != VoidRefill::None)
@@ -67,6 +78,7 @@ void requireConsistentVase(const PlanSettings& settings) {
   };
   if (settings.walls.count != 0) require("walls.count", settings.walls.count, usual.walls.count);
   require("infill.density", settings.infill.density, usual.infill.density);
+  requireNoInfillPitch(settings, "which is its own wall");
   if (settings.voids.refill != VoidRefill::None)
     throw InvalidConfig(
         "voids.refill is 'beads' with infill.strategy 'vase', which is hollow; expected 'none'");

@@ -30,6 +30,12 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
   schema.choice("infill.strategy", infill.strategy, infillStrategyNames(), "How the inside is filled.");
   schema.number("infill.density", infill.density, {0.0, 1.0, false},
                 "Part of the inside that is filled; 1 is solid.");
+  schema.number("infill.pitch_mm", infill.pitch_mm, {0.0, 1000.0, false},
+                "Distance of neighbouring lines of infill; 0 takes what infill.density asks for.");
+  schema.integer("infill.outer_layers", infill.outer_layers, {0, 100000, false},
+                 "So many first and last layers are filled as infill.outer_pitch_mm says.");
+  schema.number("infill.outer_pitch_mm", infill.outer_pitch_mm, {0.0, 1000.0, false},
+                "Distance of neighbouring lines in these; 0 is solid.");
   schema.number("infill.angle_deg", infill.angle_deg, kAngle,
                 "Direction of the first layer's infill, from x.");
   schema.number("infill.alternation_deg", infill.alternation_deg, kAngle,

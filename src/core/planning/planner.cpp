@@ -21,6 +21,7 @@ namespace {
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
   PlanContext context;
   context.settings = settings;
+  context.layer_count = layers.size();
   context.strategy = infillStrategy(settings.infill.strategy);
   SettingsSchema schema;
   describe(schema, context.settings);

@@ -104,8 +104,8 @@ class WallMaker {
 }  // namespace
 
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
-  const bool fits = contact == WallContact::Fitted && isSolid(settings.infill);
-  const bool overlaps = contact != WallContact::Beside && !fits;
+  const bool fits = contact == WallContact::Fitted;
+  const bool overlaps = contact == WallContact::Overlapping;
   const double overlap = overlaps ? settings.infill.wall_overlap * settings.bead.width_mm : 0.0;
   const WallMaker maker(material, settings, pitch_mm, overlap);
   Walls walls = maker.make();

@@ -35,6 +35,7 @@ struct Walls {
 
 /// @param material  what is to be filled [mm]
 /// @param pitch_mm  between neighbouring beads
+/// @param contact   `Fitted` is for a solid infill only
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact);
 
 }  // namespace lamina
