@@ -2,30 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "voxel_input.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/mesh_reader.hpp"
-#include "lamina/geometry/parts.hpp"
 #include "lamina/geometry/voxelised_mesh.hpp"
+#include "lamina/job/part_mesh.hpp"
 #include "toolpath_input.hpp"
 
 namespace lamina::cli {
-namespace {
-
-Mesh meshOf(const std::string& part, const JobSettings& settings) {
-  const std::vector<std::string> names = partNames();
-  const bool is_name = std::find(names.begin(), names.end(), part) != names.end();
-  return is_name ? makePart(part) : readMesh(part, settings.input.units);
-}
-
-}  // namespace
-
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress) {
   if (isPart(input))
-    return {voxelisedMesh(meshOf(input, settings), settings.deposition.voxel_mm, progress), {}};
+    return {voxelisedMesh(partMesh(input, settings.input), settings.deposition.voxel_mm, progress), {}};
   const Toolpath toolpath = onBed(readToolpath(input, settings));
   std::vector<LayerBand> layers;
   for (const ToolpathLayer& layer : toolpath.layers)

@@ -53,6 +53,19 @@ class ScaffoldAndPores(unittest.TestCase):
         self.assertEqual(found["pore_um"], 0.0)
         self.assertTrue(os.path.getsize(self.path("box.png")) > 1000)
 
+    def test_an_open_part_is_closed_as_for_slicing(self):
+        assert lamina("part", "box", "--set", "x_mm=4", "-o", self.path("box.stl")).returncode == 0
+        with open(self.path("box.stl"), "rb") as file:
+            mesh = bytearray(file.read())
+        mesh[80:84] = (11).to_bytes(4, "little")
+        with open(self.path("open.stl"), "wb") as file:
+            file.write(mesh[:-50])
+        found = [told("pores", self.path(name), "--voxel-mm", "0.5") for name in ("box.stl", "open.stl")]
+        self.assertEqual(found[0], found[1])
+        done = lamina("pores", self.path("open.stl"), "--set", "input.repair=strict")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("not closed", done.stderr)
+
     def test_what_cannot_be_is_refused_before_anything_is_written(self):
         for arguments in (["octagon"], ["box", "--set", "scaffold.density=0"], ["box", "--set", "scaffold.bead_width_mm=0.1"]):
             done = lamina("scaffold", *arguments, "-o", self.path("no.csv"))

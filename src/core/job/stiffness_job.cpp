@@ -3,13 +3,16 @@
 #include "lamina/job/stiffness_job.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include "lamina/deposition/toolpath_deposit.hpp"
+#include "lamina/geometry/voxelised_mesh.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/part_mesh.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/job/solid_voxels.hpp"
 #include "lamina/stiffness/calculix_deck.hpp"
+#include "lamina/stiffness/stiffness_memory.hpp"
 #include "lamina/stiffness/stiffness_vtk.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 
@@ -18,10 +21,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Refused before any voxel is filled if their solution needs more memory than there is.
+VoxelGrid voxelsAsDrawn(const StiffnessJob& job, Progress& progress) {
+  const Mesh mesh = partMesh(job.input, job.settings.input);
+  const double voxel_mm = job.settings.deposition.voxel_mm;
+  const double voxels = std::abs(volume(mesh)) / (voxel_mm * voxel_mm * voxel_mm);
+  requireMemory(stiffnessBytes(voxels, voxels), job.settings.stiffness.memory_mb, voxel_mm);
+  return voxelisedMesh(mesh, voxel_mm, progress);
+}
+
 VoxelGrid voxelsOf(const StiffnessJob& job, Progress& progress) {
   const JobSettings& settings = job.settings;
   const bool is_part = !isProgramFile(job.input) && !isToolpathFile(job.input);
-  if (is_part && job.solid == PartSolid::AsDrawn) return solidVoxels(job.input, settings, progress);
+  if (is_part && job.solid == PartSolid::AsDrawn) return voxelsAsDrawn(job, progress);
   if (!is_part) {
     const Toolpath toolpath = readToolpathFile(job.input, settings.program, settings.machine);
     return depositedVoxels(toolpath, settings.deposition, progress).grid;
