@@ -61,6 +61,8 @@ class ScaffoldAndPores(unittest.TestCase):
         with open(self.path("open.stl"), "wb") as file:
             file.write(mesh[:-50])
         found = [told("pores", self.path(name), "--voxel-mm", "0.5") for name in ("box.stl", "open.stl")]
+        for report in found:
+            del report["wall_s"]
         self.assertEqual(found[0], found[1])
         done = lamina("pores", self.path("open.stl"), "--set", "input.repair=strict")
         self.assertEqual(done.returncode, 1)
