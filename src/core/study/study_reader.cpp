@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/study/study_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "lamina/study/placeholders.hpp"
+#include "study/measure_reader.hpp"
+#include "study/strict_yaml.hpp"
+
+namespace lamina {
+namespace {
+
+const std::vector<std::string> kStudyKeys = {
+    "name",  "about",      "method",      "variables", "slice", "commands", "responses", "time_limit_s",
+    "table", "objectives", "constraints", "search",    "seed",  "decision", "published"};
+constexpr double kLongestCommandS = 1e6;
+
+Variable variableFrom(const std::string& name, const StrictYaml& yaml) {
+  Variable variable;
+  variable.name = name;
+  if (yaml.isList()) {
+    const std::vector<double> bounds = yaml.numbers();
+    if (bounds.size() != 2) yaml.refuse("expected two bounds, [low, high]");
+    variable.low = bounds[0], variable.high = bounds[1];
+    return variable;
+  }
+  std::set<std::string> given;
+  for (const auto& [key, value] : yaml.entries({"low", "high", "whole", "levels", "choices"})) {
+    given.insert(key);
+    if (key == "low") variable.low = value.number();
+    if (key == "high") variable.high = value.number();
+    if (key == "whole" && value.flag()) variable.kind = VariableKind::Integer;
+    if (key == "levels") variable.kind = VariableKind::Levels, variable.levels = value.numbers();
+    if (key == "choices") variable.kind = VariableKind::Categorical, variable.choices = value.texts();
+  }
+  given.erase("whole");
+  if (given != std::set<std::string>{"low", "high"} && given != std::set<std::string>{"levels"} &&
+      given != std::set<std::string>{"choices"})
+    yaml.refuse("expected [low, high], or 'low' and 'high', or 'levels', or 'choices'");
+  return variable;
+}
+
+DesignSpace variablesFrom(const StrictYaml& yaml) {
+  DesignSpace space;
+  for (const auto& [name, value] : yaml.entries()) {
+    space.push_back(variableFrom(name, value));
+    try {
+      validate({space.back()});
+    } catch (const InvalidConfig& error) {
+      value.refuse(error.what());
+    }
+  }
+  if (space.empty()) yaml.refuse("expected at least one variable");
+  return space;
+}
+
+Sense senseFrom(const StrictYaml& yaml) {
+  const std::string word = yaml.text();
+  if (word != "minimise" && word != "maximise") yaml.refuse("'" + word + "'; expected minimise or maximise");
+  return word == "minimise" ? Sense::Minimise : Sense::Maximise;
+}
+
+std::vector<Objective> objectivesFrom(const StrictYaml& yaml) {
+  std::vector<Objective> objectives;
+  for (const auto& [name, value] : yaml.entries()) {
+    Objective objective;
+    objective.response = name;
+    if (value.isScalar()) {
+      objective.sense = senseFrom(value);
+    } else {
+      for (const auto& [key, field] : value.entries({"sense", "weight"})) {
+        if (key == "sense") objective.sense = senseFrom(field);
+        if (key == "weight") objective.weight = field.number();
+        if (objective.weight < 0.0) field.refuse("'" + field.text() + "'; expected at least 0");
+      }
+    }
+    objectives.push_back(objective);
+  }
+  if (objectives.empty()) yaml.refuse("expected at least one objective");
+  return objectives;
+}
+
+Constraint constraintFrom(const std::string& name, const StrictYaml& yaml) {
+  Constraint constraint;
+  constraint.response = name;
+  if (yaml.isList()) {
+    const std::vector<double> bounds = yaml.numbers();
+    if (bounds.size() != 2) yaml.refuse("expected two bounds, [low, high]");
+    constraint.low = bounds[0], constraint.high = bounds[1];
+  } else {
+    for (const auto& [key, value] : yaml.entries({"low", "high"}))
+      (key == "low" ? constraint.low : constraint.high) = value.number();
+  }
+  if (!(constraint.low <= constraint.high)) yaml.refuse("nothing lies between these bounds");
+  return constraint;
+}
+
+DecisionWishes decisionFrom(const StrictYaml& yaml) {
+  DecisionWishes wishes;
+  for (const auto& [key, value] : yaml.entries({"method", "weights"})) {
+    if (key == "method") wishes.method = value.text();
+    if (wishes.method != "linmap" && wishes.method != "topsis")
+      value.refuse("'" + wishes.method + "'; expected linmap or topsis");
+    if (key == "weights") {
+      for (const auto& [name, weight] : value.entries()) {
+        if (weight.number() < 0.0) weight.refuse("'" + weight.text() + "'; expected at least 0");
+        wishes.weights.push_back({name, weight.text()});
+      }
+    }
+  }
+  return wishes;
+}
+
+void readPublished(const StrictYaml& yaml, Study& study) {
+  for (const auto& [key, value] : yaml.entries({"source", "rows"})) {
+    if (key == "source") study.published_source = value.text();
+    if (key == "rows")
+      for (const auto& [name, row] : value.entries()) study.published.push_back({name, row.settings()});
+  }
+}
+
+void readCommands(const StrictYaml::Entries& entries, Study& study) {
+  const auto find = [&](const std::string& key) {
+    return std::find_if(entries.begin(), entries.end(),
+                        [&](const auto& entry) { return entry.first == key; });
+  };
+  const auto commands = find("commands");
+  const auto responses = find("responses");
+  const auto limit = find("time_limit_s");
+  if (commands == entries.end()) {
+    if (responses != entries.end()) responses->second.refuse("there are no commands to respond");
+    if (limit != entries.end()) limit->second.refuse("there are no commands to limit");
+    return;
+  }
+  if (responses == entries.end()) commands->second.refuse("expected the key 'responses' beside it");
+  CommandMeasure measure;
+  measure.commands = commandsFrom(commands->second);
+  measure.responses = responsesFrom(responses->second, measure.commands);
+  if (limit != entries.end()) measure.time_limit_s = limit->second.number();
+  if (!(measure.time_limit_s > 0.0 && measure.time_limit_s <= kLongestCommandS))
+    limit->second.refuse("expected more than 0 and at most 1e6 s");
+  study.commands = measure;
+}
+
+SearchMethod methodFrom(const StrictYaml& yaml) {
+  const std::string word = yaml.text();
+  if (word != "nsga2" && word != "surrogate") yaml.refuse("'" + word + "'; expected nsga2 or surrogate");
+  return word == "nsga2" ? SearchMethod::Nsga2 : SearchMethod::Surrogate;
+}
+
+/// What concerns one key alone.
+void readKey(const std::string& key, const StrictYaml& value, Study& study) {
+  if (key == "name") study.name = value.text();
+  if (key == "about") study.about = value.text();
+  if (key == "method") study.method = methodFrom(value);
+  if (key == "variables") study.variables = variablesFrom(value);
+  if (key == "slice") study.slice = sliceMeasureFrom(value, study.folder);
+  if (key == "table") study.table = tableFrom(value, study.folder);
+  if (key == "objectives") study.goals.objectives = objectivesFrom(value);
+  if (key == "constraints")
+    for (const auto& [name, bounds] : value.entries())
+      study.goals.constraints.push_back(constraintFrom(name, bounds));
+  if (key == "search") study.search = value.settings();
+  if (key == "seed") study.seed = static_cast<std::uint64_t>(value.whole(0, std::numeric_limits<int>::max()));
+  if (key == "decision") study.decision = decisionFrom(value);
+  if (key == "published") readPublished(value, study);
+}
+
+void requireOneMeasure(const StrictYaml& document, const Study& study) {
+  if (study.slice && study.commands) document.refuse("'slice' and 'commands' are both there; expected one");
+  const bool is_measured = study.slice || study.commands;
+  if (!is_measured && study.table.file.empty())
+    document.refuse("nothing measures; expected one of the keys slice, commands, table");
+  if (study.method == SearchMethod::Nsga2 && !is_measured)
+    document.refuse(
+        "a front cannot be searched in a table; expected 'slice' or 'commands', or method surrogate");
+  if (study.method == SearchMethod::Nsga2 && !study.table.file.empty())
+    document.refuse("'table' starts a surrogate; expected method surrogate");
+}
+
+void requirePlaceholders(const StrictYaml& document, const Study& study) {
+  if (!study.commands) return;
+  std::set<std::string> known = {"folder"};
+  for (const Variable& variable : study.variables) {
+    if (variable.name == "folder")
+      document.refuse("variables: folder: the name is that of the scratch folder; expected another");
+    known.insert(variable.name);
+  }
+  std::set<std::string> used;
+  for (const StudyCommand& command : study.commands->commands)
+    for (const std::string& argument : command.arguments)
+      for (const std::string& name : placeholdersIn(argument)) {
+        if (known.count(name) == 0)
+          document.refuse("commands: " + command.name + ": '{" + name + "}' is no variable; there are " +
+                          listed({known.begin(), known.end()}));
+        used.insert(name);
+      }
+  for (const Variable& variable : study.variables)
+    if (used.count(variable.name) == 0)
+      document.refuse("variables: " + variable.name + ": no command has '{" + variable.name + "}'");
+}
+
+void requireConsistent(const StrictYaml& document, const Study& study) {
+  if (study.variables.empty()) document.refuse("expected the key 'variables'");
+  if (study.goals.objectives.empty()) document.refuse("expected the key 'objectives'");
+  requireOneMeasure(document, study);
+  requirePlaceholders(document, study);
+  try {
+    validate(study.goals, responseNames(study));
+  } catch (const InvalidConfig& error) {
+    document.refuse(error.what());
+  }
+}
+
+}  // namespace
+
+Study readStudy(const std::string& yaml, const std::string& source_name, const std::string& folder) {
+  try {
+    const StrictYaml document(YAML::Load(yaml), source_name, "");
+    const StrictYaml::Entries entries = document.entries(kStudyKeys);
+    Study study;
+    study.folder = folder;
+    for (const auto& [key, value] : entries) readKey(key, value, study);
+    readCommands(entries, study);
+    requireConsistent(document, study);
+    if (study.name.empty()) study.name = std::filesystem::path(source_name).stem().string();
+    return study;
+  } catch (const YAML::Exception& error) {
+    throw InvalidConfig(source_name + ":" + std::to_string(error.mark.line + 1) + ": " + error.msg);
+  }
+}
+
+Study readStudyFile(const std::string& path) {
+  return readStudy(readFile(path), path, std::filesystem::path(path).parent_path().string());
+}
+
+}  // namespace lamina

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/study/command_measurement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+/// Cancelled when it is asked for the second time or later.
+class SoonCancelled final : public Progress {
+ public:
+  void report(const std::string&, double) override {}
+  bool isCancelled() const override { return ++asked_ > 3; }
+
+ private:
+  mutable std::atomic<int> asked_{0};
+};
+
+Study studyOf(std::vector<std::string> arguments, const std::string& pointer = "/y") {
+  Study study;
+  study.variables = {{"x", VariableKind::Continuous, -10.0, 10.0, {}, {}}};
+  study.commands = CommandMeasure{{{"only", std::move(arguments)}}, {{"y", "only", pointer}}, 60.0};
+  return study;
+}
+
+double measured(const Study& study, double x) {
+  NoProgress progress;
+  return commandMeasurement(study)({x}, progress).at(0);
+}
+
+std::string refusalOf(const Study& study) {
+  try {
+    measured(study, 1.0);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(CommandMeasurement, PutsVariablesIntoArgumentsAndReadsTheNumber) {
+  EXPECT_EQ(measured(studyOf({"printf", R"({"y": {x}})"}), 0.1), 0.1);
+  EXPECT_EQ(measured(studyOf({"printf", R"({"a": [{"b": {x}}]})"}, "/a/0/b"), -2.5), -2.5);
+}
+
+TEST(CommandMeasurement, RunsCommandsInOrderInOneScratchFolderThatIsGoneAfterwards) {
+  Study study = studyOf({"cp", "/dev/null", "{folder}/made"});
+  study.variables.front().name = "unused";
+  study.commands->commands.push_back({"list", {"ls", "{folder}"}});
+  study.commands->commands.push_back({"tell", {"printf", R"({"path": "{folder}", "y": 1})"}});
+  study.commands->responses = {{"y", "tell", "/y"}};
+  EXPECT_EQ(measured(study, 1.0), 1.0);
+  study.commands->responses = {{"y", "tell", "/path"}};
+  const std::string told = refusalOf(study);
+  const std::size_t begin = told.find('"') + 1;
+  const std::string folder = told.substr(begin, told.find('"', begin) - begin);
+  EXPECT_EQ(folder.rfind(std::filesystem::temp_directory_path().string(), 0), 0U) << told;
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(CommandMeasurement, RunsInTheFolderOfTheStudy) {
+  const test::ScratchFolder folder;
+  writeFile(folder.file("here.json"), R"({"y": 7})");
+  Study study = studyOf({"cat", "here.json"});
+  study.folder = std::filesystem::path(folder.file("")).parent_path().string();
+  EXPECT_EQ(measured(study, 1.0), 7.0);
+}
+
+TEST(CommandMeasurement, NeedsNoShell) {
+  const test::ScratchFolder folder;
+  Study study = studyOf({"printf", "%s", R"({"y": 1, "text": "$(touch {out}) `touch {out}`; touch {out}"})"});
+  study.variables.push_back({"out", VariableKind::Categorical, 0, 0, {}, {folder.file("bad"), "; false"}});
+  NoProgress progress;
+  for (const double choice : {0.0, 1.0})
+    EXPECT_EQ(commandMeasurement(study)({1.0, choice}, progress).at(0), 1.0);
+  EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST(CommandMeasurement, TellsWhatFailed) {
+  EXPECT_NE(refusalOf(studyOf({"sh", "-c", "echo broken >&2; exit 3"})).find("exit code 3: broken"),
+            std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"sh", "-c", "kill -9 $$"})).find("exit code 137"), std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"/no/such/program"})).find("cannot start '/no/such/program'"),
+            std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"echo", "no json"})).find("no JSON: no json"), std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"echo", R"({"z": 1})"})).find("/y stands nothing"), std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"echo", R"({"y": "1"})"})).find("\"1\""), std::string::npos);
+  EXPECT_NE(refusalOf(studyOf({"echo", R"({"y": null})"})).find("null"), std::string::npos);
+}
+
+TEST(CommandMeasurement, EndsWhatRunsTooLong) {
+  Study study = studyOf({"sleep", "1000"});
+  study.commands->time_limit_s = 0.1;
+  NoProgress progress;
+  EXPECT_THROW(commandMeasurement(study)({1.0}, progress), TimedOut);
+}
+
+TEST(CommandMeasurement, EndsAllThatACommandStartedWhenItIsCancelled) {
+  const test::ScratchFolder folder;
+  const Study study = studyOf({"sh", "-c", "sleep 1000 & echo $! > " + folder.file("pid") + "; wait"});
+  SoonCancelled progress;
+  EXPECT_THROW(commandMeasurement(study)({1.0}, progress), Cancelled);
+  if (!std::filesystem::exists(folder.file("pid"))) return;
+  const std::string pid = readFile(folder.file("pid"));
+  if (pid.empty()) return;
+  const std::string status = "/proc/" + pid.substr(0, pid.size() - 1) + "/cmdline";
+  EXPECT_TRUE(!std::filesystem::exists(status) || readFile(status).find("sleep") == std::string::npos);
+}
+
+TEST(CommandMeasurement, DoesNotWaitForWhatACommandLeavesRunning) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(measured(studyOf({"sh", "-c", "sleep 100 & echo '{\"y\": 4}'"}), 1.0), 4.0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(50));
+}
+
+TEST(CommandMeasurement, TakesMuchOutputOnBothStreams) {
+  EXPECT_EQ(measured(studyOf({"sh", "-c",
+                              "head -c 3000000 /dev/zero >&2; echo '{\"y\": 4}'; "
+                              "head -c 3000000 /dev/zero | tr '\\0' ' '"}),
+                     1.0),
+            4.0);
+}
+
+}  // namespace
+}  // namespace lamina
