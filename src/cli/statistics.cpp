@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <sstream>
 
-#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/statistics/analysis_of_variance.hpp"
@@ -27,54 +25,25 @@ struct StatisticsArguments {
   std::vector<std::string> factors;
 };
 
-/// Comma-separated cells under a header; lines that begin with # are none.
-class Table {
- public:
-  explicit Table(const std::string& path) : path_(path) {
-    std::istringstream text(readFile(path));
-    for (std::string line; std::getline(text, line);) {
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (line.empty() || line[0] == '#') continue;
-      std::vector<std::string> cells;
-      std::istringstream row(line);
-      for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-      if (header_.empty()) {
-        header_ = std::move(cells);
-        continue;
-      }
-      rows_.push_back(std::move(cells));
-      if (rows_.back().size() != header_.size())
-        throw InvalidInput("'" + path + "' row " + std::to_string(rows_.size()) + " has " +
-                           std::to_string(rows_.back().size()) + " cells; must have " +
-                           std::to_string(header_.size()));
-    }
-  }
+std::vector<std::string> columnNamed(const CsvTable& table, const std::string& name) {
+  const std::size_t column = columnOf(table, name);
+  std::vector<std::string> cells;
+  cells.reserve(table.rows.size());
+  for (const auto& row : table.rows) cells.push_back(row[column]);
+  return cells;
+}
 
-  std::vector<std::string> column(const std::string& name) const {
-    const auto found = std::find(header_.begin(), header_.end(), name);
-    if (found == header_.end())
-      throw InvalidInput("'" + path_ + "' has no column '" + name + "'; it has " + listed(header_, ", "));
-    std::vector<std::string> cells;
-    for (const auto& row : rows_) cells.push_back(row[static_cast<std::size_t>(found - header_.begin())]);
-    return cells;
+std::vector<double> numbersOf(const CsvTable& table, const std::string& name) {
+  std::vector<double> values;
+  for (const std::string& cell : columnNamed(table, name)) {
+    char* end = nullptr;
+    values.push_back(std::strtod(cell.c_str(), &end));
+    if (cell.empty() || *end != '\0')
+      throw InvalidInput("'" + table.source + "' column '" + name + "' holds '" + cell +
+                         "'; must be a number");
   }
-
-  std::vector<double> numbers(const std::string& name) const {
-    std::vector<double> values;
-    for (const std::string& cell : column(name)) {
-      char* end = nullptr;
-      values.push_back(std::strtod(cell.c_str(), &end));
-      if (cell.empty() || *end != '\0')
-        throw InvalidInput("'" + path_ + "' column '" + name + "' holds '" + cell + "'; must be a number");
-    }
-    return values;
-  }
-
- private:
-  std::string path_;
-  std::vector<std::string> header_;
-  std::vector<std::vector<std::string>> rows_;
-};
+  return values;
+}
 
 /// Values of equal levels of all factors.
 std::map<std::string, std::vector<double>> groupsOf(const std::vector<double>& response,
@@ -151,10 +120,10 @@ void printText(const nlohmann::ordered_json& json) {
 }
 
 void statistics(const StatisticsArguments& arguments, OutputFormat format) {
-  const Table table(arguments.table);
-  const std::vector<double> response = table.numbers(arguments.response);
+  const CsvTable table = readCsvTable(arguments.table);
+  const std::vector<double> response = numbersOf(table, arguments.response);
   std::vector<Factor> factors;
-  for (const std::string& name : arguments.factors) factors.push_back({name, table.column(name)});
+  for (const std::string& name : arguments.factors) factors.push_back({name, columnNamed(table, name)});
   const nlohmann::ordered_json json = {{"normality", normalityOf(response)},
                                        {"kruskal_wallis", ranksOf(groupsOf(response, factors))},
                                        {"variance", varianceOf(response, factors)}};

@@ -33,6 +33,7 @@ ARROWS = {
     "statistics": ["base"],
     "metrics": ["dynamics", "surface"],
     "optimisation": ["statistics"],
+    "kriging": ["optimisation"],
     "study": ["optimisation", "picture"],
     "overhang": ["toolpath", "surface"],
     "clearance": ["kinematics"],

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/optimisation/design_space.hpp"
+
+namespace lamina {
+
+/// A regular fraction of a two-level factorial design.
+struct FractionalFactorial {
+  std::vector<DesignPoint> points;
+  /// Length of the shortest word of the defining relation: at III main effects are mixed up with interactions
+  /// of two variables, at IV only these with each other, at V not even these. 0 if nothing is mixed up.
+  int resolution = 0;
+  std::vector<std::string> defining_words;  ///< the whole relation: "abcd", "-abe"
+};
+
+/// The lows and highs of all variables that have no generator, in standard order with the last one fastest;
+/// the others follow from them: "d=abc" sets the fourth variable high where the product of the first three
+/// signs is positive, "d=-abc" where it is negative. Letters are the variables in order: a, b, c ...
+/// Continuous and Integer variables take their bounds.
+/// @param generators  separated by commas or spaces; none for the full two-level factorial
+/// @throws InvalidConfig naming the variable if one has more than two levels or choices (mixed levels need a
+///   full factorial), or the generator if it cannot be read, gives a variable twice, refers to one that has a
+///   generator, or makes two variables indistinguishable; or if there would be more than a million points
+FractionalFactorial fractionalFactorial(const DesignSpace& space, const std::string& generators);
+
+}  // namespace lamina

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lamina/optimisation/evaluation.hpp"
+#include "lamina/optimisation/surrogate.hpp"
+
+namespace lamina {
+
+/// A surrogate for each response, learnt from the samples that have it.
+class ResponseSurrogates {
+ public:
+  /// @param samples  failed ones and missing responses are left out
+  /// @throws InvalidInput naming the response if it cannot be learnt
+  ResponseSurrogates(const DesignSpace& space, const std::vector<std::string>& response_names,
+                     const std::vector<Evaluation>& samples, const SurrogateFit& fit);
+
+  /// One prediction a response.
+  std::vector<Prediction> at(const DesignPoint& point) const;
+
+  /// One line a response.
+  std::vector<std::string> descriptions() const;
+
+ private:
+  std::vector<std::unique_ptr<Surrogate>> surrogates_;
+};
+
+/// The samples with predictions in place of missing responses. Failed samples stay as they are.
+std::vector<Evaluation> withMissingPredicted(std::vector<Evaluation> samples,
+                                             const ResponseSurrogates& surrogates);
+
+}  // namespace lamina

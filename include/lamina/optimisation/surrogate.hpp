@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lamina/optimisation/design_space.hpp"
+
+namespace lamina {
+
+/// What a surrogate expects of a response, and how far it may be wrong: the square of the standard deviation.
+struct Prediction {
+  double value = 0.0;
+  double variance = 0.0;
+};
+
+/// One response as a function of the design, learnt from samples of it. Asked from one thread at a time.
+class Surrogate {
+ public:
+  virtual ~Surrogate() = default;
+
+  /// @param point  of the space it was fitted in; values between levels or whole numbers are allowed
+  virtual Prediction at(const DesignPoint& point) const = 0;
+
+  /// One line for a report: kind, regression, correlation, ranges.
+  virtual std::string description() const = 0;
+};
+
+/// Port through which searches learn from samples; called from one thread at a time.
+/// Throws InvalidInput if there are too few samples, or a value is not finite. Samples at one point are
+/// replicates of it.
+using SurrogateFit = std::function<std::unique_ptr<Surrogate>(
+    const DesignSpace&, const std::vector<DesignPoint>&, const std::vector<double>& values)>;
+
+}  // namespace lamina

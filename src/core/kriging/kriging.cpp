@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kriging/kriging.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <openturns/AbsoluteExponential.hxx>
+#include <openturns/KrigingAlgorithm.hxx>
+#include <openturns/Log.hxx>
+#include <openturns/MaternModel.hxx>
+#include <openturns/MultiStart.hxx>
+#include <openturns/SquaredExponential.hxx>
+#include <openturns/SymbolicFunction.hxx>
+#include <openturns/TNC.hxx>
+#include <utility>
+
+#include "kriging/regressors.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+using Terms = std::vector<std::pair<int, int>>;
+
+constexpr double kLeastRange = 0.02;
+constexpr double kGreatestRange = 50.0;
+
+std::string shortText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+OT::Point pointOf(const Eigen::VectorXd& values) {
+  OT::Point point(static_cast<OT::UnsignedInteger>(values.size()));
+  for (Eigen::Index i = 0; i < values.size(); ++i) point[static_cast<OT::UnsignedInteger>(i)] = values[i];
+  return point;
+}
+
+double termAt(const std::pair<int, int>& term, const Eigen::VectorXd& x) {
+  return (term.first < 0 ? 1.0 : x[term.first]) * (term.second < 0 ? 1.0 : x[term.second]);
+}
+
+/// What samples of one response look like to OpenTURNS.
+struct Samples {
+  std::vector<Eigen::VectorXd> inputs;
+  Eigen::VectorXd outputs;  ///< of mean 0 and standard deviation 1
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+Samples samplesOf(const Regressors& regressors, const std::vector<DesignPoint>& points,
+                  const std::vector<double>& values) {
+  Samples samples;
+  for (const DesignPoint& point : points) samples.inputs.push_back(regressors.of(point));
+  samples.outputs =
+      Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  samples.mean = samples.outputs.mean();
+  samples.outputs.array() -= samples.mean;
+  samples.deviation = samples.outputs.norm() / std::sqrt(static_cast<double>(values.size() - 1));
+  if (samples.deviation > 0.0) samples.outputs /= samples.deviation;
+  return samples;
+}
+
+/// A polynomial that samples determine.
+struct Regression {
+  int order = 0;
+  Terms terms;
+  bool is_exact = false;  ///< nothing is left for the correlation to explain
+};
+
+/// The highest order up to the given one whose coefficients the samples determine, with one to spare.
+Regression regressionOf(const Regressors& regressors, const Samples& samples, int highest_order) {
+  const auto n = static_cast<Eigen::Index>(samples.inputs.size());
+  for (int order = highest_order;; --order) {
+    const Terms terms = regressors.polynomial(order);
+    const auto p = static_cast<Eigen::Index>(terms.size());
+    Eigen::MatrixXd matrix(n, p);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index k = 0; k < p; ++k)
+        matrix(i, k) =
+            termAt(terms[static_cast<std::size_t>(k)], samples.inputs[static_cast<std::size_t>(i)]);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+    qr.setThreshold(1e-9);
+    if (order > 0 && (p >= n || qr.rank() < p)) continue;
+    const double rest = (samples.outputs - matrix * qr.solve(samples.outputs)).norm();
+    return {order, terms, rest < 1e-9 * std::sqrt(static_cast<double>(n))};
+  }
+}
+
+OT::Basis basisOf(const Terms& terms, std::size_t columns) {
+  OT::Description names(columns);
+  for (std::size_t i = 0; i < columns; ++i) names[i] = "x" + std::to_string(i);
+  OT::Collection<OT::Function> functions;
+  for (const auto& [i, j] : terms) {
+    std::string formula = "1";
+    if (i >= 0) formula += "*" + names[static_cast<std::size_t>(i)];
+    if (j >= 0) formula += "*" + names[static_cast<std::size_t>(j)];
+    functions.add(OT::SymbolicFunction(names, {formula}));
+  }
+  return OT::Basis(functions);
+}
+
+OT::CovarianceModel covarianceOf(Correlation correlation, const OT::Point& ranges) {
+  const OT::Point amplitude(1, 1.0);
+  switch (correlation) {
+    case Correlation::Exponential:
+      return OT::AbsoluteExponential(ranges, amplitude);
+    case Correlation::SquaredExponential:
+      return OT::SquaredExponential(ranges, amplitude);
+    case Correlation::Matern32:
+      return OT::MaternModel(ranges, amplitude, 1.5);
+    case Correlation::Matern52:
+      break;
+  }
+  return OT::MaternModel(ranges, amplitude, 2.5);
+}
+
+std::string nameOf(Correlation correlation) {
+  switch (correlation) {
+    case Correlation::Exponential:
+      return "exponential";
+    case Correlation::SquaredExponential:
+      return "squared exponential";
+    case Correlation::Matern32:
+      return "Matern 3/2";
+    case Correlation::Matern52:
+      break;
+  }
+  return "Matern 5/2";
+}
+
+OT::KrigingResult fitted(const Samples& samples, const Regression& regression,
+                         const KrigingSettings& settings) {
+  const auto n = static_cast<OT::UnsignedInteger>(samples.inputs.size());
+  const auto columns = static_cast<OT::UnsignedInteger>(samples.inputs.front().size());
+  OT::Sample inputs(n, columns);
+  OT::Sample outputs(n, 1);
+  for (OT::UnsignedInteger i = 0; i < n; ++i) {
+    inputs[i] = pointOf(samples.inputs[i]);
+    outputs(i, 0) = samples.outputs[static_cast<Eigen::Index>(i)];
+  }
+  const bool is_fitted = settings.range == CorrelationRange::Fitted && !regression.is_exact;
+  const OT::Point ranges(columns, is_fitted ? 1.0 : settings.fixed_range);
+  OT::KrigingAlgorithm algorithm(inputs, outputs, covarianceOf(settings.correlation, ranges),
+                                 basisOf(regression.terms, columns));
+  algorithm.setOptimizeParameters(is_fitted);
+  if (is_fitted) {
+    OT::Sample starts(0, columns);
+    for (const double start : {0.3, 1.0, 3.0}) starts.add(OT::Point(columns, start));
+    algorithm.setOptimizationAlgorithm(OT::MultiStart(OT::TNC(), starts));
+    algorithm.setOptimizationBounds(
+        OT::Interval(OT::Point(columns, kLeastRange), OT::Point(columns, kGreatestRange)));
+  }
+  algorithm.run();
+  return algorithm.getResult();
+}
+
+/// Variance that goes with ranges OpenTURNS did not fit: what the polynomial leaves, for each degree of
+/// freedom. At ranges it did fit, its own amplitude holds it already.
+double varianceLeft(const OT::KrigingResult& result, const Samples& samples, const Regression& regression) {
+  const OT::Sample coefficients = result.getCovarianceCoefficients();
+  const OT::Point trend = result.getTrendCoefficients()[0];
+  double sum = 0.0;
+  for (std::size_t i = 0; i < samples.inputs.size(); ++i) {
+    double rest = samples.outputs[static_cast<Eigen::Index>(i)];
+    for (std::size_t k = 0; k < regression.terms.size(); ++k)
+      rest -= trend[k] * termAt(regression.terms[k], samples.inputs[i]);
+    sum += rest * coefficients(i, 0);
+  }
+  const auto freedom = static_cast<double>(samples.inputs.size() - regression.terms.size());
+  return std::max(0.0, sum / freedom);
+}
+
+/// One response, interpolated.
+class KrigingSurrogate final : public Surrogate {
+ public:
+  KrigingSurrogate(const DesignSpace& space, const std::vector<DesignPoint>& points,
+                   const std::vector<double>& values, const KrigingSettings& settings)
+      : regressors_(space, points) {
+    const Samples samples = samplesOf(regressors_, points, values);
+    mean_ = samples.mean;
+    deviation_ = samples.deviation;
+    if (deviation_ == 0.0 || regressors_.columns() == 0) {
+      description_ = "constant";
+      return;
+    }
+    const Regression regression = regressionOf(regressors_, samples, settings.regression_order);
+    result_ = fitted(samples, regression, settings);
+    const OT::CovarianceModel model = result_.getCovarianceModel();
+    const double amplitude = model.getAmplitude()[0];
+    const bool is_fitted = settings.range == CorrelationRange::Fitted && !regression.is_exact;
+    variance_ = is_fitted ? amplitude * amplitude : varianceLeft(result_, samples, regression);
+    variance_scale_ = variance_ / (amplitude * amplitude);
+    description_ = describe(space, regression, settings, model.getScale());
+  }
+
+  Prediction at(const DesignPoint& point) const override {
+    constexpr double kNegligible = 1e-9;
+    if (description_ == "constant") return {mean_, 0.0};
+    const OT::Point x = pointOf(regressors_.of(point));
+    const double value = result_.getConditionalMean(x)[0];
+    const double variance = variance_scale_ * result_.getConditionalMarginalVariance(x);
+    return {mean_ + deviation_ * value,
+            variance > kNegligible * variance_ ? deviation_ * deviation_ * variance : 0.0};
+  }
+
+  std::string description() const override { return description_; }
+
+ private:
+  std::string describe(const DesignSpace& space, const Regression& regression,
+                       const KrigingSettings& settings, const OT::Point& ranges) const {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < regressors_.columns(); ++i)
+      texts.push_back(regressors_.nameOf(space, i) + " " + shortText(ranges[i]));
+    return "kriging, regression of order " + std::to_string(regression.order) + ", " +
+           nameOf(settings.correlation) + " correlation, ranges in deviations: " + listed(texts);
+  }
+
+  Regressors regressors_;
+  double mean_ = 0.0;
+  double deviation_ = 0.0;
+  OT::KrigingResult result_;
+  double variance_ = 0.0;        ///< of the process
+  double variance_scale_ = 1.0;  ///< of what OpenTURNS takes it for
+  std::string description_;
+};
+
+void requireFinite(const std::vector<DesignPoint>& points, const std::vector<double>& values) {
+  if (points.size() != values.size())
+    throw InvalidInput("kriging of " + std::to_string(points.size()) + " points with " +
+                       std::to_string(values.size()) + " values; expected one value a point");
+  for (const double value : values)
+    if (!std::isfinite(value))
+      throw InvalidInput("kriging of a value that is not finite: " + std::to_string(value));
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, KrigingSettings& settings) {
+  schema.choice("kriging.correlation", settings.correlation,
+                {{"exponential", Correlation::Exponential},
+                 {"squared_exponential", Correlation::SquaredExponential},
+                 {"matern_3_2", Correlation::Matern32},
+                 {"matern_5_2", Correlation::Matern52}},
+                "How responses of two points are related by their distance.");
+  schema.integer("kriging.regression_order", settings.regression_order, {0, 2},
+                 "Order of the polynomial beneath; lower where samples do not determine it.");
+  schema.choice("kriging.range", settings.range,
+                {{"fitted", CorrelationRange::Fitted}, {"fixed", CorrelationRange::Fixed}},
+                "Whether ranges of the correlation are those of greatest likelihood, or given.");
+  schema.number("kriging.fixed_range", settings.fixed_range, {0.01, 100.0},
+                "Range of every variable if it is given, in standard deviations of its samples.");
+}
+
+SurrogateFit krigingFit(const KrigingSettings& settings) {
+  return [settings](const DesignSpace& space, const std::vector<DesignPoint>& points,
+                    const std::vector<double>& values) -> std::unique_ptr<Surrogate> {
+    requireFinite(points, values);
+    OT::Log::Show(OT::Log::NONE);
+    try {
+      return std::make_unique<KrigingSurrogate>(space, points, values, settings);
+    } catch (const OT::Exception& error) {
+      throw InvalidInput("kriging of " + std::to_string(points.size()) +
+                         " samples fails in OpenTURNS: " + error.what());
+    }
+  };
+}
+
+}  // namespace lamina

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/csv_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+std::string refusalOf(const std::string& text) {
+  try {
+    parseCsvTable(text, "t.csv");
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CsvTableTest, ReadsCellsUnderTheirHeaderAndSkipsRemarks) {
+  const CsvTable table =
+      parseCsvTable("# from a book\n\nlayer, link,\"time, s\"\r\n0.3,\"a,b\",\n 0.15 ,,9", "t");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"layer", "link", "time, s"}));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"0.3", "a,b", ""}));
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"0.15", "", "9"}));
+  EXPECT_EQ(table.lines, (std::vector<std::size_t>{4, 5}));
+  EXPECT_EQ(columnOf(table, "link"), 1U);
+}
+
+TEST(CsvTableTest, NamesWhatIsWrongAndWhere) {
+  EXPECT_EQ(refusalOf("# nothing\n"), "'t.csv' holds no header; expected names of columns");
+  EXPECT_EQ(refusalOf("a,b\n1,2\n1,2,3\n"), "'t.csv' line 3: 3 cells; expected 2, as many as the header");
+  EXPECT_EQ(refusalOf("a,a\n"), "'t.csv' line 1: column 'a' stands twice");
+  EXPECT_EQ(refusalOf("a,\n"), "'t.csv' line 1: a column without a name");
+  EXPECT_EQ(refusalOf("a,b\n\"1,2\n"), "'t.csv' line 2: a double quote that is not closed");
+  try {
+    columnOf(parseCsvTable("a,b\n", "t.csv"), "c");
+    ADD_FAILURE() << "a column that is not there";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "'t.csv' has no column 'c'; it has a, b");
+  }
+}
+
+}  // namespace
+}  // namespace lamina
