@@ -7,21 +7,10 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/optimisation/design_space.hpp"
+#include "test_problems.hpp"
 
 namespace lamina {
 namespace {
-
-Variable continuous(const std::string& name, double low, double high) {
-  return {name, VariableKind::Continuous, low, high, {}, {}};
-}
-
-/// One variable of each kind.
-DesignSpace mixedSpace() {
-  return {continuous("pitch_mm", 0.3, 2.5),
-          {"walls", VariableKind::Integer, 1.0, 4.0, {}, {}},
-          {"layer_mm", VariableKind::Levels, 0.0, 0.0, {0.15, 0.2, 0.3}, {}},
-          {"link", VariableKind::Categorical, 0.0, 0.0, {}, {"tangential", "average"}}};
-}
 
 std::string refusalOf(const DesignSpace& space) {
   try {

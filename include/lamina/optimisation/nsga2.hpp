@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/base/settings.hpp"
+#include "lamina/optimisation/search_problem.hpp"
+
+namespace lamina {
+
+/// How new points are made of old ones.
+enum class Variation {
+  Blend,  ///< arithmetic blends of random pairs, and apart from them normal steps of random points
+  Sbx,    ///< simulated binary crossover of tournament winners, then polynomial mutation (Deb)
+};
+
+/// Settings of NSGA-II.
+struct Nsga2Settings {
+  Variation variation = Variation::Blend;
+  int population = 50;
+  int generations = 20;  ///< after the first, random one
+  int seed = 1;
+  bool takes_corners = false;  ///< corners of the space are among the first points
+
+  double crossover_share = 0.7;  ///< Blend: children a generation, of the population
+  double mutation_share = 0.4;   ///< Blend: mutants a generation, of the population
+  double mutation_rate = 0.02;   ///< Blend: share of a mutant's variables that change; at least one does
+  double mutation_step = 0.1;    ///< Blend: standard deviation, of a variable's range
+
+  double crossover_probability = 0.95;  ///< Sbx: of a pair
+  double crossover_index = 10.0;        ///< Sbx: the greater, the nearer children are to their parents
+  double mutation_probability = 0.01;   ///< Sbx: of a variable
+  double mutation_index = 50.0;         ///< Sbx: the greater, the smaller the steps
+
+  /// Points to begin with, before corners and random ones; as many as fit.
+  std::vector<DesignPoint> first_points;
+  /// What bounds the hypervolume, as responses of the objectives in order. Empty: the worst of each among the
+  /// feasible points of the first generation that has one.
+  std::vector<double> reference;
+};
+
+/// Adds the keys nsga2.*.
+void describe(SettingsSchema& schema, Nsga2Settings& settings);
+
+/// How far a search is.
+struct Generation {
+  int index = 0;                  ///< 0 is the random one
+  int evaluations = 0;            ///< until now, with those that failed
+  int failed = 0;                 ///< until now
+  double hypervolume = 0.0;       ///< of the front
+  std::vector<Evaluation> front;  ///< feasible points of the population that no other dominates
+};
+
+/// Told of each generation when it is done.
+using GenerationListener = std::function<void(const Generation&)>;
+
+/// What a search found.
+struct FrontSearch {
+  std::vector<Evaluation> front;        ///< of the last generation; each point once, by its responses
+  std::vector<Evaluation> evaluations;  ///< all, in the order they were asked for
+  std::vector<Generation> generations;
+  std::vector<double> reference;  ///< of the hypervolume, as responses; empty if no point was ever feasible
+};
+
+/// Number of evaluations a search asks for.
+int evaluationsOf(const Nsga2Settings& settings);
+
+/// Non-dominated sorting genetic algorithm (Deb et al. 2002). Each generation makes new points of the
+/// population, tries them, and keeps the best of both by front and then by crowding. The same seed gives the
+/// same result, whatever the number of threads. A point that cannot be tried, or one objective of which is
+/// not finite, counts as an evaluation, is recorded with its error, and is taken for a parent only while
+/// nothing better is left.
+/// @param listener  may be empty
+/// @throws InvalidConfig naming the setting, variable or response; InvalidInput if a first point is outside
+///   the space; Cancelled; what the evaluator throws
+FrontSearch searchFront(const SearchProblem& problem, const Nsga2Settings& settings,
+                        const GenerationListener& listener, Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lamina/optimisation/evaluation.hpp"
+#include "lamina/optimisation/goals.hpp"
+
+namespace lamina {
+
+/// A point as searches compare it.
+struct Score {
+  std::vector<double> costs;  ///< to be made small; empty if the point could not be tried
+  double violation = 0.0;     ///< of all constraints; 0 if they hold
+};
+
+/// Whether the point could be tried.
+inline bool isScored(const Score& score) { return !score.costs.empty(); }
+/// Whether the point could be tried and all constraints hold.
+inline bool isFeasible(const Score& score) { return isScored(score) && score.violation == 0.0; }
+
+/// @return a score without costs if the evaluation failed
+Score scoreOf(const Goals& goals, const std::vector<std::string>& response_names,
+              const Evaluation& evaluation);
+
+/// Indices of scores, none of which is better than another.
+using Front = std::vector<std::size_t>;
+
+/// All scores in fronts, the best one first, by constraint-dominance (Deb et al. 2002): feasible scores by
+/// Pareto dominance; after them infeasible ones, those of equal violation together, by how little they
+/// violate; last, in one front, those that could not be tried. No front is empty.
+std::vector<Front> frontsOf(const std::vector<Score>& scores);
+
+/// The feasible scores that no other feasible one dominates, in order; empty if none is feasible. Equal ones
+/// all stand in it.
+Front paretoFront(const std::vector<Score>& scores);
+
+/// How much room each score of a front has around it (crowding distance of Deb et al. 2002): the extent of
+/// the box between its neighbours, each cost relative to its extent in the front; infinite at the ends of a
+/// cost. A cost that is the same everywhere tells nothing. Where all are, and for what could not be tried, it
+/// is 0.
+std::vector<double> crowdingOf(const std::vector<Score>& scores, const Front& front);
+
+/// The volume that the costs dominate, bounded by the reference: larger is better. Points that are not better
+/// than the reference in all costs add nothing.
+double hypervolume(const std::vector<std::vector<double>>& costs, const std::vector<double>& reference);
+
+}  // namespace lamina
