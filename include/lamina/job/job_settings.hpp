@@ -13,6 +13,7 @@
 #include "lamina/job/placement.hpp"
 #include "lamina/kinematics/joint_path_settings.hpp"
 #include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/overhang/overhang_settings.hpp"
 #include "lamina/picture/frame_settings.hpp"
@@ -65,6 +66,7 @@ struct JobSettings {
   DepositionSettings deposition;
   SweepSettings sweep;
   StiffnessSettings stiffness;
+  MetricsSettings metrics;
   FrameSettings frames;
   ScanSettings scan;
   MotionLimits motion;

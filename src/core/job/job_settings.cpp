@@ -98,6 +98,7 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.deposition);
   describe(schema, settings.sweep);
   describe(schema, settings.stiffness);
+  describe(schema, settings.metrics);
   describe(schema, settings.frames);
   describe(schema, settings.scan);
   describe(schema, settings.motion);

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/dynamics/tracking_simulation.hpp"
+
+namespace lamina {
+
+/// What becomes of faces of the part that no bead comes near.
+enum class UncoveredFaces {
+  Count,  ///< they are underfilled in full
+  Skip,   ///< they are left out, as in the source
+};
+
+/// How wide a bead looks on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
+enum class SurfaceWidth {
+  Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as the source's listing
+  Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as the source's text
+  Bead,  ///< of the bead itself: its height seen across the jet, its width seen along it
+};
+
+/// Which pieces of the path a face is covered by.
+enum class FacePieces {
+  Near,    ///< those that reach over it, also from beside it; faces of one plane count as one would
+  Within,  ///< what lies above or beneath it, with round ends where it is cut off, as in the source
+};
+
+/// Which overlaps are overfill.
+enum class Overlaps {
+  Apart,  ///< those of pieces that do not follow each other; joined ones meet at their bisector
+  All,    ///< also the round ends of joined pieces on each other, as in the source
+};
+
+/// Section of what the volume is estimated by.
+enum class VolumeSection {
+  Strand,  ///< one section all along, as in the source
+  Bead,    ///< of each bead itself
+};
+
+/// What is taken off the length of each segment before its volume is estimated; D is the diameter of a disc
+/// of the section.
+enum class StrandEnds {
+  Whole,       ///< nothing, as the source's formula
+  Generated,   ///< D, as the source's listing does for its own paths
+  Commercial,  ///< D / 2, as it does for those of other slicers
+};
+
+/// Of the surface metrics.
+struct SurfaceFillSettings {
+  double depth_mm = 0.25;  ///< beneath a face within which the middle of a bead counts for it
+  SurfaceWidth width = SurfaceWidth::Code;
+  FacePieces pieces = FacePieces::Near;
+  Overlaps overlaps = Overlaps::Apart;
+  UncoveredFaces uncovered = UncoveredFaces::Count;
+  double step_mm = 0.02;  ///< between the lines along which areas are measured, at most
+};
+
+/// Of the volume error.
+struct VolumeErrorSettings {
+  VolumeSection section = VolumeSection::Strand;
+  double strand_area_mm2 = 0.08;
+  StrandEnds ends = StrandEnds::Whole;
+  double fill_share = 1.0;  ///< of the part's volume that is asked for
+};
+
+/// Of the simulated platform.
+struct PlatformRunSettings {
+  /// Where the middle of what is laid stands on the bed [mm]; empty leaves it where it is.
+  std::vector<double> middle_mm = {0.0, 0.0};
+  TrackingSettings tracking;
+};
+
+/// How the nine metrics are taken.
+struct MetricsSettings {
+  bool measures_surface = true;
+  bool simulates_platform = false;  ///< which takes longest by far
+  double speed_mm_s = 50.0;         ///< of every motion, instead of its feed; 0 for its feed
+  double acceleration_mm_s2 = 1000.0;
+  SurfaceFillSettings surface;
+  VolumeErrorSettings volume;
+  PlatformRunSettings platform;
+};
+
+/// Adds the keys metrics.*, and those of the simulated platform: platform.*, controller.*, simulation.*.
+void describe(SettingsSchema& schema, MetricsSettings& settings);
+
+}  // namespace lamina

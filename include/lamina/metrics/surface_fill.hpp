@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/mesh.hpp"
+#include "lamina/metrics/metrics_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// How beads fill one face.
+struct FaceFill {
+  double area_mm2 = 0.0;
+  double under_fill_mm2 = 0.0;
+  double over_fill_mm2 = 0.0;
+  bool has_path = false;  ///< whether any bead comes near
+};
+
+/// How beads fill the surface of a part.
+struct SurfaceFill {
+  std::vector<FaceFill> faces;  ///< one a triangle of the mesh
+  double under_fill_mm2 = 0.0;  ///< sum over the faces, those without a path as the settings say
+  double over_fill_mm2 = 0.0;
+};
+
+/// Measures how the beads just beneath each face cover it (optimal-curved-paths.md 3.2, algorithm 4-1).
+///
+/// A bead is followed by its middle, half its height behind the tip along the jet. What of it lies within the
+/// prism beneath a face is projected onto the face and widened to a band with round ends; a drop to a disc.
+/// Underfill is what of the face no band covers, overfill what two or more cover. Areas are measured along
+/// parallel lines that lie askew to the face's edges.
+///
+/// n log n in the number of segments and faces, besides linear in the bands' length on the surface.
+///
+/// @param toolpath  in the frame of the mesh
+/// @param progress  stage "surface"
+/// @throws Cancelled
+SurfaceFill measureSurfaceFill(const Toolpath& toolpath, const Mesh& part,
+                               const Eigen::Isometry3d& bed_from_part, const SurfaceFillSettings& settings,
+                               Progress& progress);
+
+}  // namespace lamina

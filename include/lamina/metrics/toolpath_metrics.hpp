@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/mesh.hpp"
+#include "lamina/metrics/metrics_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Nine numbers that say how good a toolpath is for a part, all to be small (optimal-curved-paths.md 3.2).
+/// What was not measured is not a number.
+struct ToolpathMetrics {
+  double print_time_s = 0.0;                                         ///< from rest to rest on every motion
+  double material_mm = 0.0;                                          ///< length along which material is laid
+  double travel_mm = 0.0;                                            ///< length along which none is
+  double under_fill_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< surface that no bead covers
+  double over_fill_mm2 = std::numeric_limits<double>::quiet_NaN();   ///< surface that is covered twice
+  double volume_error_mm3 = 0.0;  ///< between what is laid and what is asked for, whichever is more
+  double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();   ///< of the six-legged platform
+  double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();       ///< of its nozzle's tip
+  double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();  ///< of its turns
+};
+
+/// The names of the fields, in their order.
+const std::vector<std::string>& metricNames();
+
+/// The fields in the order of `metricNames`.
+std::vector<double> metricValues(const ToolpathMetrics& metrics);
+
+/// What each is, a sentence with its unit, in the order of `metricNames`.
+const std::vector<std::string>& metricMeanings();
+
+/// Measures a toolpath against the part that it is to make. The same whatever the number of threads.
+/// @param toolpath       in the frame of the part
+/// @param part           closed, facing outwards
+/// @param bed_from_part  [mm]; how the part is turned says which faces are level
+/// @param progress       stages "surface", and "simulate" if the platform is asked for
+/// @throws InvalidInput if a feed is not positive where it counts
+/// @throws Unreachable if the platform is asked for and cannot follow
+/// @throws Cancelled
+ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
+                                const Eigen::Isometry3d& bed_from_part, const MetricsSettings& settings,
+                                Progress& progress);
+
+/// The settings by which no more is done than these metrics need.
+/// @throws InvalidConfig if a name is none of `metricNames`
+MetricsSettings onlyFor(const std::vector<std::string>& metrics, MetricsSettings settings);
+
+}  // namespace lamina

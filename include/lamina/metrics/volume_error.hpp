@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/metrics/metrics_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Volume of what is laid for the part, skirts left out [mm³] (optimal-curved-paths.md 3.2, eq. 4.6). Drops
+/// count by their own volume.
+double estimatedVolume(const Toolpath& toolpath, const VolumeErrorSettings& settings);
+
+/// Between that and the share of the part's volume that is asked for, without sign [mm³] (eq. 4.7).
+double volumeError(const Toolpath& toolpath, double part_mm3, const VolumeErrorSettings& settings);
+
+}  // namespace lamina

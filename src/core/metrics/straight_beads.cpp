@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metrics/straight_beads.hpp"
+
+#include <cstddef>
+
+namespace lamina {
+namespace {
+
+constexpr double kSamePlace = 1e-6;  // mm, as paths join
+constexpr double kNoMotion = 1e-9;   // mm
+constexpr double kStraight = 1e-4;   // rad
+constexpr std::size_t kNone = ~std::size_t{0};
+
+/// Chains pieces as they come.
+class Chain {
+ public:
+  void addDrop(const StraightBead& drop) {
+    breakOff();
+    pieces_.push_back(drop);
+  }
+
+  void add(StraightBead piece) {
+    const Point3 way = piece.end - piece.start;
+    const double length = way.norm();
+    if (length < kNoMotion) return;
+    const Point3 direction = way / length;
+    const bool is_joined = last_ != kNone && (pieces_[last_].end - piece.start).norm() <= kSamePlace;
+    if (!is_joined) first_ = pieces_.size();
+    if (is_joined && prolong(piece, direction)) return;
+    if (is_joined) {
+      pieces_[last_].after = direction;
+      piece.before = direction_;
+    }
+    last_ = pieces_.size();
+    direction_ = direction;
+    pieces_.push_back(piece);
+  }
+
+  void breakOff() { last_ = kNone; }
+
+  /// Joins the run's last piece to its first, if they meet.
+  void close() {
+    if (last_ == kNone || last_ == first_) return;
+    StraightBead& first = pieces_[first_];
+    if ((pieces_[last_].end - first.start).norm() > kSamePlace) return;
+    pieces_[last_].after = (first.end - first.start).normalized();
+    first.before = direction_;
+  }
+
+  std::vector<StraightBead> take() { return std::move(pieces_); }
+
+ private:
+  bool prolong(const StraightBead& piece, const Point3& direction) {
+    StraightBead& last = pieces_[last_];
+    const bool is_same = last.bead == piece.bead && (last.jet - piece.jet).norm() < kStraight;
+    if (!is_same || direction_.cross(direction).norm() > kStraight || direction_.dot(direction) < 0.0)
+      return false;
+    // The whole must stay straight, not only each step.
+    const Point3 whole = (piece.end - last.start).normalized();
+    if (whole.cross(direction).norm() > kStraight) return false;
+    last.end = piece.end;
+    direction_ = whole;
+    return true;
+  }
+
+  std::vector<StraightBead> pieces_;
+  std::size_t first_ = 0;     // of the run
+  std::size_t last_ = kNone;  // none where a run may begin
+  Point3 direction_ = Point3::Zero();
+};
+
+Point3 jetAt(const Path& path, std::size_t waypoint) {
+  return path.orientation.at(waypoint) * Point3::UnitZ();
+}
+
+Point3 middleAt(const Path& path, std::size_t waypoint, const Bead& bead) {
+  return path.points[waypoint] + 0.5 * bead.height_mm * jetAt(path, waypoint);
+}
+
+void addDrops(const Path& path, Chain& chain) {
+  for (std::size_t w = 0; w < path.points.size(); ++w) {
+    StraightBead drop;
+    drop.bead = path.bead.at(w);
+    drop.jet = jetAt(path, w);
+    drop.start = drop.end = middleAt(path, w, drop.bead);
+    if (drop.bead.width_mm > 0.0) chain.addDrop(drop);
+  }
+}
+
+void addBead(const Path& path, Chain& chain) {
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    const std::size_t end = path.motionEnd(m);
+    StraightBead piece;
+    piece.bead = path.bead.at(end);
+    piece.jet = jetAt(path, end);
+    piece.start = middleAt(path, m, piece.bead);
+    piece.end = middleAt(path, end, piece.bead);
+    piece.bead.width_mm > 0.0 ? chain.add(piece) : chain.breakOff();
+  }
+}
+
+}  // namespace
+
+std::vector<StraightBead> straightBeads(const Toolpath& toolpath) {
+  Chain chain;
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) {
+        chain.breakOff();
+        continue;
+      }
+      if (path.deposit == Deposit::Drops) {
+        addDrops(path, chain);
+        continue;
+      }
+      if (path.is_closed) chain.breakOff();
+      addBead(path, chain);
+      if (path.is_closed) chain.close();
+    }
+  }
+  return chain.take();
+}
+
+}  // namespace lamina

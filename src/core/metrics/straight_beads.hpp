@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A straight piece of a bead's middle, as long as it stays straight; of a drop a point.
+struct StraightBead {
+  Point3 start = Point3::Zero();  ///< half the bead's height behind the tip along the jet [mm, part frame]
+  Point3 end = Point3::Zero();
+  Point3 jet = -Point3::UnitZ();  ///< unit vector at the end [part frame]
+  Bead bead;
+  /// Unit vectors of the pieces that this one is joined to; zero if there is none.
+  Point3 before = Point3::Zero();
+  Point3 after = Point3::Zero();
+};
+
+/// All that a toolpath lays, in order. Motions that go on straight with the same bead are one piece; pieces
+/// are joined where nothing lies between them, also from path to path. Motions shorter than 1e-9 mm are none.
+std::vector<StraightBead> straightBeads(const Toolpath& toolpath);
+
+}  // namespace lamina

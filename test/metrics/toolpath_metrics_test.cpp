@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/metrics/toolpath_metrics.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/parts.hpp"
+#include "lamina/program/toolpath_from_gcode.hpp"
+#include "support/random_toolpath.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+ToolpathMetrics measure(const Toolpath& toolpath, const MetricsSettings& settings = {}) {
+  NoProgress nobody;
+  return measureToolpath(toolpath, makePart("box"), Eigen::Isometry3d::Identity(), settings, nobody);
+}
+
+Toolpath straight(std::vector<double> lengths) {
+  Path path = test::straightPath({0, 0, 0.2}, {1, 0, 0.2});
+  path.points = {{0, 0, 0.2}};
+  for (const double length : lengths) path.points.emplace_back(path.points.back() + Point3(length, 0, 0));
+  return {"line", {{0.2, 0.2, {path}}}};
+}
+
+TEST(ToolpathMetrics, TimeIsThatOfTheSource) {
+  // Case T7: 50 mm/s, 1000 mm/s2.
+  EXPECT_NEAR(measure(straight({1.0})).print_time_s, 0.063246, 1e-6);
+  EXPECT_NEAR(measure(straight({2.5})).print_time_s, 0.1, 1e-9);
+  EXPECT_NEAR(measure(straight({10.0})).print_time_s, 0.25, 1e-9);
+  EXPECT_NEAR(measure(straight({10.0, 10.0})).print_time_s, 0.5, 1e-9);
+  EXPECT_NEAR(measure(straight({10.0, 0.0})).print_time_s, 0.25, 1e-9);
+}
+
+TEST(ToolpathMetrics, TimeMayBeAtTheFeedsOfTheToolpath) {
+  Toolpath slow = straight({10.0});
+  slow.layers[0].paths[0].feed_mm_s = 10.0;
+  MetricsSettings settings;
+  settings.speed_mm_s = 0.0;
+  EXPECT_NEAR(measure(slow, settings).print_time_s, 1.0 + 0.01, 1e-9);
+}
+
+TEST(ToolpathMetrics, MaterialAndTravelOfAProgramAreItsLength) {
+  // Case T10: modal axes, a retraction, and a motion without E, which lays nothing.
+  const std::string program =
+      "G90\nM83\nG92 E0\nG1 Z0.2 F1200\nG1 X10 Y0 F3000\nG1 X20 E0.4\nG1 Y10 E0.4\nG1 E-1\nG1 X0\nG1 E1\n"
+      "G1 X0 Y0 E0.4\n";
+  const Toolpath toolpath = toolpathFromGcode(program, {}, "fixture");
+  const ToolpathMetrics metrics = measure(toolpath);
+  EXPECT_NEAR(metrics.material_mm, 10.0 + 10.0 + 10.0, 1e-6);
+  EXPECT_NEAR(metrics.travel_mm, 0.2 + 10.0 + 20.0, 1e-6);
+}
+
+TEST(ToolpathMetrics, MaterialAndTravelAreTheWholeLength) {
+  rc::check("every motion is either", [] {
+    const Toolpath toolpath = test::randomToolpath(*rc::gen::arbitrary<std::uint64_t>());
+    double all_mm = 0.0;
+    for (const ToolpathLayer& layer : toolpath.layers)
+      for (const Path& path : layer.paths) all_mm += length(path);
+    const ToolpathMetrics metrics = measure(toolpath);
+    RC_ASSERT(std::abs(metrics.material_mm + metrics.travel_mm - all_mm) <= 1e-9 * (1.0 + all_mm));
+  });
+}
+
+TEST(ToolpathMetrics, WhatIsNotAskedForIsNotANumber) {
+  const ToolpathMetrics metrics = measure(straight({10.0}), onlyFor({"material_mm"}, {}));
+  EXPECT_EQ(metrics.material_mm, 10.0);
+  EXPECT_TRUE(std::isnan(metrics.under_fill_mm2));
+  EXPECT_TRUE(std::isnan(metrics.control_energy_nm2_s));
+  EXPECT_TRUE(onlyFor({"over_fill_mm2"}, {}).measures_surface);
+  EXPECT_FALSE(onlyFor({"over_fill_mm2", "volume_error_mm3"}, {}).simulates_platform);
+  for (const char* name : {"control_energy_nm2_s", "linear_ise_mm2_s", "rotational_ise_rad2_s"})
+    EXPECT_TRUE(onlyFor({name}, {}).simulates_platform);
+  EXPECT_THROW(onlyFor({"beauty"}, {}), InvalidConfig);
+}
+
+TEST(ToolpathMetrics, ValuesStandInTheOrderOfTheirNames) {
+  const ToolpathMetrics metrics = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+  EXPECT_EQ(metricValues(metrics), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(metricNames().size(), 9U);
+  EXPECT_EQ(metricMeanings().size(), 9U);
+  EXPECT_EQ(metricNames()[5], "volume_error_mm3");
+}
+
+TEST(ToolpathMetrics, ThePlatformHoldsItselfUpAndKeepsToALevelPath) {
+  Toolpath square = straight({10.0});
+  square.layers[0].paths[0].points = {{0, 0, 0.2}, {10, 0, 0.2}, {10, 10, 0.2}, {0, 10, 0.2}};
+  MetricsSettings settings;
+  settings.simulates_platform = true;
+  const ToolpathMetrics metrics = measure(square, settings);
+  // Case T16: 1.5 to 5 (N m)2 hold it against gravity.
+  EXPECT_GT(metrics.control_energy_nm2_s, 1.5 * metrics.print_time_s);
+  EXPECT_LT(metrics.control_energy_nm2_s, 5.0 * metrics.print_time_s);
+  EXPECT_GT(metrics.linear_ise_mm2_s, 0.0);
+  EXPECT_LT(metrics.linear_ise_mm2_s, 1.0);
+  EXPECT_LT(metrics.rotational_ise_rad2_s, 1e-6);
+}
+
+TEST(ToolpathMetrics, ThePlatformHasThePathInItsMiddle) {
+  Toolpath far = straight({10.0});
+  for (Point3& point : far.layers[0].paths[0].points) point += Point3(5000, 0, 0);
+  MetricsSettings settings;
+  settings.simulates_platform = true;
+  EXPECT_GT(measure(far, settings).control_energy_nm2_s, 0.0);
+  settings.platform.middle_mm.clear();
+  EXPECT_THROW(measure(far, settings), Unreachable);
+}
+
+}  // namespace
+}  // namespace lamina
