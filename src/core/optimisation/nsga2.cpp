@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -155,27 +156,27 @@ class FrontFinder {
     kept.reserve(size);
     const std::vector<Front> fronts = frontsOf(scores);
     for (std::size_t rank = 0; rank < fronts.size() && kept.size() < size; ++rank) {
-      std::vector<Individual> front = ranked(scores, fronts[rank], rank);
-      if (kept.size() + front.size() > size) {
-        std::stable_sort(front.begin(), front.end(), [](const Individual& one, const Individual& other) {
-          return one.crowding > other.crowding;
-        });
-        front.resize(size - kept.size());
-      }
-      kept.insert(kept.end(), front.begin(), front.end());
+      const Front front = roomiest(scores, fronts[rank], size - kept.size());
+      // Those that go leave room to those that stay.
+      const std::vector<double> crowding = crowdingOf(scores, front);
+      for (std::size_t i = 0; i < front.size(); ++i)
+        kept.push_back({population_[front[i]].evaluation, rank, crowding[i]});
     }
     population_ = std::move(kept);
     if (reference_.empty()) setReference();
   }
 
-  std::vector<Individual> ranked(const std::vector<Score>& scores, const Front& front,
-                                 std::size_t rank) const {
+  /// At most so many of a front, those with most room around them.
+  static Front roomiest(const std::vector<Score>& scores, const Front& front, std::size_t most) {
+    if (front.size() <= most) return front;
     const std::vector<double> crowding = crowdingOf(scores, front);
-    std::vector<Individual> individuals;
-    individuals.reserve(front.size());
-    for (std::size_t i = 0; i < front.size(); ++i)
-      individuals.push_back({population_[front[i]].evaluation, rank, crowding[i]});
-    return individuals;
+    std::vector<std::size_t> order(front.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return crowding[a] > crowding[b]; });
+    Front chosen;
+    for (std::size_t i = 0; i < most; ++i) chosen.push_back(front[order[i]]);
+    return chosen;
   }
 
   /// The worst of each cost among all feasible points so far: of the first generation that has one.

@@ -30,17 +30,33 @@ Costs costsOf(const std::vector<Score>& scores, const Front& front) {
   return costs;
 }
 
-/// The fronts of feasible scores, by Pareto dominance.
+/// Of costs in lexicographic order, whether an earlier one dominates a later one: it is less somewhere
+/// already.
+bool isNowhereGreater(const std::vector<double>& earlier, const std::vector<double>& later) {
+  for (std::size_t i = 0; i < earlier.size(); ++i)
+    if (earlier[i] > later[i]) return false;
+  return true;
+}
+
+/// The fronts of feasible scores, by Pareto dominance. In lexicographic order none is dominated by a later
+/// one, so each belongs into the first front that has nobody who dominates it (efficient non-dominated sort,
+/// Zhang et al. 2015).
 std::vector<Front> feasibleFrontsOf(const std::vector<Score>& scores) {
-  const Front feasible = feasibleOf(scores);
-  if (feasible.empty()) return {};
-  // pagmo sorts no less than two.
-  if (feasible.size() == 1) return {feasible};
-  std::vector<Front> fronts = std::get<0>(pagmo::fast_non_dominated_sorting(costsOf(scores, feasible)));
-  for (Front& front : fronts) {
-    for (std::size_t& i : front) i = feasible[i];
-    std::sort(front.begin(), front.end());
+  Front feasible = feasibleOf(scores);
+  std::stable_sort(feasible.begin(), feasible.end(),
+                   [&](std::size_t a, std::size_t b) { return scores[a].costs < scores[b].costs; });
+  std::vector<Front> fronts;
+  for (const std::size_t i : feasible) {
+    const auto isDominatedIn = [&](const Front& front) {
+      return std::any_of(front.rbegin(), front.rend(), [&](std::size_t other) {
+        return isNowhereGreater(scores[other].costs, scores[i].costs) &&
+               scores[other].costs != scores[i].costs;
+      });
+    };
+    const auto own = std::find_if_not(fronts.begin(), fronts.end(), isDominatedIn);
+    own == fronts.end() ? fronts.push_back({i}) : own->push_back(i);
   }
+  for (Front& front : fronts) std::sort(front.begin(), front.end());
   return fronts;
 }
 

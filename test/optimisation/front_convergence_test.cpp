@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <pagmo/algorithms/nsga2.hpp>
+#include <pagmo/population.hpp>
+#include <pagmo/problems/dtlz.hpp>
+#include <pagmo/problems/zdt.hpp>
+#include <pagmo/utils/multi_objective.hpp>
+
+#include "lamina/base/random.hpp"
+#include "lamina/optimisation/nsga2.hpp"
+#include "lamina/optimisation/pareto.hpp"
+#include "pagmo_problem.hpp"
+
+namespace lamina {
+namespace {
+
+/// How good fronts are, in the middle of several seeds: single searches differ by a third of their distance.
+struct Quality {
+  double distance = 0.0;  ///< mean distance of points from the true front
+  double volume = 0.0;    ///< hypervolume
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Quality middleOf(const std::vector<Quality>& searches) {
+  std::vector<double> distances;
+  std::vector<double> volumes;
+  for (const Quality& one : searches) {
+    distances.push_back(one.distance);
+    volumes.push_back(one.volume);
+  }
+  return {median(distances), median(volumes)};
+}
+
+Nsga2Settings settingsOf(Variation variation, int population, int generations) {
+  Nsga2Settings settings;
+  settings.variation = variation;
+  settings.population = population;
+  settings.generations = generations;
+  return settings;
+}
+
+template <class Test>
+Quality ours(const Test& test, Nsga2Settings settings, int seeds) {
+  const PagmoProblem problem{pagmo::problem(test)};
+  const std::vector<double> reference(pagmo::problem(test).get_nobj(), 1.1);
+  std::vector<Quality> searches;
+  for (settings.seed = 1; settings.seed <= seeds; ++settings.seed) {
+    NoProgress progress;
+    const FrontSearch found = searchFront(problem.search(), settings, {}, progress);
+    double distance = 0.0;
+    std::vector<std::vector<double>> costs;
+    for (const Evaluation& one : found.front) {
+      costs.push_back(one.responses);
+      distance += test.p_distance(one.point) / static_cast<double>(found.front.size());
+    }
+    searches.push_back({distance, hypervolume(costs, reference)});
+  }
+  return middleOf(searches);
+}
+
+template <class Test>
+Quality pagmos(const Test& test, const Nsga2Settings& settings, int seeds) {
+  const pagmo::problem problem(test);
+  const std::vector<double> reference(problem.get_nobj(), 1.1);
+  std::vector<Quality> searches;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const pagmo::nsga2 nsga2(static_cast<unsigned>(settings.generations), settings.crossover_probability,
+                             settings.crossover_index, settings.mutation_probability, settings.mutation_index,
+                             static_cast<unsigned>(seed));
+    const pagmo::population first(problem, static_cast<std::size_t>(settings.population),
+                                  static_cast<unsigned>(seed));
+    const pagmo::population last = nsga2.evolve(first);
+    searches.push_back({test.p_distance(last), hypervolume(last.get_f(), reference)});
+  }
+  return middleOf(searches);
+}
+
+// Seeds of the two are other numbers, so single searches differ: by a third of their distance, one from
+// another.
+
+TEST(FrontConvergenceTest, Zdt1WithThirtyVariablesIsSolvedAsByPagmo) {
+  const pagmo::zdt test(1, 30);
+  const Nsga2Settings settings = settingsOf(Variation::Sbx, 100, 250);
+  const Quality our = ours(test, settings, 15);
+  const Quality their = pagmos(test, settings, 15);
+  RecordProperty("our_distance", std::to_string(our.distance));
+  RecordProperty("their_distance", std::to_string(their.distance));
+  EXPECT_LT(our.distance, 1.25 * their.distance);
+  EXPECT_GT(our.volume, 0.999 * their.volume);
+}
+
+TEST(FrontConvergenceTest, Dtlz2WithThreeObjectivesIsSolvedAsByPagmo) {
+  const pagmo::dtlz test(2, 12, 3);
+  const Nsga2Settings settings = settingsOf(Variation::Sbx, 100, 150);
+  const Quality our = ours(test, settings, 9);
+  const Quality their = pagmos(test, settings, 9);
+  RecordProperty("our_distance", std::to_string(our.distance));
+  RecordProperty("their_distance", std::to_string(their.distance));
+  EXPECT_LT(our.distance, 1.25 * their.distance);
+  EXPECT_GT(our.volume, 0.98 * their.volume);
+}
+
+TEST(FrontConvergenceTest, TheSourcesVariationSolvesZdt1WithFiveVariables) {
+  const pagmo::zdt test(1, 5);
+  Nsga2Settings settings;
+  const Quality twenty = ours(test, settings, 5);
+  settings.generations = 100;
+  const Quality hundred = ours(test, settings, 5);
+  RecordProperty("distance_20", std::to_string(twenty.distance));
+  RecordProperty("distance_100", std::to_string(hundred.distance));
+  EXPECT_GT(hundred.volume, twenty.volume);
+  EXPECT_LT(hundred.distance, 0.01);
+  // The whole front dominates 1.21 - 1/3 of the reference's box.
+  EXPECT_GT(hundred.volume, 0.98 * (1.21 - 1.0 / 3.0));
+}
+
+TEST(FrontConvergenceTest, FrontsAreThoseOfPagmo) {
+  Random random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Score> scores;
+    std::vector<std::vector<double>> costs;
+    const std::size_t objectives = 1 + random.below(4);
+    for (std::uint64_t i = 0; i < 2 + random.below(60); ++i) {
+      costs.emplace_back();
+      for (std::size_t j = 0; j < objectives; ++j)
+        costs.back().push_back(static_cast<double>(random.below(trial % 2 == 0 ? 5 : 1000)));
+      scores.push_back({costs.back(), 0.0});
+    }
+    if (costs.size() < 2) continue;
+    auto expected = std::get<0>(pagmo::fast_non_dominated_sorting(costs));
+    for (auto& front : expected) std::sort(front.begin(), front.end());
+    EXPECT_EQ(frontsOf(scores), expected) << trial;
+  }
+}
+
+}  // namespace
+}  // namespace lamina
