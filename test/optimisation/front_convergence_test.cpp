@@ -17,7 +17,11 @@
 namespace lamina {
 namespace {
 
-/// How good fronts are, in the middle of several seeds: single searches differ by a third of their distance.
+// The distance of a single search varies by about 40 %, so the ratio of two medians of 15 to 25 by some 14 %.
+// Three times that is allowed.
+constexpr double kDistanceRatio = 1.4;
+
+/// How good fronts are, in the middle of several seeds.
 struct Quality {
   double distance = 0.0;  ///< mean distance of points from the true front
   double volume = 0.0;    ///< hypervolume
@@ -92,18 +96,18 @@ TEST(FrontConvergenceTest, Zdt1WithThirtyVariablesIsSolvedAsByPagmo) {
   const Quality their = pagmos(test, settings, 15);
   RecordProperty("our_distance", std::to_string(our.distance));
   RecordProperty("their_distance", std::to_string(their.distance));
-  EXPECT_LT(our.distance, 1.25 * their.distance);
+  EXPECT_LT(our.distance, kDistanceRatio * their.distance);
   EXPECT_GT(our.volume, 0.999 * their.volume);
 }
 
 TEST(FrontConvergenceTest, Dtlz2WithThreeObjectivesIsSolvedAsByPagmo) {
   const pagmo::dtlz test(2, 12, 3);
-  const Nsga2Settings settings = settingsOf(Variation::Sbx, 100, 150);
-  const Quality our = ours(test, settings, 9);
-  const Quality their = pagmos(test, settings, 9);
+  const Nsga2Settings settings = settingsOf(Variation::Sbx, 60, 100);
+  const Quality our = ours(test, settings, 80);
+  const Quality their = pagmos(test, settings, 80);
   RecordProperty("our_distance", std::to_string(our.distance));
   RecordProperty("their_distance", std::to_string(their.distance));
-  EXPECT_LT(our.distance, 1.25 * their.distance);
+  EXPECT_LT(our.distance, kDistanceRatio * their.distance);
   EXPECT_GT(our.volume, 0.98 * their.volume);
 }
 
