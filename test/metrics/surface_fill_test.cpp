@@ -50,8 +50,16 @@ SurfaceFill fill(const Toolpath& toolpath, const Mesh& part, const SurfaceFillSe
   return measureSurfaceFill(toolpath, part, bed_from_part, settings, nobody);
 }
 
-SurfaceFillSettings asTheSource() {
+/// Bands of 0.2 to 0.4 mm, whatever the bead.
+SurfaceFillSettings byCode() {
   SurfaceFillSettings settings;
+  settings.depth_mm = 0.25;
+  settings.width = SurfaceWidth::Code;
+  return settings;
+}
+
+SurfaceFillSettings asTheSource() {
+  SurfaceFillSettings settings = byCode();
   settings.pieces = FacePieces::Within;
   settings.overlaps = Overlaps::All;
   settings.uncovered = UncoveredFaces::Skip;
@@ -61,7 +69,7 @@ SurfaceFillSettings asTheSource() {
 TEST(SurfaceFill, OfParallelLinesIsTheirGaps) {
   // Case T9: bands of 0.4 mm every 0.5 mm leave 20 gaps of 0.1 mm.
   // The source's round ends leave little corners open where the diagonal cuts lines off.
-  for (const SurfaceFillSettings& settings : {SurfaceFillSettings(), asTheSource()}) {
+  for (const SurfaceFillSettings& settings : {byCode(), asTheSource()}) {
     const double little = settings.pieces == FacePieces::Near ? 0.01 : 0.3;
     EXPECT_NEAR(fill(linesEvery(0.5, 0.25), levelFace(), settings).under_fill_mm2, 20.0, 0.3);
     EXPECT_NEAR(fill(linesEvery(0.4, 0.2), levelFace(), settings).under_fill_mm2, 0.0, little);
@@ -71,9 +79,9 @@ TEST(SurfaceFill, OfParallelLinesIsTheirGaps) {
 
 TEST(SurfaceFill, OfLinesTooNearIsTheirOverlap) {
   // Case T9: 29 lines overlap in 28 strips of 0.05 mm.
-  EXPECT_NEAR(fill(linesEvery(0.5, 0.25), levelFace()).over_fill_mm2, 0.0, 1e-6);
-  EXPECT_NEAR(fill(linesEvery(0.4, 0.2), levelFace()).over_fill_mm2, 0.0, 1e-6);
-  EXPECT_NEAR(fill(linesEvery(0.35, 0.175), levelFace()).over_fill_mm2, 28 * 0.05 * kSide, 0.05);
+  EXPECT_NEAR(fill(linesEvery(0.5, 0.25), levelFace(), byCode()).over_fill_mm2, 0.0, 1e-6);
+  EXPECT_NEAR(fill(linesEvery(0.4, 0.2), levelFace(), byCode()).over_fill_mm2, 0.0, 1e-6);
+  EXPECT_NEAR(fill(linesEvery(0.35, 0.175), levelFace(), byCode()).over_fill_mm2, 28 * 0.05 * kSide, 0.05);
 }
 
 TEST(SurfaceFill, JoinedSegmentsOverlapAsInTheSourceOrNotAtAll) {
@@ -92,12 +100,12 @@ TEST(SurfaceFill, OnUprightFacesABeadIsAsWideAsItIsHigh) {
 
 TEST(SurfaceFill, WidthsAreThoseOfTheSourcesCodeItsTextOrTheBead) {
   const Toolpath lines = linesEvery(0.5, 0.25);
-  SurfaceFillSettings settings;
+  SurfaceFillSettings settings = byCode();
   settings.width = SurfaceWidth::Text;
   EXPECT_NEAR(fill(lines, levelFace(), settings).under_fill_mm2, 20 * 0.15 * kSide, 0.2);
   settings.width = SurfaceWidth::Bead;
   const Bead bead = lines.layers[0].paths[0].bead.at(0);
-  EXPECT_NEAR(fill(lines, levelFace(), settings).under_fill_mm2, 20 * (0.5 - bead.width_mm) * kSide, 0.2);
+  EXPECT_NEAR(fill(lines, levelFace(), settings).under_fill_mm2, 20 * (0.5 - planWidth(bead)) * kSide, 0.2);
   EXPECT_NEAR(fill(layersEvery(0.4), uprightFace(), settings).under_fill_mm2,
               25 * (0.4 - bead.height_mm) * kSide, 0.3);
 }
@@ -106,9 +114,9 @@ TEST(SurfaceFill, OnlyWhatLiesWithinTheDepthCounts) {
   Toolpath deep = linesEvery(0.4, 0.2);
   for (Path& path : deep.layers[0].paths)
     for (Point3& point : path.points) point.z() = -0.16;  // its middle 0.26 mm beneath the face
-  EXPECT_NEAR(fill(deep, levelFace()).under_fill_mm2, kSide * kSide, 1e-9);
-  EXPECT_FALSE(fill(deep, levelFace()).faces[0].has_path);
-  SurfaceFillSettings deeper;
+  EXPECT_NEAR(fill(deep, levelFace(), byCode()).under_fill_mm2, kSide * kSide, 1e-9);
+  EXPECT_FALSE(fill(deep, levelFace(), byCode()).faces[0].has_path);
+  SurfaceFillSettings deeper = byCode();
   deeper.depth_mm = 0.27;
   EXPECT_NEAR(fill(deep, levelFace(), deeper).under_fill_mm2, 0.0, 0.01);
 }
@@ -124,10 +132,10 @@ TEST(SurfaceFill, FacesWithoutAPathCountOrAreSkipped) {
   Mesh part = levelFace();
   for (const Point3& vertex : levelFace().vertices) part.vertices.emplace_back(vertex + Point3(50, 0, 0));
   part.triangles.push_back({4, 5, 6});
-  const SurfaceFill counted = fill(linesEvery(0.4, 0.2), part);
+  const SurfaceFill counted = fill(linesEvery(0.4, 0.2), part, byCode());
   EXPECT_NEAR(counted.under_fill_mm2, 50.0, 0.01);
   EXPECT_NEAR(counted.faces[2].under_fill_mm2, 50.0, 1e-9);
-  SurfaceFillSettings settings;
+  SurfaceFillSettings settings = byCode();
   settings.uncovered = UncoveredFaces::Skip;
   EXPECT_NEAR(fill(linesEvery(0.4, 0.2), part, settings).under_fill_mm2, 0.0, 0.01);
 }

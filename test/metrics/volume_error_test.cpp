@@ -15,8 +15,15 @@ Toolpath straight(double length_mm) {
   return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {length_mm, 0, 0.2})}}}};
 }
 
-double estimated(const Toolpath& toolpath, StrandEnds ends) {
+/// Strands of 0.08 mm2, whatever the bead.
+VolumeErrorSettings ofStrands() {
   VolumeErrorSettings settings;
+  settings.section = VolumeSection::Strand;
+  return settings;
+}
+
+double estimated(const Toolpath& toolpath, StrandEnds ends) {
+  VolumeErrorSettings settings = ofStrands();
   settings.ends = ends;
   return estimatedVolume(toolpath, settings);
 }
@@ -40,7 +47,7 @@ TEST(VolumeError, BeadsCountByTheirOwnSection) {
 }
 
 TEST(VolumeError, IsWithoutSignAndOfTheShareAskedFor) {
-  VolumeErrorSettings settings;
+  VolumeErrorSettings settings = ofStrands();
   EXPECT_NEAR(volumeError(straight(100.0), 8.0, settings), 0.0, 1e-9);
   EXPECT_NEAR(volumeError(straight(100.0), 10.0, settings), 2.0, 1e-9);
   EXPECT_NEAR(volumeError(straight(100.0), 7.0, settings), 1.0, 1e-9);
@@ -56,7 +63,7 @@ TEST(VolumeError, SkirtsAndTravelsAreNotOfThePart) {
   travel.role = PathRole::Travel;
   toolpath.layers[0].paths.push_back(skirt);
   toolpath.layers[0].paths.push_back(travel);
-  EXPECT_NEAR(estimatedVolume(toolpath, {}), 8.0, 1e-9);
+  EXPECT_NEAR(estimatedVolume(toolpath, ofStrands()), 8.0, 1e-9);
 }
 
 }  // namespace

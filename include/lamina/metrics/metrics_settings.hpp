@@ -19,7 +19,7 @@ enum class UncoveredFaces {
 enum class SurfaceWidth {
   Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as the source's listing
   Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as the source's text
-  Bead,  ///< of the bead itself: its height seen across the jet, its width seen along it
+  Bead,  ///< of the bead itself: its height seen across the jet, the plan width it fills seen along it
 };
 
 /// Which pieces of the path a face is covered by.
@@ -50,8 +50,11 @@ enum class StrandEnds {
 
 /// Of the surface metrics.
 struct SurfaceFillSettings {
-  double depth_mm = 0.25;  ///< beneath a face within which the middle of a bead counts for it
-  SurfaceWidth width = SurfaceWidth::Code;
+  /// Beneath a face within which the middle of a bead counts for it; 0.25 mm in the source. 0: half of what
+  /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
+  /// mm at an upright face.
+  double depth_mm = 0.0;
+  SurfaceWidth width = SurfaceWidth::Bead;
   FacePieces pieces = FacePieces::Near;
   Overlaps overlaps = Overlaps::Apart;
   UncoveredFaces uncovered = UncoveredFaces::Count;
@@ -60,7 +63,7 @@ struct SurfaceFillSettings {
 
 /// Of the volume error.
 struct VolumeErrorSettings {
-  VolumeSection section = VolumeSection::Strand;
+  VolumeSection section = VolumeSection::Bead;
   double strand_area_mm2 = 0.08;
   StrandEnds ends = StrandEnds::Whole;
   double fill_share = 1.0;  ///< of the part's volume that is asked for

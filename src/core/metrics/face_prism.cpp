@@ -36,8 +36,7 @@ struct Share {
 
 }  // namespace
 
-FacePrism::FacePrism(const std::array<Point3, 3>& corners, double depth_mm)
-    : origin_(corners[0]), in_space_(corners), depth_(depth_mm) {
+FacePrism::FacePrism(const std::array<Point3, 3>& corners) : origin_(corners[0]), in_space_(corners) {
   const Point3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   area_ = 0.5 * across.norm();
   normal_ = across.normalized();
@@ -56,31 +55,31 @@ Point2 FacePrism::onFace(const Point3& point) const {
   return {from_origin.dot(x_), from_origin.dot(y_)};
 }
 
-Box3 FacePrism::box(double margin_mm) const {
+Box3 FacePrism::box(double depth_mm, double margin_mm) const {
   Box3 box;
   const Point3 wider = Point3::Constant(margin_mm + kOnFace);
   for (const Point3& corner : in_space_)
-    for (const Point3& level : {corner, Point3(corner - depth_ * normal_)}) {
+    for (const Point3& level : {corner, Point3(corner - depth_mm * normal_)}) {
       box.include(level - wider);
       box.include(level + wider);
     }
   return box;
 }
 
-std::optional<Band> FacePrism::band(const StraightBead& piece, double radius_mm, double margin_mm) const {
+std::optional<Band> FacePrism::band(const StraightBead& piece, const Imprint& imprint) const {
   Share share;
   const double start_height = (piece.start - origin_).dot(normal_);
   const double end_height = (piece.end - origin_).dot(normal_);
   share.keepBelow(start_height, end_height, kOnFace);
-  share.keepBelow(-start_height, -end_height, depth_);
+  share.keepBelow(-start_height, -end_height, imprint.depth_mm);
   if (share.isEmpty()) return std::nullopt;
   const Point2 start = onFace(piece.start);
   const Point2 end = onFace(piece.end);
   for (const HalfPlane& side : sides_)
-    share.keepBelow(side.normal.dot(start), side.normal.dot(end), side.offset + margin_mm);
+    share.keepBelow(side.normal.dot(start), side.normal.dot(end), side.offset + imprint.margin_mm);
   if (share.isEmpty()) return std::nullopt;
   Band band;
-  band.radius = radius_mm;
+  band.radius = imprint.radius_mm;
   band.start = start + share.from * (end - start);
   band.end = start + share.to * (end - start);
   const Point2 direction = end - start;

@@ -25,12 +25,18 @@ struct Band {
   HalfPlane from_before, to_after;
 };
 
+/// What a piece is to a face.
+struct Imprint {
+  double radius_mm = 0.0;  ///< half the width of the band it lays
+  double depth_mm = 0.0;   ///< beneath the face within which its middle counts
+  double margin_mm = 0.0;  ///< beside the face within which it counts
+};
+
 /// A triangle with a frame of its own, whose x lies askew to its edges, and the prism beneath it.
 class FacePrism {
  public:
   /// @param corners  counter-clockwise seen from outside; must have an area
-  /// @param depth_mm of the prism
-  FacePrism(const std::array<Point3, 3>& corners, double depth_mm);
+  explicit FacePrism(const std::array<Point3, 3>& corners);
 
   const Point3& normal() const { return normal_; }
   double area() const { return area_; }
@@ -38,11 +44,11 @@ class FacePrism {
   const std::array<Point2, 3>& corners() const { return corners_; }
   Point2 onFace(const Point3& point) const;
 
-  /// Around the prism, widened to the sides.
-  Box3 box(double margin_mm) const;
+  /// Around a prism so deep, widened to the sides.
+  Box3 box(double depth_mm, double margin_mm) const;
 
   /// The band that a piece lays on the face: what of it lies in the prism, widened to the sides by a margin.
-  std::optional<Band> band(const StraightBead& piece, double radius_mm, double margin_mm) const;
+  std::optional<Band> band(const StraightBead& piece, const Imprint& imprint) const;
 
  private:
   Point3 origin_;
@@ -51,7 +57,6 @@ class FacePrism {
   std::array<Point2, 3> corners_;
   std::array<HalfPlane, 3> sides_;
   double area_ = 0.0;
-  double depth_ = 0.0;
 };
 
 /// Cuts two joined bands where they meet: at the bisector of their directions. Nothing is cut where a path

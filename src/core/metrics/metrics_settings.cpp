@@ -6,12 +6,13 @@ namespace lamina {
 namespace {
 
 void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
-  schema.number("metrics.depth_mm", settings.depth_mm, {0.0, 10.0, true},
-                "Depth beneath a face within which the middle of a bead counts for it.");
+  schema.number(
+      "metrics.depth_mm", settings.depth_mm, {0.0, 1000.0, false},
+      "Depth beneath a face within which the middle of a bead counts for it; 0 takes what fits the bead.");
   schema.choice<SurfaceWidth>(
       "metrics.surface_width", settings.width,
       {{"code", SurfaceWidth::Code}, {"text", SurfaceWidth::Text}, {"bead", SurfaceWidth::Bead}},
-      "How wide a bead looks on a face: 0.2 to 0.4 mm, 0.2 to 0.35 mm, or its own height to width.");
+      "How wide a bead looks on a face: 0.2 to 0.4 mm, 0.2 to 0.35 mm, or its own height to what it fills.");
   schema.choice<FacePieces>(
       "metrics.face_pieces", settings.pieces, {{"near", FacePieces::Near}, {"within", FacePieces::Within}},
       "Whether beads beside a face that reach over it cover it, or only those beneath it.");

@@ -82,6 +82,7 @@ void addDrops(const Path& path, Chain& chain) {
   for (std::size_t w = 0; w < path.points.size(); ++w) {
     StraightBead drop;
     drop.bead = path.bead.at(w);
+    drop.plan_width_mm = drop.bead.width_mm;
     drop.jet = jetAt(path, w);
     drop.start = drop.end = middleAt(path, w, drop.bead);
     if (drop.bead.width_mm > 0.0) chain.addDrop(drop);
@@ -93,6 +94,7 @@ void addBead(const Path& path, Chain& chain) {
     const std::size_t end = path.motionEnd(m);
     StraightBead piece;
     piece.bead = path.bead.at(end);
+    piece.plan_width_mm = planWidth(piece.bead);
     piece.jet = jetAt(path, end);
     piece.start = middleAt(path, m, piece.bead);
     piece.end = middleAt(path, end, piece.bead);

@@ -14,6 +14,7 @@ struct StraightBead {
   Point3 end = Point3::Zero();
   Point3 jet = -Point3::UnitZ();  ///< unit vector at the end [part frame]
   Bead bead;
+  double plan_width_mm = 0.0;  ///< that it fills seen along the jet; of a drop its diameter
   /// Unit vectors of the pieces that this one is joined to; zero if there is none.
   Point3 before = Point3::Zero();
   Point3 after = Point3::Zero();

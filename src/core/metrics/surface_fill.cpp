@@ -19,6 +19,7 @@ constexpr double kSearchLength = 4.0;       // mm of a piece for which faces are
 constexpr std::size_t kPiecesAtOnce = 512;  // of one thread
 constexpr int kLinesAtOnce = 32;
 constexpr double kLeastLines = 16.0;  // of a face
+constexpr double kDeepest = 1.0;      // of the greater side of a bead
 constexpr double kLeastArea = 1e-12;  // mm2
 constexpr std::size_t kShares = 512;  // that the measurement is divided into
 
@@ -49,32 +50,31 @@ class Surface {
     faces_.reserve(part.triangles.size());
     for (const Triangle& t : part.triangles)
       faces_.emplace_back(
-          std::array<Point3, 3>{part.vertices[t[0]], part.vertices[t[1]], part.vertices[t[2]]},
-          settings.depth_mm);
+          std::array<Point3, 3>{part.vertices[t[0]], part.vertices[t[1]], part.vertices[t[2]]});
   }
 
   std::size_t size() const { return faces_.size(); }
   const FacePrism& face(std::size_t i) const { return faces_[i]; }
 
-  /// Half the width of a piece on a face [mm].
-  double radius(const FacePrism& face, const StraightBead& piece) const {
-    const double level = std::abs(face.normal().dot(up_));
-    if (settings_.width == SurfaceWidth::Code) return 0.1 * (1.0 + level);
-    if (settings_.width == SurfaceWidth::Text) return 0.1 + 0.075 * level;
+  Imprint imprint(const FacePrism& face, const StraightBead& piece) const {
     const double facing = std::abs(face.normal().dot(piece.jet));
-    return 0.5 * (piece.bead.height_mm + (piece.bead.width_mm - piece.bead.height_mm) * facing);
+    Imprint imprint;
+    imprint.radius_mm = radius(face, piece, facing);
+    imprint.depth_mm = settings_.depth_mm > 0.0 ? settings_.depth_mm : ownDepth(piece, facing);
+    imprint.margin_mm = settings_.pieces == FacePieces::Near ? imprint.radius_mm : 0.0;
+    return imprint;
   }
 
-  /// How far beside a face pieces may lie that cover it [mm].
-  double margin(double radius_mm) const { return settings_.pieces == FacePieces::Near ? radius_mm : 0.0; }
-
-  /// The greatest of these.
-  double greatestMargin(const std::vector<StraightBead>& pieces) const {
-    if (settings_.width != SurfaceWidth::Bead) return margin(0.2);
-    double most = 0.0;
-    for (const StraightBead& piece : pieces)
-      most = std::max({most, 0.5 * piece.bead.width_mm, 0.5 * piece.bead.height_mm});
-    return margin(most);
+  /// The greatest of all depths and margins.
+  Imprint greatest(const std::vector<StraightBead>& pieces) const {
+    Imprint most{0.2, settings_.depth_mm, 0.0};
+    for (const StraightBead& piece : pieces) {
+      const double side_mm = std::max(piece.bead.width_mm, piece.bead.height_mm);
+      if (settings_.width == SurfaceWidth::Bead) most.radius_mm = std::max(most.radius_mm, 0.5 * side_mm);
+      if (settings_.depth_mm == 0.0) most.depth_mm = std::max(most.depth_mm, kDeepest * side_mm);
+    }
+    if (settings_.pieces == FacePieces::Near) most.margin_mm = most.radius_mm;
+    return most;
   }
 
   /// Lines over the face, and over what sticks out of it where that counts.
@@ -91,6 +91,22 @@ class Surface {
   }
 
  private:
+  /// Half the width of a piece on a face [mm].
+  /// @param facing  cosine between the face's normal and the jet
+  double radius(const FacePrism& face, const StraightBead& piece, double facing) const {
+    const double level = std::abs(face.normal().dot(up_));
+    if (settings_.width == SurfaceWidth::Code) return 0.1 * (1.0 + level);
+    if (settings_.width == SurfaceWidth::Text) return 0.1 + 0.075 * level;
+    return 0.5 * (piece.bead.height_mm + (piece.plan_width_mm - piece.bead.height_mm) * facing);
+  }
+
+  /// Half of what the bead measures across the face, and a quarter of its height more [mm].
+  static double ownDepth(const StraightBead& piece, double facing) {
+    const double across = std::sqrt(std::max(0.0, 1.0 - facing * facing));
+    const double height_mm = piece.bead.height_mm;
+    return 0.5 * (piece.plan_width_mm * across + height_mm * facing) + 0.25 * height_mm;
+  }
+
   SurfaceFillSettings settings_;
   Point3 up_;  // of the bed [part frame]
   std::vector<FacePrism> faces_;
@@ -125,11 +141,12 @@ BandTable byFace(const std::vector<std::vector<FaceBand>>& found, std::size_t fa
 }
 
 BandTable findBands(const Surface& surface, const std::vector<StraightBead>& pieces, Progress& progress) {
-  const double most = surface.greatestMargin(pieces);
+  const Imprint most = surface.greatest(pieces);
   std::vector<Box3> boxes;
   boxes.reserve(surface.size());
   for (std::size_t f = 0; f < surface.size(); ++f)
-    boxes.push_back(surface.face(f).area() > kLeastArea ? surface.face(f).box(most) : Box3());
+    boxes.push_back(surface.face(f).area() > kLeastArea ? surface.face(f).box(most.depth_mm, most.margin_mm)
+                                                        : Box3());
   const BoxTree prisms(std::move(boxes));
   std::vector<std::vector<FaceBand>> found((pieces.size() + kPiecesAtOnce - 1) / kPiecesAtOnce);
   parallelFor(
@@ -140,8 +157,8 @@ BandTable findBands(const Surface& surface, const std::vector<StraightBead>& pie
         for (std::size_t p = some * kPiecesAtOnce; p < last; ++p) {
           findFaces(prisms, pieces[p], near);
           for (const std::uint32_t f : near) {
-            const double radius = surface.radius(surface.face(f), pieces[p]);
-            if (const auto band = surface.face(f).band(pieces[p], radius, surface.margin(radius)))
+            const FacePrism& face = surface.face(f);
+            if (const auto band = face.band(pieces[p], surface.imprint(face, pieces[p])))
               found[some].push_back({f, *band});
           }
         }
