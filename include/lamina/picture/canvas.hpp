@@ -62,11 +62,15 @@ class Canvas {
   void rectanglePx(const Box2& box, const Colour& colour);
   /// A filled disc [mm], with its radius on the picture.
   void dot(const Point2& centre, double radius_px, const Colour& colour);
+  /// A filled disc [px].
+  void dotPx(const Point2& centre, double radius_px, const Colour& colour);
   /// Cells of even colour over an extent [mm].
   void raster(const Box2& extent, const CellColours& cells);
   /// @param at  of the anchor on the base line [px]
   void text(const Point2& at, const std::string& text, const TextStyle& style);
 
+  /// The picture as the bytes of a PNG file.
+  std::string png() const;
   /// @throws FileError if it cannot be written; the file appears whole or not at all
   void writePng(const std::string& path) const;
 

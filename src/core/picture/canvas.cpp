@@ -111,10 +111,13 @@ void Canvas::rectanglePx(const Box2& box, const Colour& colour) {
 }
 
 void Canvas::dot(const Point2& centre, double radius_px, const Colour& colour) {
+  dotPx(toPixels(centre), radius_px, colour);
+}
+
+void Canvas::dotPx(const Point2& centre, double radius_px, const Colour& colour) {
   cairo_t* context = surface_->get();
-  const Point2 pixel = toPixels(centre);
   cairo_new_sub_path(context);
-  cairo_arc(context, pixel.x(), pixel.y(), radius_px, 0.0, 2.0 * M_PI);
+  cairo_arc(context, centre.x(), centre.y(), radius_px, 0.0, 2.0 * M_PI);
   setColour(context, colour);
   cairo_fill(context);
 }
@@ -161,20 +164,18 @@ void Canvas::text(const Point2& at, const std::string& text, const TextStyle& st
   cairo_new_path(context);
 }
 
-void Canvas::writePng(const std::string& path) const {
-  AtomicFile file(path);
+std::string Canvas::png() const {
+  std::string png;
   const auto write = [](void* closure, const unsigned char* bytes, unsigned int size) {
-    try {
-      static_cast<AtomicFile*>(closure)->write({reinterpret_cast<const char*>(bytes), size});
-      return CAIRO_STATUS_SUCCESS;
-    } catch (const FileError&) {
-      return CAIRO_STATUS_WRITE_ERROR;
-    }
+    static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(bytes), size);
+    return CAIRO_STATUS_SUCCESS;
   };
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_->surface.get(), write, &file);
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_->surface.get(), write, &png);
   if (status != CAIRO_STATUS_SUCCESS)
-    throw FileError("cannot write the picture '" + path + "': " + cairo_status_to_string(status));
-  file.commit();
+    throw InvalidInput(std::string("the picture cannot be made a PNG: ") + cairo_status_to_string(status));
+  return png;
 }
+
+void Canvas::writePng(const std::string& path) const { writeFile(path, png()); }
 
 }  // namespace lamina
