@@ -7,6 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/study/search_settings.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -94,7 +95,9 @@ TEST(StudyReader, ReadsAStudyOfAPart) {
   EXPECT_EQ(study.goals.objectives.at(1).weight, 0.5);
   EXPECT_EQ(study.goals.constraints.at(0).high, 100.0);
   EXPECT_EQ(study.search.at(0).key, "nsga2.population");
-  EXPECT_EQ(study.seed, 7U);
+  EXPECT_EQ(study.seed, 7);
+  EXPECT_EQ(searchSettingsOf(study).nsga2.population, 8);
+  EXPECT_EQ(searchSettingsOf(study).nsga2.seed, 7);
   EXPECT_EQ(study.decision.method, "topsis");
   EXPECT_EQ(study.decision.weights.at(0).text, "3");
   EXPECT_EQ(study.published.at(0).values.at(1).text, "12");
@@ -108,7 +111,7 @@ TEST(StudyReader, ReadsAStudyOfCommands) {
   ASSERT_TRUE(study.commands);
   EXPECT_EQ(study.commands->commands.at(0).arguments.at(1), "scaffold");
   EXPECT_EQ(study.commands->time_limit_s, 60.0);
-  EXPECT_EQ(study.table.file, "made.csv");
+  EXPECT_EQ(study.table, "made.csv");
   EXPECT_EQ(responseNames(study), (std::vector<std::string>{"porosity_percent", "pore_um"}));
   EXPECT_EQ(study.goals.objectives.at(0).sense, Sense::Maximise);
   EXPECT_EQ(study.goals.constraints.at(0).low, 300.0);
@@ -145,6 +148,9 @@ TEST(StudyReader, NamesLineAndKeyOfWhatItRefuses) {
   expectRefused(changed(kSliced, "under_fill_mm2: minimise", "under_fill_mm2: smallest"), "18", "smallest");
   expectRefused(changed(kSliced, "weight: 0.5", "weight: -1"), "19", "at least 0");
   expectRefused(changed(kSliced, "{high: 100}", "{low: 200, high: 100}"), "21", "between");
+  expectRefused(changed(kSliced, "nsga2.population", "nsga2.popluation"), "22",
+                "did you mean 'nsga2.population'");
+  expectRefused(changed(kSliced, "population: 8", "population: 1"), "22", "nsga2.population is '1'");
   expectRefused(changed(kSliced, "seed: 7", "seed: 1.5"), "23", "whole number");
   expectRefused(changed(kSliced, "topsis", "guess"), "24", "linmap or topsis");
   expectRefused(changed(kSliced, "under_fill_mm2: 3", "under_fill_mm2: -3"), "24", "at least 0");
@@ -170,7 +176,7 @@ TEST(StudyReader, RefusesCommandsThatCannotWork) {
   expectRefused("pore_um: [300, 700]", "height: [300, 700]", "no response 'height'");
   expectRefused("method: surrogate", "method: nsga2", "starts a surrogate");
   expectRefused("table: made.csv", "slice: {part: box}", "'slice' and 'commands'");
-  expectRefused("table: made.csv", "table: {rows: 3}", "expected a file");
+  expectRefused("table: made.csv", "table: [made.csv]", "single value");
 }
 
 TEST(StudyReader, RefusesAStudyWithoutMeasure) {

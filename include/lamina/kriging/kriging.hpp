@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "lamina/base/settings.hpp"
 #include "lamina/optimisation/surrogate.hpp"
 
@@ -35,5 +37,9 @@ void describe(SettingsSchema& schema, KrigingSettings& settings);
 /// deviation of the samples. A Categorical variable of more than two choices becomes one indicator variable
 /// for each. A variable that no sample changes has no influence.
 SurrogateFit krigingFit(const KrigingSettings& settings);
+
+/// The same by the defaults and keys kriging.* as text.
+/// @throws InvalidConfig naming key, value and bound
+SurrogateFit krigingFit(const std::vector<SettingText>& settings);
 
 }  // namespace lamina

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,12 +55,6 @@ struct CommandMeasure {
   double time_limit_s = 3600.0;  ///< of each command
 };
 
-/// Experiments that somebody made and typed in.
-struct TableMeasure {
-  std::string file;  ///< CSV; empty for none
-  int rows = 0;      ///< that are used, from the first; 0 for all
-};
-
 /// How one point of a front is chosen.
 struct DecisionWishes {
   std::string method = "linmap";     ///< linmap | topsis
@@ -83,10 +76,10 @@ struct Study {
   DesignSpace variables;
   std::optional<SliceMeasure> slice;
   std::optional<CommandMeasure> commands;
-  TableMeasure table;
+  std::string table;  ///< experiments that somebody made and typed in (CSV); empty for none
   Goals goals;
   std::vector<SettingText> search;  ///< nsga2.*, surrogate.*, kriging.*
-  std::uint64_t seed = 1;
+  int seed = 1;
   DecisionWishes decision;
   std::string published_source;
   std::vector<PublishedRow> published;

@@ -270,4 +270,12 @@ SurrogateFit krigingFit(const KrigingSettings& settings) {
   };
 }
 
+SurrogateFit krigingFit(const std::vector<SettingText>& settings) {
+  KrigingSettings found;
+  SettingsSchema schema;
+  describe(schema, found);
+  for (const SettingText& setting : settings) schema.set(setting.key, setting.text);
+  return krigingFit(found);
+}
+
 }  // namespace lamina

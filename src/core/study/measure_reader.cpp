@@ -11,8 +11,6 @@
 namespace lamina {
 namespace {
 
-constexpr int kMostRows = 1000000;
-
 std::vector<Baseline> baselinesFrom(const StrictYaml& yaml) {
   std::vector<Baseline> baselines;
   for (const auto& [name, settings] : yaml.entries()) baselines.push_back({name, settings.settings()});
@@ -89,20 +87,6 @@ std::vector<CommandResponse> responsesFrom(const StrictYaml& yaml,
   }
   if (responses.empty()) yaml.refuse("expected at least one response");
   return responses;
-}
-
-TableMeasure tableFrom(const StrictYaml& yaml, const std::string& folder) {
-  TableMeasure table;
-  if (yaml.isScalar()) {
-    table.file = inFolder(folder, yaml.text());
-  } else {
-    for (const auto& [key, value] : yaml.entries({"file", "rows"})) {
-      if (key == "file") table.file = inFolder(folder, value.text());
-      if (key == "rows") table.rows = value.whole(1, kMostRows);
-    }
-  }
-  if (table.file.empty()) yaml.refuse("expected a file");
-  return table;
 }
 
 }  // namespace lamina

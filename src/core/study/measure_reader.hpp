@@ -22,7 +22,4 @@ std::vector<StudyCommand> commandsFrom(const StrictYaml& yaml);
 /// @throws InvalidConfig too if a response is of no command, or its pointer cannot lead anywhere
 std::vector<CommandResponse> responsesFrom(const StrictYaml& yaml, const std::vector<StudyCommand>& commands);
 
-/// The key `table`.
-TableMeasure tableFrom(const StrictYaml& yaml, const std::string& folder);
-
 }  // namespace lamina

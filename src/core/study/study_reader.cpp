@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <set>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/study/placeholders.hpp"
+#include "lamina/study/search_settings.hpp"
 #include "study/measure_reader.hpp"
 #include "study/strict_yaml.hpp"
 
@@ -21,6 +21,7 @@ const std::vector<std::string> kStudyKeys = {
     "name",  "about",      "method",      "variables", "slice", "commands", "responses", "time_limit_s",
     "table", "objectives", "constraints", "search",    "seed",  "decision", "published"};
 constexpr double kLongestCommandS = 1e6;
+constexpr int kGreatestSeed = 1000000000;
 
 Variable variableFrom(const std::string& name, const StrictYaml& yaml) {
   Variable variable;
@@ -162,7 +163,7 @@ void readKey(const std::string& key, const StrictYaml& value, Study& study) {
   if (key == "method") study.method = methodFrom(value);
   if (key == "variables") study.variables = variablesFrom(value);
   if (key == "slice") study.slice = sliceMeasureFrom(value, study.folder);
-  if (key == "table") study.table = tableFrom(value, study.folder);
+  if (key == "table") study.table = inFolder(study.folder, value.text());
   if (key == "objectives") study.goals.objectives = objectivesFrom(value);
   if (key == "constraints")
     for (const auto& [name, bounds] : value.entries())
@@ -176,12 +177,12 @@ void readKey(const std::string& key, const StrictYaml& value, Study& study) {
 void requireOneMeasure(const StrictYaml& document, const Study& study) {
   if (study.slice && study.commands) document.refuse("'slice' and 'commands' are both there; expected one");
   const bool is_measured = study.slice || study.commands;
-  if (!is_measured && study.table.file.empty())
+  if (!is_measured && study.table.empty())
     document.refuse("nothing measures; expected one of the keys slice, commands, table");
   if (study.method == SearchMethod::Nsga2 && !is_measured)
     document.refuse(
         "a front cannot be searched in a table; expected 'slice' or 'commands', or method surrogate");
-  if (study.method == SearchMethod::Nsga2 && !study.table.file.empty())
+  if (study.method == SearchMethod::Nsga2 && !study.table.empty())
     document.refuse("'table' starts a surrogate; expected method surrogate");
 }
 
@@ -207,6 +208,18 @@ void requirePlaceholders(const StrictYaml& document, const Study& study) {
       document.refuse("variables: " + variable.name + ": no command has '{" + variable.name + "}'");
 }
 
+/// Settings of the search are checked once it is known what measures.
+void requireSearch(const StrictYaml::Entries& entries, const Study& study) {
+  for (const auto& [key, value] : entries) {
+    if (key != "search") continue;
+    try {
+      searchSettingsOf(study);
+    } catch (const InvalidConfig& error) {
+      value.refuse(error.what());
+    }
+  }
+}
+
 void requireConsistent(const StrictYaml& document, const Study& study) {
   if (study.variables.empty()) document.refuse("expected the key 'variables'");
   if (study.goals.objectives.empty()) document.refuse("expected the key 'objectives'");
@@ -230,6 +243,7 @@ Study readStudy(const std::string& yaml, const std::string& source_name, const s
     for (const auto& [key, value] : entries) readKey(key, value, study);
     readCommands(entries, study);
     requireConsistent(document, study);
+    requireSearch(entries, study);
     if (study.name.empty()) study.name = std::filesystem::path(source_name).stem().string();
     return study;
   } catch (const YAML::Exception& error) {

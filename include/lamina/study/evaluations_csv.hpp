@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/optimisation/design_space.hpp"
+#include "lamina/optimisation/evaluation.hpp"
+
+namespace lamina {
+
+/// Evaluations as a table: a column for each variable and each response, and `error`, which is empty where
+/// the point could be tried; numbers with all their digits, responses that are not numbers empty.
+std::string evaluationsCsv(const DesignSpace& space, const std::vector<std::string>& response_names,
+                           const std::vector<Evaluation>& evaluations);
+
+}  // namespace lamina

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/text.hpp"
+#include "lamina/job/study_job.hpp"
+#include "lamina/kriging/kriging.hpp"
+#include "lamina/study/search_settings.hpp"
+#include "lamina/study/study_reader.hpp"
+#include "setting_options.hpp"
+#include "subcommand.hpp"
+#include "terminal_progress.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina optimise` as it was typed.
+struct OptimiseArguments {
+  std::string study;
+  std::string output;
+  std::vector<std::string> assignments;
+  bool is_fresh = false;
+};
+
+/// A line on standard error for each generation or iteration.
+void tell(const Study& study, const StudyState& state) {
+  std::string best;
+  for (std::size_t i = 0; i < state.best.size(); ++i)
+    best += "  " + study.goals.objectives[i].response + " " + shownNumber(state.best[i]);
+  const bool is_front = study.method == SearchMethod::Nsga2;
+  if (::isatty(STDERR_FILENO) != 0) std::fputs("\r\x1b[K", stderr);
+  std::fprintf(stderr, "%s %d: %d evaluations, %d failed%s%s%s\n", is_front ? "generation" : "iteration",
+               state.index, state.evaluations, state.failed,
+               is_front ? (", hypervolume " + shownNumber(state.hypervolume)).c_str() : "",
+               best.empty() ? "" : "; best so far", best.c_str());
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<SettingText>& values) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const SettingText& value : values) json[value.key] = value.text;
+  return json;
+}
+
+nlohmann::ordered_json jsonOf(const DesignSpace& space, const std::vector<std::string>& names,
+                              const Evaluation& evaluation) {
+  nlohmann::ordered_json json = {{"variables", nlohmann::ordered_json::object()},
+                                 {"responses", nlohmann::ordered_json::object()}};
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const double value = evaluation.point[i];
+    if (space[i].kind == VariableKind::Categorical)
+      json["variables"][space[i].name] = textOf(space[i], value);
+    else
+      json["variables"][space[i].name] = value;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) json["responses"][names[i]] = evaluation.responses.at(i);
+  return json;
+}
+
+void printJson(const Study& study, const StudyOutcome& outcome, const StudyFiles& files) {
+  nlohmann::ordered_json json = {{"study", study.name},
+                                 {"evaluations", outcome.evaluations.size()},
+                                 {"failed", failedCount(outcome.evaluations)},
+                                 {"front_size", outcome.front.size()},
+                                 {"chosen", nullptr}};
+  if (outcome.chosen) json["chosen"] = jsonOf(study.variables, outcome.front_response_names, *outcome.chosen);
+  if (!outcome.generations.empty()) json["hypervolume"] = outcome.generations.back().hypervolume;
+  if (outcome.surrogate) {
+    json["iterations"] = outcome.surrogate->iterations.size();
+    json["end"] = toString(outcome.surrogate->end);
+  }
+  json["compared"] = nlohmann::ordered_json::object();
+  for (const ComparedRow& row : outcome.compared) json["compared"][row.name] = jsonOf(row.values);
+  json["notes"] = outcome.notes;
+  json["wall_s"] = outcome.wall_s;
+  json["report"] = files.report;
+  json["configuration"] = outcome.chosen ? files.chosen : "";
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void printText(const Study& study, const StudyOutcome& outcome, const StudyFiles& files) {
+  std::printf("%s: %zu evaluations, %zu failed, in %.1f s\n", study.name.c_str(), outcome.evaluations.size(),
+              failedCount(outcome.evaluations), outcome.wall_s);
+  if (!outcome.front.empty()) std::printf("front: %zu configurations\n", outcome.front.size());
+  if (outcome.surrogate)
+    std::printf("proposed: %zu points; ended: %s\n", outcome.surrogate->iterations.size(),
+                toString(outcome.surrogate->end));
+  if (!outcome.chosen) std::printf("nothing keeps to all constraints\n");
+  if (outcome.chosen)
+    for (const SettingText& value : valuesOf(study.variables, outcome.front_response_names, *outcome.chosen))
+      std::printf("  %-34s %s\n", value.key.c_str(), value.text.c_str());
+  for (const std::string& note : outcome.notes) std::printf("note: %s\n", note.c_str());
+  std::printf("report: %s\n", files.report.c_str());
+}
+
+void optimise(const OptimiseArguments& arguments, OutputFormat format) {
+  StudyJob job;
+  job.study = readStudyFile(arguments.study);
+  for (const SettingText& setting : overridesFrom(arguments.assignments)) job.study.search.push_back(setting);
+  job.output = arguments.output;
+  job.earlier = arguments.is_fresh ? EarlierJournal::BeginAnew : EarlierJournal::GoOn;
+  const SurrogateFit fit = krigingFit(surrogateFitSettingsOf(job.study));
+  TerminalProgress progress;
+  const auto hear = [&](const StudyState& state) { tell(job.study, state); };
+  const StudyOutcome outcome = runStudy(job, fit, nullptr, hear, progress);
+  const StudyFiles files = studyFilesIn(job.output);
+  format == OutputFormat::Json ? printJson(job.study, outcome, files) : printText(job.study, outcome, files);
+}
+
+}  // namespace
+
+void addOptimise(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "optimise", "Run a study: search configurations for what it wants; stopped, it goes on where it was");
+  const auto arguments = std::make_shared<OptimiseArguments>();
+  subcommand->add_option("study", arguments->study, "What is searched for, how, and what measures it (.yaml)")
+      ->required();
+  subcommand
+      ->add_option("-o,--output", arguments->output,
+                   "Folder for journal, front, evaluations, chosen configuration and report")
+      ->required();
+  subcommand
+      ->add_option("--set", arguments->assignments,
+                   "One setting of the search as key=value (nsga2.*, surrogate.*, genetic.*, kriging.*); may "
+                   "be repeated")
+      ->allow_extra_args(false);
+  subcommand->add_flag("--fresh", arguments->is_fresh,
+                       "Begin anew instead of going on with the journal in the folder");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { optimise(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

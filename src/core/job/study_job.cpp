@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/study_job.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "job/study_comparison.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/version.hpp"
+#include "lamina/job/study_measurement.hpp"
+#include "lamina/optimisation/decision.hpp"
+#include "lamina/optimisation/evaluation_journal.hpp"
+#include "lamina/optimisation/experiment_table.hpp"
+#include "lamina/study/evaluations_csv.hpp"
+#include "lamina/study/report.hpp"
+#include "lamina/study/search_settings.hpp"
+
+namespace lamina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Feasible values of the objectives so far, the best of each.
+std::vector<double> bestValues(const Goals& goals, const std::vector<std::string>& names,
+                               const std::vector<Evaluation>& feasible) {
+  std::vector<double> best;
+  if (feasible.empty()) return best;
+  for (const Objective& objective : goals.objectives) {
+    const std::size_t response = responseIndex(names, objective.response);
+    double value = feasible.front().responses.at(response);
+    for (const Evaluation& evaluation : feasible) {
+      const double other = evaluation.responses.at(response);
+      value = objective.sense == Sense::Minimise ? std::min(value, other) : std::max(value, other);
+    }
+    best.push_back(value);
+  }
+  return best;
+}
+
+DecisionMethod methodOf(const DecisionWishes& wishes) {
+  return wishes.method == "topsis" ? DecisionMethod::Topsis : DecisionMethod::Linmap;
+}
+
+/// One number for each response that is decided by: of those that are maximised, with its sign changed.
+struct DecisionTable {
+  std::vector<std::vector<double>> costs;  ///< by alternative
+  std::vector<double> weights;
+};
+
+/// Weights by response; every name must be one of them.
+std::map<std::string, double> weightsOf(const DecisionWishes& wishes, const std::vector<std::string>& names) {
+  std::map<std::string, double> weights;
+  for (const std::string& name : names) weights[name] = 1.0;
+  for (const SettingText& weight : wishes.weights) {
+    responseIndex(names, weight.key);
+    weights[weight.key] = std::stod(weight.text);
+  }
+  return weights;
+}
+
+bool isMaximised(const Goals& goals, const std::string& response) {
+  return std::any_of(goals.objectives.begin(), goals.objectives.end(), [&](const Objective& objective) {
+    return objective.response == response && objective.sense == Sense::Maximise;
+  });
+}
+
+bool isObjective(const Goals& goals, const std::string& response) {
+  return std::any_of(goals.objectives.begin(), goals.objectives.end(),
+                     [&](const Objective& objective) { return objective.response == response; });
+}
+
+class StudyRun {
+ public:
+  StudyRun(const StudyJob& job, Evaluator* outer, const StudyListener& listener, Progress& progress)
+      : study_(job.study),
+        files_(studyFilesIn(job.output)),
+        listener_(listener),
+        progress_(progress),
+        settings_(searchSettingsOf(study_)),
+        measurement_(study_) {
+    weightsOf(study_.decision, decisionNames());
+    if (!study_.table.empty())
+      table_ = readExperimentTable(study_.table, study_.variables, measurement_.responseNames());
+    prepareFolder(job);
+    prepareEvaluators(outer);
+  }
+
+  StudyOutcome run(const SurrogateFit& fit) {
+    const Clock::time_point start = Clock::now();
+    outcome_.response_names = measurement_.responseNames();
+    outcome_.front_response_names = outcome_.response_names;
+    outcome_.version = laminaVersion();
+    study_.method == SearchMethod::Nsga2 ? searchForFront() : searchWith(fit);
+    tellSettings();
+    StudyComparison comparison =
+        comparisonOf(study_, measurement_, *in_full_journal_, outcome_.chosen, progress_);
+    outcome_.compared = std::move(comparison.rows);
+    outcome_.notes.insert(outcome_.notes.end(), comparison.notes.begin(), comparison.notes.end());
+    outcome_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+    write();
+    return std::move(outcome_);
+  }
+
+ private:
+  /// What a point of the front is chosen by: all metrics of a part; else the objectives.
+  std::vector<std::string> decisionNames() const {
+    if (study_.slice) return measurement_.frontResponseNames();
+    std::vector<std::string> names;
+    for (const Objective& objective : study_.goals.objectives) names.push_back(objective.response);
+    return names;
+  }
+
+  void prepareFolder(const StudyJob& job) const {
+    if (job.output.empty()) throw InvalidConfig("no folder for the output is named");
+    std::error_code failed;
+    std::filesystem::create_directories(job.output, failed);
+    if (failed || !std::filesystem::is_directory(job.output, failed))
+      throw FileError("cannot make the folder '" + job.output + "'");
+    if (job.earlier != EarlierJournal::BeginAnew) return;
+    for (const std::string& journal : {files_.journal, files_.front_journal})
+      std::filesystem::remove(journal, failed);
+  }
+
+  void prepareEvaluators(Evaluator* outer) {
+    const auto& names = measurement_.responseNames();
+    const bool is_table_alone = !study_.slice && !study_.commands;
+    if (is_table_alone)
+      inner_ = std::make_unique<TableEvaluator>(study_.variables, names, table_.proposed,
+                                                settings_.surrogate.nearness);
+    else if (outer == nullptr)
+      inner_ = std::make_unique<ParallelEvaluator>(
+          names,
+          [this](const DesignPoint& point, Progress& progress) { return measurement_.at(point, progress); });
+    Evaluator& tried = outer != nullptr && !is_table_alone ? *outer : *inner_;
+    // Somebody may have typed more into a table since.
+    const std::string journal = is_table_alone ? "" : files_.journal;
+    const std::string fingerprint = measurement_.fingerprint();
+    journal_ = std::make_unique<JournalledEvaluator>(tried, study_.variables,
+                                                     JournalSettings{journal, fingerprint, {}});
+    const bool is_measured_more = measurement_.frontResponseNames() != names;
+    in_full_ = std::make_unique<ParallelEvaluator>(measurement_.frontResponseNames(),
+                                                   [this](const DesignPoint& point, Progress& progress) {
+                                                     return measurement_.inFull(point, progress);
+                                                   });
+    in_full_journal_ = std::make_unique<JournalledEvaluator>(
+        is_measured_more ? static_cast<Evaluator&>(*in_full_) : *journal_, study_.variables,
+        JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, {}});
+  }
+
+  void searchForFront() {
+    const auto hear = [this](const Generation& generation) {
+      if (listener_)
+        listener_({generation.index, generation.evaluations, generation.failed,
+                   bestValues(study_.goals, measurement_.responseNames(), generation.front),
+                   generation.hypervolume});
+    };
+    FrontSearch search =
+        searchFront({study_.variables, study_.goals, *journal_}, settings_.nsga2, hear, progress_);
+    outcome_.seed = settings_.nsga2.seed;
+    outcome_.evaluations = std::move(search.evaluations);
+    outcome_.generations = std::move(search.generations);
+    outcome_.front = std::move(search.front);
+    if (outcome_.front.empty()) return;
+    measureFrontInFull();
+    decideAmongFront();
+  }
+
+  void measureFrontInFull() {
+    if (measurement_.frontResponseNames() == outcome_.response_names) return;
+    std::vector<DesignPoint> points;
+    for (const Evaluation& evaluation : outcome_.front) points.push_back(evaluation.point);
+    std::vector<Evaluation> in_full = in_full_journal_->evaluate(points, {}, progress_);
+    const auto failed = std::find_if_not(in_full.begin(), in_full.end(), isEvaluated);
+    if (failed != in_full.end()) {
+      outcome_.notes.push_back("decided by what the search measured; other metrics cannot be measured: " +
+                               failed->error);
+      return;
+    }
+    outcome_.front = std::move(in_full);
+    outcome_.front_response_names = measurement_.frontResponseNames();
+  }
+
+  /// @return without responses that are not numbers everywhere, each of which becomes a note
+  DecisionTable decisionTable() {
+    DecisionTable table;
+    table.costs.resize(outcome_.front.size());
+    const auto& names = outcome_.front_response_names;
+    const auto weights = weightsOf(study_.decision, decisionNames());
+    for (std::size_t response = 0; response < names.size(); ++response) {
+      const auto weight = weights.find(names[response]);
+      if (weight == weights.end() || (!study_.slice && !isObjective(study_.goals, names[response]))) continue;
+      const auto& front = outcome_.front;
+      const bool is_known = std::all_of(front.begin(), front.end(), [&](const Evaluation& evaluation) {
+        return std::isfinite(evaluation.responses.at(response));
+      });
+      if (!is_known) {
+        outcome_.notes.push_back("decided without " + names[response] + ", which is no number somewhere");
+        continue;
+      }
+      const double sign = isMaximised(study_.goals, names[response]) ? -1.0 : 1.0;
+      table.weights.push_back(weight->second);
+      for (std::size_t i = 0; i < front.size(); ++i)
+        table.costs[i].push_back(sign * front[i].responses[response]);
+    }
+    return table;
+  }
+
+  void decideAmongFront() {
+    const DecisionTable table = decisionTable();
+    const Decision decision = decide(table.costs, table.weights, methodOf(study_.decision));
+    outcome_.decision_indices = decision.indices;
+    outcome_.chosen = outcome_.front.at(decision.chosen);
+  }
+
+  void searchWith(const SurrogateFit& fit) {
+    if (!fit) throw InvalidConfig("the study asks for a surrogate, and nothing is there to fit it");
+    std::vector<Evaluation> samples = table_.design;
+    const bool is_table_alone = !study_.slice && !study_.commands;
+    if (!is_table_alone) samples.insert(samples.end(), table_.proposed.begin(), table_.proposed.end());
+    std::vector<Evaluation> tried = samples;
+    const auto hear = [&](const SurrogateIteration& iteration) {
+      tried.push_back(iteration.measured);
+      if (listener_) listener_(stateAfter(iteration, tried));
+    };
+    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, *journal_}, {fit, samples},
+                                               settings_.surrogate, hear, progress_);
+    outcome_.seed = settings_.surrogate.seed;
+    outcome_.evaluations = search.evaluations;
+    if (search.best) {
+      outcome_.chosen = search.evaluations.at(*search.best);
+      chooseInFull();
+    }
+    if (search.end == SurrogateEnd::NotMeasured && !search.iterations.empty())
+      outcome_.notes.push_back("next to be measured: " + pointText(search.iterations.back().proposed));
+    outcome_.surrogate = std::move(search);
+  }
+
+  StudyState stateAfter(const SurrogateIteration& iteration, const std::vector<Evaluation>& tried) const {
+    std::vector<Evaluation> feasible;
+    for (const Evaluation& evaluation : tried)
+      if (isEvaluated(evaluation) &&
+          violationOf(study_.goals, measurement_.responseNames(), evaluation.responses) == 0.0)
+        feasible.push_back(evaluation);
+    return {static_cast<int>(iteration.index), static_cast<int>(tried.size()),
+            static_cast<int>(failedCount(tried)),
+            bestValues(study_.goals, measurement_.responseNames(), feasible), 0.0};
+  }
+
+  void chooseInFull() {
+    if (measurement_.frontResponseNames() == outcome_.response_names) return;
+    const Evaluation in_full = in_full_journal_->evaluate({outcome_.chosen->point}, {}, progress_).front();
+    if (!isEvaluated(in_full)) {
+      outcome_.notes.push_back("other metrics of what was chosen cannot be measured: " + in_full.error);
+      return;
+    }
+    outcome_.chosen = in_full;
+    outcome_.front_response_names = measurement_.frontResponseNames();
+  }
+
+  std::string pointText(const DesignPoint& point) const {
+    std::string text;
+    for (std::size_t i = 0; i < point.size(); ++i)
+      text += (i == 0 ? "" : ", ") + study_.variables[i].name + " " + textOf(study_.variables[i], point[i]);
+    return text;
+  }
+
+  void tellSettings() {
+    SettingsSchema schema;
+    study_.method == SearchMethod::Nsga2 ? describe(schema, settings_.nsga2)
+                                         : describe(schema, settings_.surrogate);
+    for (const Setting& setting : schema.settings()) outcome_.search.push_back({setting.key, setting.get()});
+    if (study_.method == SearchMethod::Surrogate)
+      for (const SettingText& setting : surrogateFitSettingsOf(study_)) outcome_.search.push_back(setting);
+  }
+
+  void write() const {
+    const DesignSpace& space = study_.variables;
+    writeFile(files_.evaluations, evaluationsCsv(space, outcome_.response_names, outcome_.evaluations));
+    if (study_.method == SearchMethod::Nsga2)
+      writeFile(files_.front, evaluationsCsv(space, outcome_.front_response_names, outcome_.front));
+    std::error_code ignored;
+    std::filesystem::remove(files_.chosen, ignored);
+    if (outcome_.chosen) writeFile(files_.chosen, measurement_.configurationAt(outcome_.chosen->point));
+    const auto pictures = frontPictures(study_, outcome_);
+    if (!pictures.empty()) writeFile(files_.picture, pictures.front().png);
+    writeFile(files_.report, studyReport(study_, outcome_));
+  }
+
+  const Study& study_;
+  StudyFiles files_;
+  const StudyListener& listener_;
+  Progress& progress_;
+  SearchSettings settings_;
+  StudyMeasurement measurement_;
+  ExperimentTable table_;
+  std::unique_ptr<Evaluator> inner_;
+  std::unique_ptr<JournalledEvaluator> journal_;
+  std::unique_ptr<ParallelEvaluator> in_full_;
+  std::unique_ptr<JournalledEvaluator> in_full_journal_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+StudyFiles studyFilesIn(const std::string& folder) {
+  const auto in = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  return {in("journal.jsonl"), in("front.jsonl"), in("front.csv"),  in("evaluations.csv"),
+          in("chosen.yaml"),   in("front.png"),   in("report.html")};
+}
+
+StudyOutcome runStudy(const StudyJob& job, const SurrogateFit& fit, Evaluator* outer,
+                      const StudyListener& listener, Progress& progress) {
+  StudyRun run(job, outer, listener, progress);
+  return run.run(fit);
+}
+
+}  // namespace lamina
