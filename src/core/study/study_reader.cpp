@@ -169,7 +169,7 @@ void readKey(const std::string& key, const StrictYaml& value, Study& study) {
     for (const auto& [name, bounds] : value.entries())
       study.goals.constraints.push_back(constraintFrom(name, bounds));
   if (key == "search") study.search = value.settings();
-  if (key == "seed") study.seed = static_cast<std::uint64_t>(value.whole(0, std::numeric_limits<int>::max()));
+  if (key == "seed") study.seed = value.whole(0, kGreatestSeed);
   if (key == "decision") study.decision = decisionFrom(value);
   if (key == "published") readPublished(value, study);
 }
