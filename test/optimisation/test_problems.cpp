@@ -19,6 +19,13 @@ DesignSpace mixedSpace() {
           {"link", VariableKind::Categorical, 0.0, 0.0, {}, {"tangential", "average"}}};
 }
 
+DesignSpace unitSpace(std::size_t count) {
+  DesignSpace space;
+  for (std::size_t i = 0; i < count; ++i)
+    space.push_back(continuous(std::string(1, static_cast<char>('a' + i)), -1.0, 1.0));
+  return space;
+}
+
 CountingEvaluator::CountingEvaluator(double greatest_pitch)
     : greatest_pitch_(greatest_pitch),
       inner_({"time_s", "error_mm3"},

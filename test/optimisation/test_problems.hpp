@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ Variable continuous(const std::string& name, double low, double high);
 /// One variable of each kind: pitch_mm 0.3 to 2.5, walls 1 to 4, layer_mm 0.15, 0.2 or 0.3, link tangential
 /// or average.
 DesignSpace mixedSpace();
+
+/// So many continuous variables from -1 to 1, named a, b, c ...
+DesignSpace unitSpace(std::size_t count);
 
 /// Two responses of a point of the mixed space against each other: "time_s" and "error_mm3". Counts what it
 /// is asked for.

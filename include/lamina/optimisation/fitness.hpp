@@ -57,6 +57,9 @@ std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, 
                                         const std::vector<std::string>& response_names,
                                         const Fitness& fitness);
 
+/// Responses that have a constraint or a weight, as ascending indices.
+std::vector<std::size_t> countedResponses(const Goals& goals, const std::vector<std::string>& response_names);
+
 /// Mean absolute error of predictions in per cent of what was measured (Vega Rodriguez, Eq 5), over the
 /// responses that have a constraint or a weight. One that was measured as 0 counts 0 if it was predicted so,
 /// and otherwise makes the error infinite; one that was not measured does too.

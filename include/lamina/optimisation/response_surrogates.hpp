@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ class ResponseSurrogates {
 
   /// One prediction a response.
   std::vector<Prediction> at(const DesignPoint& point) const;
+
+  /// @param response  index
+  const Surrogate& of(std::size_t response) const { return *surrogates_.at(response); }
 
   /// One line a response.
   std::vector<std::string> descriptions() const;

@@ -25,6 +25,9 @@ class Surrogate {
   /// @param point  of the space it was fitted in; values between levels or whole numbers are allowed
   virtual Prediction at(const DesignPoint& point) const = 0;
 
+  /// The value of the prediction alone, which may be cheaper.
+  virtual double valueAt(const DesignPoint& point) const { return at(point).value; }
+
   /// One line for a report: kind, regression, correlation, ranges.
   virtual std::string description() const = 0;
 };

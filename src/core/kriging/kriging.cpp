@@ -13,20 +13,25 @@
 #include <openturns/MultiStart.hxx>
 #include <openturns/SquaredExponential.hxx>
 #include <openturns/SymbolicFunction.hxx>
+#include <openturns/TBB.hxx>
 #include <openturns/TNC.hxx>
 #include <utility>
 
 #include "kriging/regressors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/optimisation/fitness.hpp"
 
 namespace lamina {
 namespace {
 
 using Terms = std::vector<std::pair<int, int>>;
 
+/// Of standardised responses: OpenTURNS refuses a polynomial that is 0, which that of mean 0 may be.
+constexpr double kOutputMean = 1.0;
 constexpr double kLeastRange = 0.02;
-constexpr double kGreatestRange = 50.0;
+/// Far beyond the samples; smooth correlations become singular at greater ones.
+constexpr double kGreatestRange = 10.0;
 
 std::string shortText(double value) {
   char text[32];
@@ -47,7 +52,7 @@ double termAt(const std::pair<int, int>& term, const Eigen::VectorXd& x) {
 /// What samples of one response look like to OpenTURNS.
 struct Samples {
   std::vector<Eigen::VectorXd> inputs;
-  Eigen::VectorXd outputs;  ///< of mean 0 and standard deviation 1
+  Eigen::VectorXd outputs;  ///< of mean kOutputMean and standard deviation 1
   double mean = 0.0;
   double deviation = 0.0;
 };
@@ -62,6 +67,7 @@ Samples samplesOf(const Regressors& regressors, const std::vector<DesignPoint>& 
   samples.outputs.array() -= samples.mean;
   samples.deviation = samples.outputs.norm() / std::sqrt(static_cast<double>(values.size() - 1));
   if (samples.deviation > 0.0) samples.outputs /= samples.deviation;
+  samples.outputs.array() += kOutputMean;
   return samples;
 }
 
@@ -133,8 +139,14 @@ std::string nameOf(Correlation correlation) {
   return "Matern 5/2";
 }
 
-OT::KrigingResult fitted(const Samples& samples, const Regression& regression,
-                         const KrigingSettings& settings) {
+/// What OpenTURNS makes of samples.
+struct Fit {
+  OT::KrigingResult result;
+  bool has_fitted_ranges = false;
+};
+
+OT::KrigingAlgorithm algorithmFor(const Samples& samples, const Regression& regression,
+                                  Correlation correlation, double range) {
   const auto n = static_cast<OT::UnsignedInteger>(samples.inputs.size());
   const auto columns = static_cast<OT::UnsignedInteger>(samples.inputs.front().size());
   OT::Sample inputs(n, columns);
@@ -143,20 +155,37 @@ OT::KrigingResult fitted(const Samples& samples, const Regression& regression,
     inputs[i] = pointOf(samples.inputs[i]);
     outputs(i, 0) = samples.outputs[static_cast<Eigen::Index>(i)];
   }
-  const bool is_fitted = settings.range == CorrelationRange::Fitted && !regression.is_exact;
-  const OT::Point ranges(columns, is_fitted ? 1.0 : settings.fixed_range);
-  OT::KrigingAlgorithm algorithm(inputs, outputs, covarianceOf(settings.correlation, ranges),
+  OT::KrigingAlgorithm algorithm(inputs, outputs, covarianceOf(correlation, OT::Point(columns, range)),
                                  basisOf(regression.terms, columns));
-  algorithm.setOptimizeParameters(is_fitted);
-  if (is_fitted) {
-    OT::Sample starts(0, columns);
-    for (const double start : {0.3, 1.0, 3.0}) starts.add(OT::Point(columns, start));
-    algorithm.setOptimizationAlgorithm(OT::MultiStart(OT::TNC(), starts));
-    algorithm.setOptimizationBounds(
-        OT::Interval(OT::Point(columns, kLeastRange), OT::Point(columns, kGreatestRange)));
-  }
+  algorithm.setOptimizeParameters(false);
+  return algorithm;
+}
+
+/// Likelihood is climbed from three starts, since it may have several tops.
+void fitRangesOf(OT::KrigingAlgorithm& algorithm, std::size_t columns) {
+  OT::Sample starts(0, columns);
+  for (const double start : {0.3, 1.0, 3.0}) starts.add(OT::Point(columns, start));
+  algorithm.setOptimizeParameters(true);
+  algorithm.setOptimizationAlgorithm(OT::MultiStart(OT::TNC(), starts));
+  algorithm.setOptimizationBounds(
+      OT::Interval(OT::Point(columns, kLeastRange), OT::Point(columns, kGreatestRange)));
   algorithm.run();
-  return algorithm.getResult();
+}
+
+Fit fitted(const Samples& samples, const Regression& regression, const KrigingSettings& settings) {
+  if (settings.range == CorrelationRange::Fitted && !regression.is_exact) {
+    OT::KrigingAlgorithm algorithm = algorithmFor(samples, regression, settings.correlation, 1.0);
+    try {
+      fitRangesOf(algorithm, static_cast<std::size_t>(samples.inputs.front().size()));
+      return {algorithm.getResult(), true};
+    } catch (const OT::Exception&) {
+      // The likelihood has no top that can be told from rounding: any ranges do.
+    }
+  }
+  OT::KrigingAlgorithm algorithm =
+      algorithmFor(samples, regression, settings.correlation, settings.fixed_range);
+  algorithm.run();
+  return {algorithm.getResult(), false};
 }
 
 /// Variance that goes with ranges OpenTURNS did not fit: what the polynomial leaves, for each degree of
@@ -184,28 +213,33 @@ class KrigingSurrogate final : public Surrogate {
     const Samples samples = samplesOf(regressors_, points, values);
     mean_ = samples.mean;
     deviation_ = samples.deviation;
-    if (deviation_ == 0.0 || regressors_.columns() == 0) {
-      description_ = "constant";
+    is_constant_ = deviation_ == 0.0 || regressors_.columns() == 0;
+    if (is_constant_) {
+      description_ = "constant: all samples are equal";
       return;
     }
     const Regression regression = regressionOf(regressors_, samples, settings.regression_order);
-    result_ = fitted(samples, regression, settings);
+    const Fit fit = fitted(samples, regression, settings);
+    result_ = fit.result;
     const OT::CovarianceModel model = result_.getCovarianceModel();
     const double amplitude = model.getAmplitude()[0];
-    const bool is_fitted = settings.range == CorrelationRange::Fitted && !regression.is_exact;
-    variance_ = is_fitted ? amplitude * amplitude : varianceLeft(result_, samples, regression);
+    variance_ = fit.has_fitted_ranges ? amplitude * amplitude : varianceLeft(result_, samples, regression);
     variance_scale_ = variance_ / (amplitude * amplitude);
     description_ = describe(space, regression, settings, model.getScale());
   }
 
   Prediction at(const DesignPoint& point) const override {
     constexpr double kNegligible = 1e-9;
-    if (description_ == "constant") return {mean_, 0.0};
-    const OT::Point x = pointOf(regressors_.of(point));
-    const double value = result_.getConditionalMean(x)[0];
-    const double variance = variance_scale_ * result_.getConditionalMarginalVariance(x);
-    return {mean_ + deviation_ * value,
-            variance > kNegligible * variance_ ? deviation_ * deviation_ * variance : 0.0};
+    if (is_constant_) return {mean_, 0.0};
+    const double variance =
+        variance_scale_ * result_.getConditionalMarginalVariance(pointOf(regressors_.of(point)));
+    return {valueAt(point), variance > kNegligible * variance_ ? deviation_ * deviation_ * variance : 0.0};
+  }
+
+  double valueAt(const DesignPoint& point) const override {
+    if (is_constant_) return mean_;
+    const double value = result_.getConditionalMean(pointOf(regressors_.of(point)))[0];
+    return mean_ + deviation_ * (value - kOutputMean);
   }
 
   std::string description() const override { return description_; }
@@ -223,20 +257,34 @@ class KrigingSurrogate final : public Surrogate {
   Regressors regressors_;
   double mean_ = 0.0;
   double deviation_ = 0.0;
+  bool is_constant_ = false;
   OT::KrigingResult result_;
   double variance_ = 0.0;        ///< of the process
   double variance_scale_ = 1.0;  ///< of what OpenTURNS takes it for
   std::string description_;
 };
 
-void requireFinite(const std::vector<DesignPoint>& points, const std::vector<double>& values) {
-  if (points.size() != values.size())
-    throw InvalidInput("kriging of " + std::to_string(points.size()) + " points with " +
-                       std::to_string(values.size()) + " values; expected one value a point");
-  for (const double value : values)
-    if (!std::isfinite(value))
-      throw InvalidInput("kriging of a value that is not finite: " + std::to_string(value));
-}
+/// Each point once, with the mean of its values.
+struct DistinctSamples {
+  std::vector<DesignPoint> points;
+  std::vector<double> values;
+
+  DistinctSamples(const std::vector<DesignPoint>& all_points, const std::vector<double>& all_values) {
+    if (all_points.size() != all_values.size())
+      throw InvalidInput("kriging of " + std::to_string(all_points.size()) + " points with " +
+                         std::to_string(all_values.size()) + " values; expected one value a point");
+    std::vector<Evaluation> samples;
+    for (std::size_t i = 0; i < all_points.size(); ++i) {
+      if (!std::isfinite(all_values[i]))
+        throw InvalidInput("kriging of a value that is not finite: " + std::to_string(all_values[i]));
+      samples.push_back({all_points[i], {all_values[i]}, ""});
+    }
+    for (const Evaluation& sample : withoutReplicates(samples)) {
+      points.push_back(sample.point);
+      values.push_back(sample.responses[0]);
+    }
+  }
+};
 
 }  // namespace
 
@@ -259,12 +307,13 @@ void describe(SettingsSchema& schema, KrigingSettings& settings) {
 SurrogateFit krigingFit(const KrigingSettings& settings) {
   return [settings](const DesignSpace& space, const std::vector<DesignPoint>& points,
                     const std::vector<double>& values) -> std::unique_ptr<Surrogate> {
-    requireFinite(points, values);
+    const DistinctSamples samples(points, values);
     OT::Log::Show(OT::Log::NONE);
+    OT::TBB::Disable();  // its threads sum in any order: last digits would differ from run to run
     try {
-      return std::make_unique<KrigingSurrogate>(space, points, values, settings);
+      return std::make_unique<KrigingSurrogate>(space, samples.points, samples.values, settings);
     } catch (const OT::Exception& error) {
-      throw InvalidInput("kriging of " + std::to_string(points.size()) +
+      throw InvalidInput("kriging of " + std::to_string(samples.points.size()) +
                          " samples fails in OpenTURNS: " + error.what());
     }
   };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kriging/regressors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -13,7 +14,7 @@ namespace lamina {
 Regressors::Regressors(const DesignSpace& space, const std::vector<DesignPoint>& points) {
   if (std::set<DesignPoint>(points.begin(), points.end()).size() != points.size() || points.size() < 2)
     throw InvalidInput("kriging of " + std::to_string(points.size()) +
-                       " samples; expected at least 2, all at different points");
+                       " samples; expected at least 2 at different points");
   for (std::size_t i = 0; i < space.size(); ++i) {
     const bool has_indicators = space[i].kind == VariableKind::Categorical && space[i].choices.size() > 2;
     const int count = has_indicators ? static_cast<int>(space[i].choices.size()) : 1;

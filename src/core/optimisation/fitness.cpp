@@ -32,16 +32,6 @@ bool hasResponse(const Evaluation& evaluation) {
                                                 [](double response) { return std::isfinite(response); });
 }
 
-/// Responses that have a constraint or a weight, each once, in order.
-std::set<std::size_t> countedResponses(const Goals& goals, const std::vector<std::string>& response_names) {
-  std::set<std::size_t> counted;
-  for (const Objective& objective : goals.objectives)
-    if (objective.weight > 0.0) counted.insert(responseIndex(response_names, objective.response));
-  for (const Constraint& constraint : goals.constraints)
-    counted.insert(responseIndex(response_names, constraint.response));
-  return counted;
-}
-
 }  // namespace
 
 std::vector<Evaluation> withoutReplicates(const std::vector<Evaluation>& samples) {
@@ -121,10 +111,20 @@ std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, 
   return best;
 }
 
+std::vector<std::size_t> countedResponses(const Goals& goals,
+                                          const std::vector<std::string>& response_names) {
+  std::set<std::size_t> counted;
+  for (const Objective& objective : goals.objectives)
+    if (objective.weight > 0.0) counted.insert(responseIndex(response_names, objective.response));
+  for (const Constraint& constraint : goals.constraints)
+    counted.insert(responseIndex(response_names, constraint.response));
+  return {counted.begin(), counted.end()};
+}
+
 double predictionErrorPercent(const Goals& goals, const std::vector<std::string>& response_names,
                               const std::vector<double>& measured, const std::vector<Prediction>& predicted) {
   double sum = 0.0;
-  const std::set<std::size_t> counted = countedResponses(goals, response_names);
+  const std::vector<std::size_t> counted = countedResponses(goals, response_names);
   for (const std::size_t k : counted) {
     const double error = std::abs(measured.at(k) - predicted.at(k).value);
     if (error == 0.0) continue;

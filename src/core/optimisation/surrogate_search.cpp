@@ -31,7 +31,8 @@ class Search {
         names_(problem.evaluator.responseNames()),
         evaluator_(problem.evaluator),
         fit_(fit),
-        settings_(settings) {}
+        settings_(settings),
+        counted_(countedResponses(goals_, names_)) {}
 
   SurrogateSearch run(std::vector<Evaluation> samples, const SurrogateListener& listener,
                       Progress& progress) {
@@ -84,14 +85,16 @@ class Search {
   }
 
   Merit predictedMerit(const DesignPoint& point) const {
-    const std::vector<double> responses = valuesOf(surrogates_->at(point));
+    std::vector<double> responses(names_.size());
+    for (const std::size_t k : counted_) responses[k] = surrogates_->of(k).valueAt(point);
     return {violationOf(goals_, names_, responses), fitness_->costOf(responses)};
   }
 
   /// Logarithms keep the order of gains too small for a number.
   Merit improvementMerit(const DesignPoint& point) const {
     constexpr double kLeast = 1e-300;
-    const std::vector<Prediction> predictions = surrogates_->at(point);
+    std::vector<Prediction> predictions(names_.size());
+    for (const std::size_t k : counted_) predictions[k] = surrogates_->of(k).at(point);
     double logarithm = 0.0;
     for (const Constraint& constraint : goals_.constraints) {
       const Prediction& prediction = predictions[responseIndex(names_, constraint.response)];
@@ -174,6 +177,7 @@ class Search {
   Evaluator& evaluator_;
   const SurrogateFit& fit_;
   const SurrogateSearchSettings& settings_;
+  std::vector<std::size_t> counted_;
   SurrogateSearch found_;
   std::optional<ResponseSurrogates> surrogates_;
   std::optional<Fitness> fitness_;
