@@ -194,12 +194,12 @@ TEST(KrigingTest, FallsBackToAnOrderTheSamplesDetermine) {
                                           made.points.begin() + static_cast<std::ptrdiff_t>(count));
     const std::vector<double> values(made.values.begin(),
                                      made.values.begin() + static_cast<std::ptrdiff_t>(count));
-    return krigingFit({})(space, points, values)->description();
+    return krigingFit(KrigingSettings{})(space, points, values)->description();
   };
   EXPECT_NE(told(6).find("order 1"), std::string::npos) << told(6);  // two levels have no square
   EXPECT_NE(told(2).find("order 0"), std::string::npos) << told(2);
   const Experiment wavy = experiment(plane(), 7, 1);
-  EXPECT_NE(krigingFit({})(plane(), wavy.points, wavy.values)->description().find("order 2"),
+  EXPECT_NE(krigingFit(KrigingSettings{})(plane(), wavy.points, wavy.values)->description().find("order 2"),
             std::string::npos);
 }
 
@@ -223,7 +223,7 @@ TEST(KrigingTest, TakesChoicesWithoutOrder) {
 TEST(KrigingTest, ReplicatesCountByTheirMean) {
   const DesignSpace space = {between("x", 0.0, 4.0)};
   const auto surrogate =
-      krigingFit({})(space, {{0.0}, {1.0}, {1.0}, {2.0}, {4.0}}, {1.0, 2.0, 4.0, 1.0, 0.0});
+      krigingFit(KrigingSettings{})(space, {{0.0}, {1.0}, {1.0}, {2.0}, {4.0}}, {1.0, 2.0, 4.0, 1.0, 0.0});
   EXPECT_NEAR(surrogate->at({1.0}).value, 3.0, 1e-6);
   EXPECT_EQ(surrogate->at({1.0}).variance, 0.0);
 }
@@ -231,27 +231,27 @@ TEST(KrigingTest, ReplicatesCountByTheirMean) {
 TEST(KrigingTest, ConstantsAndPolynomialsAreThemselves) {
   const DesignSpace space = {between("x", 0.0, 4.0)};
   const std::vector<DesignPoint> points = {{0.0}, {1.0}, {2.0}, {3.5}, {4.0}};
-  const auto constant = krigingFit({})(space, points, {7.0, 7.0, 7.0, 7.0, 7.0});
+  const auto constant = krigingFit(KrigingSettings{})(space, points, {7.0, 7.0, 7.0, 7.0, 7.0});
   EXPECT_EQ(constant->at({0.5}).value, 7.0);
   EXPECT_EQ(constant->at({0.5}).variance, 0.0);
   EXPECT_EQ(constant->valueAt({0.5}), 7.0);
   std::vector<double> parabola;
   for (const DesignPoint& point : points) parabola.push_back(3.0 - 2.0 * point[0] + point[0] * point[0]);
-  EXPECT_NEAR(krigingFit({})(space, points, parabola)->at({3.0}).value, 6.0, 1e-9);
+  EXPECT_NEAR(krigingFit(KrigingSettings{})(space, points, parabola)->at({3.0}).value, 6.0, 1e-9);
 }
 
 TEST(KrigingTest, AVariableNoSampleChangesHasNoInfluence) {
-  const auto surrogate =
-      krigingFit({})(plane(), {{0.0, 5.0}, {1.0, 5.0}, {2.0, 5.0}, {4.0, 5.0}}, {1.0, 2.0, 1.5, 0.0});
+  const auto surrogate = krigingFit(KrigingSettings{})(
+      plane(), {{0.0, 5.0}, {1.0, 5.0}, {2.0, 5.0}, {4.0, 5.0}}, {1.0, 2.0, 1.5, 0.0});
   EXPECT_EQ(surrogate->at({1.3, 5.0}).value, surrogate->at({1.3, -90.0}).value);
   EXPECT_EQ(surrogate->description().find(" y "), std::string::npos);
 }
 
 TEST(KrigingTest, SameSamplesSameSurrogateToTheLastBit) {
   const Experiment made = experiment(plane(), 20, 8);
-  const auto first = krigingFit({})(plane(), made.points, made.values);
+  const auto first = krigingFit(KrigingSettings{})(plane(), made.points, made.values);
   for (int i = 0; i < 200; ++i) {
-    const auto again = krigingFit({})(plane(), made.points, made.values);
+    const auto again = krigingFit(KrigingSettings{})(plane(), made.points, made.values);
     ASSERT_EQ(first->description(), again->description());
     ASSERT_EQ(first->at({1.0, 2.0}).value, again->at({1.0, 2.0}).value);
     ASSERT_EQ(first->at({1.0, 2.0}).variance, again->at({1.0, 2.0}).variance);
@@ -262,16 +262,16 @@ TEST(KrigingTest, SaysNothing) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const Experiment made = experiment(plane(), 12, 8);
-  krigingFit({})(plane(), made.points, made.values)->at({1.0, 2.0});
+  krigingFit(KrigingSettings{})(plane(), made.points, made.values)->at({1.0, 2.0});
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST(KrigingTest, RefusesWhatItCannotLearnFrom) {
-  EXPECT_THROW(krigingFit({})(plane(), {{0.0, 0.0}}, {1.0}), InvalidInput);
-  EXPECT_THROW(krigingFit({})(plane(), {{0.0, 0.0}, {0.0, 0.0}}, {1.0, 2.0}), InvalidInput);
-  EXPECT_THROW(krigingFit({})(plane(), {{0.0, 0.0}, {1.0, 0.0}}, {1.0}), InvalidInput);
-  EXPECT_THROW(krigingFit({})(plane(), {{0.0, 0.0}, {1.0, 0.0}}, {1.0, NAN}), InvalidInput);
+  EXPECT_THROW(krigingFit(KrigingSettings{})(plane(), {{0.0, 0.0}}, {1.0}), InvalidInput);
+  EXPECT_THROW(krigingFit(KrigingSettings{})(plane(), {{0.0, 0.0}, {0.0, 0.0}}, {1.0, 2.0}), InvalidInput);
+  EXPECT_THROW(krigingFit(KrigingSettings{})(plane(), {{0.0, 0.0}, {1.0, 0.0}}, {1.0}), InvalidInput);
+  EXPECT_THROW(krigingFit(KrigingSettings{})(plane(), {{0.0, 0.0}, {1.0, 0.0}}, {1.0, NAN}), InvalidInput);
 }
 
 }  // namespace
