@@ -98,8 +98,7 @@ class StudyRun {
     outcome_.version = laminaVersion();
     study_.method == SearchMethod::Nsga2 ? searchForFront() : searchWith(fit);
     tellSettings();
-    StudyComparison comparison =
-        comparisonOf(study_, measurement_, *in_full_journal_, outcome_.chosen, progress_);
+    StudyComparison comparison = comparisonOf(study_, measurement_, *in_full_, outcome_.chosen, progress_);
     outcome_.compared = std::move(comparison.rows);
     outcome_.notes.insert(outcome_.notes.end(), comparison.notes.begin(), comparison.notes.end());
     outcome_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -127,29 +126,30 @@ class StudyRun {
       std::filesystem::remove(journal, failed);
   }
 
+  bool isTableAlone() const { return !study_.slice && !study_.commands; }
+
   void prepareEvaluators(Evaluator* outer) {
     const auto& names = measurement_.responseNames();
-    const bool is_table_alone = !study_.slice && !study_.commands;
-    if (is_table_alone)
-      inner_ = std::make_unique<TableEvaluator>(study_.variables, names, table_.proposed,
-                                                settings_.surrogate.nearness);
-    else if (outer == nullptr)
-      inner_ = std::make_unique<ParallelEvaluator>(
+    const std::string fingerprint = measurement_.fingerprint();
+    // A table answers with the points it has, and somebody may have typed more into it since: no journal.
+    if (isTableAlone())
+      searched_ = std::make_unique<TableEvaluator>(study_.variables, names, table_.proposed,
+                                                   settings_.surrogate.nearness);
+    if (!isTableAlone() && outer == nullptr)
+      measured_ = std::make_unique<ParallelEvaluator>(
           names,
           [this](const DesignPoint& point, Progress& progress) { return measurement_.at(point, progress); });
-    Evaluator& tried = outer != nullptr && !is_table_alone ? *outer : *inner_;
-    // Somebody may have typed more into a table since.
-    const std::string journal = is_table_alone ? "" : files_.journal;
-    const std::string fingerprint = measurement_.fingerprint();
-    journal_ = std::make_unique<JournalledEvaluator>(tried, study_.variables,
-                                                     JournalSettings{journal, fingerprint, {}});
+    if (!isTableAlone())
+      searched_ =
+          std::make_unique<JournalledEvaluator>(outer != nullptr ? *outer : *measured_, study_.variables,
+                                                JournalSettings{files_.journal, fingerprint, {}});
     const bool is_measured_more = measurement_.frontResponseNames() != names;
-    in_full_ = std::make_unique<ParallelEvaluator>(measurement_.frontResponseNames(),
-                                                   [this](const DesignPoint& point, Progress& progress) {
-                                                     return measurement_.inFull(point, progress);
-                                                   });
-    in_full_journal_ = std::make_unique<JournalledEvaluator>(
-        is_measured_more ? static_cast<Evaluator&>(*in_full_) : *journal_, study_.variables,
+    measured_in_full_ = std::make_unique<ParallelEvaluator>(
+        measurement_.frontResponseNames(), [this](const DesignPoint& point, Progress& progress) {
+          return measurement_.inFull(point, progress);
+        });
+    in_full_ = std::make_unique<JournalledEvaluator>(
+        is_measured_more ? *measured_in_full_ : *searched_, study_.variables,
         JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, {}});
   }
 
@@ -161,7 +161,7 @@ class StudyRun {
                    generation.hypervolume});
     };
     FrontSearch search =
-        searchFront({study_.variables, study_.goals, *journal_}, settings_.nsga2, hear, progress_);
+        searchFront({study_.variables, study_.goals, *searched_}, settings_.nsga2, hear, progress_);
     outcome_.seed = settings_.nsga2.seed;
     outcome_.evaluations = std::move(search.evaluations);
     outcome_.generations = std::move(search.generations);
@@ -175,7 +175,7 @@ class StudyRun {
     if (measurement_.frontResponseNames() == outcome_.response_names) return;
     std::vector<DesignPoint> points;
     for (const Evaluation& evaluation : outcome_.front) points.push_back(evaluation.point);
-    std::vector<Evaluation> in_full = in_full_journal_->evaluate(points, {}, progress_);
+    std::vector<Evaluation> in_full = in_full_->evaluate(points, {}, progress_);
     const auto failed = std::find_if_not(in_full.begin(), in_full.end(), isEvaluated);
     if (failed != in_full.end()) {
       outcome_.notes.push_back("decided by what the search measured; other metrics cannot be measured: " +
@@ -221,14 +221,13 @@ class StudyRun {
   void searchWith(const SurrogateFit& fit) {
     if (!fit) throw InvalidConfig("the study asks for a surrogate, and nothing is there to fit it");
     std::vector<Evaluation> samples = table_.design;
-    const bool is_table_alone = !study_.slice && !study_.commands;
-    if (!is_table_alone) samples.insert(samples.end(), table_.proposed.begin(), table_.proposed.end());
+    if (!isTableAlone()) samples.insert(samples.end(), table_.proposed.begin(), table_.proposed.end());
     std::vector<Evaluation> tried = samples;
     const auto hear = [&](const SurrogateIteration& iteration) {
       tried.push_back(iteration.measured);
       if (listener_) listener_(stateAfter(iteration, tried));
     };
-    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, *journal_}, {fit, samples},
+    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, *searched_}, {fit, samples},
                                                settings_.surrogate, hear, progress_);
     outcome_.seed = settings_.surrogate.seed;
     outcome_.evaluations = search.evaluations;
@@ -254,7 +253,7 @@ class StudyRun {
 
   void chooseInFull() {
     if (measurement_.frontResponseNames() == outcome_.response_names) return;
-    const Evaluation in_full = in_full_journal_->evaluate({outcome_.chosen->point}, {}, progress_).front();
+    const Evaluation in_full = in_full_->evaluate({outcome_.chosen->point}, {}, progress_).front();
     if (!isEvaluated(in_full)) {
       outcome_.notes.push_back("other metrics of what was chosen cannot be measured: " + in_full.error);
       return;
@@ -299,10 +298,10 @@ class StudyRun {
   SearchSettings settings_;
   StudyMeasurement measurement_;
   ExperimentTable table_;
-  std::unique_ptr<Evaluator> inner_;
-  std::unique_ptr<JournalledEvaluator> journal_;
-  std::unique_ptr<ParallelEvaluator> in_full_;
-  std::unique_ptr<JournalledEvaluator> in_full_journal_;
+  std::unique_ptr<Evaluator> measured_;
+  std::unique_ptr<Evaluator> searched_;
+  std::unique_ptr<Evaluator> measured_in_full_;
+  std::unique_ptr<Evaluator> in_full_;
   StudyOutcome outcome_;
 };
 
