@@ -85,5 +85,20 @@ TEST(InfillSpacingTest, LayersHoldOneBeadAPitch) {
   for (const double volume : volumesOf(settings)) EXPECT_NEAR(volume, area * 0.08 / 0.45, 0.02 * 71.0);
 }
 
+TEST(InfillSpacingTest, TheOutermostLineStaysHalfABeadInside) {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.walls.count = 0;
+  for (const double pitch : {0.0, 0.3, 0.44}) {
+    settings.infill = settingsOf(pitch);
+    settings.infill.density = 1.0;
+    settings.infill.strategy = "contour";
+    const auto square = [](int) { return std::vector<Polygon>{test::rectangle(0, 0, 20, 20)}; };
+    const Box3 box = depositionBox(test::plan(test::layersOf(1, square), settings));
+    EXPECT_NEAR(box.low.x(), 0.2, 1e-6) << pitch;
+    EXPECT_NEAR(box.high.y(), 19.8, 1e-6) << pitch;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -116,7 +116,7 @@ class LayerPlanner {
       addShortest(std::move(walls.walls[k].thin), {});
     }
     const std::size_t before = result_.paths.size();
-    if (infill_.spacing_mm > 0.0) addInfill(walls.infill);
+    if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
     starts_ += startsOf(walls.infill, fillsSince(before), pitch_);
     addShortest(std::move(walls.narrow_infill), {});
     if (!isSolid(infill_)) sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
@@ -162,6 +162,13 @@ class LayerPlanner {
     }
     for (const OrderedRun& next : orderRuns(ends, nozzle_))
       addLoop(seam_.approached(std::move(loops[next.run]), nozzle_), role);
+  }
+
+  /// Without walls the outermost lines lie as for beads that fill their pitch: the part would grow or shrink.
+  Regions infillArea(const Regions& inside) const {
+    const double beyond = infill_.pitch_mm - pitch_;
+    if (settings_.walls.count > 0 || beyond == 0.0) return inside;
+    return offset(inside, 0.5 * beyond);
   }
 
   void addInfill(const Regions& area) {
