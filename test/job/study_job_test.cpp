@@ -136,8 +136,15 @@ TEST(StudyJob, RefusesTheJournalOfAnotherStudyUnlessItBeginsAnew) {
 
 TEST(StudyJob, LearnsFromCommandsAndKeepsToConstraints) {
   const test::ScratchFolder folder;
-  const StudyOutcome outcome = ran(kParabola, folder.file("out"));
+  std::vector<StudyState> states;
+  NoProgress progress;
+  const StudyOutcome outcome = runStudy(
+      {readStudy(kParabola, "study", ""), folder.file("out"), {}}, krigingFit(KrigingSettings()), nullptr,
+      [&](const StudyState& state) { states.push_back(state); }, progress);
   ASSERT_TRUE(outcome.surrogate);
+  ASSERT_EQ(states.size(), outcome.surrogate->iterations.size());
+  EXPECT_EQ(static_cast<std::size_t>(states.back().evaluations), outcome.evaluations.size());
+  EXPECT_EQ(states.back().best, std::vector<double>{outcome.chosen->responses[0]});
   ASSERT_TRUE(outcome.chosen);
   EXPECT_NEAR(outcome.chosen->point[0], 1.0, 0.02);
   EXPECT_LE(outcome.chosen->responses[1], 1.0);

@@ -75,6 +75,30 @@ bool isObjective(const Goals& goals, const std::string& response) {
                      [&](const Objective& objective) { return objective.response == response; });
 }
 
+/// Remembers what was tried.
+class RecordingEvaluator final : public Evaluator {
+ public:
+  explicit RecordingEvaluator(Evaluator& inner) : inner_(inner) {}
+
+  const std::vector<std::string>& responseNames() const override { return inner_.responseNames(); }
+  std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points, const EvaluationListener& done,
+                                   Progress& progress) override {
+    std::vector<Evaluation> found = inner_.evaluate(points, done, progress);
+    tried_.insert(tried_.end(), found.begin(), found.end());
+    return found;
+  }
+
+  /// These, then what was tried.
+  std::vector<Evaluation> after(std::vector<Evaluation> samples) const {
+    samples.insert(samples.end(), tried_.begin(), tried_.end());
+    return samples;
+  }
+
+ private:
+  Evaluator& inner_;
+  std::vector<Evaluation> tried_;
+};
+
 class StudyRun {
  public:
   StudyRun(const StudyJob& job, Evaluator* outer, const StudyListener& listener, Progress& progress)
@@ -222,12 +246,11 @@ class StudyRun {
     if (!fit) throw InvalidConfig("the study asks for a surrogate, and nothing is there to fit it");
     std::vector<Evaluation> samples = table_.design;
     if (!isTableAlone()) samples.insert(samples.end(), table_.proposed.begin(), table_.proposed.end());
-    std::vector<Evaluation> tried = samples;
+    RecordingEvaluator recording(*searched_);
     const auto hear = [&](const SurrogateIteration& iteration) {
-      tried.push_back(iteration.measured);
-      if (listener_) listener_(stateAfter(iteration, tried));
+      if (listener_) listener_(stateAfter(iteration, recording.after(samples)));
     };
-    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, *searched_}, {fit, samples},
+    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, recording}, {fit, samples},
                                                settings_.surrogate, hear, progress_);
     outcome_.seed = settings_.surrogate.seed;
     outcome_.evaluations = search.evaluations;
