@@ -10,7 +10,7 @@ add_message_files(FILES
   ProcessTrajectory.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
 add_service_files(FILES FillVoids.srv InclineGcode.srv LoadProgram.srv RunStartup.srv SliceMesh.srv)
-add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action SimulateDeposition.action Slice.action
+add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action Optimise.action SimulateDeposition.action Slice.action
   StreamProgram.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)
 

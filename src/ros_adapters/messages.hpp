@@ -21,6 +21,7 @@
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
 #include <lamina/MachineState.h>
+#include <lamina/OptimiseAction.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
 #include <lamina/RunStartup.h>

@@ -58,6 +58,7 @@ inline constexpr char kSlice[] = "slice";                             ///< lamin
 inline constexpr char kStiffnessPoints[] = "stiffness_points";        ///< sensor_msgs/PointCloud2, latched
 inline constexpr char kComputeStiffness[] = "compute_stiffness";      ///< lamina/ComputeStiffness
 inline constexpr char kSimulateDeposition[] = "simulate_deposition";  ///< lamina/SimulateDeposition
+inline constexpr char kOptimise[] = "optimise";                       ///< lamina/Optimise
 inline constexpr char kDriveToolpath[] = "drive_toolpath";            ///< lamina/DriveToolpath
 inline constexpr char kFollowJointTrajectory[] =
     "follow_joint_trajectory";                              ///< of control_msgs, or of the same fields

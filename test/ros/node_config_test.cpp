@@ -13,6 +13,7 @@
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
+#include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_publisher/publisher_settings.hpp"
@@ -110,6 +111,13 @@ TEST(NodeConfig, OfVoidFillerIsCompleteAndHasTheDefaults) {
   describe(schema, settings);
   expectDefaults("void_filler", schema);
   expectDefaults("stiffness_solver", schema);
+}
+
+TEST(NodeConfig, OfOptimiserIsCompleteAndHasTheDefaults) {
+  lamina::OptimiserSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("optimiser", schema);
 }
 
 TEST(NodeConfig, OfTrajectoryPublisherIsCompleteAndHasTheDefaults) {

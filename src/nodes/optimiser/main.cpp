@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "optimiser.hpp"
+#include "optimiser_settings.hpp"
+#include "parameters.hpp"
+#include "shutdown.hpp"
+
+int main(int argc, char** argv) {
+  lamina::runNode(argc, argv, {"optimiser"}, [] {
+    lamina::OptimiserSettings settings;
+    lamina::SettingsSchema schema;
+    describe(schema, settings);
+    lamina::applyParameters(schema, ros::NodeHandle("~"));
+    ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
+    const lamina::Optimiser optimiser(ros::NodeHandle(), lamina::searchTexts(settings));
+    ros::spin();
+  });
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+
+#include <mutex>
+#include <string>
+
+#include "action_progress.hpp"
+#include "lamina/base/progress.hpp"
+#include "lamina/job/study_job.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Tells a client how far a study is: the stage, and with it what the last generation or iteration found.
+/// Cancelled as `ActionProgress` is.
+class StudyFeedback final : public Progress {
+ public:
+  using Server = actionlib::SimpleActionServer<lamina_msgs::OptimiseAction>;
+
+  /// @param server  must outlive this
+  explicit StudyFeedback(Server& server) : server_(server), cancelling_(server) {}
+
+  void report(const std::string& stage, double fraction) override;
+  bool isCancelled() const override { return cancelling_.isCancelled(); }
+
+  /// Always published, whenever the last feedback was.
+  void tell(const StudyState& state);
+
+ private:
+  Server& server_;
+  ActionProgress<lamina_msgs::OptimiseAction> cancelling_;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point last_report_;
+  lamina_msgs::OptimiseFeedback feedback_;
+};
+
+}  // namespace lamina
