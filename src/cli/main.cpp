@@ -45,6 +45,7 @@ int runCommandLine(int argc, char** argv) {
   addFillVoids(app, chosen);
   addIncline(app, chosen);
   addInfo(app, chosen);
+  addMetrics(app, chosen);
   addOptimise(app, chosen);
   addOverhang(app, chosen);
   addPart(app, chosen);

@@ -47,6 +47,7 @@ void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
 void addIncline(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
+void addMetrics(CLI::App& app, Chosen& chosen);
 void addOptimise(CLI::App& app, Chosen& chosen);
 void addOverhang(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);

@@ -73,7 +73,14 @@ std::vector<Truth> truths() {
   const double hole = polygonArea(5, 40);
   // A side face of a cone over n corners is as high as its apothem and the height make it.
   const double slant = std::hypot(20.0, 10.0 * std::cos(M_PI / 60));
+  const double edge = 10.0 * (std::sqrt(2.0) - 1.0);
+  const double bevel = 5.0 - 0.5 * edge;
   return {
+      // 723.85 mm3 and 434.31 mm2, as published.
+      {"bevelled_cube",
+       {},
+       100.0 * edge + 2.0 / 3.0 * bevel * (100.0 + 10.0 * edge + edge * edge),
+       2.0 * edge * edge + 4.0 * 10.0 * edge + 4.0 * (10.0 + edge) * edge},
       {"box", {{"x_mm", "2"}, {"y_mm", "3"}, {"z_mm", "4"}}, 24.0, 52.0},
       {"flat_wall", {{"length_mm", "10"}, {"thickness_mm", "1"}, {"height_mm", "5"}}, 50.0, 130.0},
       {"pyramid", {{"width_mm", "6"}, {"depth_mm", "6"}, {"height_mm", "4"}}, 48.0, 36.0 + 4 * 15.0},

@@ -57,7 +57,9 @@ Part part(const std::string& name, const std::string& meaning) {
 }
 
 std::vector<Part> parts() {
-  return {part<Blade>("blade", "a cambered blade that twists and leans with height"),
+  return {part<BevelledCube>("bevelled_cube",
+                             "a cube with bevelled upper and lower edges, an octagon from each side"),
+          part<Blade>("blade", "a cambered blade that twists and leans with height"),
           part<BlindHolePlate>("blind_hole_plate", "a plate with a round hole from above that ends inside"),
           part<CuboidShape>("box", "a box"),
           part<Cone>("cone", "a cone, or a frustum"),

@@ -34,6 +34,12 @@ struct Tetradecahedron {
   double edge_mm = 8.0;
 };
 
+/// A cube without its upper and lower edges: seen from any side its outline is a regular octagon, seen from
+/// above a square (optimal-curved-paths.md 4.1, the source's tetradecahedron).
+struct BevelledCube {
+  double size_mm = 10.0;
+};
+
 struct Cylinder {
   double radius_mm = 10.0;
   double height_mm = 20.0;
@@ -109,6 +115,7 @@ void describe(SettingsSchema& schema, CuboidShape& shape);
 void describe(SettingsSchema& schema, FlatWall& shape);
 void describe(SettingsSchema& schema, Pyramid& shape);
 void describe(SettingsSchema& schema, Tetradecahedron& shape);
+void describe(SettingsSchema& schema, BevelledCube& shape);
 void describe(SettingsSchema& schema, Cylinder& shape);
 void describe(SettingsSchema& schema, Sphere& shape);
 void describe(SettingsSchema& schema, Cone& shape);
@@ -123,6 +130,7 @@ Mesh build(const CuboidShape& shape);
 Mesh build(const FlatWall& shape);
 Mesh build(const Pyramid& shape);
 Mesh build(const Tetradecahedron& shape);
+Mesh build(const BevelledCube& shape);
 Mesh build(const Cylinder& shape);
 Mesh build(const Sphere& shape);
 Mesh build(const Cone& shape);

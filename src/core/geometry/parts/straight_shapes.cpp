@@ -94,4 +94,20 @@ Mesh build(const Tetradecahedron& shape) {
   return mesh;
 }
 
+void describe(SettingsSchema& schema, BevelledCube& shape) {
+  schema.number("size_mm", shape.size_mm, kLength, "size along each axis");
+}
+
+Mesh build(const BevelledCube& shape) {
+  const double edge = shape.size_mm * (std::sqrt(2.0) - 1.0);
+  const double bevel = 0.5 * (shape.size_mm - edge);
+  const auto ring = [](double side, double z) {
+    std::vector<Point3> points;
+    for (const Point2& point : rectangle(side, side)) points.emplace_back(point.x(), point.y(), z);
+    return points;
+  };
+  return loft({ring(edge, 0.0), ring(shape.size_mm, bevel), ring(shape.size_mm, shape.size_mm - bevel),
+               ring(edge, shape.size_mm)});
+}
+
 }  // namespace lamina
