@@ -9,6 +9,10 @@
 namespace lamina {
 namespace {
 
+std::vector<StraightBead> straightBeads(const Toolpath& toolpath) {
+  return lamina::straightBeads(toolpath, BeadLine::Middle);
+}
+
 Toolpath of(const std::vector<Path>& paths) { return {"pieces", {{0.2, 0.2, paths}}}; }
 
 Path through(const std::vector<Point3>& points) {
@@ -17,7 +21,9 @@ Path through(const std::vector<Point3>& points) {
   return path;
 }
 
-TEST(StraightBeads, FollowTheMiddleOfTheBead) {
+TEST(StraightBeads, FollowTheMiddleOfTheBeadOrTheTip) {
+  const Toolpath line = of({through({{0, 0, 0.2}, {3, 0, 0.2}})});
+  EXPECT_EQ(lamina::straightBeads(line, BeadLine::Tip)[0].end, Point3(3, 0, 0.2));
   const std::vector<StraightBead> pieces = straightBeads(of({through({{0, 0, 0.2}, {3, 0, 0.2}})}));
   ASSERT_EQ(pieces.size(), 1U);
   EXPECT_TRUE(pieces[0].start.isApprox(Point3(0, 0, 0.1)));

@@ -15,6 +15,12 @@ enum class UncoveredFaces {
   Skip,   ///< they are left out, as in the source
 };
 
+/// The line of a bead that is followed.
+enum class BeadLine {
+  Middle,  ///< half its height behind the tip along the jet, where the source's own paths are
+  Tip,     ///< of the nozzle, as the source takes G-code
+};
+
 /// How wide a bead looks on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
 enum class SurfaceWidth {
   Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as the source's listing
@@ -50,10 +56,11 @@ enum class StrandEnds {
 
 /// Of the surface metrics.
 struct SurfaceFillSettings {
-  /// Beneath a face within which the middle of a bead counts for it; 0.25 mm in the source. 0: half of what
+  /// Beneath a face within which a bead counts for it; 0.25 mm in the source. 0: half of what
   /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
   /// mm at an upright face.
   double depth_mm = 0.0;
+  BeadLine line = BeadLine::Middle;
   SurfaceWidth width = SurfaceWidth::Bead;
   FacePieces pieces = FacePieces::Near;
   Overlaps overlaps = Overlaps::Apart;

@@ -29,10 +29,9 @@ struct SurfaceFill {
 
 /// Measures how the beads just beneath each face cover it (optimal-curved-paths.md 3.2, algorithm 4-1).
 ///
-/// A bead is followed by its middle, half its height behind the tip along the jet. What of it lies within the
-/// prism beneath a face is projected onto the face and widened to a band with round ends; a drop to a disc.
-/// Underfill is what of the face no band covers, overfill what two or more cover. Areas are measured along
-/// parallel lines that lie askew to the face's edges.
+/// What of a bead's line lies within the prism beneath a face is projected onto the face and widened to a
+/// band with round ends; a drop to a disc. Underfill is what of the face no band covers, overfill what two or
+/// more cover. Areas are measured along parallel lines that lie askew to the face's edges.
 ///
 /// n log n in the number of segments and faces, besides linear in the bands' length on the surface.
 ///

@@ -6,9 +6,11 @@ namespace lamina {
 namespace {
 
 void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
-  schema.number(
-      "metrics.depth_mm", settings.depth_mm, {0.0, 1000.0, false},
-      "Depth beneath a face within which the middle of a bead counts for it; 0 takes what fits the bead.");
+  schema.number("metrics.depth_mm", settings.depth_mm, {0.0, 1000.0, false},
+                "Depth beneath a face within which a bead counts for it; 0 takes what fits the bead.");
+  schema.choice<BeadLine>("metrics.bead_line", settings.line,
+                          {{"middle", BeadLine::Middle}, {"tip", BeadLine::Tip}},
+                          "Whether beads lie where their middle is, or the nozzle's tip.");
   schema.choice<SurfaceWidth>(
       "metrics.surface_width", settings.width,
       {{"code", SurfaceWidth::Code}, {"text", SurfaceWidth::Text}, {"bead", SurfaceWidth::Bead}},

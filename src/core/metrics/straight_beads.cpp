@@ -74,37 +74,38 @@ Point3 jetAt(const Path& path, std::size_t waypoint) {
   return path.orientation.at(waypoint) * Point3::UnitZ();
 }
 
-Point3 middleAt(const Path& path, std::size_t waypoint, const Bead& bead) {
+Point3 placeAt(const Path& path, std::size_t waypoint, const Bead& bead, BeadLine line) {
+  if (line == BeadLine::Tip) return path.points[waypoint];
   return path.points[waypoint] + 0.5 * bead.height_mm * jetAt(path, waypoint);
 }
 
-void addDrops(const Path& path, Chain& chain) {
+void addDrops(const Path& path, BeadLine line, Chain& chain) {
   for (std::size_t w = 0; w < path.points.size(); ++w) {
     StraightBead drop;
     drop.bead = path.bead.at(w);
     drop.plan_width_mm = drop.bead.width_mm;
     drop.jet = jetAt(path, w);
-    drop.start = drop.end = middleAt(path, w, drop.bead);
+    drop.start = drop.end = placeAt(path, w, drop.bead, line);
     if (drop.bead.width_mm > 0.0) chain.addDrop(drop);
   }
 }
 
-void addBead(const Path& path, Chain& chain) {
+void addBead(const Path& path, BeadLine line, Chain& chain) {
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
     const std::size_t end = path.motionEnd(m);
     StraightBead piece;
     piece.bead = path.bead.at(end);
     piece.plan_width_mm = planWidth(piece.bead);
     piece.jet = jetAt(path, end);
-    piece.start = middleAt(path, m, piece.bead);
-    piece.end = middleAt(path, end, piece.bead);
+    piece.start = placeAt(path, m, piece.bead, line);
+    piece.end = placeAt(path, end, piece.bead, line);
     piece.bead.width_mm > 0.0 ? chain.add(piece) : chain.breakOff();
   }
 }
 
 }  // namespace
 
-std::vector<StraightBead> straightBeads(const Toolpath& toolpath) {
+std::vector<StraightBead> straightBeads(const Toolpath& toolpath, BeadLine line) {
   Chain chain;
   for (const ToolpathLayer& layer : toolpath.layers) {
     for (const Path& path : layer.paths) {
@@ -113,11 +114,11 @@ std::vector<StraightBead> straightBeads(const Toolpath& toolpath) {
         continue;
       }
       if (path.deposit == Deposit::Drops) {
-        addDrops(path, chain);
+        addDrops(path, line, chain);
         continue;
       }
       if (path.is_closed) chain.breakOff();
-      addBead(path, chain);
+      addBead(path, line, chain);
       if (path.is_closed) chain.close();
     }
   }

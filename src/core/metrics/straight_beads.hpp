@@ -4,13 +4,14 @@
 
 #include <vector>
 
+#include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
-/// A straight piece of a bead's middle, as long as it stays straight; of a drop a point.
+/// A straight piece of a bead, as long as it stays straight; of a drop a point.
 struct StraightBead {
-  Point3 start = Point3::Zero();  ///< half the bead's height behind the tip along the jet [mm, part frame]
+  Point3 start = Point3::Zero();  ///< of the line that is followed [mm, part frame]
   Point3 end = Point3::Zero();
   Point3 jet = -Point3::UnitZ();  ///< unit vector at the end [part frame]
   Bead bead;
@@ -22,6 +23,6 @@ struct StraightBead {
 
 /// All that a toolpath lays, in order. Motions that go on straight with the same bead are one piece; pieces
 /// are joined where nothing lies between them, also from path to path. Motions shorter than 1e-9 mm are none.
-std::vector<StraightBead> straightBeads(const Toolpath& toolpath);
+std::vector<StraightBead> straightBeads(const Toolpath& toolpath, BeadLine line);
 
 }  // namespace lamina

@@ -245,7 +245,7 @@ SurfaceFill measureSurfaceFill(const Toolpath& toolpath, const Mesh& part,
                                const Eigen::Isometry3d& bed_from_part, const SurfaceFillSettings& settings,
                                Progress& progress) {
   const Surface surface(part, bed_from_part, settings);
-  const BandTable table = findBands(surface, straightBeads(toolpath), progress);
+  const BandTable table = findBands(surface, straightBeads(toolpath, settings.line), progress);
   const OverlapRule rule{settings.overlaps == Overlaps::Apart, settings.pieces == FacePieces::Near};
   const FillMeasurement measurement(surface, table, rule);
   const std::vector<LineSums> sums = measurement.run(progress);
