@@ -42,6 +42,8 @@ struct SurrogateSearchSettings {
   double least_improvement_percent = 0.1;  ///< ExpectedImprovement: of the best fitness; stops below
   /// Share of a continuous variable's range within which two points count as one.
   double nearness = 1e-3;
+  /// The same, for a row of a table that answers a proposed point: machines are set to rounded values.
+  double answer_nearness = 0.01;
   int seed = 1;
 };
 

@@ -210,6 +210,8 @@ void describe(SettingsSchema& schema, SurrogateSearchSettings& settings) {
                 "Expected improvement of the best fitness below which the search ends.");
   schema.number("surrogate.nearness", settings.nearness, {0.0, 0.1},
                 "Share of a continuous variable's range within which two points count as one.");
+  schema.number("surrogate.answer_nearness", settings.answer_nearness, {0.0, 0.1},
+                "The same, for a row of a table that answers a proposed point.");
   schema.choice("surrogate.failed_proposal", settings.failed_proposal,
                 {{"avoid", FailedProposal::Avoid}, {"stop", FailedProposal::Stop}},
                 "Whether another point is proposed after one that cannot be tried, or the search waits.");
