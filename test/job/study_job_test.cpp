@@ -187,7 +187,7 @@ TEST(StudyJob, TakesWhatWasMeasuredNearAProposalForItsAnswer) {
   writeFile(folder.file("made.csv"),
             "x,iteration,y\n-1,,7.25\n0,,3.25\n0.9,,1.36\n2,,1.25\n3,,3.25\n1.45,1,1.0025\n");
   const std::string yaml = "method: surrogate\nvariables: {x: [-1, 3]}\ntable: " + folder.file("made.csv") +
-                           "\nobjectives: {y: minimise}\nsearch: {surrogate.nearness: 0.1}\n";
+                           "\nobjectives: {y: minimise}\nsearch: {surrogate.answer_nearness: 0.1}\n";
   const StudyOutcome outcome = ran(yaml, folder.file("out"));
   ASSERT_TRUE(outcome.surrogate);
   ASSERT_FALSE(outcome.surrogate->iterations.empty());

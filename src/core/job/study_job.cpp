@@ -158,7 +158,7 @@ class StudyRun {
     // A table answers with the points it has, and somebody may have typed more into it since: no journal.
     if (isTableAlone())
       searched_ = std::make_unique<TableEvaluator>(study_.variables, names, table_.proposed,
-                                                   settings_.surrogate.nearness);
+                                                   settings_.surrogate.answer_nearness);
     if (!isTableAlone() && outer == nullptr)
       measured_ = std::make_unique<ParallelEvaluator>(
           names,
