@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -60,6 +61,55 @@ nlohmann::ordered_json jsonOf(const DesignSpace& space, const std::vector<std::s
   return json;
 }
 
+/// What was proposed, expected, and measured; numbers that are not there are null.
+nlohmann::ordered_json jsonOf(const Study& study, const std::vector<std::string>& names,
+                              const SurrogateIteration& iteration) {
+  const auto number = [](double value) -> nlohmann::ordered_json {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json = {{"proposed", nlohmann::ordered_json::object()},
+                                 {"measured_at", nlohmann::ordered_json::object()},
+                                 {"responses", nlohmann::ordered_json::object()}};
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    json["proposed"][variable.name] = textOf(variable, iteration.proposed[i]);
+    json["measured_at"][variable.name] = textOf(variable, iteration.measured.point.at(i));
+  }
+  const Evaluation& measured = iteration.measured;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    json["responses"][names[k]] = {
+        {"predicted", number(iteration.predictions.at(k).value)},
+        {"deviation", number(std::sqrt(iteration.predictions[k].variance))},
+        {"measured", isEvaluated(measured) ? number(measured.responses.at(k)) : nullptr}};
+  json["mape_percent"] = number(iteration.mape_percent);
+  json["is_feasible"] = iteration.is_feasible;
+  json["is_accepted"] = iteration.is_accepted;
+  json["error"] = measured.error;
+  return json;
+}
+
+void printProposal(const Study& study, const std::vector<std::string>& names,
+                   const SurrogateIteration& iteration) {
+  std::string point;
+  for (std::size_t i = 0; i < study.variables.size(); ++i) {
+    const Variable& variable = study.variables[i];
+    const double value = iteration.proposed[i];
+    const bool is_number = variable.kind != VariableKind::Categorical;
+    point += "  " + variable.name + " " + (is_number ? shownNumber(value) : textOf(variable, value));
+  }
+  const bool is_measured = isEvaluated(iteration.measured);
+  std::printf("proposal %zu:%s\n", iteration.index, point.c_str());
+  for (std::size_t k = 0; k < names.size(); ++k)
+    std::printf("  %-34s %s predicted, %s measured\n", names[k].c_str(),
+                shownNumber(iteration.predictions.at(k).value).c_str(),
+                is_measured ? shownNumber(iteration.measured.responses.at(k)).c_str() : "not");
+  if (is_measured)
+    std::printf("  error of predictions %.2f %%, %s\n", iteration.mape_percent,
+                iteration.is_accepted   ? "accepted"
+                : iteration.is_feasible ? "predicted too badly to be accepted"
+                                        : "outside an interval");
+}
+
 void printJson(const Study& study, const StudyOutcome& outcome, const StudyFiles& files) {
   nlohmann::ordered_json json = {{"study", study.name},
                                  {"evaluations", outcome.evaluations.size()},
@@ -71,6 +121,9 @@ void printJson(const Study& study, const StudyOutcome& outcome, const StudyFiles
   if (outcome.surrogate) {
     json["iterations"] = outcome.surrogate->iterations.size();
     json["end"] = toString(outcome.surrogate->end);
+    json["proposals"] = nlohmann::ordered_json::array();
+    for (const SurrogateIteration& iteration : outcome.surrogate->iterations)
+      json["proposals"].push_back(jsonOf(study, outcome.response_names, iteration));
   }
   json["compared"] = nlohmann::ordered_json::object();
   for (const ComparedRow& row : outcome.compared) json["compared"][row.name] = jsonOf(row.values);
@@ -85,9 +138,12 @@ void printText(const Study& study, const StudyOutcome& outcome, const StudyFiles
   std::printf("%s: %zu evaluations, %zu failed, in %.1f s\n", study.name.c_str(), outcome.evaluations.size(),
               failedCount(outcome.evaluations), outcome.wall_s);
   if (!outcome.front.empty()) std::printf("front: %zu configurations\n", outcome.front.size());
-  if (outcome.surrogate)
+  if (outcome.surrogate) {
+    for (const SurrogateIteration& iteration : outcome.surrogate->iterations)
+      printProposal(study, outcome.response_names, iteration);
     std::printf("proposed: %zu points; ended: %s\n", outcome.surrogate->iterations.size(),
                 toString(outcome.surrogate->end));
+  }
   if (!outcome.chosen) std::printf("nothing keeps to all constraints\n");
   if (outcome.chosen)
     for (const SettingText& value : valuesOf(study.variables, outcome.front_response_names, *outcome.chosen))

@@ -137,6 +137,22 @@ class Optimise(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(list(json.loads(done.stdout)["chosen"]["variables"].values()), optimum)
 
+    def test_proposals_stand_beside_what_was_measured_of_them(self):
+        study = os.path.join(STUDIES, "mini_specimens.yaml")
+        done = lamina("optimise", study, "-o", self.path("mini"), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        told = json.loads(done.stdout)
+        self.assertEqual(told["end"], "accepted")
+        self.assertEqual(told["chosen"]["variables"]["infill_percent"], 69.39)
+        for proposal, infill, error in zip(told["proposals"], (68.73, 69.39, 68.9, 69.19), (5.06, 3.99, 2.45, 0.93)):
+            self.assertAlmostEqual(float(proposal["proposed"]["infill_percent"]), infill, delta=0.01)
+            self.assertEqual(float(proposal["measured_at"]["infill_percent"]), infill)
+            self.assertAlmostEqual(proposal["mape_percent"], error, delta=0.1)
+            self.assertEqual(proposal["is_accepted"], infill == 69.39)
+        done = lamina("optimise", study, "-o", self.path("mini"))
+        self.assertIn("proposal 1:  layer_height_mm 0.3  infill_percent 68.7334  perimeters 1", done.stdout)
+        self.assertIn("2199.92 predicted, 2166.62 measured", done.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()
