@@ -144,7 +144,7 @@ TEST(SettingsFromYaml, OfAnEmptyDocumentIsEmpty) {
 
 TEST(SettingsFromYaml, RefusesWhatIsNoMapOfValuesNamingTheLine) {
   for (const char* bad : {"- 1\n- 2\n", "just text", "a: [1, 2]", "a:\n", "a: {b: 1\n", "a: 1\na: 2\n",
-                          "a:\n  b: 1\na.b: 2\n"}) {
+                          "a:\n  b: 1\na.b: 2\n", "a: &again {b: *again}"}) {
     try {
       settingsFromYaml(bad, "some.yaml");
       ADD_FAILURE() << "accepted: " << bad;

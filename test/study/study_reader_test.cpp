@@ -159,6 +159,11 @@ TEST(StudyReader, NamesLineAndKeyOfWhatItRefuses) {
   expectRefused("name: x", "1", "'variables'");
 }
 
+TEST(StudyReader, RefusesAliasesOfThemselves) {
+  EXPECT_NE(refusalOf("search: &again {x: *again}").find("nested too deep"), std::string::npos);
+  EXPECT_NE(refusalOf("variables: &again {x: *again}").find("unknown key 'x'"), std::string::npos);
+}
+
 TEST(StudyReader, RefusesCommandsThatCannotWork) {
   const auto expectRefused = [](const std::string& from, const std::string& to, const std::string& what) {
     const std::string refusal = refusalOf(changed(kCommanded, from, to));

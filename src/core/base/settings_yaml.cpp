@@ -10,16 +10,19 @@
 namespace lamina {
 namespace {
 
+constexpr int kDeepest = 10;  // an alias may lead back to itself
+
 class Flattener {
  public:
   explicit Flattener(std::string source_name) : source_name_(std::move(source_name)) {}
 
-  void visit(const std::string& prefix, const YAML::Node& map) {
+  void visit(const std::string& prefix, const YAML::Node& map, int depth) {
     for (const auto& entry : map) {
       const std::string key = prefix + entry.first.as<std::string>();
       if (!seen_.insert(key).second) refuse(entry.first, key + " stands twice");
       if (entry.second.IsMap()) {
-        visit(key + ".", entry.second);
+        if (depth == kDeepest) refuse(entry.first, key + " is nested too deep");
+        visit(key + ".", entry.second, depth + 1);
       } else if (entry.second.IsScalar()) {
         found_.push_back({key, entry.second.Scalar()});
       } else {
@@ -50,7 +53,7 @@ std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::st
     if (document.IsNull()) return {};
     if (!document.IsMap()) throw InvalidConfig(source_name + ": not a map of settings");
     Flattener flattener(source_name);
-    flattener.visit("", document);
+    flattener.visit("", document, 1);
     return std::move(flattener).found();
   } catch (const YAML::Exception& error) {
     throw InvalidConfig(source_name + ":" + std::to_string(error.mark.line + 1) + ": " + error.msg);

@@ -11,6 +11,11 @@
 #include "lamina/base/text.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr int kDeepest = 10;  // an alias may lead back to itself
+
+}  // namespace
 
 StrictYaml::StrictYaml(const YAML::Node& node, std::string source_name, std::string key)
     : node_(node), source_name_(std::move(source_name)), key_(std::move(key)) {}
@@ -92,17 +97,18 @@ bool StrictYaml::flag() const {
 
 std::vector<SettingText> StrictYaml::settings() const {
   std::vector<SettingText> found;
-  addSettings("", found);
+  addSettings("", 0, found);
   std::set<std::string> seen;
   for (const SettingText& setting : found)
     if (!seen.insert(setting.key).second) refuse("'" + setting.key + "' stands twice");
   return found;
 }
 
-void StrictYaml::addSettings(const std::string& prefix, std::vector<SettingText>& found) const {
+void StrictYaml::addSettings(const std::string& prefix, int depth, std::vector<SettingText>& found) const {
+  if (depth == kDeepest) refuse("keys are nested too deep");
   for (const auto& [name, value] : entries()) {
     if (value.isMap())
-      value.addSettings(prefix + name + ".", found);
+      value.addSettings(prefix + name + ".", depth + 1, found);
     else
       found.push_back({prefix + name, value.text()});
   }

@@ -50,10 +50,11 @@ class StrictYaml {
   bool flag() const;
 
   /// Single values by dotted keys.
+  /// @throws InvalidConfig if keys are nested more than ten deep, as those of an alias to itself are
   std::vector<SettingText> settings() const;
 
  private:
-  void addSettings(const std::string& prefix, std::vector<SettingText>& found) const;
+  void addSettings(const std::string& prefix, int depth, std::vector<SettingText>& found) const;
 
   YAML::Node node_;
   std::string source_name_;
