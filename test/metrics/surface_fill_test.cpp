@@ -110,6 +110,24 @@ TEST(SurfaceFill, WidthsAreThoseOfTheSourcesCodeItsTextOrTheBead) {
               25 * (0.4 - bead.height_mm) * kSide, 0.3);
 }
 
+TEST(SurfaceFill, ABeadRoundACornerCoversTheUprightFacesToTheirEdges) {
+  // Loops half a plan width inside a block, as walls run.
+  Toolpath loops{"loops", {}};
+  for (double z = 0.2; z < kSide + 1e-6; z += 0.2) {
+    Path loop = test::straightPath({0, 0, z}, {0, 0, z});
+    const double inset = 0.5 * planWidth(loop.bead.at(0));
+    loop.points = {
+        {inset, inset, z}, {kSide - inset, inset, z}, {kSide - inset, kSide, z}, {inset, kSide, z}};
+    loop.is_closed = true;
+    loops.layers.push_back({z, 0.2, {loop}});
+  }
+  // What is left open are the corners of the bands' round ends, two of each layer.
+  const double round_ends = 2 * 50 * (0.2 * 0.1 - 0.5 * M_PI * 0.01);
+  const double short_ends = 2 * (0.5 * planWidth({0.4, 0.2}) - 0.1) * kSide;
+  EXPECT_NEAR(fill(loops, uprightFace()).under_fill_mm2, round_ends, 0.02);
+  EXPECT_NEAR(fill(loops, uprightFace(), byCode()).under_fill_mm2, round_ends + short_ends, 0.02);
+}
+
 TEST(SurfaceFill, OnlyWhatLiesWithinTheDepthCounts) {
   Toolpath deep = linesEvery(0.4, 0.2);
   for (Path& path : deep.layers[0].paths)

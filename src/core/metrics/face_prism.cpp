@@ -90,6 +90,10 @@ std::optional<Band> FacePrism::band(const StraightBead& piece, const Imprint& im
     band.from_before.offset *= -1.0;
   }
   if (share.to == 1.0) band.to_after = bisector(direction, projected(piece.after), end);
+  if (imprint.beyond_mm == 0.0 || direction.norm() < kLeastDirection) return band;
+  const Point2 beyond = imprint.beyond_mm * direction.normalized();
+  if (share.from == 0.0) band.start -= beyond;
+  if (share.to == 1.0) band.end += beyond;
   return band;
 }
 

@@ -62,6 +62,8 @@ class Surface {
     imprint.radius_mm = radius(face, piece, facing);
     imprint.depth_mm = settings_.depth_mm > 0.0 ? settings_.depth_mm : ownDepth(piece, facing);
     imprint.margin_mm = settings_.pieces == FacePieces::Near ? imprint.radius_mm : 0.0;
+    if (settings_.width == SurfaceWidth::Bead)
+      imprint.beyond_mm = std::max(0.0, 0.5 * piece.plan_width_mm - imprint.radius_mm);
     return imprint;
   }
 
