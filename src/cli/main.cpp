@@ -40,6 +40,7 @@ int runCommandLine(int argc, char** argv) {
   addCheck(app, chosen);
   addClearance(app, chosen);
   addCoordinates(app, chosen);
+  addDecide(app, chosen);
   addDeposit(app, chosen);
   addEmulate(app, chosen);
   addFillVoids(app, chosen);

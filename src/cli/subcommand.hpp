@@ -42,6 +42,7 @@ void printConfig(const SettingsSchema& schema, OutputFormat format);
 void addCheck(CLI::App& app, Chosen& chosen);
 void addClearance(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
+void addDecide(CLI::App& app, Chosen& chosen);
 void addDeposit(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);

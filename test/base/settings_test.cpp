@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/base/settings.hpp"
+#include "lamina/base/settings_yaml.hpp"
 
 #include <gtest/gtest.h>
 
@@ -140,6 +141,20 @@ TEST(SettingsFromYaml, FlattensMapsIntoDottedKeysInOrder) {
 TEST(SettingsFromYaml, OfAnEmptyDocumentIsEmpty) {
   EXPECT_TRUE(settingsFromYaml("", "file").empty());
   EXPECT_TRUE(settingsFromYaml("# nothing\n", "file").empty());
+}
+
+TEST(SettingsFromYaml, ReadsBackWhatWasWrittenOfSettings) {
+  const std::vector<SettingText> settings = {{"b.y", "1"},       {"a", "null"},     {"b.x.z", "two: 3"},
+                                             {"c.d", ""},        {"b.y", "1e-06"},  {"c", "0,1"},
+                                             {"e.f", "#quoted"}, {"e.g", "a\nb\""}, {"e.h", "~"}};
+  const std::string yaml = settingsToYaml(settings);
+  std::vector<std::string> read;
+  for (const SettingText& setting : settingsFromYaml(yaml, "own"))
+    read.push_back(setting.key + "=" + setting.text);
+  const std::vector<std::string> expected = {
+      "b.y=1e-06", "b.x.z=two: 3", "a=null", "c.d=", "c=0,1", "e.f=#quoted", "e.g=a\nb\"", "e.h=~"};
+  EXPECT_EQ(read, expected) << yaml;
+  EXPECT_TRUE(settingsFromYaml(settingsToYaml(std::vector<SettingText>{}), "own").empty());
 }
 
 TEST(SettingsFromYaml, RefusesWhatIsNoMapOfValuesNamingTheLine) {

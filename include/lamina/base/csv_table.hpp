@@ -18,6 +18,10 @@ struct CsvTable {
   std::vector<std::size_t> lines;              ///< of each row in the text, from 1
 };
 
+/// A cell that reads back to the text: in double quotes if it holds a comma. A text with double quotes or
+/// line breaks in it does not.
+std::string csvCell(const std::string& text);
+
 /// Reads a table whose first line is its header. Empty lines and lines that begin with # are none.
 /// @throws InvalidInput naming source and line if there is no header, a column has no name or another's, a
 ///   row has another number of cells, or a quote is not closed

@@ -48,6 +48,10 @@ void requireNamed(const std::vector<std::string>& columns, const std::string& so
 
 }  // namespace
 
+std::string csvCell(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
 CsvTable parseCsvTable(std::string_view text, const std::string& source) {
   CsvTable table{source, {}, {}, {}};
   std::size_t number = 0;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "lamina/base/error.hpp"
-#include "lamina/base/settings.hpp"
+#include "lamina/base/settings_yaml.hpp"
 
 namespace lamina {
 namespace {
@@ -78,6 +80,33 @@ std::string settingsToYaml(const SettingsSchema& schema) {
     yaml += indent + setting.key.substr(is_grouped ? current.size() + 1 : 0) + ": " + value.c_str() + "\n";
   }
   return yaml;
+}
+
+std::string settingsToYaml(const std::vector<SettingText>& settings) {
+  std::vector<std::string> groups;
+  std::map<std::string, std::vector<SettingText>> settings_of;
+  for (const SettingText& setting : settings) {
+    const std::string own = group(setting.key);
+    auto& others = settings_of[own];
+    if (others.empty()) groups.push_back(own);
+    const auto earlier = std::find_if(others.begin(), others.end(),
+                                      [&](const SettingText& other) { return other.key == setting.key; });
+    earlier == others.end() ? others.push_back(setting) : void(earlier->text = setting.text);
+  }
+  YAML::Emitter yaml;
+  yaml << YAML::BeginMap;
+  for (const std::string& name : groups) {
+    const auto& own = settings_of[name];
+    const bool is_grouped =
+        std::none_of(own.begin(), own.end(), [&](const SettingText& setting) { return setting.key == name; });
+    if (is_grouped) yaml << YAML::Key << name << YAML::Value << YAML::BeginMap;
+    for (const SettingText& setting : own)
+      yaml << YAML::Key << setting.key.substr(is_grouped ? name.size() + 1 : 0) << YAML::Value
+           << setting.text;
+    if (is_grouped) yaml << YAML::EndMap;
+  }
+  yaml << YAML::EndMap;
+  return std::string(yaml.c_str()) + "\n";
 }
 
 }  // namespace lamina

@@ -17,6 +17,7 @@
 #include "lamina/optimisation/decision.hpp"
 #include "lamina/optimisation/evaluation_journal.hpp"
 #include "lamina/optimisation/experiment_table.hpp"
+#include "lamina/optimisation/front_csv.hpp"
 #include "lamina/study/evaluations_csv.hpp"
 #include "lamina/study/report.hpp"
 #include "lamina/study/search_settings.hpp"
@@ -305,7 +306,7 @@ class StudyRun {
     const DesignSpace& space = study_.variables;
     writeFile(files_.evaluations, evaluationsCsv(space, outcome_.response_names, outcome_.evaluations));
     if (study_.method == SearchMethod::Nsga2)
-      writeFile(files_.front, evaluationsCsv(space, outcome_.front_response_names, outcome_.front));
+      writeFile(files_.front, frontCsv(space, outcome_.front_response_names, outcome_.front));
     std::error_code ignored;
     std::filesystem::remove(files_.chosen, ignored);
     if (outcome_.chosen) writeFile(files_.chosen, measurement_.configurationAt(outcome_.chosen->point));

@@ -70,10 +70,6 @@ int iterationIn(const CsvTable& table, std::size_t row) {
   }
 }
 
-std::string csvCell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : "\"" + text + "\"";
-}
-
 std::string csvLine(const DesignSpace& space, const Evaluation& evaluation, std::size_t response_count,
                     const std::string& iteration) {
   std::vector<std::string> cells = {iteration};
