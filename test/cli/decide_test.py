@@ -69,12 +69,11 @@ class Decide(unittest.TestCase):
         told("decide", self.front, "--weights", "a=9", "-o", self.path("best.yaml"), "--base", self.path("base.yaml"))
         self.assertEqual(self.read("best.yaml"), "slicing:\n  layer_height_mm: 0.3\nwalls:\n  count: 1\n"
                          "infill:\n  strategy: perimeters\n")
-        done = lamina("slice", "box", "--config", self.path("best.yaml"), "--print-config", "--json")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        settings = json.loads(done.stdout)
-        self.assertEqual(settings["slicing.layer_height_mm"], 0.3)
-        self.assertEqual(settings["walls.count"], 1)
-        self.assertEqual(settings["infill.strategy"], "perimeters")
+        sliced = told("slice", "box", "--config", self.path("best.yaml"), "-o", self.path("box.gcode"))
+        by_hand = told("slice", "box", "--set", "slicing.layer_height_mm=0.3", "--set", "walls.count=1", "--set",
+                       "infill.strategy=perimeters", "-o", self.path("by_hand.gcode"))
+        self.assertEqual(sliced["layers"], by_hand["layers"])
+        self.assertEqual(self.read("box.gcode"), self.read("by_hand.gcode"))
 
     def test_refusals_name_what_is_wrong_and_write_nothing(self):
         out = self.path("best.yaml")
