@@ -30,6 +30,7 @@ std::vector<Criterion> criteriaOf(const std::vector<std::string>& response_names
                                   const std::vector<SettingText>& weights,
                                   const std::vector<std::string>& maximised) {
   std::vector<Criterion> criteria;
+  criteria.reserve(response_names.size());
   for (const std::string& name : response_names)
     criteria.push_back({name, usualWeight(name), Sense::Minimise});
   for (const SettingText& weight : weights)
