@@ -23,6 +23,7 @@ namespace {
 struct OptimiseArguments {
   std::string study;
   std::string output;
+  std::string part;
   std::vector<std::string> assignments;
   bool is_fresh = false;
 };
@@ -155,6 +156,7 @@ void printText(const Study& study, const StudyOutcome& outcome, const StudyFiles
 void optimise(const OptimiseArguments& arguments, OutputFormat format) {
   StudyJob job;
   job.study = readStudyFile(arguments.study);
+  if (!arguments.part.empty()) job.study = ofPart(std::move(job.study), arguments.part);
   for (const SettingText& setting : overridesFrom(arguments.assignments)) job.study.search.push_back(setting);
   job.output = arguments.output;
   job.earlier = arguments.is_fresh ? EarlierJournal::BeginAnew : EarlierJournal::GoOn;
@@ -178,6 +180,7 @@ void addOptimise(CLI::App& app, Chosen& chosen) {
       ->add_option("-o,--output", arguments->output,
                    "Folder for journal, front, evaluations, chosen configuration and report")
       ->required();
+  subcommand->add_option("--part", arguments->part, "Mesh file or name of a part, instead of the study's");
   subcommand
       ->add_option("--set", arguments->assignments,
                    "One setting of the search as key=value (nsga2.*, surrogate.*, genetic.*, kriging.*); may "

@@ -89,4 +89,9 @@ struct Study {
 /// what the goals name.
 std::vector<std::string> responseNames(const Study& study);
 
+/// The same study of another part; what was published is of the part it was written for, and left out.
+/// @param part  mesh file or name of a part
+/// @throws InvalidConfig if the study slices no part
+Study ofPart(Study study, const std::string& part);
+
 }  // namespace lamina

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "lamina/base/error.hpp"
+
 namespace lamina {
 namespace {
 
@@ -27,6 +29,18 @@ std::vector<std::string> responseNames(const Study& study) {
   }
   if (study.slice && !study.slice->metrics.empty()) return study.slice->metrics;
   return namesInGoals(study.goals);
+}
+
+Study ofPart(Study study, const std::string& part) {
+  if (!study.slice)
+    throw InvalidConfig("study '" + study.name +
+                        "' slices no part; expected one with the key 'slice' for part '" + part + "'");
+  study.slice->part = part;
+  study.slice->parameters.clear();
+  study.name += ", for " + part;
+  study.published_source.clear();
+  study.published.clear();
+  return study;
 }
 
 }  // namespace lamina
