@@ -23,8 +23,8 @@ class EvaluationJournalTest : public ::testing::Test {
   EvaluationJournalTest() { std::remove(path_.c_str()); }
   ~EvaluationJournalTest() override { std::remove(path_.c_str()); }
 
-  JournalSettings settings(EarlierFailures failures = EarlierFailures::Keep) const {
-    return {path_, "part 1", failures};
+  JournalSettings settings(EarlierJournal earlier = EarlierJournal::GoOn) const {
+    return {path_, "part 1", earlier};
   }
 
   std::string refusal(const DesignSpace& space, const JournalSettings& settings) const {
@@ -96,7 +96,7 @@ TEST_F(EvaluationJournalTest, RemembersFailuresAndRetriesThemIfAsked) {
   const auto kept = JournalledEvaluator(mended, mixedSpace(), settings()).evaluate(points, {}, progress_);
   EXPECT_EQ(mended.tried(), 0);
   EXPECT_EQ(textOf(kept), textOf(first));
-  const auto retried = JournalledEvaluator(mended, mixedSpace(), settings(EarlierFailures::Retry))
+  const auto retried = JournalledEvaluator(mended, mixedSpace(), settings(EarlierJournal::RetryFailed))
                            .evaluate(points, {}, progress_);
   EXPECT_EQ(mended.tried(), 1);
   EXPECT_TRUE(isEvaluated(retried[1]));
@@ -138,6 +138,25 @@ TEST_F(EvaluationJournalTest, RefusesTheJournalOfAnotherStudyAndLeavesItAsItWas)
   EXPECT_EQ(readFile(path_), "my diary");
   writeFile(path_, "{\"a\": 1}\n");
   EXPECT_NE(refusal(mixedSpace(), settings()).find("line 1 is no header"), std::string::npos);
+}
+
+TEST_F(EvaluationJournalTest, IsBegunAnewWhateverStoodInItUnlessAnotherRunWritesIt) {
+  CountingEvaluator inner;
+  const std::vector<DesignPoint> points = {{0.5, 2.0, 0.2, 1.0}};
+  JournalledEvaluator(inner, mixedSpace(), settings()).evaluate(points, {}, progress_);
+  const std::string whole = readFile(path_);
+  JournalSettings anew = settings(EarlierJournal::BeginAnew);
+  anew.fingerprint = "part 2";
+  {
+    const JournalledEvaluator other(inner, mixedSpace(), settings());
+    EXPECT_NE(refusal(mixedSpace(), anew).find("written by another run"), std::string::npos);
+    EXPECT_EQ(readFile(path_), whole);
+  }
+  JournalledEvaluator journal(inner, mixedSpace(), anew);
+  EXPECT_TRUE(journal.evaluations().empty());
+  journal.evaluate(points, {}, progress_);
+  EXPECT_EQ(inner.tried(), 2);
+  EXPECT_EQ(readFile(path_).find("part 1"), std::string::npos);
 }
 
 TEST_F(EvaluationJournalTest, NamesTheLineThatIsNoneOfAJournal) {
@@ -194,12 +213,12 @@ TEST_F(EvaluationJournalTest, IsWrittenByOneRunAtATime) {
   CountingEvaluator inner;
   const JournalledEvaluator first(inner, mixedSpace(), settings());
   EXPECT_NE(refusal(mixedSpace(), settings()).find("written by another run"), std::string::npos);
-  EXPECT_NE(refusal(mixedSpace(), {"/no/such/folder/j", "", EarlierFailures::Keep}).find("/no/such/folder/j"),
+  EXPECT_NE(refusal(mixedSpace(), {"/no/such/folder/j", "", EarlierJournal::GoOn}).find("/no/such/folder/j"),
             std::string::npos);
 }
 
 TEST_F(EvaluationJournalTest, IsAFileAndNoDevice) {
-  EXPECT_NE(refusal(mixedSpace(), {"/dev/full", "", EarlierFailures::Keep}).find("is no file"),
+  EXPECT_NE(refusal(mixedSpace(), {"/dev/full", "", EarlierJournal::GoOn}).find("is no file"),
             std::string::npos);
 }
 

@@ -113,7 +113,7 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
     FrontSearch found;
     while (!is_done) {
       CancelAt cancel(inner, inner.tried() + 1 + static_cast<int>(random.below(150)));
-      JournalledEvaluator journal(inner, mixedSpace(), {path, "resumed", EarlierFailures::Keep});
+      JournalledEvaluator journal(inner, mixedSpace(), {path, "resumed", EarlierJournal::GoOn});
       try {
         found = searchFront({mixedSpace(), timeAndError(), journal}, settings, {}, cancel);
         is_done = true;

@@ -8,17 +8,12 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/optimisation/evaluation.hpp"
+#include "lamina/optimisation/evaluation_journal.hpp"
 #include "lamina/optimisation/surrogate.hpp"
 #include "lamina/study/study.hpp"
 #include "lamina/study/study_outcome.hpp"
 
 namespace lamina {
-
-/// What becomes of the journal of an earlier run.
-enum class EarlierJournal {
-  GoOn,  ///< what it has is not tried again
-  BeginAnew,
-};
 
 /// A study to be run.
 struct StudyJob {

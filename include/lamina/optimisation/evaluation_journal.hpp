@@ -11,14 +11,18 @@
 
 namespace lamina {
 
-/// What is done with points that failed in an earlier run.
-enum class EarlierFailures { Keep, Retry };
+/// What becomes of the journal of an earlier run.
+enum class EarlierJournal {
+  GoOn,         ///< what it has is not tried again
+  RetryFailed,  ///< only what failed is tried again
+  BeginAnew,    ///< it is emptied, whatever study it is of
+};
 
 /// Where evaluations are written down.
 struct JournalSettings {
   std::string path;         ///< empty: only in memory
   std::string fingerprint;  ///< of all that the responses depend on besides the point
-  EarlierFailures earlier_failures = EarlierFailures::Keep;
+  EarlierJournal earlier = EarlierJournal::GoOn;
 };
 
 /// Tries no point twice, and writes down what came of each as soon as it is known. Over the journal of a run

@@ -113,7 +113,7 @@ class StudyRun {
     if (!study_.table.empty())
       table_ = readExperimentTable(study_.table, study_.variables, measurement_.responseNames());
     prepareFolder(job);
-    prepareEvaluators(outer);
+    prepareEvaluators(outer, job.earlier);
   }
 
   StudyOutcome run(const SurrogateFit& fit) {
@@ -146,14 +146,11 @@ class StudyRun {
     std::filesystem::create_directories(job.output, failed);
     if (failed || !std::filesystem::is_directory(job.output, failed))
       throw FileError("cannot make the folder '" + job.output + "'");
-    if (job.earlier != EarlierJournal::BeginAnew) return;
-    for (const std::string& journal : {files_.journal, files_.front_journal})
-      std::filesystem::remove(journal, failed);
   }
 
   bool isTableAlone() const { return !study_.slice && !study_.commands; }
 
-  void prepareEvaluators(Evaluator* outer) {
+  void prepareEvaluators(Evaluator* outer, EarlierJournal earlier) {
     const auto& names = measurement_.responseNames();
     const std::string fingerprint = measurement_.fingerprint();
     // A table answers with the points it has, and somebody may have typed more into it since: no journal.
@@ -167,7 +164,7 @@ class StudyRun {
     if (!isTableAlone())
       searched_ =
           std::make_unique<JournalledEvaluator>(outer != nullptr ? *outer : *measured_, study_.variables,
-                                                JournalSettings{files_.journal, fingerprint, {}});
+                                                JournalSettings{files_.journal, fingerprint, earlier});
     const bool is_measured_more = measurement_.frontResponseNames() != names;
     measured_in_full_ = std::make_unique<ParallelEvaluator>(
         measurement_.frontResponseNames(), [this](const DesignPoint& point, Progress& progress) {
@@ -175,7 +172,7 @@ class StudyRun {
         });
     in_full_ = std::make_unique<JournalledEvaluator>(
         is_measured_more ? *measured_in_full_ : *searched_, study_.variables,
-        JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, {}});
+        JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, earlier});
   }
 
   void searchForFront() {

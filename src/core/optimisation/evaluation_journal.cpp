@@ -80,7 +80,7 @@ class JournalledEvaluator::Journal {
       : lines_(space, response_names, settings.fingerprint), settings_(settings) {
     if (settings.path.empty()) return;
     file_ = std::make_unique<LineFile>(settings.path);
-    read();
+    settings.earlier == EarlierJournal::BeginAnew ? beginAt(0) : read();
   }
 
   /// Null if the point is still to be tried.
@@ -109,8 +109,13 @@ class JournalledEvaluator::Journal {
       begin = end + 1;
     }
     if (begin == 0) requireOwn(text);
-    file_->truncate(begin);
-    if (begin == 0) file_->add(lines_.header());
+    beginAt(begin);
+  }
+
+  /// Lines are added after so many bytes.
+  void beginAt(std::size_t bytes) {
+    file_->truncate(bytes);
+    if (bytes == 0) file_->add(lines_.header());
   }
 
   void take(const std::string& line, std::size_t number) {
@@ -118,8 +123,7 @@ class JournalledEvaluator::Journal {
       if (number == 1) return lines_.requireHeader(line);
       const Evaluation evaluation = lines_.evaluationOf(line);
       remember(evaluation);
-      const bool is_awaited =
-          !isEvaluated(evaluation) && settings_.earlier_failures == EarlierFailures::Retry;
+      const bool is_awaited = !isEvaluated(evaluation) && settings_.earlier == EarlierJournal::RetryFailed;
       is_awaited ? void(awaited_.insert(evaluation.point)) : void(awaited_.erase(evaluation.point));
     } catch (const InvalidInput& error) {
       throw InvalidInput("journal '" + settings_.path + "' line " + std::to_string(number) + " " +
