@@ -35,8 +35,9 @@ class StudyMeasurement {
   /// slicing, so that `lamina slice --config` takes it; else the variables alone.
   std::string configurationAt(const DesignPoint& point) const;
 
-  /// All that responses depend on besides the point, as 16 hexadecimal digits: settings, the part's file,
-  /// commands, and the version of Lamina. Files that commands read are not looked into.
+  /// All that responses depend on besides the point, as 16 hexadecimal digits: settings, the files of the
+  /// part and of the base it lies on, commands, and the version of Lamina. Files that commands read are not
+  /// looked into.
   std::string fingerprint() const;
 
  private:

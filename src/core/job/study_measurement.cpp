@@ -9,6 +9,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/scratch_folder.hpp"
+#include "lamina/base/settings_yaml.hpp"
 #include "lamina/base/version.hpp"
 #include "lamina/geometry/mesh_writer.hpp"
 #include "lamina/geometry/parts.hpp"
@@ -74,6 +75,12 @@ std::string hashed(const std::string& text) {
 /// Pieces of text such that none runs into the next.
 void add(std::string& all, const std::string& piece) { all += std::to_string(piece.size()) + ":" + piece; }
 
+/// What a name stands for: the bytes of the file, or itself.
+std::string bytesOf(const std::string& file) {
+  std::error_code unreachable;
+  return std::filesystem::is_regular_file(file, unreachable) ? readFile(file) : file;
+}
+
 std::string settingsYaml(const SliceMeasure& slice, const std::vector<SettingText>& overrides) {
   std::vector<SettingText> all = slice.settings;
   all.insert(all.end(), overrides.begin(), overrides.end());
@@ -123,9 +130,7 @@ std::vector<double> StudyMeasurement::ofBaseline(const Baseline& baseline, Progr
 
 std::string StudyMeasurement::configurationAt(const DesignPoint& point) const {
   if (study_.slice) return settingsYaml(*study_.slice, overridesAt(point));
-  std::string yaml;
-  for (const SettingText& setting : overridesAt(point)) yaml += setting.key + ": " + setting.text + "\n";
-  return yaml;
+  return settingsToYaml(overridesAt(point));
 }
 
 std::string StudyMeasurement::fingerprint() const {
@@ -133,15 +138,16 @@ std::string StudyMeasurement::fingerprint() const {
   add(all, laminaVersion());
   if (study_.slice) {
     add(all, settingsYaml(*study_.slice, {}));
-    std::error_code unreachable;
-    const std::string& part = study_.slice->part;
-    add(all, std::filesystem::is_regular_file(part, unreachable) ? readFile(part) : part);
+    add(all, bytesOf(study_.slice->part));
+    add(all, bytesOf(loadJobSettings(study_.slice->config, study_.slice->settings).conformal.base));
     for (const SettingText& parameter : study_.slice->parameters)
       add(all, parameter.key), add(all, parameter.text);
   }
   if (study_.commands) {
-    for (const StudyCommand& command : study_.commands->commands)
+    for (const StudyCommand& command : study_.commands->commands) {
+      add(all, command.name), add(all, std::to_string(command.arguments.size()));
       for (const std::string& argument : command.arguments) add(all, argument);
+    }
     for (const CommandResponse& response : study_.commands->responses)
       add(all, response.command), add(all, response.pointer);
   }
