@@ -84,6 +84,7 @@ nlohmann::ordered_json jsonOf(const Study& study, const std::vector<std::string>
         {"measured", isEvaluated(measured) ? number(measured.responses.at(k)) : nullptr}};
   json["mape_percent"] = number(iteration.mape_percent);
   json["is_feasible"] = iteration.is_feasible;
+  json["is_sample"] = iteration.is_sample;
   json["is_accepted"] = iteration.is_accepted;
   json["error"] = measured.error;
   return json;
@@ -106,7 +107,8 @@ void printProposal(const Study& study, const std::vector<std::string>& names,
                 is_measured ? shownNumber(iteration.measured.responses.at(k)).c_str() : "not");
   if (is_measured)
     std::printf("  error of predictions %.2f %%, %s\n", iteration.mape_percent,
-                iteration.is_accepted   ? "accepted"
+                iteration.is_sample     ? "a sample already"
+                : iteration.is_accepted ? "accepted"
                 : iteration.is_feasible ? "predicted too badly to be accepted"
                                         : "outside an interval");
 }
@@ -132,7 +134,7 @@ void printJson(const Study& study, const StudyOutcome& outcome, const StudyFiles
   json["wall_s"] = outcome.wall_s;
   json["report"] = files.report;
   json["configuration"] = outcome.chosen ? files.chosen : "";
-  std::printf("%s\n", json.dump(2).c_str());
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 void printText(const Study& study, const StudyOutcome& outcome, const StudyFiles& files) {
@@ -145,7 +147,7 @@ void printText(const Study& study, const StudyOutcome& outcome, const StudyFiles
     std::printf("proposed: %zu points; ended: %s\n", outcome.surrogate->iterations.size(),
                 toString(outcome.surrogate->end));
   }
-  if (!outcome.chosen) std::printf("nothing keeps to all constraints\n");
+  if (!outcome.chosen && outcome.front.empty()) std::printf("nothing keeps to all constraints\n");
   if (outcome.chosen)
     for (const SettingText& value : valuesOf(study.variables, outcome.front_response_names, *outcome.chosen))
       std::printf("  %-34s %s\n", value.key.c_str(), value.text.c_str());

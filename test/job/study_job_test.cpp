@@ -4,16 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/csv_table.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/parts.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/job/study_measurement.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/metrics/toolpath_metrics.hpp"
+#include "lamina/optimisation/criteria.hpp"
+#include "lamina/optimisation/front_csv.hpp"
 #include "lamina/study/study_reader.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -214,8 +219,84 @@ TEST(StudyJob, RefusesBeforeAnythingIsTried) {
                 "under_fil_mm2");
   expectRefused("front_metrics: [print_time_s,", "front_metrics: [print_time,", "'print_time'");
   expectRefused("weights: {under_fill_mm2", "weights: {over", "'over'");
+  expectRefused("weights: {under_fill_mm2: 3",
+                "weights: {print_time_s: 0, material_mm: 0, volume_error_mm3: 0, under_fill_mm2: 0",
+                "all weights of the decision are 0");
   expectRefused("part: box", "part: bocks", "bocks");
   expectRefused("x_mm: 6", "x: 6", "'x'");
+}
+
+TEST(StudyJob, LabelsWhatWasChosenByWhatWasMeasuredOfIt) {
+  const test::ScratchFolder folder;
+  const std::string unreachable =
+      changed(changed(kPart, "skirt.count: 0", "skirt.count: 0, metrics.platform_middle_mm: '5000,0'"),
+              "[print_time_s,", "[control_energy_nm2_s,");
+  const StudyOutcome outcome = ran(unreachable, folder.file("out"));
+  ASSERT_TRUE(outcome.chosen);
+  EXPECT_EQ(outcome.front_response_names, outcome.response_names);
+  ASSERT_FALSE(outcome.compared.empty());
+  EXPECT_EQ(outcome.compared[0].name, "chosen");
+  const std::vector<SettingText>& values = outcome.compared[0].values;
+  ASSERT_EQ(values.size(), 4U);
+  EXPECT_EQ(values[2].key, outcome.response_names[0]);
+  EXPECT_EQ(values[2].text, shownNumber(outcome.chosen->responses[0]));
+}
+
+TEST(StudyJob, ChoosesNothingIfNoWeightIsLeft) {
+  const test::ScratchFolder folder;
+  const std::string unmeasured = changed(
+      changed(kPart, "volume_error_mm3]", "volume_error_mm3, control_energy_nm2_s]"), "{under_fill_mm2: 3}",
+      "{print_time_s: 0, material_mm: 0, under_fill_mm2: 0, volume_error_mm3: 0, control_energy_nm2_s: 2}");
+  const std::string unreachable =
+      changed(unmeasured, "skirt.count: 0", "skirt.count: 0, metrics.platform_middle_mm: '5000,0'");
+  const StudyFiles files = studyFilesIn(folder.file("out"));
+  ran(kPart, folder.file("out"));
+  EXPECT_TRUE(std::filesystem::exists(files.chosen));
+  const StudyOutcome outcome = ran(unreachable, folder.file("out"), EarlierJournal::BeginAnew);
+  EXPECT_FALSE(outcome.chosen);
+  EXPECT_FALSE(outcome.front.empty());
+  const auto isOfTheChoice = [](const std::string& note) { return note.rfind("nothing is chosen", 0) == 0; };
+  EXPECT_TRUE(std::any_of(outcome.notes.begin(), outcome.notes.end(), isOfTheChoice));
+  EXPECT_TRUE(std::filesystem::exists(files.front));
+  EXPECT_FALSE(std::filesystem::exists(files.chosen));
+  EXPECT_NE(readFile(files.report).find("Nothing is chosen from the front"), std::string::npos);
+}
+
+TEST(StudyJob, ChoosesAsTheFrontIsDecidedOnByItself) {
+  const test::ScratchFolder folder;
+  const StudyOutcome outcome =
+      ran(changed(kPart, "decision: {weights: {under_fill_mm2: 3}}\n", ""), folder.file("out"));
+  const FrontTable front = readFrontCsv(studyFilesIn(folder.file("out")).front);
+  std::vector<std::vector<double>> responses;
+  for (const FrontRow& row : front.rows) responses.push_back(row.responses);
+  const Decision decision = decide(criteriaOf(front.responses, {}, {}), responses, DecisionMethod::Linmap);
+  EXPECT_EQ(decision.indices, outcome.decision_indices);
+  EXPECT_EQ(outcome.front[decision.chosen].point, outcome.chosen->point);
+}
+
+TEST(StudyJob, WritesOverNothingThatItReads) {
+  const test::ScratchFolder folder;
+  const auto refused = [&](const std::string& name, const std::string& yaml, const std::string& text) {
+    writeFile(folder.file(name), text);
+    Study study = readStudy(yaml, "study", folder.file(""));
+    NoProgress progress;
+    EXPECT_THROW(runStudy({study, folder.file(""), EarlierJournal::BeginAnew}, krigingFit(KrigingSettings()),
+                          nullptr, {}, progress),
+                 InvalidInput)
+        << name;
+    EXPECT_EQ(readFile(folder.file(name)), text);
+    std::filesystem::remove(folder.file(name));
+  };
+  refused("chosen.yaml", changed(kPart, "part: box", "part: box\n  config: chosen.yaml"), "skirt.count: 0\n");
+  refused("evaluations.csv",
+          "method: surrogate\nvariables: {x: [-1, 3]}\ntable: evaluations.csv\nobjectives: {y: minimise}\n",
+          "x,y\n-1,7.25\n0,3.25\n1,1.25\n3,3.25\n");
+  writeFile(folder.file("chosen.yaml"), kParabola);
+  NoProgress progress;
+  EXPECT_THROW(runStudy({readStudyFile(folder.file("chosen.yaml")), folder.file(""), {}},
+                        krigingFit(KrigingSettings()), nullptr, {}, progress),
+               InvalidInput);
+  EXPECT_EQ(readFile(folder.file("chosen.yaml")), kParabola);
 }
 
 TEST(StudyMeasurement, DependsOnAllThatIsMeasured) {
@@ -228,6 +309,33 @@ TEST(StudyMeasurement, DependsOnAllThatIsMeasured) {
   EXPECT_NE(fingerprint(changed(kPart, "x_mm: 6", "x_mm: 7")), usual);
   EXPECT_NE(fingerprint(changed(kPart, "skirt.count: 0", "skirt.count: 1")), usual);
   EXPECT_NE(fingerprint(kParabola), fingerprint(changed(kParabola, "1.5", "1.6")));
+  const std::string two = changed(kParabola, "  only:", "  before: [echo, a]\n  only:");
+  EXPECT_NE(fingerprint(two),
+            fingerprint(changed(two, "[echo, a]\n  only: [awk, ", "[echo]\n  only: [a, awk, ")));
+  EXPECT_NE(fingerprint(two), fingerprint(changed(two, "before", "first")));
+}
+
+TEST(StudyMeasurement, DependsOnTheBaseThatIsLainOn) {
+  const test::ScratchFolder folder;
+  const auto fingerprint = [&](const Mesh& base) {
+    writeStl(folder.file("base.stl"), base);
+    const std::string yaml =
+        changed(kPart, "skirt.count: 0", "skirt.count: 0, conformal.base: " + folder.file("base.stl"));
+    return StudyMeasurement(readStudy(yaml, "study", "")).fingerprint();
+  };
+  const std::vector<SettingText> wide = {{"x_mm", "9"}};
+  EXPECT_NE(fingerprint(makePart("box", {})), fingerprint(makePart("box", wide)));
+}
+
+TEST(StudyMeasurement, ConfigurationsOfCommandsCanBeReadBack) {
+  const Study study =
+      readStudy(changed(kParabola, "{x: [-1, 3]}", "{x: {choices: ['a: b', 'no # c', '{d}']}}"), "study", "");
+  const StudyMeasurement measurement(study);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto read = settingsFromYaml(measurement.configurationAt({static_cast<double>(i)}), "chosen");
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0].text, study.variables[0].choices[i]);
+  }
 }
 
 }  // namespace

@@ -27,8 +27,9 @@ struct StudyState {
   int index = 0;  ///< generation, from 0; or iteration, from 1
   int evaluations = 0;
   int failed = 0;
-  std::vector<double>
-      best;  ///< of each objective; of the best sample for a surrogate; empty if none is feasible
+  /// The best value of each objective for itself: in the front, or among feasible samples; they may belong to
+  /// different points. Empty if none is feasible.
+  std::vector<double> best;
   double hypervolume = 0.0;  ///< of a front
 };
 
@@ -55,9 +56,8 @@ StudyFiles studyFilesIn(const std::string& folder);
 /// @param outer  tries the points instead of this machine's threads, with the responses of the study's
 ///   measurement; may be null
 /// @param listener  may be empty
-/// @throws InvalidConfig, InvalidMesh, FileError before anything is tried; InvalidInput if the journal is
-/// that
-///   of another study; what the searches throw; Cancelled
+/// @throws InvalidConfig, InvalidMesh, FileError before anything is tried; InvalidInput if the journal is that
+///   of another study, or an output is a file that the study reads; what the searches throw; Cancelled
 StudyOutcome runStudy(const StudyJob& job, const SurrogateFit& fit, Evaluator* outer,
                       const StudyListener& listener, Progress& progress);
 

@@ -58,7 +58,7 @@ struct CommandMeasure {
 /// How one point of a front is chosen.
 struct DecisionWishes {
   std::string method = "linmap";     ///< linmap | topsis
-  std::vector<SettingText> weights;  ///< by response, numbers; those not named have 1
+  std::vector<SettingText> weights;  ///< by response, numbers; of others see `criteriaOf`
 };
 
 /// Values that somebody published: of variables and responses, as text.
@@ -71,6 +71,7 @@ struct PublishedRow {
 struct Study {
   std::string name;
   std::string about;   ///< free text
+  std::string file;    ///< that it was read from; empty if from a text
   std::string folder;  ///< of the file; commands run in it; empty for the current one
   SearchMethod method = SearchMethod::Nsga2;
   DesignSpace variables;

@@ -26,8 +26,9 @@ class Comparing {
   Comparing(const Study& study, const StudyMeasurement& measurement, Evaluator& in_full, Progress& progress)
       : study_(study), measurement_(measurement), in_full_(in_full), progress_(progress) {}
 
-  void addPoint(const std::string& name, const Evaluation& evaluation) {
-    found_.rows.push_back({name, valuesOf(study_.variables, measurement_.frontResponseNames(), evaluation)});
+  void addPoint(const std::string& name, const std::vector<std::string>& response_names,
+                const Evaluation& evaluation) {
+    found_.rows.push_back({name, valuesOf(study_.variables, response_names, evaluation)});
   }
 
   void addPublished(const PublishedRow& row) {
@@ -40,7 +41,7 @@ class Comparing {
       if (!point) return;
       const Evaluation evaluation = in_full_.evaluate({*point}, {}, progress_).front();
       if (!isEvaluated(evaluation)) throw InvalidInput(evaluation.error);
-      addPoint(name, evaluation);
+      addPoint(name, measurement_.frontResponseNames(), evaluation);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
@@ -74,9 +75,9 @@ class Comparing {
 }  // namespace
 
 StudyComparison comparisonOf(const Study& study, const StudyMeasurement& measurement, Evaluator& in_full,
-                             const std::optional<Evaluation>& chosen, Progress& progress) {
+                             const StudyOutcome& outcome, Progress& progress) {
   Comparing comparing(study, measurement, in_full, progress);
-  if (chosen) comparing.addPoint("chosen", *chosen);
+  if (outcome.chosen) comparing.addPoint("chosen", outcome.front_response_names, *outcome.chosen);
   for (const PublishedRow& row : study.published) comparing.addPublished(row);
   if (study.slice)
     for (const Baseline& baseline : study.slice->baselines) comparing.addBaseline(baseline);

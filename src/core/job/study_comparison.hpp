@@ -22,6 +22,6 @@ struct StudyComparison {
 /// @param in_full  tries points with the measurement's `frontResponseNames`
 /// @throws Cancelled
 StudyComparison comparisonOf(const Study& study, const StudyMeasurement& measurement, Evaluator& in_full,
-                             const std::optional<Evaluation>& chosen, Progress& progress);
+                             const StudyOutcome& outcome, Progress& progress);
 
 }  // namespace lamina

@@ -4,17 +4,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "job/study_comparison.hpp"
+#include "job/study_decision.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/version.hpp"
+#include "lamina/job/output_files.hpp"
 #include "lamina/job/study_measurement.hpp"
-#include "lamina/optimisation/decision.hpp"
 #include "lamina/optimisation/evaluation_journal.hpp"
 #include "lamina/optimisation/experiment_table.hpp"
 #include "lamina/optimisation/front_csv.hpp"
@@ -44,38 +43,6 @@ std::vector<double> bestValues(const Goals& goals, const std::vector<std::string
   return best;
 }
 
-DecisionMethod methodOf(const DecisionWishes& wishes) {
-  return wishes.method == "topsis" ? DecisionMethod::Topsis : DecisionMethod::Linmap;
-}
-
-/// One number for each response that is decided by: of those that are maximised, with its sign changed.
-struct DecisionTable {
-  std::vector<std::vector<double>> costs;  ///< by alternative
-  std::vector<double> weights;
-};
-
-/// Weights by response; every name must be one of them.
-std::map<std::string, double> weightsOf(const DecisionWishes& wishes, const std::vector<std::string>& names) {
-  std::map<std::string, double> weights;
-  for (const std::string& name : names) weights[name] = 1.0;
-  for (const SettingText& weight : wishes.weights) {
-    responseIndex(names, weight.key);
-    weights[weight.key] = std::stod(weight.text);
-  }
-  return weights;
-}
-
-bool isMaximised(const Goals& goals, const std::string& response) {
-  return std::any_of(goals.objectives.begin(), goals.objectives.end(), [&](const Objective& objective) {
-    return objective.response == response && objective.sense == Sense::Maximise;
-  });
-}
-
-bool isObjective(const Goals& goals, const std::string& response) {
-  return std::any_of(goals.objectives.begin(), goals.objectives.end(),
-                     [&](const Objective& objective) { return objective.response == response; });
-}
-
 /// Remembers what was tried.
 class RecordingEvaluator final : public Evaluator {
  public:
@@ -100,6 +67,17 @@ class RecordingEvaluator final : public Evaluator {
   std::vector<Evaluation> tried_;
 };
 
+std::vector<std::string> outputsOf(const StudyFiles& files) {
+  return {files.journal, files.front_journal, files.front, files.evaluations,
+          files.chosen,  files.picture,       files.report};
+}
+
+std::vector<std::string> inputsOf(const Study& study) {
+  std::vector<std::string> inputs = {study.file, study.table};
+  if (study.slice) inputs.insert(inputs.end(), {study.slice->part, study.slice->config});
+  return inputs;
+}
+
 class StudyRun {
  public:
   StudyRun(const StudyJob& job, Evaluator* outer, const StudyListener& listener, Progress& progress)
@@ -108,8 +86,9 @@ class StudyRun {
         listener_(listener),
         progress_(progress),
         settings_(searchSettingsOf(study_)),
-        measurement_(study_) {
-    weightsOf(study_.decision, decisionNames());
+        measurement_(study_),
+        criteria_(decisionCriteria(study_, measurement_.frontResponseNames())) {
+    requireApart(outputsOf(files_), inputsOf(study_));
     if (!study_.table.empty())
       table_ = readExperimentTable(study_.table, study_.variables, measurement_.responseNames());
     prepareFolder(job);
@@ -123,7 +102,7 @@ class StudyRun {
     outcome_.version = laminaVersion();
     study_.method == SearchMethod::Nsga2 ? searchForFront() : searchWith(fit);
     tellSettings();
-    StudyComparison comparison = comparisonOf(study_, measurement_, *in_full_, outcome_.chosen, progress_);
+    StudyComparison comparison = comparisonOf(study_, measurement_, *in_full_, outcome_, progress_);
     outcome_.compared = std::move(comparison.rows);
     outcome_.notes.insert(outcome_.notes.end(), comparison.notes.begin(), comparison.notes.end());
     outcome_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -132,14 +111,6 @@ class StudyRun {
   }
 
  private:
-  /// What a point of the front is chosen by: all metrics of a part; else the objectives.
-  std::vector<std::string> decisionNames() const {
-    if (study_.slice) return measurement_.frontResponseNames();
-    std::vector<std::string> names;
-    for (const Objective& objective : study_.goals.objectives) names.push_back(objective.response);
-    return names;
-  }
-
   void prepareFolder(const StudyJob& job) const {
     if (job.output.empty()) throw InvalidConfig("no folder for the output is named");
     std::error_code failed;
@@ -208,36 +179,13 @@ class StudyRun {
     outcome_.front_response_names = measurement_.frontResponseNames();
   }
 
-  /// @return without responses that are not numbers everywhere, each of which becomes a note
-  DecisionTable decisionTable() {
-    DecisionTable table;
-    table.costs.resize(outcome_.front.size());
-    const auto& names = outcome_.front_response_names;
-    const auto weights = weightsOf(study_.decision, decisionNames());
-    for (std::size_t response = 0; response < names.size(); ++response) {
-      const auto weight = weights.find(names[response]);
-      if (weight == weights.end() || (!study_.slice && !isObjective(study_.goals, names[response]))) continue;
-      const auto& front = outcome_.front;
-      const bool is_known = std::all_of(front.begin(), front.end(), [&](const Evaluation& evaluation) {
-        return std::isfinite(evaluation.responses.at(response));
-      });
-      if (!is_known) {
-        outcome_.notes.push_back("decided without " + names[response] + ", which is no number somewhere");
-        continue;
-      }
-      const double sign = isMaximised(study_.goals, names[response]) ? -1.0 : 1.0;
-      table.weights.push_back(weight->second);
-      for (std::size_t i = 0; i < front.size(); ++i)
-        table.costs[i].push_back(sign * front[i].responses[response]);
-    }
-    return table;
-  }
-
   void decideAmongFront() {
-    const DecisionTable table = decisionTable();
-    const Decision decision = decide(table.costs, table.weights, methodOf(study_.decision));
-    outcome_.decision_indices = decision.indices;
-    outcome_.chosen = outcome_.front.at(decision.chosen);
+    FrontDecision found = decideAmong(outcome_.front, outcome_.front_response_names, criteria_,
+                                      decisionMethodOf(study_.decision.method));
+    outcome_.notes.insert(outcome_.notes.end(), found.notes.begin(), found.notes.end());
+    if (!found.decision) return;
+    outcome_.decision_indices = std::move(found.decision->indices);
+    outcome_.chosen = outcome_.front.at(found.decision->chosen);
   }
 
   void searchWith(const SurrogateFit& fit) {
@@ -299,17 +247,27 @@ class StudyRun {
       for (const SettingText& setting : surrogateFitSettingsOf(study_)) outcome_.search.push_back(setting);
   }
 
+  /// What an earlier run wrote and this one does not is removed once the rest is there.
   void write() const {
     const DesignSpace& space = study_.variables;
+    std::vector<std::string> stale;
     writeFile(files_.evaluations, evaluationsCsv(space, outcome_.response_names, outcome_.evaluations));
     if (study_.method == SearchMethod::Nsga2)
       writeFile(files_.front, frontCsv(space, outcome_.front_response_names, outcome_.front));
-    std::error_code ignored;
-    std::filesystem::remove(files_.chosen, ignored);
-    if (outcome_.chosen) writeFile(files_.chosen, measurement_.configurationAt(outcome_.chosen->point));
+    else
+      stale.push_back(files_.front);
+    if (outcome_.chosen)
+      writeFile(files_.chosen, measurement_.configurationAt(outcome_.chosen->point));
+    else
+      stale.push_back(files_.chosen);
     const auto pictures = frontPictures(study_, outcome_);
-    if (!pictures.empty()) writeFile(files_.picture, pictures.front().png);
+    if (!pictures.empty())
+      writeFile(files_.picture, pictures.front().png);
+    else
+      stale.push_back(files_.picture);
     writeFile(files_.report, studyReport(study_, outcome_));
+    std::error_code ignored;
+    for (const std::string& file : stale) std::filesystem::remove(file, ignored);
   }
 
   const Study& study_;
@@ -318,6 +276,7 @@ class StudyRun {
   Progress& progress_;
   SearchSettings settings_;
   StudyMeasurement measurement_;
+  std::vector<Criterion> criteria_;
   ExperimentTable table_;
   std::unique_ptr<Evaluator> measured_;
   std::unique_ptr<Evaluator> searched_;

@@ -67,7 +67,8 @@ Row columnsOf(const Study& study, const Row& response_names) {
 void addChosen(HtmlPage& page, const Study& study, const StudyOutcome& outcome) {
   page.heading("Chosen configuration");
   if (!outcome.chosen) {
-    page.paragraph("Nothing that was tried keeps to all constraints.");
+    page.paragraph(outcome.front.empty() ? "Nothing that was tried keeps to all constraints."
+                                         : "Nothing is chosen from the front; see the notes.");
     return;
   }
   HtmlTable variables{{"variable", "chosen", "allowed"}, {}, 0};

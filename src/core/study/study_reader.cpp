@@ -252,7 +252,9 @@ Study readStudy(const std::string& yaml, const std::string& source_name, const s
 }
 
 Study readStudyFile(const std::string& path) {
-  return readStudy(readFile(path), path, std::filesystem::path(path).parent_path().string());
+  Study study = readStudy(readFile(path), path, std::filesystem::path(path).parent_path().string());
+  study.file = path;
+  return study;
 }
 
 }  // namespace lamina
