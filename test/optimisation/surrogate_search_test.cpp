@@ -113,10 +113,17 @@ TEST(SurrogateSearchTest, EndsAtAPointThatIsASampleAlready) {
       searched(evaluator, settings(), {{{-1.0}, {12.0, 2.0}, ""}, {{1.0}, {8.0, 2.0}, ""}});
   EXPECT_EQ(search.end, SurrogateEnd::Sampled);
   ASSERT_EQ(search.iterations.size(), 1U);
-  EXPECT_TRUE(search.iterations[0].is_sample && search.iterations[0].is_accepted);
+  EXPECT_TRUE(search.iterations[0].is_sample && !search.iterations[0].is_accepted);
   EXPECT_EQ(search.iterations[0].measured.responses, (std::vector<double>{8.0, 2.0}));
   EXPECT_EQ(search.evaluations.size(), 2U);
   EXPECT_EQ(search.best, 1U);
+}
+
+TEST(SurrogateSearchTest, RefusesMoreIterationsThanItMayDo) {
+  ParallelEvaluator evaluator(kNames, measured);
+  SurrogateSearchSettings chosen = settings();
+  chosen.iterations = chosen.most_iterations + 1;
+  EXPECT_THROW(searched(evaluator, chosen, {}), InvalidConfig);
 }
 
 TEST(SurrogateSearchTest, WaitsForWhatIsNotInTheTable) {

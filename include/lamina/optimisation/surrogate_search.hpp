@@ -50,6 +50,9 @@ struct SurrogateSearchSettings {
 /// Adds the keys surrogate.* and genetic.*.
 void describe(SettingsSchema& schema, SurrogateSearchSettings& settings);
 
+/// @throws InvalidConfig if fewer iterations are allowed than asked for at least
+void validate(const SurrogateSearchSettings& settings);
+
 /// A point proposed on what was known before it, and what came of it.
 struct SurrogateIteration {
   std::size_t index = 0;  ///< from 1
@@ -62,7 +65,7 @@ struct SurrogateIteration {
   bool is_sample = false;               ///< whether it had been measured before
   bool is_feasible = false;             ///< whether measured responses keep to their intervals
   double mape_percent = 0.0;            ///< of predictions; not a number if it could not be tried
-  bool is_accepted = false;             ///< feasible, and predicted well enough
+  bool is_accepted = false;             ///< feasible, predicted well enough, and no sample
   std::vector<std::string> surrogates;  ///< description for each response
 };
 

@@ -146,7 +146,9 @@ class Search {
     iteration.mape_percent =
         predictionErrorPercent(goals_, names_, measured.responses, iteration.predictions);
     iteration.is_feasible = violationOf(goals_, names_, measured.responses) == 0.0;
-    iteration.is_accepted = iteration.is_feasible && iteration.mape_percent < settings_.accepted_mape_percent;
+    // What was learnt from is predicted exactly, which tells nothing of the predictions.
+    iteration.is_accepted = iteration.is_feasible && !iteration.is_sample &&
+                            iteration.mape_percent < settings_.accepted_mape_percent;
   }
 
   bool isDone(const SurrogateIteration& last) {
@@ -219,6 +221,13 @@ void describe(SettingsSchema& schema, SurrogateSearchSettings& settings) {
   describe(schema, settings.genetic);
 }
 
+void validate(const SurrogateSearchSettings& settings) {
+  if (settings.iterations > settings.most_iterations)
+    throw InvalidConfig("surrogate.iterations is " + std::to_string(settings.iterations) +
+                        "; expected at most surrogate.most_iterations, " +
+                        std::to_string(settings.most_iterations));
+}
+
 const char* toString(SurrogateEnd end) {
   switch (end) {
     case SurrogateEnd::Accepted:
@@ -239,6 +248,7 @@ SurrogateSearch searchBySurrogate(const SearchProblem& problem, const Learning& 
                                   const SurrogateSearchSettings& settings, const SurrogateListener& listener,
                                   Progress& progress) {
   validate(problem);
+  validate(settings);
   requireUsable(learning.samples, problem.space, problem.evaluator.responseNames().size());
   return Search(problem, learning.fit, settings).run(learning.samples, listener, progress);
 }
