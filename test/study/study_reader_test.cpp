@@ -94,8 +94,7 @@ TEST(StudyReader, ReadsAStudyOfAPart) {
   EXPECT_EQ(study.slice->baselines.at(0).settings.at(0).text, "raster");
   EXPECT_EQ(study.goals.objectives.at(1).weight, 0.5);
   EXPECT_EQ(study.goals.constraints.at(0).high, 100.0);
-  EXPECT_EQ(study.search.at(0).key, "nsga2.population");
-  EXPECT_EQ(study.seed, 7);
+  EXPECT_EQ(study.search.back().key, "nsga2.population");
   EXPECT_EQ(searchSettingsOf(study).nsga2.population, 8);
   EXPECT_EQ(searchSettingsOf(study).nsga2.seed, 7);
   EXPECT_EQ(study.decision.method, "topsis");
@@ -115,6 +114,31 @@ TEST(StudyReader, ReadsAStudyOfCommands) {
   EXPECT_EQ(responseNames(study), (std::vector<std::string>{"porosity_percent", "pore_um"}));
   EXPECT_EQ(study.goals.objectives.at(0).sense, Sense::Maximise);
   EXPECT_EQ(study.goals.constraints.at(0).low, 300.0);
+}
+
+TEST(StudyReader, LetsItsSeedWinOverWhatIsUsualButNotOverWhatIsNamed) {
+  const auto seedOf = [](const std::string& yaml) {
+    Study study = readStudy(yaml, "s.yaml", "");
+    study.search.insert(study.search.begin(), {"nsga2.seed", "5"});
+    return searchSettingsOf(study).nsga2.seed;
+  };
+  EXPECT_EQ(seedOf(kSliced), 7);
+  EXPECT_EQ(seedOf(changed(kSliced, "seed: 7\n", "")), 5);
+  EXPECT_EQ(seedOf(changed(kSliced, "population: 8", "population: 8, nsga2.seed: 9")), 9);
+}
+
+TEST(StudyReader, RefusesNamesThatTablesHaveTwice) {
+  const auto expectRefused = [](const std::string& yaml, const std::string& what) {
+    EXPECT_NE(refusalOf(yaml).find(what), std::string::npos) << refusalOf(yaml);
+  };
+  const std::string table =
+      "method: surrogate\ntable: t.csv\nvariables: {a: [0, 1]}\nobjectives: {y: minimise}\n";
+  EXPECT_EQ(refusalOf(table), "nothing refused");
+  expectRefused(changed(table, "y:", "a:"), "response a");
+  expectRefused(changed(table, "y:", "error:"), "response error");
+  expectRefused(changed(table, "a:", "iteration:"), "variables: iteration");
+  expectRefused(table + "search: {surrogate.iterations: 5, surrogate.most_iterations: 4}\n",
+                "surrogate.iterations is 5");
 }
 
 TEST(StudyReader, FindsFilesBesideTheStudy) {

@@ -12,7 +12,7 @@ namespace {
 TEST(StudyTest, OfAnotherPartKeepsAllButWhatWasPublishedOfItsOwn) {
   Study study;
   study.name = "Box";
-  study.seed = 7;
+  study.search = {{"nsga2.seed", "7"}};
   study.slice = SliceMeasure();
   study.slice->part = "box";
   study.slice->parameters = {{"x_mm", "20"}};
@@ -24,7 +24,7 @@ TEST(StudyTest, OfAnotherPartKeepsAllButWhatWasPublishedOfItsOwn) {
   EXPECT_EQ(other.slice->part, "pawn.stl");
   EXPECT_TRUE(other.slice->parameters.empty());
   EXPECT_EQ(other.slice->settings.size(), 1U);
-  EXPECT_EQ(other.seed, 7);
+  EXPECT_EQ(other.search.size(), 1U);
   EXPECT_TRUE(other.published.empty());
   EXPECT_EQ(other.published_source, "");
 }

@@ -24,7 +24,7 @@ void describe(SettingsSchema& schema, SearchSettings& settings);
 /// Whether a key is for what fits surrogates, which the core does not know: kriging.*.
 bool isOfSurrogateFit(const std::string& key);
 
-/// The settings of a study: the defaults with its seed, then what stands under `search`, in order. A study of
+/// The settings of a study: the defaults, then what stands under `search`, in order. A study of
 /// a table alone waits for somebody to measure what is proposed.
 /// @throws InvalidConfig naming key, value and bound; keys of the surrogate fit are passed over
 SearchSettings searchSettingsOf(const Study& study);

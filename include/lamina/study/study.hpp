@@ -79,8 +79,7 @@ struct Study {
   std::optional<CommandMeasure> commands;
   std::string table;  ///< experiments that somebody made and typed in (CSV); empty for none
   Goals goals;
-  std::vector<SettingText> search;  ///< nsga2.*, surrogate.*, kriging.*
-  int seed = 1;
+  std::vector<SettingText> search;  ///< nsga2.*, surrogate.*, kriging.*; the last of a key counts
   DecisionWishes decision;
   std::string published_source;
   std::vector<PublishedRow> published;

@@ -16,14 +16,13 @@ bool isOfSurrogateFit(const std::string& key) { return key.rfind("kriging.", 0) 
 
 SearchSettings searchSettingsOf(const Study& study) {
   SearchSettings settings;
-  settings.nsga2.seed = study.seed;
-  settings.surrogate.seed = study.seed;
   if (!study.slice && !study.commands) settings.surrogate.failed_proposal = FailedProposal::Stop;
   SettingsSchema schema;
   describe(schema, settings);
   for (const SettingText& setting : study.search)
     if (!isOfSurrogateFit(setting.key)) schema.set(setting.key, setting.text);
   schema.validate();
+  validate(settings.surrogate);
   return settings;
 }
 

@@ -150,6 +150,15 @@ void readCommands(const StrictYaml::Entries& entries, Study& study) {
   study.commands = measure;
 }
 
+/// The seed is that of either method, unless `search` names another; so it stands before that.
+void readSeed(const StrictYaml::Entries& entries, Study& study) {
+  for (const auto& [key, value] : entries) {
+    if (key != "seed") continue;
+    const std::string seed = std::to_string(value.whole(0, kGreatestSeed));
+    study.search.insert(study.search.begin(), {{"nsga2.seed", seed}, {"surrogate.seed", seed}});
+  }
+}
+
 SearchMethod methodFrom(const StrictYaml& yaml) {
   const std::string word = yaml.text();
   if (word != "nsga2" && word != "surrogate") yaml.refuse("'" + word + "'; expected nsga2 or surrogate");
@@ -169,7 +178,6 @@ void readKey(const std::string& key, const StrictYaml& value, Study& study) {
     for (const auto& [name, bounds] : value.entries())
       study.goals.constraints.push_back(constraintFrom(name, bounds));
   if (key == "search") study.search = value.settings();
-  if (key == "seed") study.seed = value.whole(0, kGreatestSeed);
   if (key == "decision") study.decision = decisionFrom(value);
   if (key == "published") readPublished(value, study);
 }
@@ -208,6 +216,18 @@ void requirePlaceholders(const StrictYaml& document, const Study& study) {
       document.refuse("variables: " + variable.name + ": no command has '{" + variable.name + "}'");
 }
 
+/// Names are columns of the tables that a study reads and writes.
+void requireColumns(const StrictYaml& document, const Study& study) {
+  std::set<std::string> columns = {"error", "iteration"};
+  for (const Variable& variable : study.variables)
+    if (!columns.insert(variable.name).second)
+      document.refuse("variables: " + variable.name + ": the name is that of a column of its own in tables");
+  for (const std::string& response : responseNames(study))
+    if (!columns.insert(response).second)
+      document.refuse("response " + response +
+                      ": a variable, another response, or a column of its own in tables has this name");
+}
+
 /// Settings of the search are checked once it is known what measures.
 void requireSearch(const StrictYaml::Entries& entries, const Study& study) {
   for (const auto& [key, value] : entries) {
@@ -225,6 +245,7 @@ void requireConsistent(const StrictYaml& document, const Study& study) {
   if (study.goals.objectives.empty()) document.refuse("expected the key 'objectives'");
   requireOneMeasure(document, study);
   requirePlaceholders(document, study);
+  requireColumns(document, study);
   try {
     validate(study.goals, responseNames(study));
   } catch (const InvalidConfig& error) {
@@ -242,6 +263,7 @@ Study readStudy(const std::string& yaml, const std::string& source_name, const s
     study.folder = folder;
     for (const auto& [key, value] : entries) readKey(key, value, study);
     readCommands(entries, study);
+    readSeed(entries, study);
     requireConsistent(document, study);
     requireSearch(entries, study);
     if (study.name.empty()) study.name = std::filesystem::path(source_name).stem().string();
