@@ -27,8 +27,9 @@ struct ProgramEnd {
 /// process group of its own: what it started and left running ends with it, and Ctrl-C on the terminal
 /// reaches it only through `progress`.
 /// @throws InvalidConfig if there are no arguments, or a text holds a zero byte; FileError if it cannot be
-///   started; TimedOut if it runs longer than it may; InvalidInput if it writes more than 64 MB; Cancelled.
-///   It has ended when this throws: asked to (SIGTERM), and 2 s later not asked (SIGKILL).
+///   started, or its exit code is not to be had because this process ignores SIGCHLD; TimedOut if it runs
+///   longer than it may; InvalidInput if it writes more than 64 MB; Cancelled. It has ended when this throws:
+///   asked to (SIGTERM), and 2 s later not asked (SIGKILL).
 ProgramEnd runProgram(const ProgramCall& call, const Progress& progress);
 
 /// Path of a program in the folder of the running one: its own name leads to itself. If there is none, the

@@ -107,20 +107,29 @@ class ProcessGroup {
   ProcessGroup(const ProcessGroup&) = delete;
   ProcessGroup& operator=(const ProcessGroup&) = delete;
 
-  /// Whether the leader has ended. Until `exitCode` its number belongs to nobody else.
-  bool hasEnded() const {
-    siginfo_t found{};
-    return ::waitid(P_PID, static_cast<id_t>(leader_), &found, WEXITED | WNOHANG | WNOWAIT) != 0 ||
-           found.si_pid == leader_;
-  }
+  /// Whether the leader runs no more. Until `exitCode` its number belongs to nobody else, unless it is lost.
+  bool hasEnded() const { return leaderNow() != Leader::Runs; }
 
   /// Ends what is left, and tells how the leader ended.
+  /// @throws FileError if that is not to be known
   int exitCode() {
     end();
+    if (!is_known_)
+      throw FileError("how a program ended is not known: this process ignores SIGCHLD or waits elsewhere");
     return WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_);
   }
 
  private:
+  /// Lost: somebody else has taken notice of its end, and its number may be another's by now.
+  enum class Leader { Runs, HasEnded, IsLost };
+
+  Leader leaderNow() const {
+    siginfo_t found{};
+    if (::waitid(P_PID, static_cast<id_t>(leader_), &found, WEXITED | WNOHANG | WNOWAIT) != 0)
+      return Leader::IsLost;
+    return found.si_pid == leader_ ? Leader::HasEnded : Leader::Runs;
+  }
+
   void end() {
     if (is_over_) return;
     is_over_ = true;
@@ -129,13 +138,18 @@ class ProcessGroup {
       const Clock::time_point last = Clock::now() + kGrace;
       while (!hasEnded() && Clock::now() < last) ::usleep(1000U * kPollMs);
     }
+    if (leaderNow() == Leader::IsLost) return;
     ::kill(-leader_, SIGKILL);
-    while (::waitpid(leader_, &status_, 0) < 0 && errno == EINTR) continue;
+    pid_t waited = 0;
+    do waited = ::waitpid(leader_, &status_, 0);
+    while (waited < 0 && errno == EINTR);
+    is_known_ = waited == leader_;
   }
 
   pid_t leader_;
   int status_ = 0;
   bool is_over_ = false;
+  bool is_known_ = false;  ///< status_
 };
 
 void requireUsable(const ProgramCall& call) {

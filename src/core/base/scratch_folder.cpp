@@ -14,7 +14,9 @@ namespace lamina {
 
 ScratchFolder::ScratchFolder() {
   std::error_code unreachable;
-  path_ = (std::filesystem::temp_directory_path(unreachable) / "lamina_XXXXXX").string();
+  const std::filesystem::path outer = std::filesystem::temp_directory_path(unreachable);
+  if (unreachable) throw FileError("there is no folder for temporary files: " + unreachable.message());
+  path_ = (outer / "lamina_XXXXXX").string();
   if (::mkdtemp(path_.data()) == nullptr)
     throw FileError("no folder '" + path_ + "' can be made: " + std::strerror(errno));
 }
