@@ -52,6 +52,20 @@ TEST(ParallelEvaluatorTest, RecordsAPointThatCannotBeTriedWithItsError) {
   EXPECT_TRUE(evaluations[1].responses.empty());
 }
 
+TEST(ParallelEvaluatorTest, TakesNoFailureForSuccess) {
+  ParallelEvaluator evaluator({"a", "b"}, [](const DesignPoint& point, Progress&) {
+    if (point[0] < 0.0) throw InvalidInput("");
+    return std::vector<double>(static_cast<std::size_t>(point[0]), 1.0);
+  });
+  NoProgress progress;
+  const auto evaluations = evaluator.evaluate({{-1.0}, {1.0}, {2.0}, {3.0}}, {}, progress);
+  EXPECT_EQ(evaluations[0].error, "an exception without a message");
+  EXPECT_EQ(evaluations[1].error, "1 responses were measured; expected 2");
+  EXPECT_TRUE(evaluations[1].responses.empty());
+  EXPECT_TRUE(isEvaluated(evaluations[2]));
+  EXPECT_EQ(evaluations[3].error, "3 responses were measured; expected 2");
+}
+
 TEST(ParallelEvaluatorTest, StopsWhenCancelledAndHasToldWhatWasDone) {
   std::atomic<int> tried{0};
   ParallelEvaluator evaluator({"count"}, [&](const DesignPoint&, Progress& progress) {

@@ -38,15 +38,25 @@ const char* toString(ErrorCode code) {
   return "Unknown";
 }
 
+namespace {
+
+/// Never empty, or a failure would look like none.
+std::string messageOf(const std::exception& error) {
+  const std::string message = error.what();
+  return message.empty() ? "an exception without a message" : message;
+}
+
+}  // namespace
+
 Failure currentFailure() {
   try {
     throw;
   } catch (const Error& error) {
-    return {error.code(), error.what()};
+    return {error.code(), messageOf(error)};
   } catch (const std::bad_alloc&) {
     return {ErrorCode::Internal, "out of memory"};
   } catch (const std::exception& error) {
-    return {ErrorCode::Internal, error.what()};
+    return {ErrorCode::Internal, messageOf(error)};
   } catch (...) {
     return {ErrorCode::Internal, "an exception of unknown type"};
   }

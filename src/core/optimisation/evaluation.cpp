@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/optimisation/measured_point.hpp"
 
 namespace lamina {
 namespace {
@@ -24,6 +25,15 @@ class QuietProgress final : public Progress {
 
 }  // namespace
 
+Evaluation measuredPoint(DesignPoint point, std::vector<double> responses,
+                         const std::vector<std::string>& names) {
+  if (responses.size() == names.size()) return {std::move(point), std::move(responses), {}};
+  return {std::move(point),
+          {},
+          std::to_string(responses.size()) + " responses were measured; expected " +
+              std::to_string(names.size())};
+}
+
 ParallelEvaluator::ParallelEvaluator(std::vector<std::string> response_names, PointMeasurement measure)
     : names_(std::move(response_names)), measure_(std::move(measure)) {}
 
@@ -34,13 +44,12 @@ std::vector<Evaluation> ParallelEvaluator::evaluate(const std::vector<DesignPoin
   const auto evaluateOne = [&](std::size_t i) {
     QuietProgress quiet(progress);
     Evaluation& evaluation = evaluations[i];
-    evaluation.point = points[i];
     try {
-      evaluation.responses = measure_(points[i], quiet);
+      evaluation = measuredPoint(points[i], measure_(points[i], quiet), names_);
     } catch (const Cancelled&) {
       throw;
-    } catch (const std::exception&) {
-      evaluation.error = currentFailure().message;
+    } catch (...) {
+      evaluation = {points[i], {}, currentFailure().message};
     }
     const std::lock_guard<std::mutex> lock(telling);
     if (done) done(evaluation);
