@@ -246,13 +246,53 @@ TEST_F(EvaluationJournalTest, SaysThatNoMoreCanBeWrittenAndCanBeReadAfterwards) 
   CountingEvaluator inner;
   const std::vector<DesignPoint> points = {{0.5, 2.0, 0.2, 1.0}, {0.7, 1.0, 0.3, 0.0}};
   JournalledEvaluator(inner, mixedSpace(), settings()).evaluate({points[0]}, {}, progress_);
+  const std::string whole = readFile(path_);
   {
-    const FileSizeLimit full(readFile(path_).size() + 20);
     JournalledEvaluator journal(inner, mixedSpace(), settings());
+    {
+      const FileSizeLimit full(whole.size() + 20);
+      EXPECT_THROW(journal.evaluate(points, {}, progress_), FileError);
+    }
+    EXPECT_EQ(readFile(path_), whole);
     EXPECT_THROW(journal.evaluate(points, {}, progress_), FileError);
+    EXPECT_EQ(readFile(path_), whole);
   }
   const JournalledEvaluator journal(inner, mixedSpace(), settings());
   EXPECT_EQ(journal.evaluations().size(), 1U);
+}
+
+/// Answers each point by another nearby, tells nobody, and forgets some.
+class CarelessEvaluator final : public Evaluator {
+ public:
+  explicit CarelessEvaluator(std::size_t forgotten) : forgotten_(forgotten) {}
+  const std::vector<std::string>& responseNames() const override { return names_; }
+  std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points, const EvaluationListener&,
+                                   Progress&) override {
+    std::vector<Evaluation> evaluations;
+    for (std::size_t i = forgotten_; i < points.size(); ++i)
+      evaluations.push_back({{points[i][0] + 0.01, 2.0, 0.2, 1.0}, {points[i][0]}, ""});
+    return evaluations;
+  }
+
+ private:
+  std::vector<std::string> names_ = {"a"};
+  std::size_t forgotten_;
+};
+
+TEST_F(EvaluationJournalTest, NotesAnswersAtThePointsAskedFor) {
+  const std::vector<DesignPoint> points = {{0.5, 2.0, 0.2, 1.0}, {0.7, 1.0, 0.3, 0.0}, {0.5, 2.0, 0.2, 1.0}};
+  CarelessEvaluator inner(0);
+  int told = 0;
+  JournalledEvaluator journal(inner, mixedSpace(), settings());
+  const auto found = journal.evaluate(
+      points, [&](const Evaluation&) { ++told; }, progress_);
+  EXPECT_EQ(told, 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(found[i].point, points[i]);
+    EXPECT_EQ(found[i].responses, (std::vector<double>{points[i][0]}));
+  }
+  CarelessEvaluator forgetful(1);
+  EXPECT_THROW(JournalledEvaluator(forgetful, mixedSpace(), {}).evaluate(points, {}, progress_), Error);
 }
 
 TEST_F(EvaluationJournalTest, RefusesPointsOutsideTheSpace) {

@@ -43,11 +43,14 @@ class LineFile {
 
   /// What was added is in the file when this returns, even if the process ends at once.
   void add(std::string line) {
+    if (is_faulty_) throw FileError("'" + path_ + "' could not be written; nothing more is added to it");
+    const off_t begin = ::lseek(descriptor_, 0, SEEK_END);
+    if (begin < 0) fail("write");
     line += '\n';
     for (std::size_t written = 0; written < line.size();) {
       const ssize_t count = ::write(descriptor_, line.data() + written, line.size() - written);
       if (count < 0 && errno == EINTR) continue;
-      if (count < 0) fail("write");
+      if (count <= 0) takeBack(begin);
       written += static_cast<std::size_t>(count);
     }
   }
@@ -62,12 +65,22 @@ class LineFile {
     fail("lock");
   }
 
+  /// A torn line does not stay: another run would add to it.
+  [[noreturn]] void takeBack(off_t begin) {
+    const int reason = errno;
+    is_faulty_ = true;
+    const bool is_torn = ::ftruncate(descriptor_, begin) != 0;
+    errno = reason;
+    fail(is_torn ? "write more than a part of the last line of" : "write");
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
     throw FileError("cannot " + what + " '" + path_ + "': " + std::strerror(errno));
   }
 
   std::string path_;
   int descriptor_ = -1;
+  bool is_faulty_ = false;
 };
 
 }  // namespace
@@ -184,10 +197,20 @@ std::vector<Evaluation> JournalledEvaluator::evaluate(const std::vector<DesignPo
     }
   }
   const auto noteDown = [&](const Evaluation& evaluation) {
+    if (seen.count(evaluation.point) == 0 || journal_->find(evaluation.point) != nullptr) return;
     journal_->add(evaluation);
     tell(evaluation);
   };
-  if (!untried.empty()) inner_.evaluate(untried, noteDown, progress);
+  std::vector<Evaluation> found;
+  if (!untried.empty()) found = inner_.evaluate(untried, noteDown, progress);
+  if (found.size() != untried.size())
+    throw Error(ErrorCode::Internal, std::to_string(found.size()) + " evaluations of " +
+                                         std::to_string(untried.size()) + " points; expected as many");
+  // What the evaluator did not tell of, or told of at another point, is noted at the point asked for.
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i].point = untried[i];
+    noteDown(found[i]);
+  }
   for (const std::size_t i : repeated) tell(*journal_->find(points[i]));
   std::vector<Evaluation> evaluations;
   evaluations.reserve(points.size());
