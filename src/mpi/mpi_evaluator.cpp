@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/optimisation/measured_point.hpp"
 
 namespace lamina {
 namespace {
@@ -25,6 +26,7 @@ enum Tag : int {
   kResponses,  ///< to the leader: responses of the point
   kFailure,    ///< to the leader: why it failed
   kGivenUp,    ///< to the leader: the point was cancelled
+  kUnable,     ///< to the leader: why no point can be measured here
 };
 
 constexpr auto kPause = std::chrono::milliseconds(1);
@@ -36,7 +38,7 @@ struct Arrival {
   int source = 0;
   int tag = 0;
   std::vector<double> numbers;  ///< kPoint, kResponses
-  std::string text;             ///< kFailure
+  std::string text;             ///< kFailure, kUnable
 };
 
 bool hasArrived(int source, int tag, MPI_Status& status) {
@@ -48,7 +50,7 @@ bool hasArrived(int source, int tag, MPI_Status& status) {
 Arrival received(const MPI_Status& status) {
   Arrival arrival{status.MPI_SOURCE, status.MPI_TAG, {}, {}};
   int count = 0;
-  if (arrival.tag == kFailure) {
+  if (arrival.tag == kFailure || arrival.tag == kUnable) {
     MPI_Get_count(&status, MPI_CHAR, &count);
     arrival.text.resize(static_cast<std::size_t>(count));
     MPI_Recv(arrival.text.data(), count, MPI_CHAR, arrival.source, arrival.tag, MPI_COMM_WORLD,
@@ -62,6 +64,10 @@ Arrival received(const MPI_Status& status) {
   return arrival;
 }
 
+void sendText(const std::string& text, Tag tag) {
+  MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, tag, MPI_COMM_WORLD);
+}
+
 void sendNumbers(const std::vector<double>& numbers, int target, Tag tag) {
   MPI_Send(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, target, tag, MPI_COMM_WORLD);
 }
@@ -69,8 +75,11 @@ void sendNumbers(const std::vector<double>& numbers, int target, Tag tag) {
 /// Points handed out in one call, and what came back of them.
 class HandOut {
  public:
-  HandOut(const std::vector<DesignPoint>& points, int processes)
-      : points_(points), evaluations_(points.size()), at_(static_cast<std::size_t>(processes), kIdle) {}
+  HandOut(const std::vector<DesignPoint>& points, const std::vector<std::string>& names, int processes)
+      : points_(points),
+        names_(names),
+        evaluations_(points.size()),
+        at_(static_cast<std::size_t>(processes), kIdle) {}
 
   std::vector<Evaluation> run(const EvaluationListener& done, Progress& progress) {
     while (busy_ > 0 || (next_ < points_.size() && !is_cancelled_)) {
@@ -109,19 +118,32 @@ class HandOut {
     const std::size_t i = std::exchange(at_[static_cast<std::size_t>(arrival.source)], kIdle);
     --busy_;
     if (arrival.tag == kGivenUp && is_cancelled_) return;
-    if (arrival.tag == kGivenUp) arrival.text = "gave up though nobody cancelled";
-    evaluations_[i] = {points_[i], std::move(arrival.numbers), std::move(arrival.text)};
+    if (arrival.tag == kUnable)
+      return endBy(std::make_exception_ptr(
+          InvalidInput("process " + std::to_string(arrival.source) + " cannot measure: " + arrival.text)));
+    evaluations_[i] = evaluationOf(points_[i], std::move(arrival));
     progress.report("evaluate", static_cast<double>(++finished_) / static_cast<double>(points_.size()));
     try {
       if (done && !failure_) done(evaluations_[i]);
     } catch (...) {
-      // The others are waited for, so that no answer is left for the next call.
-      failure_ = std::current_exception();
-      if (!is_cancelled_) cancel();
+      endBy(std::current_exception());
     }
   }
 
+  Evaluation evaluationOf(const DesignPoint& point, Arrival arrival) const {
+    if (arrival.tag == kResponses) return measuredPoint(point, std::move(arrival.numbers), names_);
+    if (arrival.tag == kGivenUp) return {point, {}, "gave up though nobody cancelled"};
+    return {point, {}, std::move(arrival.text)};
+  }
+
+  /// The others are waited for, so that no answer is left for the next call.
+  void endBy(std::exception_ptr failure) {
+    if (!failure_) failure_ = std::move(failure);
+    if (!is_cancelled_) cancel();
+  }
+
   const std::vector<DesignPoint>& points_;
+  const std::vector<std::string>& names_;
   std::vector<Evaluation> evaluations_;
   std::vector<std::size_t> at_;  ///< the point each process is at
   std::size_t next_ = 0;
@@ -160,19 +182,21 @@ void serve(const PointMeasurement& measure, const DesignPoint& point) {
   } catch (const Cancelled&) {
     sendNumbers({}, 0, kGivenUp);
   } catch (...) {
-    std::string message = currentFailure().message;
-    if (message.empty()) message = "failed without a message";
-    MPI_Send(message.data(), static_cast<int>(message.size()), MPI_CHAR, 0, kFailure, MPI_COMM_WORLD);
+    sendText(currentFailure().message, kFailure);
   }
 }
 
-PointMeasurement measurementOr(const std::function<PointMeasurement()>& make) {
+/// What a process measures with, or why it cannot.
+struct Ability {
+  PointMeasurement measure;
+  std::string fault;
+};
+
+Ability abilityBy(const std::function<PointMeasurement()>& make) {
   try {
-    return make();
+    return {make(), {}};
   } catch (...) {
-    const std::exception_ptr failure = std::current_exception();
-    return
-        [failure](const DesignPoint&, Progress&) -> std::vector<double> { std::rethrow_exception(failure); };
+    return {{}, currentFailure().message};
   }
 }
 
@@ -201,11 +225,11 @@ MpiEvaluator::MpiEvaluator(const MpiSession& session, std::vector<std::string> r
 std::vector<Evaluation> MpiEvaluator::evaluate(const std::vector<DesignPoint>& points,
                                                const EvaluationListener& done, Progress& progress) {
   if (size_ == 1) return alone_.evaluate(points, done, progress);
-  return HandOut(points, size_).run(done, progress);
+  return HandOut(points, responseNames(), size_).run(done, progress);
 }
 
 void servePoints(const std::function<PointMeasurement()>& make) {
-  const PointMeasurement measure = measurementOr(make);
+  const Ability ability = abilityBy(make);
   while (true) {
     MPI_Status status;
     if (!hasArrived(0, MPI_ANY_TAG, status)) {
@@ -215,7 +239,8 @@ void servePoints(const std::function<PointMeasurement()>& make) {
     const Arrival arrival = received(status);
     if (arrival.tag == kStop) return;
     // A cancelling that came after the answer is of no use any more.
-    if (arrival.tag == kPoint) serve(measure, arrival.numbers);
+    if (arrival.tag != kPoint) continue;
+    ability.fault.empty() ? serve(ability.measure, arrival.numbers) : sendText(ability.fault, kUnable);
   }
 }
 

@@ -50,7 +50,8 @@ class MpiEvaluator final : public Evaluator {
 };
 
 /// Measures what the leader asks for until its session ends.
-/// @param make  makes the measurement; if it throws, every point fails with that error
+/// @param make  makes the measurement; if it throws, the leader's `evaluate` ends with InvalidInput telling
+///   which process cannot measure and why, and no point counts as failed by it
 void servePoints(const std::function<PointMeasurement()>& make);
 
 }  // namespace lamina

@@ -82,14 +82,36 @@ void lead(const MpiSession& session) {
   expect(after[0].responses == measured({0.5, 2.0, 0.2, 1.0}, progress), "goes on after it was cancelled");
 }
 
+/// Where the last process cannot measure.
+void leadInVain(const MpiSession& session) {
+  MpiEvaluator evaluator(session, {"time_s", "error_mm3"}, measured);
+  NoProgress progress;
+  int failed = 0;
+  std::string message;
+  try {
+    const std::vector<DesignPoint> points(20, {0.5, 1.0, 0.2, 0.0});
+    evaluator.evaluate(
+        points, [&](const Evaluation& one) { failed += isEvaluated(one) ? 0 : 1; }, progress);
+  } catch (const InvalidInput& error) {
+    message = error.what();
+  }
+  const std::string expected = "process " + std::to_string(session.size() - 1) + " cannot measure: no part";
+  expect(message == expected, "a process that cannot measure ends the run");
+  expect(failed == 0, "no point counts as failed by a process that cannot measure");
+}
+
+PointMeasurement unmade() { throw FileError("no part"); }
+
 }  // namespace
 }  // namespace lamina
 
-int main() {
+int main(int argc, char**) {
   const lamina::MpiSession session;
+  const bool is_last_unable = argc > 1;
+  const bool is_last = session.rank() == session.size() - 1;
   if (session.isLeader())
-    lamina::lead(session);
+    is_last_unable ? lamina::leadInVain(session) : lamina::lead(session);
   else
-    lamina::servePoints([] { return lamina::measured; });
+    lamina::servePoints([&] { return is_last && is_last_unable ? lamina::unmade() : lamina::measured; });
   return lamina::faults == 0 ? 0 : 1;
 }
