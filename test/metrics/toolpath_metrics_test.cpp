@@ -111,5 +111,19 @@ TEST(ToolpathMetrics, ThePlatformHasThePathInItsMiddle) {
   EXPECT_THROW(measure(far, settings), Unreachable);
 }
 
+TEST(ToolpathMetrics, ThePlatformNeitherComesFromHomeNorParks) {
+  const Path line = straight({10.0}).layers[0].paths[0];
+  Path approach = test::straightPath({-5000, 0, 50}, line.firstPoint());
+  Path parking = test::straightPath(line.lastPoint(), {0, 5000, 50});
+  approach.role = parking.role = PathRole::Travel;
+  approach.bead = parking.bead = Bead{0.0, 0.2};
+  MetricsSettings settings;
+  settings.simulates_platform = true;
+  const Toolpath program{"program", {{0.2, 0.2, {approach, line, parking}}}};
+  const ToolpathMetrics metrics = measure(program, settings);
+  EXPECT_DOUBLE_EQ(metrics.control_energy_nm2_s, measure(straight({10.0}), settings).control_energy_nm2_s);
+  EXPECT_GT(metrics.travel_mm, 10000.0);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -79,9 +79,28 @@ Eigen::Isometry3d onPlatform(const Toolpath& toolpath, Eigen::Isometry3d bed_fro
   return bed_from_part;
 }
 
+bool deposits(const Path& path) { return path.role != PathRole::Travel; }
+
+/// From the first run that deposits to the last: slicers come from home and park outside the platform's
+/// reach.
+Toolpath withoutEnds(Toolpath toolpath) {
+  auto& layers = toolpath.layers;
+  for (ToolpathLayer& layer : layers) {
+    const auto first = std::find_if(layer.paths.begin(), layer.paths.end(), deposits);
+    const bool is_reached = first != layer.paths.end();
+    layer.paths.erase(layer.paths.begin(), first);
+    if (is_reached) break;
+  }
+  for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+    while (!layer->paths.empty() && !deposits(layer->paths.back())) layer->paths.pop_back();
+    if (!layer->paths.empty()) break;
+  }
+  return toolpath;
+}
+
 void simulate(ToolpathMetrics& metrics, const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
               const MetricsSettings& settings, Progress& progress) {
-  const Toolpath timed = atSpeed(toolpath, settings.speed_mm_s);
+  const Toolpath timed = withoutEnds(atSpeed(toolpath, settings.speed_mm_s));
   MotionLimits limits;
   limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = settings.acceleration_mm_s2;
   const RusDescription platform = rusDescriptionFromUrdf(mechanismByName("rus_platform")->urdf());
