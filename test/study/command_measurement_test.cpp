@@ -96,6 +96,19 @@ TEST(CommandMeasurement, TellsWhatFailed) {
   EXPECT_NE(refusalOf(studyOf({"echo", R"({"y": null})"})).find("null"), std::string::npos);
 }
 
+TEST(CommandMeasurement, TellsTheEndOfWhatIsLongInWholeCharacters) {
+  const std::string shifts[] = {"", "x", "xx"};
+  for (const std::string& shift : shifts) {
+    std::string characters;
+    for (int i = 0; i < 400; ++i) characters += "\xE2\x82\xAC";
+    const std::string told =
+        refusalOf(studyOf({"sh", "-c", "echo '" + characters + shift + "' >&2; exit 1"}));
+    EXPECT_NE(told.find(": ...\xE2\x82\xAC"), std::string::npos) << told;
+    EXPECT_LT(told.size(), 600U);
+  }
+  EXPECT_LT(refusalOf(studyOf({"echo", "{\"y\": \"" + std::string(5000, 'a') + "\"}"})).size(), 700U);
+}
+
 TEST(CommandMeasurement, EndsWhatRunsTooLong) {
   Study study = studyOf({"sleep", "1000"});
   study.commands->time_limit_s = 0.1;

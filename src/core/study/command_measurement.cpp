@@ -17,10 +17,14 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMostToldOfErrors = 500;
 
-/// What a person needs of it: its end.
+/// What a person needs of it: its end, in whole characters of UTF-8.
 std::string tail(const std::string& text) {
   const std::string told(trimmed(text));
-  return told.size() <= kMostToldOfErrors ? told : "..." + told.substr(told.size() - kMostToldOfErrors);
+  if (told.size() <= kMostToldOfErrors) return told;
+  const auto isWithinCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  std::size_t begin = told.size() - kMostToldOfErrors;
+  while (begin < told.size() && isWithinCharacter(told[begin])) ++begin;
+  return "..." + told.substr(begin);
 }
 
 std::map<std::string, std::string> valuesAt(const DesignSpace& space, const DesignPoint& point,
@@ -49,7 +53,7 @@ double numberAt(const Json& json, const CommandResponse& response) {
   const bool is_there = json.contains(pointer);
   if (!is_there || !json.at(pointer).is_number())
     throw InvalidInput("command " + response.command + ": at " + response.pointer + " stands " +
-                       (is_there ? json.at(pointer).dump() : "nothing") + "; expected the number " +
+                       (is_there ? tail(json.at(pointer).dump()) : "nothing") + "; expected the number " +
                        response.name);
   return json.at(pointer).get<double>();
 }
