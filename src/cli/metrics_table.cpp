@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/csv_table.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -17,14 +18,6 @@ std::string cell(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
-}
-
-/// In quotes where a comma, a quote or a line's end stands in it.
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
 }
 
 std::string markdownField(std::string text) {
@@ -59,10 +52,10 @@ std::string toText(const NumberTable& table) {
 
 std::string toCsv(const NumberTable& table) {
   std::string text = "metric";
-  for (const std::string& column : table.columns) text += "," + csvField(column);
+  for (const std::string& column : table.columns) text += "," + csvCell(column);
   text += '\n';
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    text += csvField(table.rows[r]);
+    text += csvCell(table.rows[r]);
     for (const std::vector<double>& column : table.values) text += "," + cell(column[r], 9);
     text += '\n';
   }

@@ -3,6 +3,7 @@
 #include "lamina/base/csv_table.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "lamina/base/error.hpp"
 
@@ -41,6 +42,27 @@ TEST(CsvTableTest, NamesWhatIsWrongAndWhere) {
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(error.what(), "'t.csv' has no column 'c'; it has a, b");
   }
+}
+
+TEST(CsvTableTest, QuotesOnlyWhatNeedsIt) {
+  EXPECT_EQ(csvCell("plain text"), "plain text");
+  EXPECT_EQ(csvCell("#1"), "\"#1\"");
+  EXPECT_EQ(csvCell(" a"), "\" a\"");
+  EXPECT_EQ(csvCell("5\" wide"), "\"5\"\" wide\"");
+  EXPECT_EQ(parseCsvTable("a,b\n\"1\n2\",3\n# 5\"\n4,5\n", "t").lines, (std::vector<std::size_t>{2, 5}));
+}
+
+TEST(CsvTableTest, ReadsBackAnyCells) {
+  const auto cell =
+      rc::gen::container<std::string>(rc::gen::element(',', '"', '#', '\n', '\r', ' ', 'a', '7'));
+  rc::check([&] {
+    const std::vector<std::string> row = *rc::gen::container<std::vector<std::string>>(3, cell);
+    std::string text = "a,b,c\n";
+    for (int i = 0; i < 2; ++i)
+      text += csvCell(row[0]) + "," + csvCell(row[1]) + "," + csvCell(row[2]) + "\n";
+    const CsvTable table = parseCsvTable(text, "t");
+    RC_ASSERT(table.rows == (std::vector<std::vector<std::string>>{row, row}));
+  });
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(EvaluationsCsv, HasVariablesResponsesAndErrors) {
   EXPECT_EQ(csv,
             "width,kind,cost,strength,error\n0.5,round,2,10,\n0.75,<b>square</b>,4,20,\n"
             "1,<b>square</b>,8,5,\n0,round,,,tool <burst>\n0.1,round,,,tool <burst>\n"
-            "0.1,<b>square</b>,,,\"a \"\"bad\"\", end\"\n");
+            "0.1,<b>square</b>,,,\"a \"\"bad\"\",\nend\"\n");
 }
 
 }  // namespace

@@ -9,20 +9,21 @@
 
 namespace lamina {
 
-/// Comma-separated cells under a header. Cells hold text without white space at their ends and without the
-/// double quotes around them.
+/// Comma-separated cells under a header. Cells hold text without white space at their ends, or what stands
+/// between double quotes; two of them there are one.
 struct CsvTable {
   std::string source;  ///< names the table in errors
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< each as long as there are columns
-  std::vector<std::size_t> lines;              ///< of each row in the text, from 1
+  std::vector<std::size_t> lines;              ///< where each row begins in the text, from 1
 };
 
-/// A cell that reads back to the text: in double quotes if it holds a comma. A text with double quotes or
-/// line breaks in it does not.
+/// A cell that reads back to the text: in double quotes if it holds a comma, a double quote, #, a line end,
+/// or white space at its ends. A row of a single empty cell is an empty line, which reads back to no row.
 std::string csvCell(const std::string& text);
 
-/// Reads a table whose first line is its header. Empty lines and lines that begin with # are none.
+/// Reads a table whose first line is its header. Empty lines and lines that begin with # are none; line ends
+/// between double quotes belong to the cell.
 /// @throws InvalidInput naming source and line if there is no header, a column has no name or another's, a
 ///   row has another number of cells, or a quote is not closed
 CsvTable parseCsvTable(std::string_view text, const std::string& source);

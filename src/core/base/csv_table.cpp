@@ -19,7 +19,25 @@ InvalidInput fault(const std::string& source, std::size_t line, const std::strin
 std::string unquoted(std::string_view cell) {
   cell = trimmed(cell);
   const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-  return std::string(is_quoted ? cell.substr(1, cell.size() - 2) : cell);
+  if (!is_quoted) return std::string(cell);
+  cell = cell.substr(1, cell.size() - 2);
+  std::string text;
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    text += cell[i];
+    if (cell.substr(i, 2) == "\"\"") ++i;
+  }
+  return text;
+}
+
+/// What stands before the first line end that is not between double quotes. A remark has none.
+std::string_view firstLineOf(std::string_view text) {
+  const bool is_remark = trimmed(text.substr(0, text.find('\n'))).substr(0, 1) == "#";
+  bool is_quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"' && !is_remark) is_quoted = !is_quoted;
+    if (text[i] == '\n' && !is_quoted) return text.substr(0, i);
+  }
+  return text;
 }
 
 /// Commas between double quotes belong to the cell.
@@ -49,16 +67,23 @@ void requireNamed(const std::vector<std::string>& columns, const std::string& so
 }  // namespace
 
 std::string csvCell(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+  const bool is_plain =
+      text.find_first_of(",\"#\r\n") == std::string::npos && trimmed(text).size() == text.size();
+  if (is_plain) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
 }
 
 CsvTable parseCsvTable(std::string_view text, const std::string& source) {
   CsvTable table{source, {}, {}, {}};
-  std::size_t number = 0;
+  std::size_t next = 1;
   while (!text.empty()) {
-    const std::string_view line = trimmed(text.substr(0, text.find('\n')));
-    text.remove_prefix(std::min(text.size(), text.find('\n') == text.npos ? text.npos : text.find('\n') + 1));
-    ++number;
+    const std::string_view whole = firstLineOf(text);
+    text.remove_prefix(std::min(text.size(), whole.size() + 1));
+    const std::size_t number = next;
+    next += 1 + static_cast<std::size_t>(std::count(whole.begin(), whole.end(), '\n'));
+    const std::string_view line = trimmed(whole);
     if (line.empty() || line[0] == '#') continue;
     std::vector<std::string> cells = cellsOf(line, source, number);
     if (table.columns.empty()) {
