@@ -25,7 +25,7 @@ struct OptimiseArguments {
   std::string output;
   std::string part;
   std::vector<std::string> assignments;
-  bool is_fresh = false;
+  EarlierJournal earlier = EarlierJournal::GoOn;
 };
 
 /// A line on standard error for each generation or iteration.
@@ -161,7 +161,7 @@ void optimise(const OptimiseArguments& arguments, OutputFormat format) {
   if (!arguments.part.empty()) job.study = ofPart(std::move(job.study), arguments.part);
   for (const SettingText& setting : overridesFrom(arguments.assignments)) job.study.search.push_back(setting);
   job.output = arguments.output;
-  job.earlier = arguments.is_fresh ? EarlierJournal::BeginAnew : EarlierJournal::GoOn;
+  job.earlier = arguments.earlier;
   const SurrogateFit fit = krigingFit(surrogateFitSettingsOf(job.study));
   TerminalProgress progress;
   const auto hear = [&](const StudyState& state) { tell(job.study, state); };
@@ -188,8 +188,14 @@ void addOptimise(CLI::App& app, Chosen& chosen) {
                    "One setting of the search as key=value (nsga2.*, surrogate.*, genetic.*, kriging.*); may "
                    "be repeated")
       ->allow_extra_args(false);
-  subcommand->add_flag("--fresh", arguments->is_fresh,
-                       "Begin anew instead of going on with the journal in the folder");
+  CLI::Option* fresh = subcommand->add_flag_callback(
+      "--fresh", [arguments] { arguments->earlier = EarlierJournal::BeginAnew; },
+      "Begin anew instead of going on with the journal in the folder");
+  subcommand
+      ->add_flag_callback(
+          "--retry-failed", [arguments] { arguments->earlier = EarlierJournal::RetryFailed; },
+          "Go on with the journal in the folder, but try again what failed")
+      ->excludes(fresh);
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { optimise(*arguments, chosen.format); }; });

@@ -111,6 +111,32 @@ class Optimise(unittest.TestCase):
         for name in ("front.csv", "evaluations.csv", "chosen.yaml"):
             self.assertEqual(self.read("stopped", name), self.read("whole", name))
 
+    def test_what_failed_is_tried_again_if_asked_for(self):
+        study = self.study(SLOW.replace('[sleep, "0.1"]', "[cat, gate]"))
+
+        def failed(*options):
+            done = lamina("optimise", study, "-o", self.path("out"), "--json", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)["failed"]
+
+        self.assertGreater(failed(), 0)
+        with open(self.path("gate"), "w", encoding="utf-8"):
+            pass
+        self.assertGreater(failed(), 0)
+        self.assertEqual(failed("--retry-failed"), 0)
+        both = lamina("optimise", study, "-o", self.path("out"), "--retry-failed", "--fresh")
+        self.assertNotEqual(both.returncode, 0)
+        self.assertIn("excludes", both.stderr)
+
+    def test_errors_that_are_no_text_are_told_all_the_same(self):
+        study = self.study(SLOW.replace('[sleep, "0.1"]', "[echo]").replace(
+            "{x = {x};", '{x = {x}; if (x == 2) {printf "a\\377z" > "/dev/stderr"; exit 3}')
+                           + "published: {rows: {theirs: {x: 2}}}\n")
+        done = subprocess.run([LAMINA, "optimise", study, "-o", self.path("out"), "--json"], capture_output=True,
+                              check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("exit code 3: a\ufffdz", json.loads(done.stdout)["notes"][0])
+
     def test_what_cannot_be_run_is_refused_before_anything_is_written(self):
         for change, what in ((("x: [0, 4]", "y: [0, 4]"), "'{x}' is no variable"),
                              (("search: {", "search: {nsga2.popluation: 3, "), "nsga2.population"),
