@@ -19,7 +19,7 @@ constexpr std::size_t kMostToldOfErrors = 500;
 
 /// What a person needs of it: its end, in whole characters of UTF-8.
 std::string tail(const std::string& text) {
-  const std::string told(trimmed(text));
+  std::string told(trimmed(text));
   if (told.size() <= kMostToldOfErrors) return told;
   const auto isWithinCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
   std::size_t begin = told.size() - kMostToldOfErrors;
