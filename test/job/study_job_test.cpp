@@ -135,6 +135,13 @@ TEST(StudyJob, RefusesTheJournalOfAnotherStudyUnlessItBeginsAnew) {
   ran(kPart, folder.file("out"));
   const std::string other = changed(kPart, "x_mm: 6", "x_mm: 7");
   EXPECT_THROW(ran(other, folder.file("out")), InvalidInput);
+  const std::string journal = studyFilesIn(folder.file("out")).journal;
+  const std::string before = readFile(journal);
+  const std::string unusable =
+      changed(other, "nsga2.generations: 2",
+              "nsga2.generations: 2, nsga2.crossover_share: 0, nsga2.mutation_share: 0");
+  EXPECT_THROW(ran(unusable, folder.file("out"), EarlierJournal::BeginAnew), InvalidConfig);
+  EXPECT_EQ(readFile(journal), before);
   EXPECT_NO_THROW(ran(other, folder.file("out"), EarlierJournal::BeginAnew));
 }
 

@@ -100,6 +100,13 @@ TEST_P(Nsga2Test, TheSameSeedGivesTheSameWhateverTheNumberOfThreads) {
   EXPECT_NE(textOf(search(evaluator, settings).evaluations), many);
 }
 
+TEST_P(Nsga2Test, CountsMoreEvaluationsThanAnIntHolds) {
+  const Nsga2Settings few = settingsOf(GetParam(), 100000, 1);
+  const Nsga2Settings many = settingsOf(GetParam(), 100000, 1000000);
+  EXPECT_EQ(evaluationsOf(many), 100000 + 1000000 * (evaluationsOf(few) - 100000));
+  EXPECT_GT(evaluationsOf(many), 10000000000);
+}
+
 TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
   const Nsga2Settings settings = settingsOf(GetParam(), 20, 12);
   CountingEvaluator straight(2.0);

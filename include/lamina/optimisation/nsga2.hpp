@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -67,7 +68,11 @@ struct FrontSearch {
 };
 
 /// Number of evaluations a search asks for.
-int evaluationsOf(const Nsga2Settings& settings);
+std::int64_t evaluationsOf(const Nsga2Settings& settings);
+
+/// @throws InvalidConfig naming the setting, variable or response; InvalidInput if a first point is outside
+///   the space
+void validate(const SearchProblem& problem, const Nsga2Settings& settings);
 
 /// Non-dominated sorting genetic algorithm (Deb et al. 2002). Each generation makes new points of the
 /// population, tries them, and keeps the best of both by front and then by crowding. The same seed gives the
@@ -75,8 +80,7 @@ int evaluationsOf(const Nsga2Settings& settings);
 /// not finite, counts as an evaluation, is recorded with its error, and is taken for a parent only while
 /// nothing better is left.
 /// @param listener  may be empty
-/// @throws InvalidConfig naming the setting, variable or response; InvalidInput if a first point is outside
-///   the space; Cancelled; what the evaluator throws
+/// @throws as `validate`; Cancelled; what the evaluator throws
 FrontSearch searchFront(const SearchProblem& problem, const Nsga2Settings& settings,
                         const GenerationListener& listener, Progress& progress);
 

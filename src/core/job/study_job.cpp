@@ -121,6 +121,12 @@ class StudyRun {
 
   bool isTableAlone() const { return !study_.slice && !study_.commands; }
 
+  /// Before the journal of an earlier run is emptied.
+  void requireSearchable(Evaluator& evaluator) const {
+    const SearchProblem problem{study_.variables, study_.goals, evaluator};
+    study_.method == SearchMethod::Nsga2 ? validate(problem, settings_.nsga2) : validate(problem);
+  }
+
   void prepareEvaluators(Evaluator* outer, EarlierJournal earlier) {
     const auto& names = measurement_.responseNames();
     const std::string fingerprint = measurement_.fingerprint();
@@ -132,10 +138,12 @@ class StudyRun {
       measured_ = std::make_unique<ParallelEvaluator>(
           names,
           [this](const DesignPoint& point, Progress& progress) { return measurement_.at(point, progress); });
-    if (!isTableAlone())
-      searched_ =
-          std::make_unique<JournalledEvaluator>(outer != nullptr ? *outer : *measured_, study_.variables,
-                                                JournalSettings{files_.journal, fingerprint, earlier});
+    if (!isTableAlone()) {
+      Evaluator& inner = outer != nullptr ? *outer : *measured_;
+      requireSearchable(inner);
+      searched_ = std::make_unique<JournalledEvaluator>(
+          inner, study_.variables, JournalSettings{files_.journal, fingerprint, earlier});
+    }
     const bool is_measured_more = measurement_.frontResponseNames() != names;
     measured_in_full_ = std::make_unique<ParallelEvaluator>(
         measurement_.frontResponseNames(), [this](const DesignPoint& point, Progress& progress) {

@@ -31,21 +31,6 @@ class BatchProgress final : public Progress {
   double end_;
 };
 
-void requireUsable(const SearchProblem& problem, Nsga2Settings settings) {
-  validate(problem);
-  SettingsSchema schema;
-  describe(schema, settings);
-  schema.validate();
-  if (settings.generations > 0 && offspringOf(settings) == 0)
-    throw InvalidConfig(
-        "nsga2.crossover_share and nsga2.mutation_share make no new points; one must be greater");
-  for (const DesignPoint& point : settings.first_points) requireWithin(problem.space, point);
-  const std::size_t objectives = problem.goals.objectives.size();
-  if (!settings.reference.empty() && settings.reference.size() != objectives)
-    throw InvalidConfig("reference of the hypervolume with " + std::to_string(settings.reference.size()) +
-                        " numbers; there are " + std::to_string(objectives) + " objectives");
-}
-
 /// Responses as costs, and back.
 std::vector<double> turned(const Goals& goals, std::vector<double> values) {
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -120,7 +105,7 @@ class FrontFinder {
 
   /// Adds the points to all evaluations, and to the population.
   void evaluate(const std::vector<DesignPoint>& points) {
-    const double total = evaluationsOf(settings_);
+    const auto total = static_cast<double>(evaluationsOf(settings_));
     const auto before = static_cast<double>(found_.evaluations.size());
     BatchProgress batch(progress_, before / total, (before + static_cast<double>(points.size())) / total);
     throwIfCancelled(progress_, "search");
@@ -217,13 +202,29 @@ class FrontFinder {
 
 }  // namespace
 
-int evaluationsOf(const Nsga2Settings& settings) {
-  return settings.population + settings.generations * static_cast<int>(offspringOf(settings));
+std::int64_t evaluationsOf(const Nsga2Settings& settings) {
+  return settings.population + settings.generations * static_cast<std::int64_t>(offspringOf(settings));
+}
+
+void validate(const SearchProblem& problem, const Nsga2Settings& settings) {
+  validate(problem);
+  Nsga2Settings described = settings;
+  SettingsSchema schema;
+  describe(schema, described);
+  schema.validate();
+  if (settings.generations > 0 && offspringOf(settings) == 0)
+    throw InvalidConfig(
+        "nsga2.crossover_share and nsga2.mutation_share make no new points; one must be greater");
+  for (const DesignPoint& point : settings.first_points) requireWithin(problem.space, point);
+  const std::size_t objectives = problem.goals.objectives.size();
+  if (!settings.reference.empty() && settings.reference.size() != objectives)
+    throw InvalidConfig("reference of the hypervolume with " + std::to_string(settings.reference.size()) +
+                        " numbers; there are " + std::to_string(objectives) + " objectives");
 }
 
 FrontSearch searchFront(const SearchProblem& problem, const Nsga2Settings& settings,
                         const GenerationListener& listener, Progress& progress) {
-  requireUsable(problem, settings);
+  validate(problem, settings);
   FrontFinder finder(problem, settings, progress);
   finder.begin();
   for (int index = 0; index <= settings.generations; ++index) {
