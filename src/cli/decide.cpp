@@ -83,7 +83,7 @@ void printJson(const Choice& choice, const std::string& method) {
                                        {"variables", variables},
                                        {"responses", responses},
                                        {"indices", choice.decision.indices}};
-  std::printf("%s\n", json.dump(2).c_str());
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
 }
 
 void printText(const Choice& choice, const std::string& method) {
