@@ -20,7 +20,7 @@ struct Arguments {
   std::string study;
   std::string output;
   std::vector<std::string> assignments;
-  bool is_fresh = false;
+  EarlierJournal earlier = EarlierJournal::GoOn;
 };
 
 StudyJob jobOf(const Arguments& arguments) {
@@ -29,7 +29,7 @@ StudyJob jobOf(const Arguments& arguments) {
   for (const std::string& assignment : arguments.assignments)
     job.study.search.push_back(settingFromAssignment(assignment));
   job.output = arguments.output;
-  job.earlier = arguments.is_fresh ? EarlierJournal::BeginAnew : EarlierJournal::GoOn;
+  job.earlier = arguments.earlier;
   return job;
 }
 
@@ -84,7 +84,14 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--set", arguments.assignments, "One setting of the search as key=value; may be repeated")
       ->allow_extra_args(false);
-  app.add_flag("--fresh", arguments.is_fresh, "Begin anew instead of going on with the journal");
+  using lamina::EarlierJournal;
+  CLI::Option* fresh = app.add_flag_callback(
+      "--fresh", [&] { arguments.earlier = EarlierJournal::BeginAnew; },
+      "Begin anew instead of going on with the journal");
+  app.add_flag_callback(
+         "--retry-failed", [&] { arguments.earlier = EarlierJournal::RetryFailed; },
+         "Go on with the journal, but try again what failed")
+      ->excludes(fresh);
   CLI11_PARSE(app, argc, argv);
   return lamina::run(arguments);
 }
