@@ -71,12 +71,9 @@ int run(const Arguments& arguments) {
   }
 }
 
-}  // namespace
-}  // namespace lamina
-
-int main(int argc, char** argv) {
+int runCommandLine(int argc, char** argv) {
   CLI::App app{"Run a study on all processes that mpirun started", "optimise_over_mpi"};
-  lamina::Arguments arguments;
+  Arguments arguments;
   app.add_option("study", arguments.study, "What is searched for, how, and what measures it (.yaml)")
       ->required();
   app.add_option("-o,--output", arguments.output,
@@ -84,7 +81,6 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--set", arguments.assignments, "One setting of the search as key=value; may be repeated")
       ->allow_extra_args(false);
-  using lamina::EarlierJournal;
   CLI::Option* fresh = app.add_flag_callback(
       "--fresh", [&] { arguments.earlier = EarlierJournal::BeginAnew; },
       "Begin anew instead of going on with the journal");
@@ -93,5 +89,17 @@ int main(int argc, char** argv) {
          "Go on with the journal, but try again what failed")
       ->excludes(fresh);
   CLI11_PARSE(app, argc, argv);
-  return lamina::run(arguments);
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  try {
+    return lamina::runCommandLine(argc, argv);
+  } catch (...) {
+    std::fputs("optimise_over_mpi: cannot start; out of memory?\n", stderr);
+    return 1;
+  }
 }
