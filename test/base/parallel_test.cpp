@@ -93,6 +93,26 @@ TEST(ParallelFor, GivesTheSameOnOneThread) {
   for (std::size_t i = 0; i < squares.size(); ++i) EXPECT_EQ(squares[i], i * i);
 }
 
+TEST(ParallelFor, ALoopWithinOneThatFailsStillEndsItsWorkOrThrows) {
+  NoProgress progress;
+  std::atomic<int> cut_short{0};
+  for (int run = 0; run < 20; ++run) {
+    const auto fails = [&](std::size_t i) {
+      if (i == 40) throw InvalidInput("no");
+      std::vector<double> sums(500);
+      parallelFor(
+          sums.size(),
+          [&](std::size_t k) {
+            for (int n = 1; n < 200; ++n) sums[k] += 1.0 / n;
+          },
+          progress, "inner");
+      if (std::count(sums.begin(), sums.end(), 0.0) > 0) ++cut_short;
+    };
+    EXPECT_THROW(parallelFor(100, fails, progress, "outer"), InvalidInput);
+  }
+  EXPECT_EQ(cut_short, 0);
+}
+
 TEST(InParallel, RunsBoth) {
   int first = 0;
   int second = 0;

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_group.h>
 
 #include <algorithm>
 #include <atomic>
@@ -15,17 +16,21 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
                  const std::string& stage) {
   const std::size_t report_every = std::max<std::size_t>(1, count / 100);
   std::atomic<std::size_t> finished{0};
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  const auto run = [&](std::size_t i) {
     throwIfCancelled(progress, stage);
     body(i);
     const std::size_t done = ++finished;
     if (done % report_every == 0)
       progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
-  });
+  };
+  // A loop within another that ends by an exception would otherwise stop amid its work and tell nobody.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::parallel_for(std::size_t{0}, count, run, context);
 }
 
 void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
-  tbb::parallel_invoke(first, second);
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  tbb::parallel_invoke(first, second, context);
 }
 
 struct ThreadLimit::Control {
