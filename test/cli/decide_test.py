@@ -1,12 +1,9 @@
 """Runs `lamina decide` as a person would, and slices with what it writes."""
-import json
 import os
-import subprocess
-import sys
 import tempfile
 import unittest
 
-LAMINA = sys.argv.pop(1)
+from lamina_command import lamina, told
 
 # The front of the specification's example, with a setting of the slicer beside it.
 FRONT = """# variables 2
@@ -15,16 +12,6 @@ slicing.layer_height_mm,infill.strategy,a,b
 0.25,zigzag,0.5,0.5
 0.3,perimeters,0.2,1
 """
-
-
-def lamina(*arguments):
-    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, check=False)
-
-
-def told(*arguments):
-    done = lamina(*arguments, "--json")
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
 
 
 class Decide(unittest.TestCase):

@@ -8,7 +8,8 @@ import tempfile
 import time
 import unittest
 
-LAMINA = sys.argv.pop(1)
+from lamina_command import LAMINA, lamina
+
 STUDIES = sys.argv.pop(1)
 
 FRONT = """name: parabolas
@@ -43,10 +44,6 @@ slice:
 objectives: {material_mm: minimise, volume_error_mm3: minimise}
 search: {nsga2.population: 6, nsga2.generations: 1}
 """
-
-
-def lamina(*arguments):
-    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, check=False)
 
 
 class Optimise(unittest.TestCase):

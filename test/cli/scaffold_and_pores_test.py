@@ -1,23 +1,11 @@
 """Runs `lamina scaffold`, `lamina pores` and `lamina statistics` as a person would."""
-import json
 import os
-import subprocess
-import sys
 import tempfile
 import unittest
 
-LAMINA = sys.argv.pop(1)
+from lamina_command import lamina, told
+
 DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "data")
-
-
-def lamina(*arguments):
-    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, check=False)
-
-
-def told(*arguments):
-    done = lamina(*arguments, "--json")
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
 
 
 class ScaffoldAndPores(unittest.TestCase):

@@ -1,23 +1,11 @@
 """Runs `lamina stiffness` as a person would, and CalculiX on the decks that it writes."""
-import json
 import os
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
-LAMINA = sys.argv.pop(1)
-
-
-def lamina(*arguments):
-    return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, check=False)
-
-
-def told(*arguments):
-    done = lamina(*arguments, "--json")
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+from lamina_command import lamina, told
 
 
 def reaction_of(folder, name):
