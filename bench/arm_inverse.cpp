@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "lamina/base/random.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "support/arms.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
-#include "lamina/voids/drop_filling.hpp"
+#include "lamina/voids/drops/drop_filling.hpp"
 
 namespace {
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Geodesic distances, flattening by each method and cutting into charts, on one thread: time over triangles.
-#include "lamina/surface/flattening.hpp"
+#include "lamina/parameterization/flattening.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 
-#include "lamina/surface/geodesic.hpp"
-#include "lamina/surface/layer_charts.hpp"
+#include "lamina/parameterization/geodesic.hpp"
+#include "lamina/parameterization/layer_charts.hpp"
 
 namespace {
 

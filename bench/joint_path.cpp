@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "lamina/kinematics/joint_path_planner.hpp"
+#include "lamina/kinematics/joint_path/joint_path_planner.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/slicing/planar_slicer.hpp"
+#include "lamina/slicing/planar/planar_slicer.hpp"
 
 namespace {
 

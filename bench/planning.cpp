@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/geometry/offset.hpp"
-#include "lamina/geometry/simplify.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/geometry/polygon/simplify.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/planner.hpp"
 

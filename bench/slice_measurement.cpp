@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/metrics_job.hpp"
 
 namespace lamina {

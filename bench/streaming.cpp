@@ -17,8 +17,8 @@
 #include <thread>
 #include <vector>
 
-#include "lamina/streaming/emulated_machine.hpp"
-#include "lamina/streaming/stream_session.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
+#include "lamina/streaming/client/stream_session.hpp"
 
 namespace lamina {
 namespace {

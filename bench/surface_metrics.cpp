@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/metrics/surface_fill.hpp"
 
 namespace lamina {

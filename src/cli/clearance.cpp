@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/clearance/clearance.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"

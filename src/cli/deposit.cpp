@@ -10,8 +10,8 @@
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/isosurface.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/voxel/isosurface.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/voxel_picture.hpp"
 #include "lamina/pores/voxel_surface.hpp"
@@ -24,7 +24,7 @@
 namespace lamina::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using DepositClock = std::chrono::steady_clock;
 
 constexpr double kMegabyte = 1e6;
 
@@ -48,7 +48,7 @@ struct SheetPicture {
 };
 
 /// What is looked at of the deposit, and its figures.
-struct Findings {
+struct DepositFindings {
   DepositTotals totals;
   VoxelFrame frame;  ///< of the crop, or the box of what is solid
   std::int64_t voxels = 0;
@@ -68,8 +68,8 @@ VoxelFrame frameOf(VoxelFrame frame, const VoxelRange& range) {
   return frame;
 }
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double secondsSince(DepositClock::time_point start) {
+  return std::chrono::duration<double>(DepositClock::now() - start).count();
 }
 
 double numberFrom(const std::string& text, const std::string& what) {
@@ -130,9 +130,9 @@ void drawPictures(const std::vector<SheetPicture>& pictures, const VoxelGrid& gr
 }
 
 /// Measures, draws and writes what was laid.
-Findings examine(ToolpathDeposit deposit, const DepositArguments& arguments,
+DepositFindings examineDeposit(ToolpathDeposit deposit, const DepositArguments& arguments,
                  const std::vector<SheetPicture>& pictures) {
-  Findings findings;
+  DepositFindings findings;
   findings.totals = deposit.totals;
   findings.highest_mm = deposit.highest_mm;
   findings.grid_mb = static_cast<double>(deposit.grid.bytes()) / kMegabyte;
@@ -153,12 +153,12 @@ Findings examine(ToolpathDeposit deposit, const DepositArguments& arguments,
   return findings;
 }
 
-double porosityPercent(const Findings& findings) {
+double porosityPercent(const DepositFindings& findings) {
   return 100.0 *
          (1.0 - static_cast<double>(findings.voxels) / static_cast<double>(findings.frame.voxelCount()));
 }
 
-void printJson(const Findings& findings, Clock::time_point start) {
+void printJson(const DepositFindings& findings, DepositClock::time_point start) {
   const DepositTotals& totals = findings.totals;
   const Box3 box = findings.frame.box();
   nlohmann::ordered_json json = {
@@ -186,7 +186,7 @@ void printJson(const Findings& findings, Clock::time_point start) {
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void printText(const Findings& findings, Clock::time_point start) {
+void printText(const DepositFindings& findings, DepositClock::time_point start) {
   const DepositTotals& totals = findings.totals;
   const Point3 size = findings.frame.box().size();
   std::printf("path        %14.3f m, laid in %.3f s (%.1f m/s)\n", totals.path_mm / 1e3, findings.deposit_s,
@@ -210,7 +210,7 @@ void printText(const Findings& findings, Clock::time_point start) {
 }
 
 void deposit(const DepositArguments& arguments, OutputFormat format) {
-  const Clock::time_point start = Clock::now();
+  const DepositClock::time_point start = DepositClock::now();
   JobSettings settings = jobSettingsFrom(arguments.settings);
   if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
   validate(settings);
@@ -218,11 +218,11 @@ void deposit(const DepositArguments& arguments, OutputFormat format) {
   cropFrom(arguments.crop_mm);
   const Toolpath toolpath = onBed(readToolpath(arguments.input, settings));
   const std::vector<SheetPicture> pictures = picturesOf(arguments, toolpath);
-  const Clock::time_point laying = Clock::now();
+  const DepositClock::time_point laying = DepositClock::now();
   TerminalProgress progress;
   ToolpathDeposit laid = depositedVoxels(toolpath, settings.deposition, progress);
   const double deposit_s = secondsSince(laying);
-  Findings findings = examine(std::move(laid), arguments, pictures);
+  DepositFindings findings = examineDeposit(std::move(laid), arguments, pictures);
   findings.deposit_s = deposit_s;
   format == OutputFormat::Json ? printJson(findings, start) : printText(findings, start);
 }

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "lamina/base/atomic_file.hpp"
-#include "lamina/streaming/emulated_machine.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/atomic_file.hpp"
-#include "lamina/job/drop_void_sweep.hpp"
+#include "lamina/job/voids/drop_void_sweep.hpp"
 #include "terminal_progress.hpp"
 
 namespace lamina::cli {

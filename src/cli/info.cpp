@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_reader.hpp"
-#include "lamina/geometry/mesh_repair.hpp"
-#include "lamina/geometry/mesh_report.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "lamina/geometry/mesh/mesh_repair.hpp"
+#include "lamina/geometry/mesh/mesh_report.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "lamina/job/void_job.hpp"
+#include "lamina/job/voids/void_job.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 
 namespace lamina::cli {

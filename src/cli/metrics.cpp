@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/part_in_program.hpp"
+#include "lamina/job/part/part_in_program.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "metrics_table.hpp"
@@ -64,7 +64,7 @@ MeasuredProgram measureInput(const std::string& input, const ComparedPart& part,
   return measured;
 }
 
-nlohmann::ordered_json numberOrNull(double value) {
+nlohmann::ordered_json metricOrNull(double value) {
   return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
 }
 
@@ -75,7 +75,7 @@ nlohmann::ordered_json toJson(const MeasuredProgram& program) {
                                  {"program_from_part_mm", {place.x(), place.y(), place.z()}},
                                  {"estimated_time_s", program.estimated_time_s}};
   const std::vector<double> values = metricValues(program.metrics);
-  for (std::size_t m = 0; m < values.size(); ++m) json["metrics"][metricNames()[m]] = numberOrNull(values[m]);
+  for (std::size_t m = 0; m < values.size(); ++m) json["metrics"][metricNames()[m]] = metricOrNull(values[m]);
   return json;
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/text.hpp"
-#include "lamina/job/study_job.hpp"
+#include "lamina/job/study/study_job.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/study/study_reader.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/overhang/overhang.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 
 #include <cstdio>
 #include <memory>

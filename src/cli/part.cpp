@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 

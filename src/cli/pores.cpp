@@ -8,7 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/isosurface.hpp"
+#include "lamina/geometry/voxel/isosurface.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/pore_picture.hpp"
 #include "lamina/pores/layer_pores.hpp"
@@ -23,7 +23,7 @@
 namespace lamina::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using PoresClock = std::chrono::steady_clock;
 
 /// The command line of `lamina pores` as it was typed.
 struct PoreArguments {
@@ -46,7 +46,7 @@ struct Findings {
   double wall_s = 0.0;
 };
 
-Findings examine(const PoreArguments& arguments, const JobSettings& settings, Clock::time_point start) {
+Findings examine(const PoreArguments& arguments, const JobSettings& settings, PoresClock::time_point start) {
   TerminalProgress progress;
   const std::optional<Box3> crop = cropFrom(arguments.crop_mm);
   const VoxelInput input = readVoxels(arguments.input, settings, progress);
@@ -65,7 +65,7 @@ Findings examine(const PoreArguments& arguments, const JobSettings& settings, Cl
   const VoxelRange wider{{range.low[0] - margin, range.low[1] - margin, range.low[2]},
                          {range.high[0] + margin, range.high[1] + margin, range.high[2]}};
   findings.layers = poresByLayer(cropped(input.grid, wider), input.layers, progress);
-  findings.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  findings.wall_s = std::chrono::duration<double>(PoresClock::now() - start).count();
   return findings;
 }
 
@@ -149,7 +149,7 @@ void printText(const Findings& findings) {
 }
 
 void pores(const PoreArguments& arguments, OutputFormat format) {
-  const Clock::time_point start = Clock::now();
+  const PoresClock::time_point start = PoresClock::now();
   JobSettings settings = jobSettingsFrom(arguments.settings);
   if (arguments.voxel_mm != 0.0) settings.deposition.voxel_mm = arguments.voxel_mm;
   validate(settings);

@@ -11,7 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/program/full_control_writer.hpp"
+#include "lamina/program/gcode/full_control_writer.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 

@@ -15,9 +15,9 @@
 namespace lamina::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyStart = std::chrono::steady_clock;
 
-constexpr double kMegabyte = 1e6;
+constexpr double kSolverMegabyte = 1e6;
 constexpr std::size_t kDroppedShown = 5;  // to people; --json has all
 
 /// The command line of `lamina stiffness` as it was typed.
@@ -82,7 +82,7 @@ void printJson(const StiffnessResult& result, const StiffnessSettings& settings,
                                        {"residual", result.residual},
                                        {"solve_s", solve_s},
                                        {"wall_s", wall_s},
-                                       {"peak_memory_mb", peakMemory() / kMegabyte}};
+                                       {"peak_memory_mb", peakMemory() / kSolverMegabyte}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -108,15 +108,15 @@ void printText(const StiffnessResult& result, const StiffnessSettings& settings,
   if (result.dropped.size() > kDroppedShown)
     std::printf("left out     %zu more\n", result.dropped.size() - kDroppedShown);
   std::printf("solved       %d iterations to %.2g in %.2f s, %.0f MB at most\n", result.iterations,
-              result.residual, solve_s, peakMemory() / kMegabyte);
+              result.residual, solve_s, peakMemory() / kSolverMegabyte);
 }
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double solverSecondsSince(SteadyStart::time_point start) {
+  return std::chrono::duration<double>(SteadyStart::now() - start).count();
 }
 
 void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
-  const Clock::time_point start = Clock::now();
+  const SteadyStart::time_point start = SteadyStart::now();
   requireApart({arguments.output, arguments.deck}, {arguments.settings.config});
   const JobSettings settings = settingsFrom(arguments);
   StiffnessJob job;
@@ -127,7 +127,7 @@ void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
   job.settings = settings;
   TerminalProgress progress;
   const LoadedPart part = runStiffnessJob(job, progress);
-  format == OutputFormat::Json ? printJson(part.result, settings.stiffness, part.solve_s, secondsSince(start))
+  format == OutputFormat::Json ? printJson(part.result, settings.stiffness, part.solve_s, solverSecondsSince(start))
                                : printText(part.result, settings.stiffness, part.solve_s);
 }
 

@@ -7,7 +7,7 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/stream_session.hpp"
+#include "lamina/streaming/client/stream_session.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"

@@ -11,7 +11,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/stiffness/calculix_deck.hpp"
 #include "lamina/stiffness/stiffness.hpp"

@@ -7,7 +7,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/slicing/layer_plane.hpp"
+#include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "terminal_progress.hpp"
 

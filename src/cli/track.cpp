@@ -6,7 +6,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/dynamics/tracking_simulation.hpp"
-#include "lamina/program/csv_reader.hpp"
+#include "lamina/program/csv/csv_reader.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"

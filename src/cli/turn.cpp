@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_reader.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/transform/space_map.hpp"
+#include "lamina/gcode_rewrite/space_map.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {

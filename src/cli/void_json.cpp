@@ -24,7 +24,7 @@ nlohmann::ordered_json toJson(const Void& found) {
 
 }  // namespace
 
-nlohmann::ordered_json toJson(const LayerVoids& layer, std::size_t index) {
+nlohmann::ordered_json layerToJson(const LayerVoids& layer, std::size_t index) {
   nlohmann::ordered_json voids = nlohmann::json::array();
   for (const Void& each : layer.voids) voids.push_back(toJson(each));
   return {{"layer", index},
@@ -41,7 +41,7 @@ void writeVoidJson(const std::string& path, const std::vector<LayerVoids>& layer
   AtomicFile file(path);
   file.write("{\"layers\": [\n");
   for (std::size_t i = 0; i < layers.size(); ++i)
-    file.write(toJson(layers[i], i).dump() + (i + 1 < layers.size() ? ",\n" : "\n"));
+    file.write(layerToJson(layers[i], i).dump() + (i + 1 < layers.size() ? ",\n" : "\n"));
   file.write("]}\n");
   file.commit();
 }

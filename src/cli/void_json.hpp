@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "lamina/voids/void_map.hpp"
+#include "lamina/voids/beads/void_map.hpp"
 
 namespace lamina::cli {
 
 /// A layer's account: areas, runs, and each void with class, area and outline [mm].
-nlohmann::ordered_json toJson(const LayerVoids& layer, std::size_t index);
+nlohmann::ordered_json layerToJson(const LayerVoids& layer, std::size_t index);
 
 /// Writes the accounts of all layers as one JSON object with the list "layers", whole or not at all.
 /// @throws FileError

@@ -9,10 +9,10 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/program_file.hpp"
-#include "lamina/job/void_job.hpp"
-#include "lamina/job/void_report_csv.hpp"
+#include "lamina/job/voids/void_job.hpp"
+#include "lamina/job/voids/void_report_csv.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
-#include "lamina/voids/void_totals.hpp"
+#include "lamina/voids/beads/void_totals.hpp"
 #include "layer_overlay.hpp"
 #include "setting_options.hpp"
 #include "subcommand.hpp"
@@ -72,7 +72,7 @@ void printJson(const VoidReport& report, const VoidArguments& arguments) {
                {"voids", sums.voids},
                {"voids_by_class", classCounts(report.layers)},
                {"offset_mm", {report.part.offset.x(), report.part.offset.y()}}});
-  if (arguments.layer) json["layer"] = toJson(report.layers[*arguments.layer], *arguments.layer);
+  if (arguments.layer) json["layer"] = layerToJson(report.layers[*arguments.layer], *arguments.layer);
   if (!arguments.output.empty()) json["output"] = arguments.output;
   if (!arguments.picture.empty()) json["picture"] = arguments.picture;
   std::printf("%s\n", json.dump(2).c_str());
@@ -98,7 +98,7 @@ void requireLayer(const VoidArguments& arguments, std::size_t layers) {
                        arguments.program + "' has " + std::to_string(layers) + " layers, the first is 0");
 }
 
-void requireOutputs(const VoidArguments& arguments) {
+void requireVoidOutputs(const VoidArguments& arguments) {
   requireSuffix(arguments.output, {".csv", ".json"});
   requireSuffix(arguments.picture, {".png"});
   requireApart({arguments.output, arguments.picture},
@@ -112,7 +112,7 @@ void write(const std::vector<LayerVoids>& layers, const std::string& output) {
 }
 
 void findVoidsOf(const VoidArguments& arguments, OutputFormat format) {
-  requireOutputs(arguments);
+  requireVoidOutputs(arguments);
   const VoidJob job = jobFrom(arguments);
   const Toolpath program = readProgram(arguments.program, job.settings.program, job.settings.machine);
   requireLayer(arguments, program.layers.size());

@@ -6,8 +6,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/voxelised_mesh.hpp"
-#include "lamina/job/part_mesh.hpp"
+#include "lamina/geometry/voxel/voxelised_mesh.hpp"
+#include "lamina/job/part/part_mesh.hpp"
 #include "toolpath_input.hpp"
 
 namespace lamina::cli {

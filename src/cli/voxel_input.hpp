@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/job/job_settings.hpp"
 #include "lamina/pores/layer_pores.hpp"
 

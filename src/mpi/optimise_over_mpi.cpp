@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "lamina/base/error.hpp"
-#include "lamina/job/study_job.hpp"
-#include "lamina/job/study_measurement.hpp"
+#include "lamina/job/study/study_job.hpp"
+#include "lamina/job/study/study_measurement.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/study/study_reader.hpp"

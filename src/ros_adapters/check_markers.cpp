@@ -17,10 +17,10 @@ using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
 constexpr double kDiameter = 2.0;    // mm
-constexpr double kText = 6.0;        // mm: height of a letter
-constexpr double kTextAbove = 12.0;  // mm
+constexpr double kCheckText = 6.0;        // mm: height of a letter
+constexpr double kCheckTextAbove = 12.0;  // mm
 
-Marker markerOf(const std::string& name, std::int32_t type, float green) {
+Marker checkMarkerOf(const std::string& name, std::int32_t type, float green) {
   Marker marker;
   marker.header.frame_id = names::kPartFrame;
   marker.ns = name;
@@ -34,10 +34,10 @@ Marker markerOf(const std::string& name, std::int32_t type, float green) {
   return marker;
 }
 
-Marker textOf(const Finding& finding) {
-  Marker text = markerOf("first_finding", Marker::TEXT_VIEW_FACING, 0.0F);
-  text.pose.position = toMessage(Point3(finding.tip + kTextAbove * Point3::UnitZ()));
-  text.scale.z = toMetres(kText);
+Marker checkTextOf(const Finding& finding) {
+  Marker text = checkMarkerOf("first_finding", Marker::TEXT_VIEW_FACING, 0.0F);
+  text.pose.position = toMessage(Point3(finding.tip + kCheckTextAbove * Point3::UnitZ()));
+  text.scale.z = toMetres(kCheckText);
   text.text = toText(finding.at) + ": " + finding.reason;
   return text;
 }
@@ -51,12 +51,12 @@ void addSpheres(Marker marker, const std::vector<Finding>& findings, MarkerArray
 
 MarkerArray checkMarkers(const MachineCheck& check) {
   MarkerArray all;
-  all.markers.push_back(markerOf("", Marker::SPHERE_LIST, 0.0F));
+  all.markers.push_back(checkMarkerOf("", Marker::SPHERE_LIST, 0.0F));
   all.markers.back().action = Marker::DELETEALL;
-  addSpheres(markerOf("faulty", Marker::SPHERE_LIST, 0.55F), check.faults, all);
-  addSpheres(markerOf("colliding", Marker::SPHERE_LIST, 0.1F), check.collisions, all);
+  addSpheres(checkMarkerOf("faulty", Marker::SPHERE_LIST, 0.55F), check.faults, all);
+  addSpheres(checkMarkerOf("colliding", Marker::SPHERE_LIST, 0.1F), check.collisions, all);
   if (!check.isClear())
-    all.markers.push_back(textOf(check.faults.empty() ? check.collisions.front() : check.faults.front()));
+    all.markers.push_back(checkTextOf(check.faults.empty() ? check.collisions.front() : check.faults.front()));
   return all;
 }
 

@@ -35,7 +35,7 @@ Marker arrowOf(const Collision& collision, int id) {
   return arrow;
 }
 
-Marker textOf(const Collision& collision) {
+Marker collisionTextOf(const Collision& collision) {
   Marker text = markerAt("first_collision", 0, Marker::TEXT_VIEW_FACING);
   text.pose.position = toMessage(Point3(collision.tip + kTextAbove * Point3::UnitZ()));
   text.scale.z = toMetres(kText);
@@ -51,7 +51,7 @@ MarkerArray collisionMarkers(const ClearanceReport& report, const std::string& f
   all.markers.back().action = Marker::DELETEALL;
   int id = 0;
   for (const Collision& collision : report.first_of_layers) all.markers.push_back(arrowOf(collision, id++));
-  if (!report.first_of_layers.empty()) all.markers.push_back(textOf(report.first_of_layers.front()));
+  if (!report.first_of_layers.empty()) all.markers.push_back(collisionTextOf(report.first_of_layers.front()));
   for (Marker& marker : all.markers) marker.header.frame_id = frame;
   return all;
 }

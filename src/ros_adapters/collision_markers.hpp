@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "lamina/clearance/clearance.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 
 namespace lamina {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "lamina/job/slice_summary.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "messages.hpp"
 

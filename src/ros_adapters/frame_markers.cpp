@@ -12,8 +12,8 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr std::size_t kPointsPerMarker = 40000;
-constexpr double kLineShare = 0.06;  // of the frames' length
+constexpr std::size_t kPointsPerFrameMarker = 40000;
+constexpr double kFrameLineShare = 0.06;  // of the frames' length
 
 /// Blue, red, green.
 constexpr std::array<std::array<float, 3>, 3> kColours = {
@@ -42,7 +42,7 @@ class FrameLines {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       MarkerChunk& chunk = open_[axis];
       chunk.points_up_to.push_back(static_cast<std::uint32_t>(chunk.marker.points.size()));
-      if (chunk.marker.points.size() >= kPointsPerMarker) close(axis);
+      if (chunk.marker.points.size() >= kPointsPerFrameMarker) close(axis);
     }
   }
 
@@ -68,7 +68,7 @@ class FrameLines {
     marker.id = next_id_++;
     marker.type = Marker::LINE_LIST;
     marker.pose.orientation.w = 1.0;
-    marker.scale.x = toMetres(kLineShare * settings_.length_mm);
+    marker.scale.x = toMetres(kFrameLineShare * settings_.length_mm);
     marker.color.r = kColours[axis][0];
     marker.color.g = kColours[axis][1];
     marker.color.b = kColours[axis][2];

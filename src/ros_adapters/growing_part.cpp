@@ -13,14 +13,14 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr int kRoles = 6;
+constexpr int kGrownRoles = 6;
 
 Marker emptyMarker(const std::string& frame, std::size_t layer, PathRole role) {
   const Colour drawn = roleColour(role);
   Marker marker;
   marker.header.frame_id = frame;
   marker.ns = "laid";
-  marker.id = static_cast<int>(layer) * kRoles + static_cast<int>(role);
+  marker.id = static_cast<int>(layer) * kGrownRoles + static_cast<int>(role);
   marker.type = Marker::LINE_LIST;
   marker.pose.orientation.w = 1.0;
   marker.frame_locked = 1;  // it goes with a table that moves
@@ -94,7 +94,7 @@ void GrowingPart::addMotion(const WaypointIndex& at) {
   const Bead& bead = path.bead.at(path.motionEnd(at.waypoint));
   if (path.role == PathRole::Travel || bead.width_mm <= 0.0) return;
   if (layer_.markers.empty())
-    for (int role = 0; role < kRoles; ++role)
+    for (int role = 0; role < kGrownRoles; ++role)
       layer_.markers.push_back(emptyMarker(frame_, at.layer, static_cast<PathRole>(role)));
   Marker& marker = layer_.markers[static_cast<std::size_t>(path.role)];
   marker.scale.x = toMetres(bead.width_mm);

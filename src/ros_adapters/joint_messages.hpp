@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/joint_trajectory.hpp"
 #include "messages.hpp"
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRemembered = 30.0;   // s of transforms
 constexpr double kTurn = 0.02;         // s between looks at what is due
-constexpr std::size_t kBurst = 20000;  // messages, as `TransformIntake`
+constexpr std::size_t kNozzleBurst = 20000;  // messages, as `TransformIntake`
 
 }  // namespace
 
@@ -21,14 +21,14 @@ NozzleIntake::NozzleIntake(ros::NodeHandle node, Receiver receiver)
   const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> onMessage =
       [this](const tf2_msgs::TFMessageConstPtr& message) { onTransforms(*message); };
   subscriber_ =
-      node.subscribe<tf2_msgs::TFMessage>("/tf", kBurst, onMessage, {}, ros::TransportHints().tcpNoDelay());
+      node.subscribe<tf2_msgs::TFMessage>("/tf", kNozzleBurst, onMessage, {}, ros::TransportHints().tcpNoDelay());
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
 }
 
 void NozzleIntake::onTransforms(const tf2_msgs::TFMessage& message) {
   for (const auto& transform : message.transforms)
     if (transform.header.stamp > passed_) waiting_.insert(transform.header.stamp);
-  if (waiting_.size() > kBurst) waiting_.erase(waiting_.begin());
+  if (waiting_.size() > kNozzleBurst) waiting_.erase(waiting_.begin());
 }
 
 void NozzleIntake::passDue() {

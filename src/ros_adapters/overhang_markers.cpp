@@ -12,10 +12,10 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr std::size_t kPointsPerMarker = 40000;
+constexpr std::size_t kPointsPerOverhangMarker = 40000;
 constexpr double kStartWidths = 2.0;  // a sphere twice as wide as its bead is seen beside it
 
-std_msgs::ColorRGBA colour(float red, float green, float blue) {
+std_msgs::ColorRGBA overhangColour(float red, float green, float blue) {
   std_msgs::ColorRGBA message;
   message.r = red;
   message.g = green;
@@ -24,11 +24,11 @@ std_msgs::ColorRGBA colour(float red, float green, float blue) {
   return message;
 }
 
-Marker markerOf(const std::string& name, std::int32_t type, const std_msgs::ColorRGBA& colour) {
+Marker overhangMarkerOf(const std::string& name, std::int32_t type, const std_msgs::ColorRGBA& overhangColour) {
   Marker marker;
   marker.ns = name;
   marker.type = type;
-  marker.color = colour;
+  marker.color = overhangColour;
   marker.pose.orientation.w = 1.0;
   return marker;
 }
@@ -40,7 +40,7 @@ class MarkerSeries {
 
   /// Room for points that belong together.
   std::vector<geometry_msgs::Point>& points(double width_m) {
-    if (open_.points.size() >= kPointsPerMarker) close();
+    if (open_.points.size() >= kPointsPerOverhangMarker) close();
     if (open_.points.empty()) open_.scale.x = open_.scale.y = open_.scale.z = width_m;
     return open_.points;
   }
@@ -73,10 +73,10 @@ void addLine(MarkerSeries& series, const UnsupportedStretch& stretch) {
 
 MarkerArray overhangMarkers(const OverhangReport& report, const std::string& frame) {
   MarkerSeries overhangs(
-      markerOf(toString(StretchKind::Overhang), Marker::LINE_LIST, colour(0.85F, 0.1F, 0.1F)));
+      overhangMarkerOf(toString(StretchKind::Overhang), Marker::LINE_LIST, overhangColour(0.85F, 0.1F, 0.1F)));
   MarkerSeries bridges(
-      markerOf(toString(StretchKind::Bridge), Marker::LINE_LIST, colour(0.95F, 0.75F, 0.1F)));
-  MarkerSeries starts(markerOf("start_in_air", Marker::SPHERE_LIST, colour(0.8F, 0.1F, 0.8F)));
+      overhangMarkerOf(toString(StretchKind::Bridge), Marker::LINE_LIST, overhangColour(0.95F, 0.75F, 0.1F)));
+  MarkerSeries starts(overhangMarkerOf("start_in_air", Marker::SPHERE_LIST, overhangColour(0.8F, 0.1F, 0.8F)));
   for (const UnsupportedStretch& stretch : report.stretches) {
     addLine(stretch.kind == StretchKind::Bridge ? bridges : overhangs, stretch);
     if (stretch.begins_run)

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "lamina/overhang/overhang.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 
 namespace lamina {
 

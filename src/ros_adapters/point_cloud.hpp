@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/geometry/height_map.hpp"
+#include "lamina/geometry/voxel/height_map.hpp"
 
 namespace lamina {
 

@@ -14,7 +14,7 @@ using visualization_msgs::MarkerArray;
 constexpr std::size_t kLineLength = 60;
 constexpr double kLetterShare = 0.025;  // of the part's diagonal
 
-std_msgs::ColorRGBA colour(float red, float green, float blue, float alpha) {
+std_msgs::ColorRGBA regionColour(float red, float green, float blue, float alpha) {
   std_msgs::ColorRGBA message;
   message.r = red;
   message.g = green;
@@ -49,7 +49,7 @@ void addReason(MarkerArray& markers, const Box3& box, const std::string& text, c
   for (const std::string& line : lines) {
     Marker marker = markerOf(frame, "reason", Marker::TEXT_VIEW_FACING);
     marker.id = static_cast<std::int32_t>(markers.markers.size());
-    marker.color = colour(0.15F, 0.15F, 0.15F, 1.0F);
+    marker.color = regionColour(0.15F, 0.15F, 0.15F, 1.0F);
     marker.text = line;
     marker.scale.z = toMetres(letter_mm);
     marker.pose.position = toMessage(place);
@@ -71,9 +71,9 @@ MarkerArray noRegionMarkers(const std::string& frame) {
 MarkerArray regionMarkers(const Unsliceable& refusal, const std::string& frame) {
   MarkerArray markers = noRegionMarkers(frame);
   Marker region = markerOf(frame, "region", Marker::TRIANGLE_LIST);
-  region.color = colour(0.85F, 0.1F, 0.1F, 1.0F);
+  region.color = regionColour(0.85F, 0.1F, 0.1F, 1.0F);
   Marker part = markerOf(frame, "part", Marker::TRIANGLE_LIST);
-  part.color = colour(0.7F, 0.72F, 0.76F, 0.4F);
+  part.color = regionColour(0.7F, 0.72F, 0.76F, 0.4F);
   if (!refusal.region().triangles.empty()) markers.markers.push_back(facesOf(refusal.region(), region));
   if (!refusal.part().triangles.empty()) markers.markers.push_back(facesOf(refusal.part(), part));
   Box3 box = boundingBox(refusal.part());

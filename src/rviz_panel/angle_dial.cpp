@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
-constexpr double kGreatest = 90.0;
+constexpr double kGreatestAngle = 90.0;
 constexpr double kMargin = 24.0;  // room for the marks
 constexpr int kSize = 120;
 constexpr int kLeastSize = 90;
@@ -65,7 +65,7 @@ void AngleDial::paintEvent(QPaintEvent* /*event*/) {
 void AngleDial::turnTo(const QPointF& place) {
   const QPointF hand = centre() - place;
   if (hand.isNull()) return;
-  setAngle(std::clamp(std::round(std::atan2(hand.y(), hand.x()) / kDegree), 0.0, kGreatest));
+  setAngle(std::clamp(std::round(std::atan2(hand.y(), hand.x()) / kDegree), 0.0, kGreatestAngle));
   if (turned) turned(angle_deg_);
 }
 

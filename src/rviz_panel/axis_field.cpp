@@ -11,9 +11,9 @@ namespace lamina {
 namespace {
 
 constexpr int kVector = 3;  // index of that choice, after x, y and z
-constexpr int kDecimals = 4;
+constexpr int kAxisDecimals = 4;
 constexpr int kNarrow = 48;  // pixels
-constexpr double kGreatest = 1000.0;
+constexpr double kGreatestAxis = 1000.0;
 
 }  // namespace
 
@@ -28,8 +28,8 @@ AxisField::AxisField(QWidget* parent) : QWidget(parent), choice_(new QComboBox(t
   for (std::size_t i = 0; i < 3; ++i) {
     vector_[i] = new QDoubleSpinBox(this);
     vector_[i]->setObjectName(QString("axis_%1").arg("xyz"[i]));
-    vector_[i]->setRange(-kGreatest, kGreatest);
-    vector_[i]->setDecimals(kDecimals);
+    vector_[i]->setRange(-kGreatestAxis, kGreatestAxis);
+    vector_[i]->setDecimals(kAxisDecimals);
     vector_[i]->setSingleStep(0.1);
     vector_[i]->setButtonSymbols(QAbstractSpinBox::NoButtons);
     vector_[i]->setMinimumWidth(kNarrow);  // the vector must not widen the panel

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "lamina/base/error.hpp"
-#include "lamina/program/gcode_reader.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/gcode/gcode_reader.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 
 namespace lamina {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "angle_dial.hpp"
 #include "axis_field.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "path_field.hpp"
 #include "position_field.hpp"
 

@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-constexpr int kPollMs = 30;
+constexpr int kLayersPollMs = 30;
 
 QDoubleSpinBox* millimetres(const char* name, double high, const char* none) {
   auto* box = new QDoubleSpinBox;
@@ -68,7 +68,7 @@ LayersContent::LayersContent(QWidget* parent)
   subscriber_ = node_.subscribe<lamina_msgs::Toolpath>(
       names::kToolpath, 1, [this](const lamina_msgs::ToolpathConstPtr& message) { take(message); });
   connect(&poll_, &QTimer::timeout, this, [this] { queue_.callAvailable(); });
-  poll_.start(kPollMs);
+  poll_.start(kLayersPollMs);
 }
 
 LayersContent::~LayersContent() = default;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/program/drop_program.hpp"
+#include "lamina/program/drops/drop_program.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lamina/base/error.hpp"
-#include "lamina/program/five_axis_reader.hpp"
+#include "lamina/program/five_axis/five_axis_reader.hpp"
 #include "support/table_machine.hpp"
 
 /// Any bytes are read into a valid toolpath or refused as InvalidProgram.

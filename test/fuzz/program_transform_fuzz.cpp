@@ -9,7 +9,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/transform/program_transform.hpp"
+#include "lamina/gcode_rewrite/gcode_rewrite.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lamina/base/error.hpp"
-#include "lamina/program/rapid_reader.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
 
 /// Any bytes are read into a valid toolpath or refused as InvalidProgram.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "support/fill_requests.hpp"
 #include "support/shapes.hpp"
 

@@ -6,7 +6,7 @@
 #include <rapidcheck.h>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "support/fill_requests.hpp"
 #include "support/shapes.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_reader.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/toolpaths.hpp"
 

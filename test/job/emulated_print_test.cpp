@@ -9,9 +9,9 @@
 
 #include "lamina/deposition/bead_deposit.hpp"
 #include "lamina/deposition/voxel_deposit.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/monitoring/height_monitor.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "support/scratch_folder.hpp"

@@ -9,7 +9,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "support/scratch_folder.hpp"

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "lamina/geometry/mesh_writer.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/incline_settings.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"

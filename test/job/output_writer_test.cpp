@@ -8,7 +8,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/program/csv_writer.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {

@@ -4,9 +4,9 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/job/void_job.hpp"
-#include "lamina/program/gcode_writer.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/job/voids/void_job.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 
 namespace lamina {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/base/random.hpp"
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "support/toolpaths.hpp"
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/parts.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "support/random_toolpath.hpp"
 #include "support/toolpaths.hpp"
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "lamina/base/random.hpp"
-#include "lamina/geometry/cells_near_segment.hpp"
+#include "lamina/geometry/spatial/cells_near_segment.hpp"
 #include "support/scanned_plates.hpp"
 
 namespace lamina {

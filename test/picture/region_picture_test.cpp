@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 #include "support/png_image.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -4,7 +4,7 @@
 #include <rapidcheck.h>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/planning/planner.hpp"
 #include "support/shapes.hpp"
 

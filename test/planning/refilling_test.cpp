@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/planning/planner.hpp"
-#include "lamina/voids/refill.hpp"
+#include "lamina/voids/beads/refill.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {

@@ -9,10 +9,10 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
-#include "lamina/program/csv_reader.hpp"
-#include "lamina/program/csv_writer.hpp"
-#include "lamina/program/gcode_writer.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/csv/csv_reader.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "support/toolpaths.hpp"
 

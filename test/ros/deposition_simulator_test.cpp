@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "conversions.hpp"
-#include "lamina/geometry/mesh_reader.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "messages.hpp"
 #include "names.hpp"

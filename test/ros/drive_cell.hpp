@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "conversions.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "wait_until.hpp"

@@ -9,9 +9,9 @@
 #include <fstream>
 
 #include "conversions.hpp"
-#include "lamina/geometry/mesh_writer.hpp"
-#include "lamina/geometry/parts.hpp"
-#include "lamina/program/gcode_reader.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "lamina/program/gcode/gcode_reader.hpp"
 #include "names.hpp"
 #include "nodes/print_part/print_part.hpp"
 #include "ros_home.hpp"

@@ -15,7 +15,7 @@
 #include <mutex>
 
 #include "conversions.hpp"
-#include "lamina/streaming/emulated_machine.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros_home.hpp"

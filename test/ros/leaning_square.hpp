@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "conversions.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina::test {
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/machine.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "conversions.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "leaning_square.hpp"
 #include "names.hpp"
 #include "node_process.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lamina/geometry/parts.hpp"
+#include "lamina/geometry/parts/parts.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/startup/startup_settings.hpp"
-#include "lamina/streaming/emulated_settings.hpp"
+#include "lamina/streaming/emulator/emulated_settings.hpp"
 
 namespace lamina::test {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/emulated_machine.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "startup/large_gantry.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "stiffness/conjugate_gradients.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/lattice_transfer.hpp"
 #include "support/voxel_shapes.hpp"
 

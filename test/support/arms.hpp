@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lamina/base/random.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina::test {
 

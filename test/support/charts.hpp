@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lamina/surface/layer_surface.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
 
 namespace lamina::test {
 

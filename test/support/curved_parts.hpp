@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina::test {
 

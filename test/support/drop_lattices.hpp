@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lamina/infill/strategy.hpp"
-#include "lamina/voids/drop_layer.hpp"
+#include "lamina/voids/drops/drop_layer.hpp"
 #include "support/fill_requests.hpp"
 
 namespace lamina::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/program/drop_program.hpp"
+#include "lamina/program/drops/drop_program.hpp"
 
 namespace lamina::test {
 

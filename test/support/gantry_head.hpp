@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina::test {

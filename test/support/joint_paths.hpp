@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "lamina/kinematics/joint_path.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina::test {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina::test {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "lamina/base/random.hpp"
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina::test {
 

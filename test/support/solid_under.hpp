@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina::test {
 

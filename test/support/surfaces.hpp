@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lamina/surface/layer_surface.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
 
 namespace lamina::test {
 

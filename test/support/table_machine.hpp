@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/joint_path.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lamina/base/random.hpp"
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 
 namespace lamina::test {
 

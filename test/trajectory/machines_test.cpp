@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/kinematics/joint_path_planner.hpp"
+#include "lamina/kinematics/joint_path/joint_path_planner.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 #include "support/toolpaths.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/geometry/height_map.hpp"
+#include "lamina/geometry/voxel/height_map.hpp"
 
 namespace lamina {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "lamina/dynamics/platform_inertia.hpp"
-#include "lamina/kinematics/rus_kinematics.hpp"
+#include "lamina/kinematics/platform/rus_kinematics.hpp"
 
 namespace lamina {
 

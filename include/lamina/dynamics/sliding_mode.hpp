@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/rus_platform.hpp"
+#include "lamina/kinematics/platform/rus_platform.hpp"
 
 namespace lamina {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "lamina/kinematics/rus_description.hpp"
-#include "lamina/kinematics/rus_kinematics.hpp"
+#include "lamina/kinematics/platform/rus_description.hpp"
+#include "lamina/kinematics/platform/rus_kinematics.hpp"
 #include "lamina/trajectory/joint_trajectory.hpp"
 #include "lamina/trajectory/rest_to_rest.hpp"
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/infill/contour_settings.hpp"
-#include "lamina/infill/drop_settings.hpp"
-#include "lamina/infill/hilbert_settings.hpp"
-#include "lamina/infill/hybrid_settings.hpp"
-#include "lamina/infill/perimeters_settings.hpp"
-#include "lamina/infill/raster_settings.hpp"
-#include "lamina/infill/smoothing_settings.hpp"
-#include "lamina/infill/vase_settings.hpp"
+#include "lamina/infill/contour/contour_settings.hpp"
+#include "lamina/infill/drops/drop_settings.hpp"
+#include "lamina/infill/hilbert/hilbert_settings.hpp"
+#include "lamina/infill/rectilinear/hybrid_settings.hpp"
+#include "lamina/infill/contour/perimeters_settings.hpp"
+#include "lamina/infill/rectilinear/raster_settings.hpp"
+#include "lamina/infill/contour/smoothing_settings.hpp"
+#include "lamina/infill/contour/vase_settings.hpp"
 
 namespace lamina {
 

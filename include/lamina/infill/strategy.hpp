@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/fill_settings.hpp"
 

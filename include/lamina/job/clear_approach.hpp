@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lamina/base/progress.hpp"
-#include "lamina/clearance/clearance_settings.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/approach.hpp"
 
 namespace lamina {

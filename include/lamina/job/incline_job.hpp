@@ -6,8 +6,8 @@
 #include <string>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/kinematics/machine.hpp"
-#include "lamina/transform/program_transform.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/gcode_rewrite/gcode_rewrite.hpp"
 
 namespace lamina {
 

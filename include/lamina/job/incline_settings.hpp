@@ -8,7 +8,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/job/incline_job.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 
 namespace lamina {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/clearance/clearance_settings.hpp"
-#include "lamina/job/mechanism_run.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/waypoint_index.hpp"
 
 namespace lamina {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lamina/job/output_writer.hpp"
-#include "lamina/program/rapid_settings.hpp"
+#include "lamina/program/rapid/rapid_settings.hpp"
 
 namespace lamina {
 

@@ -4,7 +4,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/job/job_settings.hpp"
-#include "lamina/kinematics/joint_path_settings.hpp"
+#include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 
 namespace lamina {

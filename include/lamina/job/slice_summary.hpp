@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lamina/orientation/orientation_report.hpp"
-#include "lamina/overhang/wall_lean.hpp"
-#include "lamina/planning/anchoring.hpp"
-#include "lamina/planning/fill_starts.hpp"
+#include "lamina/verification/overhang/overhang_angle.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/repositions.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/geometry/height_map.hpp"
+#include "lamina/geometry/voxel/height_map.hpp"
 
 namespace lamina {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "lamina/geometry/height_map.hpp"
+#include "lamina/geometry/voxel/height_map.hpp"
 
 namespace octomap {
 class OcTree;

@@ -8,7 +8,7 @@
 
 #include "lamina/base/random.hpp"
 #include "lamina/base/settings.hpp"
-#include "lamina/geometry/height_source.hpp"
+#include "lamina/geometry/voxel/height_source.hpp"
 
 namespace lamina {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/orientation/orientation_report.hpp"
 #include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"

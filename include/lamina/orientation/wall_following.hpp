@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/surface/wall_normals.hpp"
+#include "lamina/geometry/mesh/wall_normals.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/overhang/overhang.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {

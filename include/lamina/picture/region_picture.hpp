@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/picture/colour.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

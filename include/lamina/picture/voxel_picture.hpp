@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/picture/height_map_picture.hpp"
 
 namespace lamina {

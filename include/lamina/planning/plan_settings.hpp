@@ -6,7 +6,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/infill/fill_settings.hpp"
-#include "lamina/planning/anchoring.hpp"
+#include "lamina/planning/order/anchoring.hpp"
 
 namespace lamina {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/planning/anchoring.hpp"
-#include "lamina/planning/fill_starts.hpp"
-#include "lamina/planning/layer_lift.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/seams/fill_starts.hpp"
+#include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/pores/pore_groups.hpp"
 
 namespace lamina {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/pores/passage.hpp"
 
 namespace lamina {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 
 namespace lamina {
 

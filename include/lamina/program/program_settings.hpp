@@ -5,9 +5,9 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/program/drop_dialect.hpp"
-#include "lamina/program/five_axis_settings.hpp"
-#include "lamina/program/rapid_settings.hpp"
+#include "lamina/program/drops/drop_dialect.hpp"
+#include "lamina/program/five_axis/five_axis_settings.hpp"
+#include "lamina/program/rapid/rapid_settings.hpp"
 
 namespace lamina {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/slicing/layer_stack.hpp"
-#include "lamina/slicing/planar_slicer.hpp"
+#include "lamina/slicing/planar/layer_stack.hpp"
+#include "lamina/slicing/planar/planar_slicer.hpp"
 
 namespace lamina {
 

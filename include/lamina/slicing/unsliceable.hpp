@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
 

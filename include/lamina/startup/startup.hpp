@@ -9,7 +9,7 @@
 #include "lamina/startup/machine_reports.hpp"
 #include "lamina/startup/program_identity.hpp"
 #include "lamina/startup/startup_sequence.hpp"
-#include "lamina/streaming/marlin_protocol.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 
 namespace lamina {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lamina/startup/startup.hpp"
-#include "lamina/streaming/stream_session.hpp"
+#include "lamina/streaming/client/stream_session.hpp"
 
 namespace lamina {
 

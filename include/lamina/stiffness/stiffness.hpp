@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/stiffness/element_lattice.hpp"
 #include "lamina/stiffness/load_case.hpp"
 #include "lamina/stiffness/node_field.hpp"

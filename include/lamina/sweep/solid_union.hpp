@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/geometry/mesh.hpp"
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/sweep/bead_solid.hpp"
 
 namespace lamina {

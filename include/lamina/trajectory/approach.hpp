@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 
 namespace lamina {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/trajectory/process_signals.hpp"
 

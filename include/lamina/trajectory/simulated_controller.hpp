@@ -9,8 +9,8 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/mechanism.hpp"
-#include "lamina/trajectory/hand_over.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
 

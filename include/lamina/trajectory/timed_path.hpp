@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "lamina/kinematics/joint_path.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/trajectory/joint_trajectory.hpp"
 #include "lamina/trajectory/process_events.hpp"

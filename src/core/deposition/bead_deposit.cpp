@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPieceLength =
     4.0;  // mm: long motions are laid piece by piece, so that each meets its own ground
-constexpr double kFarthest = 1e6;     // mm
+constexpr double kFarthestBead = 1e6;     // mm
 constexpr double kSameHeight = 0.01;  // mm: below any layer height, above the rounding of programs
 constexpr double kShortest = 1e-6;    // mm: a shorter motion is a blob on the spot
 
@@ -29,7 +29,7 @@ double crossSectionOf(const DepositedMotion& motion) {
 
 void checkMotion(const DepositedMotion& motion) {
   const double farthest = std::max(motion.start.cwiseAbs().maxCoeff(), motion.end.cwiseAbs().maxCoeff());
-  if (!(farthest <= kFarthest) || !motion.start.allFinite() || !motion.end.allFinite())
+  if (!(farthest <= kFarthestBead) || !motion.start.allFinite() || !motion.end.allFinite())
     throw InvalidInput("deposited motion is not finite or farther out than 1 km");
   if (!(motion.volume_mm3 >= 0.0 && std::isfinite(motion.volume_mm3)))
     throw InvalidInput("deposited volume is " + std::to_string(motion.volume_mm3) +

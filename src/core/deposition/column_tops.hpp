@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 
 namespace lamina {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/rus_workspace.hpp"
+#include "lamina/kinematics/platform/rus_workspace.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 #include "toolpath/motion_cursor.hpp"
 

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <map>
 
-#include "infill/contour.hpp"
-#include "infill/drops_contour.hpp"
-#include "infill/drops_dense.hpp"
-#include "infill/drops_raster.hpp"
-#include "infill/hilbert.hpp"
-#include "infill/hilbert_quadtree.hpp"
-#include "infill/hybrid.hpp"
-#include "infill/perimeters.hpp"
-#include "infill/spiral.hpp"
-#include "infill/vase.hpp"
-#include "infill/zigzag.hpp"
+#include "infill/contour/contour.hpp"
+#include "infill/drops/drops_contour.hpp"
+#include "infill/drops/drops_dense.hpp"
+#include "infill/drops/drops_raster.hpp"
+#include "infill/hilbert/hilbert.hpp"
+#include "infill/hilbert/hilbert_quadtree.hpp"
+#include "infill/rectilinear/hybrid.hpp"
+#include "infill/contour/perimeters.hpp"
+#include "infill/contour/spiral.hpp"
+#include "infill/contour/vase.hpp"
+#include "infill/rectilinear/zigzag.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 

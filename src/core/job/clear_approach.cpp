@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
-#include "lamina/clearance/joint_clearance.hpp"
+#include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/clearance/joint_clearance.hpp"
+#include "lamina/verification/collision/joint_clearance.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 
 namespace lamina {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "job/part_slicing.hpp"
+#include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
 namespace {

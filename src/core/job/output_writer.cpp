@@ -9,9 +9,9 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/rapid_files.hpp"
-#include "lamina/program/csv_writer.hpp"
-#include "lamina/program/five_axis_writer.hpp"
-#include "lamina/program/gcode_writer.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "lamina/program/five_axis/five_axis_writer.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
 
 namespace lamina {
 namespace {

@@ -8,10 +8,10 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/rapid_files.hpp"
-#include "lamina/program/csv_reader.hpp"
-#include "lamina/program/five_axis_reader.hpp"
-#include "lamina/program/rapid_reader.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/csv/csv_reader.hpp"
+#include "lamina/program/five_axis/five_axis_reader.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 
 namespace lamina {
 namespace {

@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "job/laps.hpp"
-#include "job/led_program.hpp"
-#include "job/part_slicing.hpp"
+#include "job/joint_program.hpp"
+#include "job/slicing/part_slicing.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/voxelised_mesh.hpp"
+#include "lamina/geometry/voxel/voxelised_mesh.hpp"
 #include "lamina/job/output_files.hpp"
-#include "lamina/job/part_mesh.hpp"
+#include "lamina/job/part/part_mesh.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/stiffness/calculix_deck.hpp"
@@ -19,7 +19,7 @@
 namespace lamina {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyTime = std::chrono::steady_clock;
 
 /// Refused before any voxel is filled if their solution needs more memory than there is.
 VoxelGrid voxelsAsDrawn(const StiffnessJob& job, Progress& progress) {
@@ -50,10 +50,10 @@ LoadedPart runStiffnessJob(const StiffnessJob& job, Progress& progress) {
   requireApart({job.output, job.deck}, {job.input});
   validate(job.settings);
   const VoxelGrid grid = voxelsOf(job, progress);
-  const Clock::time_point start = Clock::now();
+  const SteadyTime::time_point start = SteadyTime::now();
   LoadedPart part;
   part.result = solveStiffness(grid, job.settings.stiffness, progress);
-  part.solve_s = std::chrono::duration<double>(Clock::now() - start).count();
+  part.solve_s = std::chrono::duration<double>(SteadyTime::now() - start).count();
   if (!job.output.empty()) writeVtk(part.result, job.output);
   if (!job.deck.empty()) writeCalculixDeck(part.result, job.settings.stiffness.material, job.deck);
   return part;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/job/mechanism_run.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
 
 namespace lamina {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/box_tree.hpp"
+#include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/parallel.hpp"
 #include "metrics/band_coverage.hpp"
 #include "metrics/face_prism.hpp"

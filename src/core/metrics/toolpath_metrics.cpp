@@ -8,7 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/metrics/surface_fill.hpp"
 #include "lamina/metrics/volume_error.hpp"
 #include "lamina/trajectory/rest_to_rest.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lamina/geometry/cells_near_segment.hpp"
+#include "lamina/geometry/spatial/cells_near_segment.hpp"
 
 namespace lamina {
 

@@ -12,7 +12,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-void requireUsable(const Rows& costs, const std::vector<double>& weights) {
+void requireUsableWeights(const Rows& costs, const std::vector<double>& weights) {
   if (costs.empty()) throw InvalidInput("no alternative to choose from; expected at least one");
   for (const double weight : weights)
     if (!std::isfinite(weight) || weight < 0.0)
@@ -96,7 +96,7 @@ Decision decideByTopsis(const Rows& rows, const std::vector<double>& weights) {
 
 Decision decide(const std::vector<std::vector<double>>& costs, const std::vector<double>& weights,
                 DecisionMethod method) {
-  requireUsable(costs, weights);
+  requireUsableWeights(costs, weights);
   const Rows rows = normalised(costs);
   return method == DecisionMethod::Linmap ? decideByLinmap(rows, weights) : decideByTopsis(rows, weights);
 }

@@ -34,13 +34,13 @@ std::string textOf(const Word& word) {
   return text;
 }
 
-InvalidConfig fault(const std::string& generator, const std::string& what) {
+InvalidConfig generatorFault(const std::string& generator, const std::string& what) {
   return InvalidConfig("generator '" + generator + "': " + what);
 }
 
 std::uint32_t bitOf(char letter, std::size_t count, const std::string& generator) {
   if (letter < 'a' || letter >= static_cast<char>('a' + count))
-    throw fault(generator, std::string("'") + letter + "' is no variable; expected a to " +
+    throw generatorFault(generator, std::string("'") + letter + "' is no variable; expected a to " +
                                static_cast<char>('a' + count - 1));
   return 1U << (letter - 'a');
 }
@@ -63,23 +63,23 @@ std::map<std::size_t, Word> generatedBy(const std::string& text, std::size_t cou
   std::uint32_t generated_bits = 0;
   for (const std::string& generator : generatorsIn(text)) {
     if (generator.size() < 3 || generator[1] != '=')
-      throw fault(generator, "expected a letter, '=' and letters, as in d=abc");
+      throw generatorFault(generator, "expected a letter, '=' and letters, as in d=abc");
     const std::uint32_t bit = bitOf(generator[0], count, generator);
     Word word;
     word.is_negative = generator[2] == '-';
     for (const char letter : generator.substr(word.is_negative ? 3 : 2)) {
       const std::uint32_t factor = bitOf(letter, count, generator);
-      if (word.variables & factor) throw fault(generator, std::string("'") + letter + "' stands twice");
+      if (word.variables & factor) throw generatorFault(generator, std::string("'") + letter + "' stands twice");
       word.variables |= factor;
     }
     if (generated_bits & bit)
-      throw fault(generator, std::string("variable ") + generator[0] + " has a generator already");
+      throw generatorFault(generator, std::string("variable ") + generator[0] + " has a generator already");
     generated_bits |= bit;
     generated[static_cast<std::size_t>(generator[0] - 'a')] = word;
   }
   for (const auto& [variable, word] : generated)
     if (word.variables & generated_bits)
-      throw fault(std::string(1, static_cast<char>('a' + variable)) + "=" + textOf(word),
+      throw generatorFault(std::string(1, static_cast<char>('a' + variable)) + "=" + textOf(word),
                   "refers to a variable that has a generator itself");
   return generated;
 }

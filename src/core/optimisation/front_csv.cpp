@@ -36,7 +36,7 @@ std::size_t variablesIn(std::string_view text, const CsvTable& table) {
   return count;
 }
 
-double responseIn(const CsvTable& table, std::size_t row, std::size_t column) {
+double responseInFront(const CsvTable& table, std::size_t row, std::size_t column) {
   const std::string& cell = table.rows[row][column];
   if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
   double value = 0.0;
@@ -79,7 +79,7 @@ FrontTable readFrontCsv(const std::string& path) {
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     FrontRow point{{table.rows[row].begin(), table.rows[row].begin() + split}, {}, table.lines[row]};
     for (std::size_t column = variables; column < table.columns.size(); ++column)
-      point.responses.push_back(responseIn(table, row, column));
+      point.responses.push_back(responseInFront(table, row, column));
     front.rows.push_back(std::move(point));
   }
   return front;

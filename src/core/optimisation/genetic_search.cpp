@@ -31,7 +31,7 @@ void mutate(const DesignSpace& space, DesignPoint& point, const GeneticSettings&
   point[i] += random.uniform(-settings.mutation_step, settings.mutation_step) * rangeOf(space[i]);
 }
 
-std::vector<DesignPoint> childrenOf(const DesignSpace& space, const std::vector<Fittest>& population,
+std::vector<DesignPoint> offspringOf(const DesignSpace& space, const std::vector<Fittest>& population,
                                     const GeneticSettings& settings, Random& random) {
   std::vector<DesignPoint> children;
   while (children.size() < population.size()) {
@@ -90,7 +90,7 @@ Fittest searchGenetically(const DesignSpace& space, const MeritOf& merit_of, con
   for (int generation = 0; generation < settings.generations; ++generation) {
     throwIfCancelled(progress, "search");
     progress.report("search", static_cast<double>(generation) / settings.generations);
-    const std::vector<DesignPoint> children = childrenOf(space, population, settings, random);
+    const std::vector<DesignPoint> children = offspringOf(space, population, settings, random);
     for (std::size_t i = 0; i < children.size(); ++i) population[i] = {children[i], merit_of(children[i])};
     *std::max_element(population.begin(), population.end(), isLess) = best;
     best = *std::min_element(population.begin(), population.end(), isLess);

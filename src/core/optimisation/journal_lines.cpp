@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kJournalInfinity = std::numeric_limits<double>::infinity();
 
 std::string dumped(const Json& json) {
   // Messages of failures may hold any bytes.
@@ -57,8 +57,8 @@ Json toJson(double number) {
 double numberOf(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (json == "inf") return kInfinity;
-  if (json == "-inf") return -kInfinity;
+  if (json == "inf") return kJournalInfinity;
+  if (json == "-inf") return -kJournalInfinity;
   throw InvalidInput("has " + dumped(json) + " where a number was expected");
 }
 

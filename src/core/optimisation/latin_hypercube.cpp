@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kExchangesEachPoint = 300;
 constexpr double kNearestDistance = 1e-3;  ///< of a range; what is nearer counts as this near
 
-double distance(const DesignSpace& space, const DesignPoint& a, const DesignPoint& b) {
+double cellDistance(const DesignSpace& space, const DesignPoint& a, const DesignPoint& b) {
   double sum = 0.0;
   for (std::size_t i = 0; i < space.size(); ++i) {
     const bool has_order = space[i].kind != VariableKind::Categorical;
@@ -32,7 +32,7 @@ double crowding(const DesignSpace& space, const std::vector<DesignPoint>& points
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (i != one && i != skipped)
-      sum += std::pow(std::max(distance(space, points[one], points[i]), kNearestDistance), -15.0);
+      sum += std::pow(std::max(cellDistance(space, points[one], points[i]), kNearestDistance), -15.0);
   return sum;
 }
 

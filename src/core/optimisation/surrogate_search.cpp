@@ -185,7 +185,7 @@ class Search {
   std::optional<Fitness> fitness_;
 };
 
-void requireUsable(const std::vector<Evaluation>& samples, const DesignSpace& space, std::size_t responses) {
+void requireUsableSearch(const std::vector<Evaluation>& samples, const DesignSpace& space, std::size_t responses) {
   for (const Evaluation& sample : samples) {
     requireWithin(space, sample.point);
     if (isEvaluated(sample) && sample.responses.size() != responses)
@@ -249,7 +249,7 @@ SurrogateSearch searchBySurrogate(const SearchProblem& problem, const Learning& 
                                   Progress& progress) {
   validate(problem);
   validate(settings);
-  requireUsable(learning.samples, problem.space, problem.evaluator.responseNames().size());
+  requireUsableSearch(learning.samples, problem.space, problem.evaluator.responseNames().size());
   return Search(problem, learning.fit, settings).run(learning.samples, listener, progress);
 }
 

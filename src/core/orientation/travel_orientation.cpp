@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kSame = 1e-12;
+constexpr double kSameAxis = 1e-12;
 
 /// Travels between two runs.
 struct Transfer {
@@ -25,7 +25,7 @@ void negate(Path& run) {
 }
 
 void turnAlong(const Transfer& transfer, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
-  const bool is_common = (from.coeffs() - to.coeffs()).cwiseAbs().maxCoeff() <= kSame;
+  const bool is_common = (from.coeffs() - to.coeffs()).cwiseAbs().maxCoeff() <= kSameAxis;
   double run_mm = 0.0;
   for (Path* travel : transfer.travels) {
     if (is_common) {

@@ -13,14 +13,14 @@
 namespace lamina {
 namespace {
 
-constexpr Colour kInk{0.15, 0.16, 0.18};
-constexpr Colour kFaintInk{0.42, 0.44, 0.47};
-constexpr Colour kGrid{0.90, 0.91, 0.92};
-constexpr int kSmallest = 200;
-constexpr double kMargin = 0.06;  // beyond the outermost points, of their extent
+constexpr Colour kChartInk{0.15, 0.16, 0.18};
+constexpr Colour kChartFaintInk{0.42, 0.44, 0.47};
+constexpr Colour kChartGrid{0.90, 0.91, 0.92};
+constexpr int kSmallestSpan = 200;
+constexpr double kChartMargin = 0.06;  // beyond the outermost points, of their extent
 constexpr double kLeft = 96.0;    // px, of the plot area's sides
 constexpr double kRight = 28.0;
-constexpr double kTop = 92.0;
+constexpr double kChartTop = 92.0;
 constexpr double kBottom = 70.0;
 
 bool isShown(const Point2& point) { return std::isfinite(point.x()) && std::isfinite(point.y()); }
@@ -35,7 +35,7 @@ Box2 extentOf(const Chart& chart) {
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const double size = box.high[axis] - box.low[axis];
     const double scale = std::max({std::abs(box.high[axis]), std::abs(box.low[axis]), 1e-12});
-    const double room = size > 1e-12 * scale ? kMargin * size : 0.5 * scale;
+    const double room = size > 1e-12 * scale ? kChartMargin * size : 0.5 * scale;
     box.low[axis] -= room;
     box.high[axis] += room;
   }
@@ -64,21 +64,21 @@ void drawAxes(Canvas& canvas, const Frame& frame, const Chart& chart) {
   const Box2& area = frame.area;
   const auto xs = roundTicks(frame.extent.low.x(), frame.extent.high.x(), 8);
   const auto ys = roundTicks(frame.extent.low.y(), frame.extent.high.y(), 8);
-  const TextStyle label{15.0, kFaintInk, TextAnchor::Centre};
+  const TextStyle label{15.0, kChartFaintInk, TextAnchor::Centre};
   for (const double x : xs) {
     const double column = frame.at({x, frame.extent.low.y()}).x();
-    canvas.linePx({{column, area.low.y()}, {column, area.high.y()}}, {kGrid, 1.0});
+    canvas.linePx({{column, area.low.y()}, {column, area.high.y()}}, {kChartGrid, 1.0});
     canvas.text({column, area.high.y() + 22.0}, tickLabel(x, xs[1] - xs[0]), label);
   }
   for (const double y : ys) {
     const double row = frame.at({frame.extent.low.x(), y}).y();
-    canvas.linePx({{area.low.x(), row}, {area.high.x(), row}}, {kGrid, 1.0});
+    canvas.linePx({{area.low.x(), row}, {area.high.x(), row}}, {kChartGrid, 1.0});
     canvas.text({area.low.x() - 10.0, row + 5.0}, tickLabel(y, ys[1] - ys[0]),
-                {15.0, kFaintInk, TextAnchor::Right});
+                {15.0, kChartFaintInk, TextAnchor::Right});
   }
-  canvas.linePx({area.low, {area.low.x(), area.high.y()}, area.high}, {kFaintInk, 1.5});
-  canvas.text({area.centre().x(), area.high.y() + 54.0}, chart.x_label, {17.0, kInk, TextAnchor::Centre});
-  canvas.text({20.0, area.low.y() - 14.0}, chart.y_label, {17.0, kInk, TextAnchor::Left});
+  canvas.linePx({area.low, {area.low.x(), area.high.y()}, area.high}, {kChartFaintInk, 1.5});
+  canvas.text({area.centre().x(), area.high.y() + 54.0}, chart.x_label, {17.0, kChartInk, TextAnchor::Centre});
+  canvas.text({20.0, area.low.y() - 14.0}, chart.y_label, {17.0, kChartInk, TextAnchor::Left});
 }
 
 void drawSeries(Canvas& canvas, const Frame& frame, const ChartSeries& series) {
@@ -94,7 +94,7 @@ void drawLegendOf(Canvas& canvas, const Chart& chart) {
   std::vector<LegendEntry> entries;
   for (const ChartSeries& series : chart.series)
     if (!series.label.empty()) entries.push_back({series.label, series.colour});
-  if (entries.size() > 1) drawLegend(canvas, {kLeft + 190.0, kTop - 14.0}, entries);
+  if (entries.size() > 1) drawLegend(canvas, {kLeft + 190.0, kChartTop - 14.0}, entries);
 }
 
 }  // namespace
@@ -113,14 +113,14 @@ std::vector<double> roundTicks(double low, double high, int most) {
 }
 
 std::string chartPng(const Chart& chart, int width_px, int height_px) {
-  if (std::min(width_px, height_px) < kSmallest)
+  if (std::min(width_px, height_px) < kSmallestSpan)
     throw InvalidInput("diagram of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
                        " pixels; each side must be at least 200");
   Canvas canvas(width_px, height_px);
-  const Frame frame{extentOf(chart), {Point2(kLeft, kTop), Point2(width_px - kRight, height_px - kBottom)}};
+  const Frame frame{extentOf(chart), {Point2(kLeft, kChartTop), Point2(width_px - kRight, height_px - kBottom)}};
   drawAxes(canvas, frame, chart);
   for (const ChartSeries& series : chart.series) drawSeries(canvas, frame, series);
-  canvas.text({20.0, 36.0}, chart.title, {21.0, kInk, TextAnchor::Left, TextWeight::Bold});
+  canvas.text({20.0, 36.0}, chart.title, {21.0, kChartInk, TextAnchor::Left, TextWeight::Bold});
   drawLegendOf(canvas, chart);
   return canvas.png();
 }

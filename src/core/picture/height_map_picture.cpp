@@ -13,8 +13,8 @@
 namespace lamina {
 namespace {
 
-constexpr int kWidth = 1200;
-constexpr int kHeight = 900;
+constexpr int kHeightMapWidth = 1200;
+constexpr int kHeightMapHeight = 900;
 constexpr double kOutliers = 0.005;  // part of the cells that may lie beyond either end of the colour bar
 
 /// The heights beyond which only outliers lie; {0, 0} if nothing is known.
@@ -65,15 +65,15 @@ CellColours rasterOf(const HeightMap& map, const ColourScale& scale) {
 
 void draw(const std::string& path, const HeightMap& map, const PictureTitle& title,
           const ColourScale& scale) {
-  Canvas canvas(kWidth, kHeight);
+  Canvas canvas(kHeightMapWidth, kHeightMapHeight);
   drawTitle(canvas, title.title, title.subtitle);
-  canvas.show(map.grid().area(), {Point2(30, 90), Point2(kWidth - 180, kHeight - 80)});
+  canvas.show(map.grid().area(), {Point2(30, 90), Point2(kHeightMapWidth - 180, kHeightMapHeight - 80)});
   // Cells finer than pixels would leave it to chance which of them is seen.
   const int cells_per_pixel = static_cast<int>(1.0 / (canvas.pixelsPerMm() * map.grid().cell_mm));
   const HeightMap shown = coarsened(map, std::max(1, cells_per_pixel));
   canvas.raster(shown.grid().area(), rasterOf(shown, scale));
-  drawScaleBar(canvas, Point2(40, kHeight - 30));
-  drawColourBar(canvas, {Point2(kWidth - 130, 140), Point2(kWidth - 100, kHeight - 120)}, scale);
+  drawScaleBar(canvas, Point2(40, kHeightMapHeight - 30));
+  drawColourBar(canvas, {Point2(kHeightMapWidth - 130, 140), Point2(kHeightMapWidth - 100, kHeightMapHeight - 120)}, scale);
   canvas.writePng(path);
 }
 

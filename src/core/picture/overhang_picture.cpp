@@ -14,16 +14,16 @@
 namespace lamina {
 namespace {
 
-constexpr int kWidth = 1400;
-constexpr int kHeight = 1050;
-constexpr double kMargin = 40.0;        // px
-constexpr double kTitleHeight = 84.0;   // px
-constexpr double kFooterHeight = 72.0;  // px
+constexpr int kOverhangWidth = 1400;
+constexpr int kOverhangHeight = 1050;
+constexpr double kOverhangMargin = 40.0;        // px
+constexpr double kOverhangTitleHeight = 84.0;   // px
+constexpr double kOverhangFooterHeight = 72.0;  // px
 constexpr double kLeastWidth = 1.5;     // px: a thinner line is not seen over the part
-constexpr Colour kPart{0.90, 0.91, 0.93};
+constexpr Colour kOverhangPart{0.90, 0.91, 0.93};
 constexpr Colour kOverhang{0.85, 0.10, 0.10};
 constexpr Colour kBridge{0.93, 0.68, 0.05};
-constexpr Colour kStart{0.65, 0.05, 0.65};
+constexpr Colour kOverhangStart{0.65, 0.05, 0.65};
 
 std::string subtitleOf(const Toolpath& toolpath, const OverhangReport& report) {
   const OverhangTotals sums = totals(report);
@@ -54,7 +54,7 @@ void drawPart(Canvas& canvas, const Projection& projection, const Toolpath& tool
   if (layerNormal(toolpath).dot(projection.towardsViewer()) < 0.0) std::reverse(layers.begin(), layers.end());
   for (const ToolpathLayer* layer : layers)
     for (const Path& path : layer->paths)
-      if (path.role != PathRole::Travel) drawBeads(canvas, projection, path, kPart);
+      if (path.role != PathRole::Travel) drawBeads(canvas, projection, path, kOverhangPart);
 }
 
 }  // namespace
@@ -68,18 +68,18 @@ void drawOverhangs(const Toolpath& toolpath, const OverhangReport& report, const
         for (const Point3& point : path.points) seen.include(projection(point));
   if (seen.isEmpty())
     throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
-  Canvas canvas(kWidth, kHeight);
-  canvas.show(seen, {{kMargin, kTitleHeight}, {kWidth - kMargin, kHeight - kFooterHeight}});
+  Canvas canvas(kOverhangWidth, kOverhangHeight);
+  canvas.show(seen, {{kOverhangMargin, kOverhangTitleHeight}, {kOverhangWidth - kOverhangMargin, kOverhangHeight - kOverhangFooterHeight}});
   drawPart(canvas, projection, toolpath);
   drawStretches(canvas, projection, report, StretchKind::Bridge);
   drawStretches(canvas, projection, report, StretchKind::Overhang);
   for (const UnsupportedStretch& stretch : report.stretches)
-    if (stretch.begins_run) canvas.dot(projection(stretch.points.front()), 3.0, kStart);
+    if (stretch.begins_run) canvas.dot(projection(stretch.points.front()), 3.0, kOverhangStart);
   drawTitle(canvas, toolpath.part_name.empty() ? "part" : toolpath.part_name, subtitleOf(toolpath, report));
-  const double base = kHeight - 30.0;
-  drawScaleBar(canvas, {kMargin, base});
-  drawLegend(canvas, {kMargin + 270.0, base + 4.0},
-             {{"overhang", kOverhang}, {"bridge", kBridge}, {"start in air", kStart}});
+  const double base = kOverhangHeight - 30.0;
+  drawScaleBar(canvas, {kOverhangMargin, base});
+  drawLegend(canvas, {kOverhangMargin + 270.0, base + 4.0},
+             {{"overhang", kOverhang}, {"bridge", kBridge}, {"start in air", kOverhangStart}});
   canvas.writePng(png_path);
 }
 

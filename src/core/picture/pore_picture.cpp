@@ -10,12 +10,12 @@
 namespace lamina {
 namespace {
 
-constexpr int kWidth = 1000;
-constexpr int kHeight = 1060;
-constexpr double kMargin = 40.0;  // px
+constexpr int kPoreWidth = 1000;
+constexpr int kPoreHeight = 1060;
+constexpr double kPoreMargin = 40.0;  // px
 constexpr double kTop = 84.0;     // px
 constexpr double kFooter = 72.0;  // px
-constexpr Colour kSolid{0.42, 0.44, 0.48};
+constexpr Colour kPoreSolid{0.42, 0.44, 0.48};
 constexpr Colour kBorder{0.90, 0.92, 0.95};
 constexpr double kGoldenRatio = 0.618033988749895;
 
@@ -29,7 +29,7 @@ CellColours cellsOf(const PoreGroups& openings) {
   const auto& count = openings.frame.count;
   const auto columns = static_cast<std::size_t>(count[0]);
   CellColours cells{count[0], count[1], {}};
-  cells.cells.assign(columns * static_cast<std::size_t>(count[1]), kSolid);
+  cells.cells.assign(columns * static_cast<std::size_t>(count[1]), kPoreSolid);
   for (const PoreRun& run : openings.runs)
     for (int i = run.low; i < run.high; ++i)
       cells.cells[static_cast<std::size_t>(run.j) * columns + static_cast<std::size_t>(i)] =
@@ -42,17 +42,17 @@ CellColours cellsOf(const PoreGroups& openings) {
 void drawProjection(const PoreProjection& projection, const std::string& png_path) {
   const Box3 box = projection.openings.frame.box();
   const Box2 seen{box.low.head<2>(), box.high.head<2>()};
-  Canvas canvas(kWidth, kHeight);
-  canvas.show(seen, {{kMargin, kTop}, {kWidth - kMargin, kHeight - kFooter}});
+  Canvas canvas(kPoreWidth, kPoreHeight);
+  canvas.show(seen, {{kPoreMargin, kTop}, {kPoreWidth - kPoreMargin, kPoreHeight - kFooter}});
   canvas.raster(seen, cellsOf(projection.openings));
   char text[120];
   std::snprintf(text, sizeof text, "%lld inner openings, mean diameter of discs of equal area %.1f um",
                 static_cast<long long>(projection.innerCount()), projection.meanDiameterUm());
   drawTitle(canvas, "Open through all layers", text);
-  drawScaleBar(canvas, {kMargin, kHeight - 30.0});
+  drawScaleBar(canvas, {kPoreMargin, kPoreHeight - 30.0});
   drawLegend(
-      canvas, {kMargin + 270.0, kHeight - 26.0},
-      {{"solid", kSolid}, {"open to the border", kBorder}, {"inner", colourAt(ColourMap::Sequential, 0.8)}});
+      canvas, {kPoreMargin + 270.0, kPoreHeight - 26.0},
+      {{"solid", kPoreSolid}, {"open to the border", kBorder}, {"inner", colourAt(ColourMap::Sequential, 0.8)}});
   canvas.writePng(png_path);
 }
 

@@ -16,10 +16,10 @@
 namespace lamina {
 namespace {
 
-constexpr int kWidth = 1400;
-constexpr int kHeight = 800;
-constexpr double kMargin = 40.0;        // px
-constexpr double kFooterHeight = 72.0;  // px
+constexpr int kRegionWidth = 1400;
+constexpr int kRegionHeight = 800;
+constexpr double kRegionMargin = 40.0;        // px
+constexpr double kRegionFooterHeight = 72.0;  // px
 constexpr double kLineHeight = 22.0;    // px
 constexpr std::size_t kLineLength = 150;
 constexpr double kShineThrough = 0.22;
@@ -161,17 +161,17 @@ void drawView(Canvas& canvas, const RegionPicture& picture, const View& view, co
 void drawRegion(const RegionPicture& picture, const std::string& png_path) {
   if (picture.part.triangles.empty() && picture.region.triangles.empty())
     throw InvalidInput("part and region have 0 triangles to draw; expected at least one");
-  Canvas canvas(kWidth, kHeight);
+  Canvas canvas(kRegionWidth, kRegionHeight);
   const std::vector<std::string> lines = brokenInto(kLineLength, picture.reason);
   const double top = 62.0 + kLineHeight * static_cast<double>(lines.size());
-  const double middle = 0.5 * kWidth;
+  const double middle = 0.5 * kRegionWidth;
   drawView(canvas, picture, viewFrom(-M_PI / 4.0, M_PI / 6.0),
-           {{kMargin, top}, {middle - 10.0, kHeight - kFooterHeight}});
+           {{kRegionMargin, top}, {middle - 10.0, kRegionHeight - kRegionFooterHeight}});
   drawView(canvas, picture, viewFrom(-3.0 * M_PI / 4.0, -M_PI / 6.0),
-           {{middle + 10.0, top}, {kWidth - kMargin, kHeight - kFooterHeight}});
+           {{middle + 10.0, top}, {kRegionWidth - kRegionMargin, kRegionHeight - kRegionFooterHeight}});
   drawTitle(canvas, picture.title, listed(lines, "\n"));
-  drawScaleBar(canvas, {kMargin, kHeight - 30.0});
-  drawLegend(canvas, {kMargin + 270.0, kHeight - 26.0}, {{"in the way", kRegion}});
+  drawScaleBar(canvas, {kRegionMargin, kRegionHeight - 30.0});
+  drawLegend(canvas, {kRegionMargin + 270.0, kRegionHeight - 26.0}, {{"in the way", kRegion}});
   canvas.writePng(png_path);
 }
 

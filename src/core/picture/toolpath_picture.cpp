@@ -31,7 +31,7 @@ constexpr std::array<PathRole, 5> kDrawingOrder = {PathRole::Infill, PathRole::G
                                                    PathRole::OuterWall, PathRole::Skirt};
 
 template <class... Values>
-std::string formatted(const char* format, Values... values) {
+std::string formattedLength(const char* format, Values... values) {
   char text[160];
   std::snprintf(text, sizeof text, format, values...);
   return text;
@@ -309,7 +309,7 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   const Point3 size = partSize(toolpath, box);
   drawTitle(
       canvas, titleOf(toolpath),
-      formatted("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
+      formattedLength("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
                 sums.layers, size.x(), size.y(), size.z(), sums.deposition_mm / 1e3, sums.deposited_mm3 / 1e3,
                 sums.travel_mm / 1e3));
   drawKey(canvas, toolpath, box, settings);
@@ -340,10 +340,10 @@ void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerO
   drawTravels(canvas, drawn);
 
   const ToolpathTotals sums = totals(alone);
-  std::string subtitle = formatted(
+  std::string subtitle = formattedLength(
       "top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel", drawn.z_mm,
       drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3, sums.travel_mm / 1e3);
-  if (isInclined(toolpath)) subtitle += formatted("  ·  inclined by %.2f deg", inclinationDeg(toolpath));
+  if (isInclined(toolpath)) subtitle += formattedLength("  ·  inclined by %.2f deg", inclinationDeg(toolpath));
   if (!overlay.remark.empty()) subtitle += "  ·  " + overlay.remark;
   drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer), subtitle);
   const double base = flat.height_px - 30.0;

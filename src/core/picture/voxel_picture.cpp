@@ -41,7 +41,7 @@ Colour between(double solid) {
 }
 
 /// Cells of `factor` by `factor` voxels, each coloured by its share that is solid.
-CellColours cellsOf(const VoxelGrid& grid, const VoxelSheet& sheet, const VoxelRange& range, int factor) {
+CellColours voxelCellsOf(const VoxelGrid& grid, const VoxelSheet& sheet, const VoxelRange& range, int factor) {
   const auto [across, up] = axesOf(sheet);
   CellColours cells;
   cells.columns = (range.high[across] - range.low[across] + factor - 1) / factor;
@@ -91,7 +91,7 @@ void drawVoxelSheet(const std::string& path, const VoxelGrid& grid, const VoxelS
   canvas.show({cornerOf(frame, sheet, range.low), cornerOf(frame, sheet, range.high)},
               {Point2(30, 90), Point2(kWidth - 30, kHeight - 80)});
   const int factor = std::max(1, static_cast<int>(1.0 / (canvas.pixelsPerMm() * frame.voxel_mm)));
-  const CellColours cells = cellsOf(grid, sheet, range, factor);
+  const CellColours cells = voxelCellsOf(grid, sheet, range, factor);
   const Point2 low = cornerOf(frame, sheet, range.low);
   const Point2 size = factor * frame.voxel_mm * Point2(cells.columns, cells.rows);
   canvas.raster({low, low + size}, cells);

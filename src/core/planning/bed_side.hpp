@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "lamina/planning/anchoring.hpp"
+#include "lamina/planning/order/anchoring.hpp"
 #include "lamina/slicing/layer.hpp"
 
 namespace lamina {

@@ -6,23 +6,23 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/inside.hpp"
-#include "infill/corner_smoothing.hpp"
-#include "infill/drop_fill.hpp"
-#include "lamina/geometry/offset.hpp"
-#include "lamina/geometry/simplify.hpp"
-#include "lamina/voids/refill.hpp"
-#include "planning/anchored_run.hpp"
+#include "geometry/polygon/inside.hpp"
+#include "infill/contour/corner_smoothing.hpp"
+#include "infill/drops/drop_fill.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/geometry/polygon/simplify.hpp"
+#include "lamina/voids/beads/refill.hpp"
+#include "planning/order/anchored_run.hpp"
 #include "planning/bed_side.hpp"
-#include "planning/footing.hpp"
-#include "planning/infill_spacing.hpp"
-#include "planning/ordering.hpp"
+#include "planning/order/support_test.hpp"
+#include "planning/walls/infill_spacing.hpp"
+#include "planning/order/ordering.hpp"
 #include "planning/run_path.hpp"
-#include "planning/seam.hpp"
+#include "planning/seams/seam.hpp"
 #include "planning/skirt.hpp"
-#include "planning/start_count.hpp"
-#include "planning/travel.hpp"
-#include "planning/walls.hpp"
+#include "planning/seams/start_count.hpp"
+#include "planning/travel/travel.hpp"
+#include "planning/walls/walls.hpp"
 
 namespace lamina {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lamina/infill/strategy.hpp"
-#include "lamina/planning/anchoring.hpp"
-#include "lamina/planning/layer_lift.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"

@@ -7,13 +7,13 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/plan_consistency.hpp"
-#include "planning/anchored_starts.hpp"
-#include "planning/layer_chain.hpp"
+#include "planning/order/anchored_starts.hpp"
+#include "planning/order/layer_chain.hpp"
 #include "planning/layer_planner.hpp"
-#include "planning/near_origin.hpp"
-#include "planning/rising_wall.hpp"
-#include "planning/space_travel.hpp"
-#include "planning/travel.hpp"
+#include "planning/order/near_origin.hpp"
+#include "planning/walls/rising_wall.hpp"
+#include "planning/travel/space_travel.hpp"
+#include "planning/travel/travel.hpp"
 
 namespace lamina {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/skirt.hpp"
 
-#include "lamina/geometry/convex_hull.hpp"
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/convex_hull.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/planning/plan_settings.hpp"
 
 namespace lamina {

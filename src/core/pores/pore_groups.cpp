@@ -14,12 +14,12 @@
 namespace lamina {
 namespace {
 
-constexpr int kWord = VoxelGrid::kWord;
+constexpr int kGroupWord = VoxelGrid::kWord;
 
 /// All bits of word `w` that lie within the frame.
 std::uint64_t bitsOfFrame(const VoxelFrame& frame, int w) {
-  const int count = std::min(kWord, frame.count[0] - w * kWord);
-  return count == kWord ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(count)) - 1;
+  const int count = std::min(kGroupWord, frame.count[0] - w * kGroupWord);
+  return count == kGroupWord ? ~std::uint64_t{0} : (std::uint64_t{1} << static_cast<unsigned>(count)) - 1;
 }
 
 /// Appends the runs of a row.
@@ -28,14 +28,14 @@ void appendRuns(const VoxelGrid& pores, int j, int k, std::vector<PoreRun>& runs
   for (int w = 0; w < pores.wordCount(); ++w) {
     std::uint64_t bits = pores.word(w, j, k);
     int at = 0;
-    while (at < kWord) {
+    while (at < kGroupWord) {
       const std::uint64_t rest = (low < 0 ? bits : ~bits) >> static_cast<unsigned>(at);
       if (rest == 0) break;
       at += __builtin_ctzll(rest);
       if (low < 0) {
-        low = w * kWord + at;
+        low = w * kGroupWord + at;
       } else {
-        runs.push_back({low, w * kWord + at, j, k, 0});
+        runs.push_back({low, w * kGroupWord + at, j, k, 0});
         low = -1;
       }
     }
@@ -214,10 +214,10 @@ VoxelGrid voxelsOf(const PoreGroups& pores, const std::function<bool(const PoreG
   VoxelGrid grid(pores.frame);
   for (const PoreRun& run : pores.runs) {
     if (!is_chosen(pores.groups[run.group])) continue;
-    for (int w = run.low / kWord; w * kWord < run.high; ++w) {
-      const int low = std::max(run.low - w * kWord, 0);
-      const int high = std::min(run.high - w * kWord, kWord);
-      const std::uint64_t to_high = high == kWord ? ~std::uint64_t{0} : (std::uint64_t{1} << high) - 1;
+    for (int w = run.low / kGroupWord; w * kGroupWord < run.high; ++w) {
+      const int low = std::max(run.low - w * kGroupWord, 0);
+      const int high = std::min(run.high - w * kGroupWord, kGroupWord);
+      const std::uint64_t to_high = high == kGroupWord ? ~std::uint64_t{0} : (std::uint64_t{1} << high) - 1;
       grid.fillWord(w, run.j, run.k, to_high & ~((std::uint64_t{1} << low) - 1));
     }
   }

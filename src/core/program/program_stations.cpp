@@ -6,7 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
-#include "lamina/kinematics/joint_limits.hpp"
+#include "lamina/kinematics/model/joint_limits.hpp"
 
 namespace lamina {
 namespace {

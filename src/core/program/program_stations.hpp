@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "lamina/kinematics/joint_path.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/offset.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "scaffold/gyroid.hpp"
 #include "scaffold/layer_assembly.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/scaffold/scaffold_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 

@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-using Step = StartupStep;
+using StepState = StartupStep;
 
 std::string codeOf(const std::string& command) { return command.substr(0, command.find(' ')); }
 
@@ -56,7 +56,7 @@ void Startup::loseWith(StartupStep step, const std::string& reason, const std::s
 void Startup::lose(StartupStep step, const std::string& why) { loseWith(step, why, why); }
 
 void Startup::loseHoming(const std::string& axes, const std::string& why) {
-  for (const Step step : {Step::HomeX, Step::HomeY, Step::HomeZ, Step::HomeZAgain})
+  for (const StepState step : {StepState::HomeX, StepState::HomeY, StepState::HomeZ, StepState::HomeZAgain})
     if (axes.find(*homedAxis(step)) != std::string::npos) lose(step, why);
 }
 
@@ -72,23 +72,23 @@ void Startup::sent(const std::string& command) {
     const auto target_c = wordValue(command, 'S') ? wordValue(command, 'S') : wordValue(command, 'R');
     const bool is_other =
         target_c && std::abs(*target_c - settings_.bed_target_c) > settings_.bed_tolerance_c;
-    const Entry* const bed = find(Step::HeatBed);
+    const Entry* const bed = find(StepState::HeatBed);
     if (is_other && bed != nullptr && bed->status.state == StartupState::Done)
-      lose(Step::HeatBed,
+      lose(StepState::HeatBed,
            command + " has set another target than " + shortNumber(settings_.bed_target_c) + " degC");
   }
   if (std::find(vacuum_off_.begin(), vacuum_off_.end(), command) != vacuum_off_.end())
-    lose(Step::DrawVacuum, command + " has closed a zone");
+    lose(StepState::DrawVacuum, command + " has closed a zone");
 }
 
 void Startup::losePower(const std::string& why) {
-  for (const Step step : {Step::PowerOn, Step::HeatBed, Step::DrawVacuum, Step::MapHeights}) lose(step, why);
+  for (const StepState step : {StepState::PowerOn, StepState::HeatBed, StepState::DrawVacuum, StepState::MapHeights}) lose(step, why);
   loseHoming("XYZ", why);
   reports_ = MachineReports(settings_);
 }
 
 void Startup::elapse(double now_s) {
-  if (Entry* const drying = find(Step::DryPellets)) advanceDrying(*drying, now_s);
+  if (Entry* const drying = find(StepState::DryPellets)) advanceDrying(*drying, now_s);
   expire(now_s);
 }
 
@@ -96,7 +96,7 @@ void Startup::elapse(double now_s) {
 void Startup::advanceDrying(Entry& entry, double now_s) {
   const bool is_running = entry.status.state == StartupState::Running;
   if (!is_running && entry.status.state != StartupState::Done) return;
-  const bool tells = isReported(Step::DryPellets, settings_);
+  const bool tells = isReported(StepState::DryPellets, settings_);
   const bool is_hot = !tells || checkDryer(reports_, settings_).verdict == Verdict::Met;
   const double told_s = !tells ? now_s : reports_.dryer() ? reports_.dryer()->time_s : dryer_looked_at_s_;
   if (is_hot && was_dryer_hot_ && is_running) dried_s_ += told_s - dryer_looked_at_s_;
@@ -114,15 +114,15 @@ void Startup::advanceDrying(Entry& entry, double now_s) {
 
 void Startup::expire(double now_s) {
   const auto hoursPast = [&](double since_s) { return (now_s - since_s) / 3600.0; };
-  const Entry* const drying = find(Step::DryPellets);
+  const Entry* const drying = find(StepState::DryPellets);
   if (drying != nullptr && drying->status.state == StartupState::Done &&
       hoursPast(last_dry_s_) > settings_.dry_valid_h)
-    lose(Step::DryPellets, "the pellets were dry " + shortNumber(hoursPast(last_dry_s_)) +
+    lose(StepState::DryPellets, "the pellets were dry " + shortNumber(hoursPast(last_dry_s_)) +
                                " h ago; expected at most " + shortNumber(settings_.dry_valid_h) + " h");
-  const Entry* const map = find(Step::MapHeights);
+  const Entry* const map = find(StepState::MapHeights);
   if (map != nullptr && map->status.state == StartupState::Done &&
       hoursPast(map->since_s) > settings_.map_valid_h)
-    lose(Step::MapHeights, "the height map is " + shortNumber(hoursPast(map->since_s)) +
+    lose(StepState::MapHeights, "the height map is " + shortNumber(hoursPast(map->since_s)) +
                                " h old; expected at most " + shortNumber(settings_.map_valid_h) + " h");
 }
 

@@ -8,7 +8,7 @@
 namespace lamina {
 namespace {
 
-using Step = StartupStep;
+using ProgressStep = StartupStep;
 
 // Between two looks at a bed that is still to become hot [s].
 constexpr double kBedPoll = 10.0;
@@ -33,11 +33,11 @@ std::optional<std::string> Startup::nextCode(StartupStep step) {
   if (const auto axis = homedAxis(step))
     return withChecks(filled(settings_.home_code, "{axis}", std::string(1, *axis)), settings_);
   switch (step) {
-    case Step::DryPellets:
+    case ProgressStep::DryPellets:
       if (phase > 0 || settings_.dry_code.empty()) return std::nullopt;
       return withChecks(filled(settings_.dry_code, "{target_c}", shortNumber(settings_.dry_target_c)),
                         settings_);
-    case Step::HeatBed:
+    case ProgressStep::HeatBed:
       if (!reports_.bed()) {
         entry->phase = -1;
         return withChecks("M105\n" + dwell(1.0), settings_);
@@ -45,10 +45,10 @@ std::optional<std::string> Startup::nextCode(StartupStep step) {
       if (phase == 0 && !settings_.bed_code.empty())
         return withChecks(bedRamp(settings_, *reports_.bed()), settings_);
       return withChecks(dwell(kBedPoll) + "M105", settings_);
-    case Step::DrawVacuum:
+    case ProgressStep::DrawVacuum:
       if (phase == 0) return withChecks(vacuumOn(settings_) + dwell(settings_.vacuum_evacuate_s), settings_);
       return withChecks(dwell(settings_.vacuum_hold_s), settings_);
-    case Step::MapHeights:
+    case ProgressStep::MapHeights:
       return withChecks(settings_.map_code, settings_);
     default:
       return std::nullopt;
@@ -63,11 +63,11 @@ void Startup::finished(StartupStep step, double now_s) {
     const StartupCheck check = checkHomed(*axis, reports_);
     if (!settings_.home_label.empty() && check.verdict != Verdict::Met) return fail(step, check.reason);
     complete(*entry, std::string("the machine has homed ") + *axis, now_s);
-  } else if (step == Step::HeatBed) {
+  } else if (step == ProgressStep::HeatBed) {
     finishBed(*entry, now_s);
-  } else if (step == Step::DrawVacuum) {
+  } else if (step == ProgressStep::DrawVacuum) {
     finishVacuum(*entry, now_s);
-  } else if (step == Step::MapHeights) {
+  } else if (step == ProgressStep::MapHeights) {
     const StartupCheck check = checkHeights(reports_, settings_);
     if (check.verdict != Verdict::Met) return fail(step, check.reason);
     complete(*entry, check.reason, now_s);
@@ -97,17 +97,17 @@ void Startup::finishVacuum(Entry& entry, double now_s) {
 void Startup::measure(Entry& entry) {
   StartupCheck check;
   switch (entry.status.step) {
-    case Step::DryPellets:
+    case ProgressStep::DryPellets:
       check = checkDrying(dried_s_, settings_);
       break;
-    case Step::HeatBed:
+    case ProgressStep::HeatBed:
       check = checkBed(reports_, settings_, Strictness::Reaching);
       break;
-    case Step::DrawVacuum:
+    case ProgressStep::DrawVacuum:
       if (settings_.vacuum_label.empty()) return;
       check = checkVacuum(reports_, settings_);
       break;
-    case Step::MapHeights:
+    case ProgressStep::MapHeights:
       check = checkHeights(reports_, settings_);
       break;
     default:
@@ -141,16 +141,16 @@ void Startup::halt(const std::string& why) {
 
 /// Fails a step that runs out of its bounds, loses one that no longer holds.
 void Startup::watch(Entry& entry) {
-  const Step step = entry.status.step;
+  const ProgressStep step = entry.status.step;
   const bool is_done = entry.status.state == StartupState::Done;
-  if (step == Step::HeatBed && !is_done) {
+  if (step == ProgressStep::HeatBed && !is_done) {
     const StartupCheck rate = checkBedRate(reports_, settings_);
     if (rate.verdict == Verdict::NotMet) fail(step, rate.reason);
   }
   if (!is_done) return;
   StartupCheck check;
-  if (step == Step::HeatBed) check = checkBed(reports_, settings_, Strictness::Keeping);
-  if (step == Step::DrawVacuum && !settings_.vacuum_label.empty()) check = checkVacuum(reports_, settings_);
+  if (step == ProgressStep::HeatBed) check = checkBed(reports_, settings_, Strictness::Keeping);
+  if (step == ProgressStep::DrawVacuum && !settings_.vacuum_label.empty()) check = checkVacuum(reports_, settings_);
   if (homedAxis(step) && !settings_.home_label.empty()) check = checkHomed(*homedAxis(step), reports_);
   if (check.verdict == Verdict::NotMet) lose(step, check.reason);
 }

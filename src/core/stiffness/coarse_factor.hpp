@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "lamina/stiffness/node_field.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 
 namespace lamina {
 

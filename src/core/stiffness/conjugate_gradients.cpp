@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/multigrid.hpp"
 #include "stiffness/node_blocks.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/stiffness/node_field.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 
 namespace lamina {
 

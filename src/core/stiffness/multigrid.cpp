@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lamina/base/random.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/lattice_transfer.hpp"
 #include "stiffness/node_blocks.hpp"
 

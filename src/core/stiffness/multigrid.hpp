@@ -7,7 +7,7 @@
 
 #include "lamina/stiffness/node_field.hpp"
 #include "stiffness/coarse_factor.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 
 namespace lamina {
 

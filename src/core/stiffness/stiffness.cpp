@@ -10,7 +10,7 @@
 #include "lamina/stiffness/stiffness_memory.hpp"
 #include "stiffness/conjugate_gradients.hpp"
 #include "stiffness/connected_parts.hpp"
-#include "stiffness/element_product.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/rigid_motion.hpp"
 #include "stiffness/stress_recovery.hpp"
 

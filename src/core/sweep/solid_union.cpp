@@ -6,7 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "lamina/geometry/isosurface.hpp"
+#include "lamina/geometry/voxel/isosurface.hpp"
 
 namespace lamina {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/joint_limits.hpp"
+#include "lamina/kinematics/model/joint_limits.hpp"
 #include "trajectory/straight_lift.hpp"
 #include "trajectory/timed_motion.hpp"
 

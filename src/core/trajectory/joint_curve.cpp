@@ -11,9 +11,9 @@ namespace {
 constexpr double kStraight = 1e-9;         // turns beneath this are none [mm per mm, rad]
 constexpr double kDeviation = 3.0 / 16.0;  // of half a blend, per turn
 
-double rise(double u) { return u * u * (3.0 - 2.0 * u); }
+double curveRise(double u) { return u * u * (3.0 - 2.0 * u); }
 double riseSum(double u) { return u * u * u * (1.0 - 0.5 * u); }
-double riseRate(double u) { return 6.0 * u * (1.0 - u); }
+double curveRiseRate(double u) { return 6.0 * u * (1.0 - u); }
 
 }  // namespace
 
@@ -99,7 +99,7 @@ CurvePoint JointCurve::at(std::size_t span, double along) const {
   const JointValues before = tangent(corner - 1);
   const JointValues turned = turn(corner);
   return {stations_.each[corner].values + b * ((2.0 * u - 1.0) * before + 2.0 * riseSum(u) * turned),
-          before + rise(u) * turned, riseRate(u) / (2.0 * b) * turned};
+          before + curveRise(u) * turned, curveRiseRate(u) / (2.0 * b) * turned};
 }
 
 JointValues JointCurve::positionAt(std::size_t span, double along) const { return at(span, along).position; }

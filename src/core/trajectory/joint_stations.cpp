@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kShortest = 1e-9;    // mm of the tip
 constexpr double kCoincident = 1e-7;  // s that the joints need from one station to the other
-constexpr double kStraight = 1e-6;    // rad, or rad/mm of the jet
+constexpr double kStraightStation = 1e-6;    // rad, or rad/mm of the jet
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 const Path& pathAt(const Toolpath& toolpath, const WaypointIndex& at) {
@@ -84,7 +84,7 @@ bool goesOn(const JointStation& before, const JointStation& here, const JointSta
         to.pose.linear().col(2) - from.pose.linear().col(2);
     return Eigen::Matrix<double, 6, 1>(value / to.length_mm);
   };
-  return (rate(here, after) - rate(before, here)).cwiseAbs().maxCoeff() < kStraight;
+  return (rate(here, after) - rate(before, here)).cwiseAbs().maxCoeff() < kStraightStation;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/trajectory_settings.hpp"
 
 namespace lamina {

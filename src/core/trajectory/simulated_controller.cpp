@@ -13,7 +13,7 @@ constexpr double kAtRest = 1e-9;  // of a joint's speed per second: numbers that
 constexpr int kSubsteps = 8;      // of a cycle, of a lag of second order
 constexpr double kOnTime = 1e-9;  // s
 
-bool isMoving(const JointState& state) { return state.velocity.cwiseAbs().maxCoeff() > kAtRest; }
+bool isMovingJoints(const JointState& state) { return state.velocity.cwiseAbs().maxCoeff() > kAtRest; }
 
 /// The cubic through two points with their velocities.
 JointValues between(const JointState& a, const JointState& b, double time_s) {
@@ -121,9 +121,9 @@ void SimulatedController::pass(double time_s) {
 
 JointValues SimulatedController::asked(double time_s) {
   pass(time_s);
-  if (isMoving(points_.back()))
+  if (isMovingJoints(points_.back()))
     report_.least_queue_s = std::min(report_.least_queue_s, std::max(0.0, points_.back().time_s - time_s));
-  if (points_.size() == 1 && isMoving(points_.front()) && time_s > points_.front().time_s + kOnTime) {
+  if (points_.size() == 1 && isMovingJoints(points_.front()) && time_s > points_.front().time_s + kOnTime) {
     ++report_.starvations;
     brakeFrom(points_.front());
     pass(time_s);

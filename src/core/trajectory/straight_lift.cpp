@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lamina/kinematics/joint_limits.hpp"
+#include "lamina/kinematics/model/joint_limits.hpp"
 #include "trajectory/pose_correction.hpp"
 
 namespace lamina {

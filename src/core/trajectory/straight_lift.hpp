@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/trajectory_settings.hpp"
 
 namespace lamina {

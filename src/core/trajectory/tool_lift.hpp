@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "lamina/trajectory/hand_over.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
 #include "trajectory/timed_motion.hpp"
 
 namespace lamina {

@@ -3,7 +3,7 @@
 #include "deposit_messages.hpp"
 
 #include "conversions.hpp"
-#include "lamina/geometry/voxel_view.hpp"
+#include "lamina/geometry/voxel/voxel_view.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 

@@ -5,7 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 #include <visualization_msgs/MarkerArray.h>
 
-#include "lamina/geometry/voxel_grid.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 #include "lamina/job/deposit_job.hpp"
 #include "messages.hpp"
 #include "simulator_settings.hpp"

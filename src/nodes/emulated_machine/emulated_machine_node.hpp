@@ -7,9 +7,9 @@
 #include <memory>
 #include <thread>
 
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
-#include "lamina/streaming/emulated_machine.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "machine_deposit.hpp"
 #include "machine_settings.hpp"
 #include "motion_queue.hpp"

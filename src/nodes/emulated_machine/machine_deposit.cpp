@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "lamina/deposition/bead_deposit.hpp"
-#include "lamina/geometry/voxel_view.hpp"
+#include "lamina/geometry/voxel/voxel_view.hpp"
 
 namespace lamina {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lamina/deposition/voxel_deposit.hpp"
-#include "lamina/geometry/height_source.hpp"
-#include "lamina/kinematics/machine.hpp"
+#include "lamina/geometry/voxel/height_source.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "machine_settings.hpp"
 
 namespace lamina {

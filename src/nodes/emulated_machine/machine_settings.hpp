@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
-#include "lamina/streaming/emulated_machine.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 
 namespace lamina {
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-#include "lamina/streaming/emulated_motion.hpp"
+#include "lamina/streaming/emulator/emulated_motion.hpp"
 
 namespace lamina {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "lamina/streaming/emulated_motion.hpp"
+#include "lamina/streaming/emulator/emulated_motion.hpp"
 
 namespace lamina {
 

@@ -15,7 +15,7 @@
 #include "conversions.hpp"
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/transform/transform_report.hpp"
+#include "lamina/gcode_rewrite/rewrite_report.hpp"
 #include "messages.hpp"
 
 namespace lamina {

@@ -7,7 +7,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/clock.hpp"
-#include "lamina/program/gcode_writer.hpp"
+#include "lamina/program/gcode/gcode_writer.hpp"
 #include "names.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"

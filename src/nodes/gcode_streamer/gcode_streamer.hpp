@@ -11,8 +11,8 @@
 #include <mutex>
 #include <string>
 
-#include "lamina/kinematics/machine.hpp"
-#include "lamina/streaming/stream_session.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/streaming/client/stream_session.hpp"
 #include "messages.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/startup/startup_settings.hpp"
-#include "lamina/streaming/stream_session.hpp"
+#include "lamina/streaming/client/stream_session.hpp"
 
 namespace lamina {
 

@@ -9,7 +9,7 @@
 
 #include "action_progress.hpp"
 #include "lamina/base/progress.hpp"
-#include "lamina/job/study_job.hpp"
+#include "lamina/job/study/study_job.hpp"
 #include "messages.hpp"
 
 namespace lamina {

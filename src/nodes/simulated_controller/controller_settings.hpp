@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/trajectory/simulated_controller.hpp"
 
 namespace lamina {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "conversions.hpp"
-#include "lamina/clearance/clearance.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/overhang/overhang.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 #include "messages.hpp"
 
 namespace lamina {

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "follow_joint_trajectory.hpp"
-#include "lamina/kinematics/mechanism.hpp"
-#include "lamina/trajectory/hand_over.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
 

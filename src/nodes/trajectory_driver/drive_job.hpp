@@ -10,8 +10,8 @@
 #include "driver_settings.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/machine_check.hpp"
-#include "lamina/job/mechanism_run.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/approach.hpp"
 
 namespace lamina {

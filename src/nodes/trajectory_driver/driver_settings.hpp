@@ -3,11 +3,11 @@
 #pragma once
 
 #include "lamina/base/settings.hpp"
-#include "lamina/clearance/clearance_settings.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/job/run_settings.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
-#include "lamina/trajectory/hand_over_settings.hpp"
+#include "lamina/trajectory/trajectory_feeder_settings.hpp"
 
 namespace lamina {
 

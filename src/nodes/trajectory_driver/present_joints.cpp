@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kLookPeriod = 0.02;  // s
+constexpr double kJointLookPeriod = 0.02;  // s
 constexpr double kStill = 1e-3;       // mm or rad: what encoders of a joint at rest may tell
 
 }  // namespace
@@ -72,7 +72,7 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
       throw TimedOut("'" + std::string(names::kJointStates) + "' tells nothing of joint '" + missing +
                      "' in " + std::to_string(wait_s) + " s; expected all driven joints of " +
                      mechanism_.name() + ", to know where it stands");
-    ros::Duration(kLookPeriod).sleep();
+    ros::Duration(kJointLookPeriod).sleep();
   }
 }
 

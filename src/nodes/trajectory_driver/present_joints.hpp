@@ -9,7 +9,7 @@
 #include <mutex>
 #include <string>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
 

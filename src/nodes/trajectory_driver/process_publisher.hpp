@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/trajectory/hand_over.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
 
 namespace lamina {
 

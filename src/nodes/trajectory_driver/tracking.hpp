@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
 

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "conversions.hpp"
-#include "lamina/job/mechanism_run.hpp"
-#include "lamina/kinematics/machine.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "machine_transforms.hpp"
 

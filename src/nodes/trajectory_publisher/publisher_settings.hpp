@@ -6,7 +6,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/job/run_settings.hpp"
-#include "lamina/kinematics/machine_settings.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
 
 namespace lamina {

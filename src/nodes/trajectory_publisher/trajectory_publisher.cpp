@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
-#include "lamina/program/toolpath_from_gcode.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "names.hpp"
 #include "status.hpp"
 #include "trajectory_messages.hpp"

@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "conversions.hpp"
-#include "lamina/kinematics/machine.hpp"
-#include "lamina/kinematics/mechanism.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
 #include "machine_transforms.hpp"
 #include "messages.hpp"
 #include "playback.hpp"

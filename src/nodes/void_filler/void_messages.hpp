@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/job/program_void_job.hpp"
+#include "lamina/job/voids/program_void_job.hpp"
 #include "messages.hpp"
 
 namespace lamina {

@@ -19,7 +19,7 @@ void addCap(Mesh& mesh, std::uint32_t first, std::uint32_t count, Facing facing)
   }
 }
 
-void addBand(Mesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t count) {
+void addLoftBand(Mesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t j = (i + 1) % count;
     mesh.triangles.push_back({lower + i, lower + j, upper + j});
@@ -41,7 +41,7 @@ Mesh loft(const std::vector<std::vector<Point3>>& rings) {
   for (const auto& ring : rings) mesh.vertices.insert(mesh.vertices.end(), ring.begin(), ring.end());
   const auto last = static_cast<std::uint32_t>(rings.size() - 1) * count;
   addCap(mesh, 0, count, Facing::Down);
-  for (std::uint32_t lower = 0; lower < last; lower += count) addBand(mesh, lower, lower + count, count);
+  for (std::uint32_t lower = 0; lower < last; lower += count) addLoftBand(mesh, lower, lower + count, count);
   addCap(mesh, last, count, Facing::Up);
   return mesh;
 }

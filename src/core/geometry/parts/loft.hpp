@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "lamina/geometry/mesh.hpp"
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
 

@@ -28,7 +28,7 @@ Swept sweep(Mesh& mesh, const Point2& point, int segments) {
   return {first, false};
 }
 
-void addBand(Mesh& mesh, const Swept& from, const Swept& to, int segments) {
+void addTurnedBand(Mesh& mesh, const Swept& from, const Swept& to, int segments) {
   const auto count = static_cast<std::uint32_t>(segments);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t j = (i + 1) % count;
@@ -46,7 +46,7 @@ Mesh revolve(const Polygon& outline, int segments) {
   for (std::size_t i = 0; i < swept.size(); ++i) {
     const Swept& from = swept[i];
     const Swept& to = swept[(i + 1) % swept.size()];
-    if (!(from.is_on_axis && to.is_on_axis)) addBand(mesh, from, to, segments);
+    if (!(from.is_on_axis && to.is_on_axis)) addTurnedBand(mesh, from, to, segments);
   }
   return mesh;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/geometry/mesh.hpp"
-#include "lamina/geometry/polygon.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
 
 namespace lamina {
 

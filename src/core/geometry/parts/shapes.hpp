@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lamina/base/settings.hpp"
-#include "lamina/geometry/mesh.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 
 namespace lamina {
 

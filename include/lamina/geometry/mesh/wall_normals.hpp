@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// Outward normals of the walls of a part, found near a path. Faces that lean too far are no walls, so that
+/// the top of a part is not taken for one where a wall runs along it. Queries may be made from several
+/// threads.
+class WallNormals {
+ public:
+  /// @param part          triangles that face outwards [mm, part frame]; need not outlive this
+  /// @param up            normal of the layers, of unit length
+  /// @param max_lean_deg  greatest angle between a wall and `up`
+  /// @throws InvalidInput if no face of the part is a wall
+  WallNormals(const Mesh& part, const Point3& up, double max_lean_deg);
+  ~WallNormals();
+  WallNormals(WallNormals&&) noexcept;
+  WallNormals& operator=(WallNormals&&) noexcept;
+
+  /// Normal at the place of the walls nearest to a point, of unit length: that of its triangle in the middle
+  /// of it, at an edge the mean of both triangles if they bend by less than 45 degrees.
+  Point3 at(const Point3& point) const;
+
+ private:
+  struct Walls;
+  std::unique_ptr<Walls> walls_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
+
+/// The units by the names used on the command line and in requests: mm, cm, m, inch.
+const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits();
+
+/// How the numbers of a mesh file become millimetres.
+struct MeshUnits {
+  LengthUnit unit =
+      LengthUnit::Millimetre;  ///< of formats that state none: all but 3MF, which states its own
+  double scale = 1.0;          ///< factor on top, for every format; positive
+};
+
+/// Reads STL (binary or ASCII), OBJ, PLY (ASCII or binary) or 3MF. The format is told by the content, and by
+/// the suffix only where the content leaves it open. Vertices with exactly equal coordinates become one (-0
+/// equals +0); faces with more than three corners become fans. Nothing else is changed: degenerate triangles
+/// and vertex order stay.
+///
+/// A wrong triangle count in a binary STL is corrected if the file holds whole triangles: more than the count
+/// says, or fewer that form a closed surface.
+///
+/// @throws FileError    if the file is missing or cannot be read
+/// @throws InvalidMesh  if it is empty, truncated, none of these formats, has a number that is not finite or
+/// beyond
+///                      1e9 mm, or has no triangle; names line or byte
+/// @throws InvalidConfig if the scale is not positive and finite
+Mesh readMesh(const std::string& path, const MeshUnits& units = {});
+
+/// The same for bytes in memory. The name stands for the path: in errors, and its suffix.
+Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units = {});
+
+}  // namespace lamina

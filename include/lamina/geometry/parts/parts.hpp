@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// One parameter of a part; the key ends in its unit where it has one: "height_mm", "twist_deg", "segments".
+struct PartParameter {
+  std::string key;
+  std::string default_value;
+  std::string bounds;  ///< "(0, 1000]"
+  std::string meaning;
+};
+
+/// The parts by name: bevelled_cube, blade, blind_hole_plate, box, cone, curved_wall, cylinder, flat_wall,
+/// pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
+std::vector<std::string> partNames();
+
+/// One sentence on the part.
+/// @throws InvalidConfig if there is no such part; names those there are
+std::string partMeaning(const std::string& name);
+
+/// @throws InvalidConfig if there is no such part; names those there are
+std::vector<PartParameter> partParameters(const std::string& name);
+
+/// A part [mm] standing on z = 0 with the z axis through its middle: closed, facing outwards, every vertex
+/// stored once. Round surfaces are inscribed polygons of the given number of segments. Parameters that are
+/// not given keep their defaults.
+///
+/// @throws InvalidConfig if there is no such part or parameter (names those there are), or a value is out of
+/// bounds or
+///                       contradicts another
+Mesh makePart(const std::string& name, const std::vector<SettingText>& parameters = {});
+
+}  // namespace lamina

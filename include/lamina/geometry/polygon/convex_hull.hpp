@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+
+namespace lamina {
+
+/// The convex hull (Andrew 1979), counter-clockwise, corners only; empty if all points lie on one line.
+Polygon convexHull(std::vector<Point2> points);
+
+}  // namespace lamina

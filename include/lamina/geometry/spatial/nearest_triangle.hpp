@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// The place of a mesh nearest to a point.
+struct NearestPlace {
+  std::uint32_t triangle = 0;
+  Point3 point = Point3::Zero();  ///< [mm]
+  double distance_mm = 0.0;
+};
+
+/// Finds the nearest place of a mesh in logarithmic time. Queries may be made from several threads.
+class NearestTriangle {
+ public:
+  /// @param mesh  must outlive this; at least one triangle
+  /// @throws InvalidInput if it has none
+  explicit NearestTriangle(const Mesh& mesh);
+
+  /// Of equally near triangles the one of the lowest number.
+  NearestPlace nearest(const Point3& point) const;
+
+  /// The same, or nothing if nothing is nearer than `within_mm`.
+  std::optional<NearestPlace> nearest(const Point3& point, double within_mm) const;
+
+ private:
+  struct Node {
+    Box3 box;
+    std::uint32_t first = 0;  // of its triangles if it is a leaf, otherwise the number of its right child
+    std::uint32_t count = 0;  // 0 for an inner node, whose left child follows it
+  };
+  struct Search;
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last, const std::vector<Point3>& middles);
+  void visit(std::uint32_t node, Search& search) const;
+
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+/// The point of a triangle nearest to a point.
+Point3 nearestInTriangle(const Point3& point, const Point3& a, const Point3& b, const Point3& c);
+
+}  // namespace lamina

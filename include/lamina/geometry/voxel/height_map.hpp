@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lamina/geometry/voxel/height_grid.hpp"
+
+namespace lamina {
+
+/// One height [mm, bed frame] per cell of a grid; NaN where nothing is known. Value type of fixed extent:
+/// also holds differences of heights.
+class HeightMap {
+ public:
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  HeightMap() = default;
+  explicit HeightMap(const HeightGrid& grid, double height = kUnknown)
+      : grid_(grid), heights_(grid.cellCount(), height) {}
+
+  const HeightGrid& grid() const { return grid_; }
+  /// Heights of all cells, row by row.
+  const std::vector<double>& heights() const { return heights_; }
+
+  double at(std::size_t cell) const { return heights_[cell]; }
+  bool isKnown(std::size_t cell) const { return !std::isnan(heights_[cell]); }
+  void set(std::size_t cell, double height) { heights_[cell] = height; }
+
+  /// Height of the cell the point lies in; unknown beyond the grid.
+  double nearest(const Point2& point) const;
+
+  /// Height between the four cells around the point, linear in x and y. Where some of the four are unknown or
+  /// beyond the grid, the nearest cell decides.
+  double bilinear(const Point2& point) const;
+
+ private:
+  HeightGrid grid_;
+  std::vector<double> heights_;
+};
+
+/// Smallest and largest known height.
+struct HeightRange {
+  double low = HeightMap::kUnknown;  ///< unknown if no cell is known
+  double high = HeightMap::kUnknown;
+  std::size_t known = 0;  ///< cells
+};
+HeightRange heightRange(const HeightMap& map);
+
+/// Sum of the known cells' heights times the cell area [mm³].
+double volumeUnder(const HeightMap& map);
+
+}  // namespace lamina

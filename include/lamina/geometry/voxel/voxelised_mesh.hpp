@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/progress.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
+
+namespace lamina {
+
+/// The voxels whose centres a closed mesh encloses. What faces inwards as a whole counts as if it faced
+/// outwards; bodies that overlap become one; cavities stay open. The grid begins at the low corner of the
+/// mesh's box, so that a box of whole voxels is met exactly.
+///
+/// @throws InvalidMesh   if the mesh has no triangle, or is open where a row of voxels meets it
+/// @throws InvalidInput  as `voxelFrame`
+/// @throws Cancelled
+VoxelGrid voxelisedMesh(const Mesh& mesh, double voxel_mm, Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/job/run_settings.hpp"
+#include "lamina/kinematics/joint_path/divided_joint_path.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/trajectory/timed_path.hpp"
+
+namespace lamina {
+
+/// A toolpath as the joints of a machine or robot run it.
+struct MechanismRun {
+  DividedToolpath divided;  ///< so finely that steady joints keep the nozzle on its motions
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
+  JointPath path;                                                   ///< of the divided toolpath
+
+  const Toolpath& toolpath() const { return divided.toolpath; }
+};
+
+/// The joints that keep links out of each other, as far as `SelfCollisionGuard` tells. Where divisions do not
+/// keep the nozzle within the tolerances, `inTime` goes on dividing.
+/// @param progress  stage "joints"
+/// @throws as `planJointPath`; InvalidConfig as `linkBodies`
+MechanismRun runOn(const Mechanism& mechanism, Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                   const JointPathSettings& settings, Progress& progress);
+
+/// @throws Unreachable if the path has faults: how many, and the first
+void requireRunnable(const MechanismRun& run, const Mechanism& mechanism);
+
+/// A run in time.
+struct TimedRun {
+  MechanismRun run;
+  std::unique_ptr<TimedPath> trajectory;
+  ToolpathTime time;
+};
+
+/// @throws Unreachable as `requireRunnable`; as `TimedPath`
+TimedRun inTime(MechanismRun run, const Mechanism& mechanism, const TimingSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// How often a part is printed, one after the other along a belt.
+struct CopySettings {
+  int count = 1;
+  double spacing_mm = 10.0;  ///< the belt goes on by so much between one copy's end and the next one's start
+};
+
+/// Adds the keys part.copies and part.spacing_mm.
+void describe(SettingsSchema& schema, CopySettings& settings);
+
+/// The toolpath as often as asked for, each copy farther along the machine's endless axis by the same way, so
+/// that this axis has passed all of a copy when the next one begins. Between copies the belt goes on first,
+/// which takes the copy out of the nozzle's reach, then the nozzle goes across. Layers of one copy follow
+/// those of another. One copy is the toolpath as it is.
+/// @param travel_feed_mm_s  between copies
+/// @throws InvalidConfig if there are to be several and the machine has no endless axis
+Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Machine& machine,
+                    const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);
+
+}  // namespace lamina

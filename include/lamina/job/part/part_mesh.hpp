@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/job/job_settings.hpp"
+
+namespace lamina {
+
+/// The mesh that a part is taken as by everything but slicing, which keeps more of it: repaired, or refused,
+/// as the settings say.
+/// @param part  name of a parametric part, otherwise path of a mesh file
+/// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
+///   FileError
+Mesh partMesh(const std::string& part, const InputSettings& settings);
+
+}  // namespace lamina

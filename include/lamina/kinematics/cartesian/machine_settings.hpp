@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+
+namespace lamina {
+
+/// Which machine it is.
+struct MachineSettings {
+  std::string name = "cartesian_gantry";  ///< one of `mechanismNames`
+  std::string urdf;                       ///< path of a description that stands for the named one
+};
+
+/// Adds the keys machine.name and machine.urdf.
+/// @param meaning  of the machine: "Machine that prints the part."
+void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning);
+
+/// The machine of the file, or of the name if no file is given.
+/// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
+Machine machineOf(const MachineSettings& settings);
+
+/// The same with all its joints.
+/// @throws FileError, InvalidConfig as `mechanismFromUrdf`, `mechanismByName`
+std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings);
+
+}  // namespace lamina

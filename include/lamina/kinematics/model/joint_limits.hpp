@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lamina/kinematics/model/kinematic_model.hpp"
+
+namespace lamina {
+
+/// How far beyond its limit a joint may be told to be: what limits lose by rounding on their way through a
+/// controller [mm, rad].
+constexpr double kJointLimitSlack = 1e-6;
+
+/// The first joint beyond its limits or not a number, in words: "joint a at 1.2 deg; must be within -1 to
+/// 1 deg"; nothing if all are within.
+/// @param values  one for each joint [mm, rad]
+std::optional<std::string> limitFault(const JointValues& values, const Mechanism& mechanism);
+
+}  // namespace lamina

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/voxel/height_grid.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
+
+namespace lamina {
+
+/// A triangle of one of several charts.
+struct ChartTriangle {
+  std::uint32_t chart = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// A place in a triangle of a chart.
+struct ChartPlace {
+  ChartTriangle in;
+  Point3 weights = Point3::Zero();  ///< of the triangle's corners: not negative, 1 together
+};
+
+/// What a layer is at one place.
+struct SurfacePoint {
+  Point3 middle = Point3::Zero();  ///< [mm, part frame]
+  Point3 tip = Point3::Zero();     ///< [mm, part frame]
+  Point3 normal = Point3::UnitZ();
+  double height_mm = 0.0;
+};
+
+/// Part of a straight line of the plan that lies in one triangle; 0 is the line's start and 1 its end.
+struct ChartStretch {
+  ChartTriangle in;
+  double from = 0.0;
+  double to = 0.0;
+};
+
+/// Finds the triangles of a layer's charts by their plan, in a time that does not grow with their number, and
+/// brings points of the plan back into space (optimal-curved-paths.md section 2.7). Queries may be made from
+/// several threads.
+class ChartLookup {
+ public:
+  /// Points of the plan no farther than this outside a chart are drawn to its border [mm]: twice what
+  /// outlines are simplified by when they are planned (`planning.simplification_mm`).
+  static constexpr double kSnap = 0.01;
+
+  /// @param charts  must outlive this; their plans do not overlap
+  /// @throws InvalidInput if there is no triangle, or a chart has not one plan point, tip, normal and height
+  ///         per vertex, or one that is not finite
+  explicit ChartLookup(const std::vector<LayerChart>& charts);
+
+  /// Where a point of the plan is; nothing if it lies farther outside than `kSnap`. On an edge, in the
+  /// triangle of the lowest number.
+  std::optional<ChartPlace> find(const Point2& plan) const;
+
+  /// The same.
+  /// @throws InvalidInput giving the point, if it lies farther outside
+  ChartPlace at(const Point2& plan) const;
+
+  /// The place in that triangle; points outside are drawn to its border.
+  ChartPlace within(const ChartTriangle& in, const Point2& plan) const;
+
+  /// Middle, tip, normal and height between those of the corners.
+  SurfacePoint lifted(const ChartPlace& place) const;
+
+  /// Area in space of what has the area 1 in the plan.
+  double areaRatio(const ChartTriangle& in) const;
+
+  /// A line of the plan, cut where it crosses the sides of triangles, in order and without gaps. Nothing if
+  /// it leaves its chart by more than `kSnap`.
+  std::optional<std::vector<ChartStretch>> stretches(const Point2& from, const Point2& to) const;
+
+ private:
+  using Corners = std::array<Point2, 3>;
+
+  void sort(const Box2& box);
+  Corners planOf(const ChartTriangle& in) const;
+  template <class Visit>
+  void forCellsOf(const Corners& corners, const Visit& visit) const;
+  std::optional<std::vector<ChartStretch>> covering(const Point2& from, const Point2& to,
+                                                    const std::vector<std::uint32_t>& candidates,
+                                                    double margin) const;
+
+  const std::vector<LayerChart>& charts_;
+  std::vector<ChartTriangle> triangles_;  // of all charts
+  HeightGrid grid_;
+  std::vector<std::uint32_t> first_;  // of each cell in items_, and the end
+  std::vector<std::uint32_t> items_;  // triangles_ of the cells
+};
+
+}  // namespace lamina

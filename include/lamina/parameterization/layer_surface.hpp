@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// A layer that need not be plane: an open mesh through the middle of what is laid. Its triangles wind
+/// counter-clockwise seen from the nozzle. The vectors hold one value per vertex.
+struct LayerSurface {
+  Mesh middle;                    ///< [mm, part frame]
+  std::vector<Point3> tip;        ///< where the nozzle tip passes, at the top of the layer [mm, part frame]
+  std::vector<Point3> normal;     ///< against the jet, of unit length [part frame]
+  std::vector<double> height_mm;  ///< thickness of the layer along the normal
+};
+
+/// A piece of a layer and its plan: the same triangles in space and in the plane.
+struct LayerChart {
+  LayerSurface surface;
+  std::vector<Point2> plan;  ///< of each vertex [mm]; triangles wind counter-clockwise and do not overlap
+};
+
+}  // namespace lamina

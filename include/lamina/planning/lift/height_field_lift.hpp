@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/planning/lift/chart_lift.hpp"
+#include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/slicing/height_field/height_field_slicer.hpp"
+
+namespace lamina {
+
+/// Lifts layers planned in xy onto the bent layers they are cut from. Each layer's chart is made when it is
+/// lifted, and gone after.
+/// @param slices    must outlive the result
+/// @param settings  the jet down for machines that cannot tilt
+LayerLift heightFieldLift(const HeightFieldSlices& slices, const LiftSettings& settings,
+                          const TravelSettings& travel);
+
+}  // namespace lamina

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/five_axis/five_axis_settings.hpp"
+#include "lamina/program/program_settings.hpp"
+#include "lamina/program/text_sink.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A toolpath, where its part stands, and the joints of the machine that runs it.
+struct FiveAxisMotion {
+  const Toolpath& toolpath;
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
+  const Mechanism& machine;
+  const JointPath& joints;
+};
+
+/// Writes the toolpath as five-axis G-code: X Y Z [mm, 4 decimals] of the tip over the bed or of the joints,
+/// A B C [deg, 5 decimals] of the rotary joints as they are in the joint path, E as in `writeGcode`. F is in
+/// mm/min (deg/min where the tool turns in place), or with joints 1/minutes under G93, which G94 ends.
+/// Between two lines of joints the tip leaves its line by no more than `chord_tolerance_mm`: lines put in
+/// between end in `;via`.
+///
+/// @throws InvalidConfig if a joint has no letter (x, y, z, a, b, c), as those of an arm; as `writeGcode`
+/// @throws Unreachable   if the joint path has faults or a joint is outside its limits, or no joints are
+///   found between two waypoints; names the waypoint
+/// @throws InvalidInput  if the joints are not those of the toolpath, or as `writeGcode`, of drops too. All
+/// of
+///   it before the first piece is written.
+void writeFiveAxis(const FiveAxisMotion& motion, const FiveAxisSettings& settings,
+                   const ProgramSettings& program, const TextSink& sink);
+
+}  // namespace lamina

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/rapid/rapid_settings.hpp"
+#include "lamina/program/text_sink.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The arm that runs a program, and its joints at the toolpath's waypoints.
+struct RobotMotion {
+  const Mechanism& arm;
+  const JointPath& joints;
+};
+
+/// A toolpath as a program in RAPID (metal-deposition-paths.md section 2.13): one module, or a main module
+/// and numbered ones with the points.
+///
+/// Each point is a move line and a process line, which is empty where the process goes on, so that point k
+/// stands on line 2k-1 of its procedure. Paths that deposit are runs with the laser (and wire) on, paths that
+/// meet in one pose one run together; travels are air moves. Points where the process starts or ends are in
+/// `end_zone`, all others in `zone`. Positions are those of the work object, which is the bed [mm, 4
+/// decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x y z, 7
+/// decimals) is bed_from_nozzle. Roles, beads and layers are told in comments before each procedure.
+///
+/// All is checked when it is made; writing takes linear time and constant memory. The toolpath, and the
+/// robot's motion, must outlive it.
+class RapidProgram {
+ public:
+  /// @param bed_from_part  where the part stands on the bed [mm]
+  /// @param robot  needed for configurations from joints and for external axes; may be null
+  /// @throws InvalidInput if the toolpath holds no motion, or drops; a position is not within 100 m, a feed
+  ///   below 0.001 mm/s, an orientation not of unit length, or a nozzle of 3 axes would have to turn; the
+  ///   joints are not those of the toolpath. Names layer, path and waypoint.
+  /// @throws Unreachable   if the joints have faults; names the first
+  /// @throws InvalidConfig as `checkedRapidSettings`; if a speed of RAPID's own is to stand for another feed,
+  ///   modules that are loaded in turn cannot hold a run, or configurations are asked for without joints
+  RapidProgram(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+               const RapidSettings& settings, const RobotMotion* robot = nullptr);
+  ~RapidProgram();
+  RapidProgram(RapidProgram&&) noexcept;
+  RapidProgram& operator=(RapidProgram&&) noexcept;
+
+  /// Main first. The file of a module has its name and the suffix .mod.
+  const std::vector<std::string>& moduleNames() const;
+  void write(std::size_t module, const TextSink& sink) const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+/// Writes a program of one module.
+/// @throws InvalidConfig also if it has several
+void writeRapid(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                const RapidSettings& settings, const TextSink& sink, const RobotMotion* robot = nullptr);
+
+}  // namespace lamina

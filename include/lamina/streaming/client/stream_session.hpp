@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "lamina/streaming/client/streamer.hpp"
+
+namespace lamina {
+
+/// Where the machine is.
+struct MachinePort {
+  std::string name;  ///< "tcp:host:port", or the path of a serial port or pseudo-terminal
+  int baud = 115200;
+};
+
+/// A job under way: a streamer at a port, in a thread of its own. All calls may come from any thread.
+class StreamSession {
+ public:
+  /// Given the job's status whenever its state changes, in order, and at least ten times a second while it
+  /// advances. Called from the session's thread; it must not wait for the session.
+  using Observer = std::function<void(const StreamStatus&)>;
+
+  /// Opens the port and starts to stream.
+  /// @param heard  given every line of the machine, from the session's thread; may be empty
+  /// @throws Disconnected naming the port if there is no machine
+  /// @throws FileError if the program is gone
+  StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
+                Observer observer, ReplyListener heard = {});
+  /// Aborts a job that is not over, and waits for the safe stop.
+  ~StreamSession();
+  StreamSession(const StreamSession&) = delete;
+  StreamSession& operator=(const StreamSession&) = delete;
+
+  /// Asks to hold after the lines under way; without effect unless in Execute.
+  void pause();
+  /// Asks to go on; without effect unless in Holding or Held.
+  void resume();
+  /// Asks for a safe stop; the job ends in Aborted.
+  void abort(const Failure& why);
+
+  StreamStatus status() const;
+  bool isOver() const;
+  /// Waits for the end of the job.
+  /// @return false if it has not ended within `timeout_s`
+  bool waitFor(double timeout_s) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The status of a job that is over as an exception: nothing if it is Complete.
+/// @throws the error that its failure stands for
+void throwIfFailed(const StreamStatus& status);
+
+}  // namespace lamina

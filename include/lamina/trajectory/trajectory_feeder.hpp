@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "lamina/trajectory/trajectory_feeder_settings.hpp"
+#include "lamina/trajectory/timed_path.hpp"
+
+namespace lamina {
+
+/// Consecutive points of a trajectory, at times of the job. The first one is where it joins what was handed
+/// over before; whatever the controller still has of that time or later is replaced.
+struct TrajectoryChunk {
+  std::vector<JointState> points;
+};
+
+enum class HandOverState : std::uint8_t {
+  Running,
+  Paused,    ///< on the way to rest, or at rest
+  Aborted,   ///< the same for good, lifted if asked
+  Finished,  ///< the last point has been handed over
+};
+
+/// How the tool is lifted clear after an abort.
+struct ToolLift {
+  double height_mm = 0.0;  ///< against the jet
+  double speed_mm_s = 0.0;
+};
+
+/// Hands a trajectory to a controller piece by piece. All times are of one clock that was 0 at the start of
+/// the job. Pausing brakes along the path as hard as the limits allow and stays on it; resuming goes on from
+/// there, so that everything is laid once. At rest after a pause, and at once after an abort, the process is
+/// safe: flow, laser, wire, powder and gas are off.
+class HandOver {
+ public:
+  /// @throws InvalidConfig naming key, value and bound
+  HandOver(const TimedPath& path, const HandOverSettings& settings);
+  ~HandOver();
+  HandOver(HandOver&&) noexcept;
+  HandOver& operator=(HandOver&&) noexcept;
+
+  /// The next chunk, if the controller has less than the motion ahead and a chunk; nothing if it has enough
+  /// or there is no more. To be called until it gives nothing, at least once per duration of a chunk.
+  std::optional<TrajectoryChunk> next(double now_s);
+
+  /// Does nothing unless running, or if the motion ends before it could react.
+  void pause(double now_s);
+  /// Powder and gas settle first. Does nothing unless paused.
+  void resume(double now_s);
+  /// Does nothing after the end of the motion or an abort.
+  void abort(double now_s);
+  /// The same, with the tool lifted after it has come to rest.
+  /// @throws Unreachable if a joint would leave its limits on the way; the abort stands without the lift
+  void abort(double now_s, const ToolLift& lift, const Mechanism& mechanism);
+
+  HandOverState state() const;
+  /// When the motion that is planned now is at rest [s].
+  double restTime() const;
+  /// Where the joints are to be; the process as it is to be.
+  JointState at(double time_s) const;
+  /// What is switched when, in order, as planned now.
+  std::vector<ProcessEvent> events() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/gcode_rewrite/rewrite_report.hpp"
+
+namespace lamina {
+
+bool standsOnEdge(const TransformReport& report) {
+  constexpr double kNarrow = 0.1;
+  if (report.footprint.isEmpty()) return false;
+  const Point3 base = report.footprint.size();
+  const Point3 part = report.part.size();
+  return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
+}
+
+bool isJetOffNormal(const TransformReport& report) { return report.jet_off_normal_deg > kJetToleranceDeg; }
+
+}  // namespace lamina

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/program/program_frame.hpp"
+#include "gcode_rewrite/point_transform.hpp"
+#include "gcode_rewrite/program_tracker.hpp"
+
+namespace lamina {
+
+/// A box, and the lines of the program that reach furthest.
+struct Extremes {
+  Box3 box;
+  std::array<std::size_t, 3> low_line{};
+  std::array<std::size_t, 3> high_line{};
+
+  void include(const Point3& point, std::size_t line);
+};
+
+/// What the part of a program amounts to; boxes are after the map and before the shift [mm].
+struct SurveyTotals {
+  Extremes part;    ///< both ends of what is deposited, aids left out
+  Extremes aids;    ///< both ends of what is deposited as skirt, brim, raft, support, priming tower
+  Extremes nozzle;  ///< ends of all motions, those of dropped aids left out
+  std::size_t layers = 0;
+  std::size_t motions = 0;
+  std::size_t depositions = 0;
+  std::size_t arcs = 0;
+  std::size_t last_deposition = 0;          ///< line
+  std::size_t motion_after_deposition = 0;  ///< line of the first since; 0 if none
+  std::size_t pushing = 0;                  ///< motions with E that deposit
+  std::size_t not_pushing = 0;              ///< motions with E that do not
+};
+
+struct Survey {
+  SurveyTotals totals;
+  std::size_t end_line = 0;  ///< first line of the end code; 0 if the part goes on to the end of the file
+  std::size_t lines = 0;
+  std::string slicer;
+  std::optional<double> layer_height_mm;  ///< as the comments tell
+  ToldFrame frame;                        ///< likewise
+};
+
+/// First pass over a program: finds where its part ends and how far it reaches, and refuses what cannot be
+/// transformed.
+class Surveyor {
+ public:
+  Surveyor(const PointTransform& transform, const TransformSettings& settings);
+
+  /// @throws InvalidProgram naming the line, as `ProgramTracker::read`
+  void read(std::string_view line, std::size_t number);
+
+  /// @throws InvalidProgram if there is no comment that opens a layer, nothing is deposited, motions after
+  /// the
+  ///   last deposition may be of the part or of the end code, or E looks relative without being said so
+  Survey finish();
+
+ private:
+  void readFrame(std::size_t number);
+  void readMark(std::size_t number);
+  void addMotion(std::size_t number);
+  void addPoints(const std::vector<Point3>& ends, std::size_t number);
+
+  const PointTransform& transform_;
+  BuildAids build_aids_;
+  double chord_tolerance_mm_;
+  ProgramTracker tracker_;
+  Survey survey_;
+  SurveyTotals live_;  ///< as if the part had not ended
+  std::optional<std::string>
+      refusal_;  ///< of the first line that cannot be transformed since the part may have ended
+};
+
+}  // namespace lamina

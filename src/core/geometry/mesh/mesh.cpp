@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/mesh/mesh.hpp"
+
+#include <Eigen/Geometry>
+
+namespace lamina {
+
+Box3 boundingBox(const Mesh& mesh) {
+  Box3 box;
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) box.include(mesh.vertices[v]);
+  return box;
+}
+
+double volume(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return 0.0;
+  // Summed about a vertex of the mesh, so that a part far from the origin loses no digits.
+  const Point3 origin = mesh.vertices[mesh.triangles.front()[0]];
+  double six_volumes = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3 a = mesh.vertices[t[0]] - origin;
+    const Point3 b = mesh.vertices[t[1]] - origin;
+    const Point3 c = mesh.vertices[t[2]] - origin;
+    six_volumes += a.dot(b.cross(c));
+  }
+  return six_volumes / 6.0;
+}
+
+double surfaceArea(const Mesh& mesh) {
+  double two_areas = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3& a = mesh.vertices[t[0]];
+    two_areas += (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+  }
+  return 0.5 * two_areas;
+}
+
+}  // namespace lamina

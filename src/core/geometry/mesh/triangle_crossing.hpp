@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+
+namespace lamina {
+
+/// A point where one triangle of the mesh passes through another, if they do (see `findSelfIntersections`).
+/// The topology is the mesh's; it tells passing through an edge between two triangles from touching it.
+std::optional<Point3> findCrossing(const Mesh& mesh, const MeshTopology& topology, std::uint32_t a,
+                                   std::uint32_t b);
+
+}  // namespace lamina

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/input_file.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "mesh_formats.hpp"
+
+namespace lamina {
+namespace {
+
+double millimetresPer(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Millimetre:
+      return 1.0;
+    case LengthUnit::Centimetre:
+      return 10.0;
+    case LengthUnit::Metre:
+      return 1000.0;
+    case LengthUnit::Inch:
+      return 25.4;
+  }
+  return 1.0;
+}
+
+std::string lowerSuffix(const std::string& name) {
+  const std::size_t dot = name.find_last_of("./");
+  if (dot == std::string::npos || name[dot] != '.') return {};
+  std::string suffix = name.substr(dot);
+  for (char& c : suffix) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return suffix;
+}
+
+Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
+  if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY or 3MF)");
+  if (isPly(bytes)) return readPly(bytes, name);
+  if (isExactBinaryStl(bytes, bytes.size())) return readBinaryStl(bytes, name);
+  if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
+  if (isObj(bytes)) return readObj(bytes, name);
+  if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
+  throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY nor 3MF");
+}
+
+double factorOf(const MeshUnits& units) {
+  if (!(units.scale > 0.0) || !std::isfinite(units.scale))
+    throw InvalidConfig("scale is " + std::to_string(units.scale) + "; must be positive and finite");
+  return units.scale * millimetresPer(units.unit);
+}
+
+Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
+  // Beyond this, areas and volumes lose their meaning long before they overflow.
+  constexpr double kFarthest = 1e9;
+  if (mesh.triangles.empty()) throw InvalidMesh(name + ": no triangles");
+  for (Point3& vertex : mesh.vertices) {
+    vertex *= factor;
+    const double farthest = vertex.cwiseAbs().maxCoeff();
+    if (!(farthest <= kFarthest))
+      throw InvalidMesh(name + ": a vertex lies at " + std::to_string(farthest) +
+                        " mm; must be within 1e9 mm");
+  }
+  return mesh;
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
+  static const std::vector<std::pair<std::string, LengthUnit>> units = {{"mm", LengthUnit::Millimetre},
+                                                                        {"cm", LengthUnit::Centimetre},
+                                                                        {"m", LengthUnit::Metre},
+                                                                        {"inch", LengthUnit::Inch}};
+  return units;
+}
+
+bool isClosedSurface(const Mesh& mesh) { return !pairHalfEdges(mesh).has_border && volume(mesh) != 0.0; }
+
+Mesh readMesh(const std::string& path, const MeshUnits& units) {
+  InputFile file(path);
+  std::array<char, kBinaryStlStart> buffer;
+  const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
+  if (isPly(start) || !isExactBinaryStl(start, file.size()))
+    return readMeshFromBytes(file.readRest(start), path, units);
+  return inMillimetres(readExactBinaryStl(file, start, path), factorOf(units), path);
+}
+
+Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {
+  if (!isThreemf(bytes)) return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
+  return inMillimetres(readThreemf(bytes, name), factorOf({LengthUnit::Millimetre, units.scale}), name);
+}
+
+}  // namespace lamina

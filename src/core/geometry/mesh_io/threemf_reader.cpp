@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Model/COM/NMR_DLLInterfaces.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <type_traits>
+
+#include "indexed_faces.hpp"
+#include "lamina/base/error.hpp"
+#include "mesh_formats.hpp"
+
+namespace lamina {
+namespace {
+
+/// What lib3mf hides behind its pointers.
+using Object = NMR::PLib3MFBase;
+
+struct Release {
+  void operator()(Object* object) const { NMR::lib3mf_release(object); }
+};
+/// An object of lib3mf, counted by reference there.
+using Handle = std::unique_ptr<Object, Release>;
+
+double millimetresPerUnit(DWORD unit) {
+  switch (unit) {
+    case NMR::MODELUNIT_MICROMETER:
+      return 0.001;
+    case NMR::MODELUNIT_CENTIMETER:
+      return 10.0;
+    case NMR::MODELUNIT_INCH:
+      return 25.4;
+    case NMR::MODELUNIT_FOOT:
+      return 304.8;
+    case NMR::MODELUNIT_METER:
+      return 1000.0;
+    default:
+      return 1.0;
+  }
+}
+
+Eigen::Affine3d toAffine(const NMR::MODELTRANSFORM& transform) {
+  Eigen::Affine3d affine = Eigen::Affine3d::Identity();
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      affine.matrix()(row, column) = transform.m_fFields[row][column];
+  return affine;
+}
+
+class ThreemfReader {
+ public:
+  explicit ThreemfReader(const std::string& name) : name_(name) {}
+
+  Mesh read(std::string_view bytes) {
+    const Handle model = make([](Object** out) { return NMR::lib3mf_createmodel(out); });
+    const Handle reader =
+        make([&](Object** out) { return NMR::lib3mf_model_queryreader(model.get(), "3mf", out); });
+    // The library takes a pointer to what it only reads.
+    auto* buffer = const_cast<BYTE*>(reinterpret_cast<const BYTE*>(bytes.data()));
+    if (NMR::lib3mf_reader_readfrombuffer(reader.get(), buffer, bytes.size()) != LIB3MF_OK)
+      refuse(reason(reader.get()));
+    const double scale = millimetresPerUnit(get<DWORD>(NMR::lib3mf_model_getunit, model));
+    const Handle items =
+        make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
+    while (get<BOOL>(NMR::lib3mf_builditemiterator_movenext, items)) addBuildItem(items, scale);
+    return weld(faces_, name_);
+  }
+
+ private:
+  void addBuildItem(const Handle& items, double scale) {
+    const Handle item =
+        make([&](Object** out) { return NMR::lib3mf_builditemiterator_getcurrent(items.get(), out); });
+    const Handle object =
+        make([&](Object** out) { return NMR::lib3mf_builditem_getobjectresource(item.get(), out); });
+    Eigen::Affine3d part_from_item = Eigen::Affine3d::Identity();
+    if (get<BOOL>(NMR::lib3mf_builditem_hasobjecttransform, item))
+      part_from_item = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_builditem_getobjecttransform, item));
+    addObject(object, Eigen::Scaling(scale) * part_from_item, 0);
+  }
+
+  /// Small files can ask for huge scenes by objects made of objects; hence the limits.
+  void addObject(const Handle& object, const Eigen::Affine3d& part_from_object, int depth) {
+    constexpr int kDeepest = 64;
+    constexpr int kMostObjects = 100000;
+    if (depth > kDeepest || ++objects_ > kMostObjects)
+      refuse("more than 64 levels or 100000 instances of objects; fewer are supported");
+    if (get<BOOL>(NMR::lib3mf_object_ismeshobject, object)) return addMesh(object, part_from_object);
+    const auto count = get<DWORD>(NMR::lib3mf_componentsobject_getcomponentcount, object);
+    for (DWORD i = 0; i < count; ++i) {
+      const Handle component =
+          make([&](Object** out) { return NMR::lib3mf_componentsobject_getcomponent(object.get(), i, out); });
+      const Handle part =
+          make([&](Object** out) { return NMR::lib3mf_component_getobjectresource(component.get(), out); });
+      Eigen::Affine3d object_from_part = Eigen::Affine3d::Identity();
+      if (get<BOOL>(NMR::lib3mf_component_hastransform, component))
+        object_from_part = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_component_gettransform, component));
+      addObject(part, part_from_object * object_from_part, depth + 1);
+    }
+  }
+
+  void addMesh(const Handle& mesh, const Eigen::Affine3d& part_from_mesh) {
+    constexpr std::size_t kMostTriangles = 200000000;
+    const std::size_t first = faces_.positions.size();
+    const auto vertices = get<DWORD>(NMR::lib3mf_meshobject_getvertexcount, mesh);
+    const auto triangles = get<DWORD>(NMR::lib3mf_meshobject_gettrianglecount, mesh);
+    if (faces_.triangles.size() + triangles > kMostTriangles || first + vertices > kMostTriangles)
+      refuse("more than 200000000 triangles or vertices; fewer are supported");
+    for (DWORD i = 0; i < vertices; ++i) {
+      NMR::MODELMESHVERTEX vertex{};
+      require(NMR::lib3mf_meshobject_getvertex(mesh.get(), i, &vertex));
+      const float* p = vertex.m_fPosition;
+      const Point3 point = part_from_mesh * Point3(p[0], p[1], p[2]);
+      if (!point.allFinite()) refuse("vertex " + std::to_string(i) + " of an object is not finite");
+      faces_.positions.push_back({point.x(), point.y(), point.z()});
+    }
+    // A mirroring transform turns triangles inside out.
+    const bool is_mirrored = part_from_mesh.linear().determinant() < 0.0;
+    for (DWORD i = 0; i < triangles; ++i) {
+      NMR::MODELMESHTRIANGLE triangle{};
+      require(NMR::lib3mf_meshobject_gettriangle(mesh.get(), i, &triangle));
+      const auto vertex = [&](int k) { return static_cast<std::uint32_t>(first + triangle.m_nIndices[k]); };
+      faces_.triangles.push_back({vertex(0), vertex(is_mirrored ? 2 : 1), vertex(is_mirrored ? 1 : 2)});
+    }
+  }
+
+  template <class MakeCall>
+  Handle make(MakeCall call) const {
+    Object* object = nullptr;
+    require(call(&object));
+    return Handle(object);
+  }
+
+  template <class Value, class GetCall>
+  Value get(GetCall call, const Handle& object) const {
+    Value value{};
+    require(call(object.get(), &value));
+    return value;
+  }
+
+  void require(LIB3MFRESULT result) const {
+    if (result != LIB3MF_OK) refuse("lib3mf reports error " + std::to_string(result));
+  }
+
+  static std::string reason(Object* reader) {
+    DWORD code = 0;
+    const char* message = nullptr;
+    NMR::lib3mf_getlasterror(reader, &code, &message);
+    return "no readable 3MF: " +
+           (message == nullptr ? "error " + std::to_string(code) : std::string(message));
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const { throw InvalidMesh(name_ + ": " + what); }
+
+  const std::string& name_;
+  IndexedFaces faces_;
+  int objects_ = 0;
+};
+
+}  // namespace
+
+bool isThreemf(std::string_view bytes) { return bytes.substr(0, 4) == "PK\x03\x04"; }
+
+Mesh readThreemf(std::string_view bytes, const std::string& name) { return ThreemfReader(name).read(bytes); }
+
+}  // namespace lamina

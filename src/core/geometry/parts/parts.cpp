@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/parts/parts.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "lamina/base/error.hpp"
+#include "shapes.hpp"
+
+namespace lamina {
+namespace {
+
+struct Part {
+  std::string name;
+  std::string meaning;
+  std::function<std::vector<PartParameter>()> parameters;
+  std::function<Mesh(const std::vector<SettingText>&)> make;
+};
+
+template <class Items, class NameOf>
+std::string listed(const Items& items, NameOf nameOf) {
+  std::string list;
+  for (const auto& item : items) list += (list.empty() ? "" : ", ") + nameOf(item);
+  return list;
+}
+
+template <class Shape>
+std::vector<PartParameter> parametersOf() {
+  Shape shape;
+  SettingsSchema schema;
+  describe(schema, shape);
+  std::vector<PartParameter> parameters;
+  for (const Setting& setting : schema.settings())
+    parameters.push_back({setting.key, setting.get(), setting.bounds, setting.meaning});
+  return parameters;
+}
+
+template <class Shape>
+Part part(const std::string& name, const std::string& meaning) {
+  const auto make = [name](const std::vector<SettingText>& values) {
+    Shape shape;
+    SettingsSchema schema;
+    describe(schema, shape);
+    for (const SettingText& value : values) {
+      const auto& settings = schema.settings();
+      const auto has_key = [&](const Setting& setting) { return setting.key == value.key; };
+      const auto found = std::find_if(settings.begin(), settings.end(), has_key);
+      if (found == settings.end())
+        throw InvalidConfig("part '" + name + "' has no parameter '" + value.key + "'; it has " +
+                            listed(settings, [](const Setting& setting) { return setting.key; }));
+      found->set(value.text);
+    }
+    return build(shape);
+  };
+  return {name, meaning, parametersOf<Shape>, make};
+}
+
+std::vector<Part> parts() {
+  return {part<BevelledCube>("bevelled_cube",
+                             "a cube with bevelled upper and lower edges, an octagon from each side"),
+          part<Blade>("blade", "a cambered blade that twists and leans with height"),
+          part<BlindHolePlate>("blind_hole_plate", "a plate with a round hole from above that ends inside"),
+          part<CuboidShape>("box", "a box"),
+          part<Cone>("cone", "a cone, or a frustum"),
+          part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
+          part<Cylinder>("cylinder", "an upright cylinder"),
+          part<FlatWall>("flat_wall", "a thin upright wall"),
+          part<Pyramid>("pyramid", "a pyramid on a rectangle"),
+          part<SemiCone>("semi_cone", "half of a cone, cut through its axis"),
+          part<Sphere>("sphere", "a sphere"),
+          part<Tetradecahedron>("tetradecahedron", "a truncated octahedron on one of its squares"),
+          part<ThroughHolePlate>("through_hole_plate", "a plate with a round hole right through"),
+          part<Tube>("tube", "an upright tube")};
+}
+
+Part find(const std::string& name) {
+  for (Part& part : parts())
+    if (part.name == name) return part;
+  throw InvalidConfig("there is no part '" + name + "'; there are " +
+                      listed(parts(), [](const Part& part) { return part.name; }));
+}
+
+}  // namespace
+
+std::vector<std::string> partNames() {
+  std::vector<std::string> names;
+  for (const Part& part : parts()) names.push_back(part.name);
+  return names;
+}
+
+std::string partMeaning(const std::string& name) { return find(name).meaning; }
+
+std::vector<PartParameter> partParameters(const std::string& name) { return find(name).parameters(); }
+
+Mesh makePart(const std::string& name, const std::vector<SettingText>& parameters) {
+  return find(name).make(parameters);
+}
+
+}  // namespace lamina

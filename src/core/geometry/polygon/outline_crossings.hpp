@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+
+namespace lamina {
+
+/// Whether no two edges of all the outlines meet, but neighbours in their common point. False also where that
+/// is in doubt: within rounding, at a point that stands twice, or when finding out takes more than about
+/// linear time.
+bool areSurelyApart(const std::vector<Polygon>& outlines);
+
+}  // namespace lamina

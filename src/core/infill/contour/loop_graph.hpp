@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "infill/contour/loop.hpp"
+#include "lamina/infill/fill_path.hpp"
+
+namespace lamina {
+
+/// A piece of a ring to be taken out [mm along it]: from one position forward to the other.
+struct RingGap {
+  std::size_t ring = 0;
+  double from_mm = 0.0;  ///< within [0, length)
+  double to_mm = 0.0;    ///< greater than `from_mm`, by less than the length
+
+  double length() const { return to_mm - from_mm; }
+};
+
+/// Which ends of two gaps a link joins.
+enum class LinkEnds {
+  Alike,     ///< both starts, and both ends
+  Opposite,  ///< the start of each to the end of the other
+};
+
+/// Rings that are cut open and joined by links. Joining two that hang together through no others makes one
+/// closed line of both.
+class RingNet {
+ public:
+  explicit RingNet(std::vector<Ring> rings);
+
+  const std::vector<Ring>& rings() const { return rings_; }
+  /// Rings with the same number hang together.
+  std::size_t groupOf(std::size_t ring) const;
+  /// Gaps made so far in a ring.
+  const std::vector<RingGap>& gapsOf(std::size_t ring) const { return gaps_[ring]; }
+  /// Whether a gap keeps a margin from those made so far [mm].
+  bool isFree(const RingGap& gap, double margin_mm) const;
+
+  /// Whether the line from one point to the other crosses a link made so far.
+  bool isLinkCrossedBy(const Point2& from, const Point2& to) const;
+
+  /// Cuts both and joins them by two links.
+  void join(const RingGap& a, const RingGap& b, LinkEnds ends);
+  /// Cuts each ring and leads from the start of each gap to the end of the next one: the first gap's end and
+  /// the last one's start stay open.
+  void chain(const std::vector<RingGap>& gaps);
+
+  /// One line for each group, in the order of their first rings: closed, or open from the first open end.
+  std::vector<FillPath> lines() const;
+
+ private:
+  struct End {
+    std::size_t ring;
+    std::size_t gap;
+    int side;  ///< 0 is where the gap starts
+  };
+  struct Joints {
+    std::array<std::optional<End>, 2> to;  ///< of each side
+  };
+  class Walk;
+
+  std::size_t cut(const RingGap& gap);
+  void joinEnds(const End& a, const End& b);
+  Point2 pointOf(const End& end) const;
+  void merge(std::size_t a, std::size_t b);
+
+  std::vector<Ring> rings_;
+  std::vector<std::vector<RingGap>> gaps_;   ///< ring by ring
+  std::vector<std::vector<Joints>> joints_;  ///< of each gap
+  std::vector<std::array<Point2, 2>> links_;
+  std::vector<std::size_t> parent_;  ///< union-find
+};
+
+}  // namespace lamina

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/medial/medial_beads.hpp"
+
+#include <iterator>
+
+#include "infill/medial/axis_loops.hpp"
+#include "infill/medial/skeleton_paths.hpp"
+#include "infill/medial/bead_axis.hpp"
+#include "infill/medial/skeleton_beads.hpp"
+
+namespace lamina {
+namespace {
+
+void append(std::vector<FillPath>& runs, std::vector<FillPath>&& more) {
+  runs.insert(runs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+}  // namespace
+
+std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettings& settings) {
+  requirePitch(settings);
+  std::vector<FillPath> runs;
+  for (const Region& region : regions)
+    for (const AxisTrail& trail : trailsOf(beadAxis(region, settings)))
+      append(runs, trailBeads(trail, settings));
+  return runs;
+}
+
+std::vector<FillPath> medialLoops(const Regions& regions, const MedialBeadSettings& settings) {
+  requirePitch(settings);
+  std::vector<FillPath> runs;
+  for (const Region& region : regions) append(runs, axisLoops(beadAxis(region, settings), region));
+  return runs;
+}
+
+}  // namespace lamina

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/medial_axis/medial_axis.hpp"
+
+namespace lamina {
+
+/// How a trail ends.
+enum class TrailEnd {
+  Tip,     ///< where the axis does
+  Branch,  ///< beside a trail that it branches off
+};
+
+/// Branches of an axis that go straight on into each other.
+struct AxisTrail {
+  std::vector<AxisPoint> points;  ///< without the first again if closed; one alone if the axis is a point
+  bool is_closed = false;
+  TrailEnd start = TrailEnd::Tip;
+  TrailEnd end = TrailEnd::Tip;
+};
+
+/// Every branch of the axis in one trail: at each node the branches that turn least are joined in pairs, and
+/// of an odd number one ends there.
+std::vector<AxisTrail> trailsOf(const MedialAxis& axis);
+
+}  // namespace lamina

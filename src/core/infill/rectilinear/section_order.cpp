@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/rectilinear/section_order.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace lamina {
+namespace {
+
+constexpr std::array<SectionEntry, 4> kEntries = {SectionEntry::FirstLeft, SectionEntry::FirstRight,
+                                                  SectionEntry::LastLeft, SectionEntry::LastRight};
+
+const std::array<Point2, 2>& lineAt(const RasterSection& section, SectionEntry entry) {
+  return static_cast<int>(entry) < 2 ? section.first : section.last;
+}
+
+Point2 midpointAt(const RasterSection& section, SectionEntry entry) {
+  const std::array<Point2, 2>& line = lineAt(section, entry);
+  return 0.5 * (line[0] + line[1]);
+}
+
+/// The documented sense: a section begins at the left of its first line, or is the reverse of that.
+SectionEntry documentedEntry(const RasterSection& section, bool is_from_last) {
+  return is_from_last ? exitOf(section, SectionEntry::FirstLeft) : SectionEntry::FirstLeft;
+}
+
+}  // namespace
+
+Point2 entryPoint(const RasterSection& section, SectionEntry entry) {
+  return lineAt(section, entry)[static_cast<std::size_t>(entry) % 2];
+}
+
+SectionEntry exitOf(const RasterSection& section, SectionEntry entry) {
+  const int changes_side = static_cast<int>(section.lines % 2);
+  return static_cast<SectionEntry>((static_cast<int>(entry) ^ 2) ^ changes_side);
+}
+
+double travelLength(const std::vector<RasterSection>& sections, const SectionTour& tour) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
+    const RasterSection& from = sections[tour[i].section];
+    const RasterSection& to = sections[tour[i + 1].section];
+    sum += (entryPoint(to, tour[i + 1].entry) - entryPoint(from, exitOf(from, tour[i].entry))).norm();
+  }
+  return sum;
+}
+
+SectionTour tourAsGiven(const std::vector<RasterSection>& sections) {
+  SectionTour tour;
+  for (std::size_t i = 0; i < sections.size(); ++i) tour.push_back({i, SectionEntry::FirstLeft});
+  return tour;
+}
+
+SectionTour tourByMidpoints(const std::vector<RasterSection>& sections) {
+  SectionTour tour;
+  std::vector<bool> is_done(sections.size(), false);
+  SectionVisit next{0, SectionEntry::FirstLeft};
+  while (tour.size() < sections.size()) {
+    tour.push_back(next);
+    is_done[next.section] = true;
+    const RasterSection& section = sections[next.section];
+    const Point2 from = midpointAt(section, exitOf(section, next.entry));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      for (const bool is_from_last : {false, true}) {
+        const SectionEntry entry = documentedEntry(sections[i], is_from_last);
+        const double distance = (midpointAt(sections[i], entry) - from).norm();
+        if (is_done[i] || distance >= nearest) continue;
+        nearest = distance;
+        next = {i, entry};
+      }
+    }
+  }
+  return tour;
+}
+
+SectionTour tourByEnds(const std::vector<RasterSection>& sections, const Point2& start) {
+  SectionTour tour;
+  std::vector<bool> is_done(sections.size(), false);
+  Point2 from = start;
+  while (tour.size() < sections.size()) {
+    SectionVisit next;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (is_done[i]) continue;
+      for (const SectionEntry entry : kEntries) {
+        const double distance = (entryPoint(sections[i], entry) - from).norm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        next = {i, entry};
+      }
+    }
+    tour.push_back(next);
+    is_done[next.section] = true;
+    const RasterSection& section = sections[next.section];
+    from = entryPoint(section, exitOf(section, next.entry));
+  }
+  return tour;
+}
+
+SectionTour tourOf(const std::vector<RasterSection>& sections, const Point2& start, SectionOrder order) {
+  if (order == SectionOrder::Midpoints) return tourByMidpoints(sections);
+  return order == SectionOrder::Ends ? tourByEnds(sections, start) : improvedTour(sections, start);
+}
+
+SectionTravels sectionTravels(const std::vector<RasterSection>& sections, const Point2& start) {
+  return {travelLength(sections, tourAsGiven(sections)), travelLength(sections, tourByMidpoints(sections)),
+          travelLength(sections, tourByEnds(sections, start)),
+          travelLength(sections, improvedTour(sections, start))};
+}
+
+}  // namespace lamina

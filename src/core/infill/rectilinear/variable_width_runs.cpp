@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/rectilinear/variable_width_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "infill/rectilinear/border_connection.hpp"
+#include "infill/rectilinear/boustrophedon_cells.hpp"
+#include "infill/rectilinear/variable_width_pass.hpp"
+
+namespace lamina {
+namespace {
+
+/// A border that recedes by more than this from strip to strip gets a narrow link, in strips.
+constexpr double kSteepBorder = 0.6;
+/// A link may be this much longer than the way it goes along the raster, in strips.
+constexpr double kLongestDetour = 3.0;
+/// A turn keeps this from the border, in strips: it laps over a little, or its bends would leave the corners
+/// empty.
+constexpr double kTurnReach = 0.43;
+/// A strip that ends this near to a link goes on there, in strips.
+constexpr double kNearTip = 0.3;
+/// Motions shorter than this are none [mm].
+constexpr double kShortest = 1e-4;
+
+/// How two passes are joined.
+struct StripLink {
+  enum class Kind { None, Turn, Border } kind = Kind::None;
+  std::uint32_t lower = kNoCrossing;
+  std::uint32_t upper = kNoCrossing;
+  double inset_mm = 0.0;         ///< of a turn
+  bool is_upwards = false;       ///< laid from the lower pass to the upper one
+  bool is_lower_longer = false;  ///< a border link lies on the longer pass
+};
+
+class StripTracer {
+ public:
+  StripTracer(const Strips& strips, const RasterSections& sections, const RasterFrame& frame)
+      : strips_(strips),
+        walk_(strips.walk),
+        sections_(sections),
+        frame_(frame),
+        strip_(2.0 * walk_.raster().spacing_mm) {}
+
+  std::vector<FillPath> trace(const PassEntries& entries) {
+    std::vector<FillPath> runs;
+    FillPath run;
+    StripLink before;
+    FillPath pass_before;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const StripLink after = i + 1 < entries.size() ? linkBetween(entries[i], entries[i + 1]) : StripLink{};
+      FillPath pass = passOf(entries[i], before, after);
+      if (before.kind == StripLink::Kind::None) {
+        finish(run, runs);
+        run = pass;
+      } else {
+        join(run, before, pass_before, pass);
+      }
+      before = after;
+      pass_before = std::move(pass);
+    }
+    finish(run, runs);
+    return runs;
+  }
+
+ private:
+  StripLink linkBetween(std::uint32_t entered, std::uint32_t next) const {
+    const std::uint32_t left_at = walk_.otherEnd(entered);
+    StripLink link;
+    if (sections_.above(left_at) == next) {
+      link.lower = left_at;
+      link.upper = next;
+      link.is_upwards = true;
+    } else if (sections_.above(next) == left_at) {
+      link.lower = next;
+      link.upper = left_at;
+    } else {
+      return link;
+    }
+    shape(link);
+    return link;
+  }
+
+  double outward(std::uint32_t crossing) const { return walk_.isLeftEnd(crossing) ? -1.0 : 1.0; }
+
+  void shape(StripLink& link) const {
+    const Point2 lower = walk_.pointAt(link.lower);
+    const Point2 upper = walk_.pointAt(link.upper);
+    const double sign = outward(link.lower);
+    if (sign != outward(link.upper)) return;
+    const double recedes = sign * (lower.x() - upper.x());
+    const Polyline border = borderBetween(link);
+    if (length(border) > std::abs(recedes) + kLongestDetour * strip_) return;
+    link.is_lower_longer = recedes > 0.0;
+    link.inset_mm = (kTurnReach * strip_ - 0.5 * strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
+    link.kind = std::abs(recedes) <= kSteepBorder * strip_ && hasRoomToTurn(link, border)
+                    ? StripLink::Kind::Turn
+                    : StripLink::Kind::Border;
+  }
+
+  /// The outline from the lower line to the upper one.
+  Polyline borderBetween(const StripLink& link) const {
+    Polyline border = walk_.chain(link.lower, Vertical::Up);
+    const Polyline rest = walk_.chain(walk_.next(link.lower, Vertical::Up), Vertical::Up);
+    border.insert(border.end(), rest.begin() + 1, rest.end());
+    return border;
+  }
+
+  bool hasRoomToTurn(const StripLink& link, const Polyline& border) const {
+    const double sign = outward(link.lower);
+    const Point2 lower = walk_.pointAt(link.lower) - Point2(sign * link.inset_mm, 0.0);
+    const Point2 upper = walk_.pointAt(link.upper) - Point2(sign * link.inset_mm, 0.0);
+    const auto turnAt = [&](double y) {
+      return lower.x() + (upper.x() - lower.x()) * (y - lower.y()) / (upper.y() - lower.y());
+    };
+    for (const Point2& point : border)
+      if (sign * (point.x() - turnAt(point.y())) < 0.5 * link.inset_mm) return false;
+    const Point2 edge = walk_.pointAt(walk_.next(link.lower, Vertical::Up));
+    return lineLength(link.lower) > 2.0 * link.inset_mm && lineLength(link.upper) > 2.0 * link.inset_mm &&
+           walk_.isInside(walk_.lineOf(link.lower) + 1, edge.x(), turnAt(edge.y()));
+  }
+
+  double lineLength(std::uint32_t crossing) const {
+    return std::abs(walk_.pointAt(crossing).x() - walk_.pointAt(walk_.otherEnd(crossing)).x());
+  }
+
+  /// The pass entered there, in the direction it is laid.
+  FillPath passOf(std::uint32_t entered, const StripLink& before, const StripLink& after) const {
+    const PassEndShape entry = endShape(entered, before);
+    const PassEndShape exit = endShape(walk_.otherEnd(entered), after);
+    if (walk_.isLeftEnd(entered)) return passThrough(strips_, entered, entry, exit);
+    return reversed(passThrough(strips_, walk_.otherEnd(entered), exit, entry));
+  }
+
+  static PassEndShape endShape(std::uint32_t end, const StripLink& link) {
+    if (link.kind == StripLink::Kind::None) return {};
+    const bool is_lower = end == link.lower;
+    const Vertical towards = is_lower ? Vertical::Up : Vertical::Down;
+    if (link.kind == StripLink::Kind::Turn) return {PassEnd::Turn, link.inset_mm, towards};
+    if (is_lower != link.is_lower_longer) return {PassEnd::Joined, 0.0, towards};
+    // The strip beside the link is open on the other side.
+    return {is_lower ? PassEnd::LinkAbove : PassEnd::LinkBelow, 0.0,
+            is_lower ? Vertical::Down : Vertical::Up};
+  }
+
+  void join(FillPath& run, const StripLink& link, const FillPath& from, const FillPath& to) const {
+    if (link.kind == StripLink::Kind::Turn) {
+      append(run, to.points.front(), 0.5 * (from.width_mm.back() + to.width_mm.front()));
+    } else {
+      for (const Point2& point : borderLink(link, from.points.back(), to.points.front()))
+        append(run, point, strips_.narrowest_mm);
+      append(run, to.points.front(), strips_.narrowest_mm);
+    }
+    for (std::size_t i = 1; i < to.points.size(); ++i) append(run, to.points[i], to.width_mm[i]);
+  }
+
+  /// The border from beside the end of the longer pass to the strip of the other one, or the other way round.
+  Polyline borderLink(const StripLink& link, const Point2& from, const Point2& to) const {
+    const std::uint32_t longer = link.is_lower_longer ? link.lower : link.upper;
+    const bool begins_at_longer = link.is_lower_longer == link.is_upwards;
+    const double end_x = (begins_at_longer ? from : to).x();
+    const Vertical across = link.is_lower_longer ? Vertical::Up : Vertical::Down;
+    const Vertical away = link.is_lower_longer ? Vertical::Down : Vertical::Up;
+    Polyline border = walk_.chain(longer, across);
+    std::reverse(border.begin(), border.end());
+    const Polyline rest = walk_.chain(longer, away);
+    border.insert(border.end(), rest.begin() + 1, rest.end());
+    Polyline along = upTo(border, end_x, outward(longer));
+    const Point2& tip = begins_at_longer ? to : from;
+    if ((tip - along.front()).norm() > kNearTip * strip_) {
+      Polyline rest_of_way = walk_.chain(link.is_lower_longer ? link.upper : link.lower, away);
+      rest_of_way.pop_back();
+      along.insert(along.begin(), rest_of_way.begin(), rest_of_way.end());
+    }
+    if (begins_at_longer) std::reverse(along.begin(), along.end());
+    return along;
+  }
+
+  /// The border as far as it does not go beyond x.
+  static Polyline upTo(const Polyline& border, double x, double sign) {
+    Polyline along = {border.front()};
+    for (std::size_t i = 1; i < border.size(); ++i) {
+      if (sign * (along.back().x() - x) >= 0.0) break;
+      if (sign * (border[i].x() - x) > 0.0) {
+        const Point2& last = along.back();
+        along.emplace_back(last + (x - last.x()) / (border[i].x() - last.x()) * (border[i] - last));
+        break;
+      }
+      along.push_back(border[i]);
+    }
+    return along;
+  }
+
+  static void append(FillPath& run, const Point2& point, double width) {
+    if ((run.points.back() - point).norm() < kShortest) return;
+    run.points.push_back(point);
+    run.width_mm.push_back(width);
+  }
+
+  void finish(FillPath& run, std::vector<FillPath>& runs) const {
+    if (run.points.size() >= 2 && length(run.points) > kShortest) {
+      for (Point2& point : run.points) point = frame_.outOfRaster(point);
+      runs.push_back(std::move(run));
+    }
+    run = {};
+  }
+
+  const Strips& strips_;
+  const RasterWalk& walk_;
+  const RasterSections& sections_;
+  const RasterFrame& frame_;
+  double strip_;
+};
+
+/// Lowest and highest point across the raster [mm].
+std::pair<double, double> extent(const Region& region, double angle_rad) {
+  const RasterFrame frame(angle_rad);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Point2& point : region.outer) {
+    const double y = frame.intoRaster(point).y();
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  return {low, high};
+}
+
+/// A region cut into strips.
+class StripRegion {
+ public:
+  StripRegion(const Region& links, const InfillRequest& request)
+      : narrowest_(narrowestBead(request)),
+        frame_(request.angle_rad, extent(links, request.angle_rad).first - 0.5 * narrowest_),
+        raster_(rasterise({links}, 0.5 * stripWidth(links, request), frame_)),
+        walk_(raster_),
+        sections_(walk_, PassLines::Odd),
+        strips_{walk_, findNotches(walk_), narrowest_} {}
+  StripRegion(const StripRegion&) = delete;
+  StripRegion& operator=(const StripRegion&) = delete;
+
+  /// In the plane of the layer.
+  std::vector<RasterSection> ends() const {
+    std::vector<RasterSection> ends = sections_.ends();
+    for (RasterSection& section : ends)
+      for (std::array<Point2, 2>* line : {&section.first, &section.last})
+        for (Point2& point : *line) point = frame_.outOfRaster(point);
+    return ends;
+  }
+
+  std::vector<FillPath> runs(const SectionTour& tour) const {
+    return StripTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
+  }
+
+ private:
+  double stripWidth(const Region& links, const InfillRequest& request) const {
+    const auto [low, high] = extent(links, request.angle_rad);
+    const double span = high - low + narrowest_;
+    return span / std::max(1.0, std::round(span / request.pitch_mm));
+  }
+
+  double narrowest_;
+  RasterFrame frame_;
+  Raster raster_;
+  RasterWalk walk_;
+  RasterSections sections_;
+  Strips strips_;
+};
+
+}  // namespace
+
+double narrowestBead(const InfillRequest& request) {
+  return request.settings.raster.narrowest * request.pitch_mm;
+}
+
+std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request) {
+  std::vector<std::unique_ptr<StripRegion>> regions;
+  std::vector<RasterSection> sections;
+  std::vector<std::size_t> begin;
+  for (const Region& region : links) {
+    regions.push_back(std::make_unique<StripRegion>(region, request));
+    begin.push_back(sections.size());
+    const std::vector<RasterSection> more = regions.back()->ends();
+    sections.insert(sections.end(), more.begin(), more.end());
+  }
+  const SectionTour tour = tourOf(sections, request.start, request.settings.raster.order);
+  std::vector<FillPath> runs;
+  for (std::size_t i = 0; i < tour.size();) {
+    const auto region = static_cast<std::size_t>(
+        std::upper_bound(begin.begin(), begin.end(), tour[i].section) - begin.begin() - 1);
+    const std::size_t end = region + 1 < begin.size() ? begin[region + 1] : sections.size();
+    SectionTour within;
+    for (; i < tour.size() && tour[i].section >= begin[region] && tour[i].section < end; ++i)
+      within.push_back({tour[i].section - begin[region], tour[i].entry});
+    // A tour that leaves a region and comes back shares out what may be overfilled there.
+    const double share = static_cast<double>(within.size()) / static_cast<double>(end - begin[region]);
+    const BorderConnection connection{
+        narrowestBead(request), 2.0 * request.pitch_mm, request.settings.raster.longest_connection_mm,
+        share * request.settings.raster.most_connection * area({links[region]})};
+    for (FillPath& run : connectAlongBorder(regions[region]->runs(within), {links[region]}, connection))
+      runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+}  // namespace lamina

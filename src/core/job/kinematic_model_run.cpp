@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/kinematic_model_run.hpp"
+
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/verification/collision/self_collision_guard.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
+#include "lamina/toolpath/waypoint_text.hpp"
+
+namespace lamina {
+
+MechanismRun runOn(const Mechanism& mechanism, Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                   const JointPathSettings& settings, Progress& progress) {
+  const SelfCollisionGuard guard(mechanism, linkBodies(mechanism.urdf()));
+  DividedJointPath planned =
+      planDividedJointPath(std::move(toolpath), bed_from_part, {mechanism, guard}, settings, progress);
+  return {std::move(planned.divided), bed_from_part, std::move(planned.joints)};
+}
+
+void requireRunnable(const MechanismRun& run, const Mechanism& mechanism) {
+  if (run.path.isRunnable()) return;
+  const FaultyWaypoint& first = run.path.faults.front();
+  throw Unreachable(toText(run.divided.originalOf(first.at)) + ": " + first.reason + " (" +
+                    toString(first.fault) + ", the first of " + std::to_string(run.path.faults.size()) +
+                    " places that " + mechanism.name() + " cannot run)");
+}
+
+TimedRun inTime(MechanismRun run, const Mechanism& mechanism, const TimingSettings& settings) {
+  requireRunnable(run, mechanism);
+  TimedRun timed;
+  timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, mechanism, settings);
+  timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
+  timed.run = std::move(run);
+  return timed;
+}
+
+}  // namespace lamina

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/part/part_in_program.hpp"
+
+#include "job/part/part_source.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/voids/void_job.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+/// Around the beads that are laid for the part, half as wide as they are to each side.
+Box3 boxOfPart(const Toolpath& program) {
+  Box3 box;
+  for (const ToolpathLayer& layer : program.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role == PathRole::Travel || path.role == PathRole::Skirt) continue;
+      for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Bead& bead = path.bead.at(i);
+        const Point3 beside(0.5 * bead.width_mm, 0.5 * bead.width_mm, 0.0);
+        box.include(path.points[i] + beside);
+        box.include(path.points[i] - beside - Point3(0.0, 0.0, bead.height_mm));
+      }
+    }
+  return box;
+}
+
+Point3 byBox(const Box3& laid, const Box3& part) {
+  const Point3 middle = laid.centre() - part.centre();
+  return {middle.x(), middle.y(), laid.low.z() - part.low.z()};
+}
+
+bool hasLevelLayers(const Toolpath& program) { return !isInclined(program) && hasPlaneLayers(program); }
+
+}  // namespace
+
+const char* toString(PartFinding finding) {
+  if (finding == PartFinding::Given) return "given";
+  return finding == PartFinding::Contours ? "contours" : "box";
+}
+
+ComparedPart readComparedPart(const std::string& part, const InputSettings& settings) {
+  return {part, readPart(part, settings).mesh};
+}
+
+PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,
+                       const JobSettings& settings, Progress& progress) {
+  if (given) {
+    if (!given->allFinite()) throw InvalidInput("the part's place in the program is not finite");
+    return {*given, PartFinding::Given};
+  }
+  const Box3 laid = boxOfPart(program);
+  if (laid.isEmpty()) throw InvalidInput("'" + program.part_name + "' lays nothing for a part");
+  const Point3 by_box = byBox(laid, boundingBox(part.mesh));
+  if (!hasLevelLayers(program)) return {by_box, PartFinding::Box};
+  const Point2 offset = placeContours(program, {part.name, settings, {}, std::nullopt}, progress).offset;
+  return {{offset.x(), offset.y(), by_box.z()}, PartFinding::Contours};
+}
+
+}  // namespace lamina

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/part/part_mesh.hpp"
+
+#include "job/part/part_source.hpp"
+
+namespace lamina {
+
+Mesh partMesh(const std::string& part, const InputSettings& settings) {
+  return readPart(part, settings).mesh;
+}
+
+}  // namespace lamina

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/slicing/layer_stack_planning.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "job/laps.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/planning/lift/chart_lift.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+#include "lamina/parameterization/layer_charts.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "lamina/parameterization/chart_outline.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+/// What is planned of a layer, and how it comes back.
+struct ChartedLayer {
+  Layer plan;
+  std::vector<LayerChart> charts;  // none if the layer is plane
+  double volume_mm3 = 0.0;
+  double left_out_mm3 = 0.0;                                     // in pieces that lie flat nowhere
+  double highest_mm = -std::numeric_limits<double>::infinity();  // nozzle tip
+};
+
+double meanHeight(const LayerSurface& surface) {
+  double sum = 0.0;
+  for (const double height : surface.height_mm) sum += height;
+  return sum / static_cast<double>(surface.height_mm.size());
+}
+
+std::vector<LayerChart> chartsOf(const LayerSurface& surface, const FlatteningSettings& settings) {
+  try {
+    return layerCharts(surface, settings);
+  } catch (const InvalidMesh& fault) {
+    throw Unsliceable(fault.what(), surface.middle);
+  }
+}
+
+ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
+  ChartedLayer result;
+  if (layer.surface.middle.triangles.empty()) {
+    result.plan = std::move(layer.plane);
+    result.volume_mm3 = signedArea(result.plan.section.contours) * result.plan.slab.height();
+    result.highest_mm = result.plan.slab.top_mm;
+    return result;
+  }
+  for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
+  result.volume_mm3 = volume(layer.surface);
+  result.plan.slab = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
+  result.charts = chartsOf(layer.surface, settings);
+  result.left_out_mm3 = result.volume_mm3;
+  for (const LayerChart& chart : result.charts) result.left_out_mm3 -= volume(chart.surface);
+  for (const LayerChart& chart : result.charts)
+    for (Polygon& outline : outlineOf(chart)) result.plan.section.contours.push_back(std::move(outline));
+  return result;
+}
+
+LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
+  LayerCounts counts;
+  counts.layers = layers.size();
+  for (const ChartedLayer& layer : layers) {
+    counts.contours += layer.plan.section.contours.size();
+    counts.open_contours += layer.plan.section.open_contours.size();
+    counts.sliced_volume_mm3 += layer.volume_mm3;
+  }
+  return counts;
+}
+
+/// Up to and with each layer.
+std::vector<double> highestUpTo(const std::vector<ChartedLayer>& layers) {
+  std::vector<double> highest;
+  double so_far = -std::numeric_limits<double>::infinity();
+  for (const ChartedLayer& layer : layers) {
+    so_far = std::max(so_far, layer.highest_mm);
+    highest.push_back(so_far);
+  }
+  return highest;
+}
+
+}  // namespace
+
+PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& request, Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  Laps laps;
+  std::vector<ChartedLayer> layers(stack.size());
+  parallelFor(
+      layers.size(), [&](std::size_t i) { layers[i] = charted(std::move(stack[i]), settings.flattening); },
+      progress, "flatten");
+  PlannedPart planned;
+  planned.counts = countsOf(layers);
+  planned.counts.slice_s = laps.lap();
+  const std::vector<double> highest = highestUpTo(layers);
+  std::vector<Layer> plans;
+  std::vector<std::vector<LayerChart>> charts;
+  for (ChartedLayer& layer : layers) {
+    plans.push_back(std::move(layer.plan));
+    charts.push_back(std::move(layer.charts));
+  }
+  const LayerLift lift = chartLift(charts, highest, settings.lifting, settings.planning.travel);
+  planned.plan = planPart(request.partName(), plans, settings.planning, lift, progress);
+  for (const ChartedLayer& layer : layers)
+    if (layer.left_out_mm3 > kRounding * layer.volume_mm3) planned.plan.unprinted_mm3 += layer.left_out_mm3;
+  return planned;
+}
+
+}  // namespace lamina

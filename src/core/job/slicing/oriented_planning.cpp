@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/slicing/oriented_planning.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "job/joint_program.hpp"
+#include "job/slicing/mode_choice.hpp"
+#include "job/slicing/tool_orientation.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/orientation/orient_toolpath.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+
+namespace lamina {
+namespace {
+
+void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
+  summary.notes = planned.notes;
+  summary.lean = planned.lean;
+  summary.layers = planned.counts.layers;
+  summary.contours = planned.counts.contours;
+  summary.open_contours = planned.counts.open_contours;
+  summary.sliced_volume_mm3 = planned.counts.sliced_volume_mm3;
+  summary.slice_s = planned.counts.slice_s;
+  summary.unprinted_mm3 = planned.plan.unprinted_mm3;
+  summary.refilling = planned.plan.refilling;
+  summary.starts = planned.plan.starts;
+  summary.anchored = planned.plan.anchored;
+}
+
+bool needsPart(const JobSettings& settings) {
+  return !hasPlaneLayers(settings.slicing.mode) || settings.orientation.mode == OrientationMode::Wall;
+}
+
+/// A refusal gets the part that its region is shown on.
+PlannedPart planShown(SourcePart source, SlicingMode mode, const PlanningRequest& request,
+                      Progress& progress) {
+  if (hasPlaneLayers(mode)) return planByMode(std::move(source), mode, request, progress);
+  const Mesh part = source.mesh;
+  try {
+    return planByMode(std::move(source), mode, request, progress);
+  } catch (Unsliceable& refusal) {
+    throw std::move(refusal).on(part);
+  }
+}
+
+/// The first mode that does not refuse the part. The reasons of those before it stand in the summary.
+PlannedPart planByBestMode(const SourcePart& source, const PlanningRequest& request, SliceSummary& summary,
+                           Progress& progress) {
+  std::string refusals;
+  const std::vector<ModeChoice> modes = modesFor(source.mesh, request.job);
+  for (const ModeChoice& choice : modes) {
+    try {
+      JobSettings chosen = request.job.settings;
+      chosen.slicing.mode = choice.mode;
+      validate(chosen);
+      PlannedPart planned = planShown(source, choice.mode, request, progress);
+      summary.mode = choice.mode;
+      summary.mode_reason = choice.reason + refusals;
+      return planned;
+    } catch (const InvalidInput& refusal) {
+      if (choice.mode == modes.back().mode) throw;
+      refusals += std::string("; not ") + toString(choice.mode) + ": " + refusal.what();
+    }
+  }
+  throw InvalidMesh("no slicing mode takes the part" + refusals);
+}
+
+}  // namespace
+
+Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
+                      Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  const Mesh part = needsPart(settings) ? source.mesh : Mesh();
+  summary.mode = settings.slicing.mode;
+  PlannedPart planned = settings.slicing.mode == SlicingMode::Auto
+                            ? planByBestMode(source, request, summary, progress)
+                            : planShown(std::move(source), settings.slicing.mode, request, progress);
+  addPlanned(summary, planned);
+  if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
+    return std::move(planned.plan.toolpath);
+  const Toolpath as_sliced = changesOrientation(settings.orientation) ? planned.plan.toolpath : Toolpath();
+  OrientedToolpath oriented =
+      orientToolpath(std::move(planned.plan.toolpath), settings.orientation, part, progress);
+  requireNearNormal(as_sliced, oriented.toolpath, settings.orientation);
+  summary.orientation = oriented.report;
+  for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
+  if (!part.triangles.empty())
+    summary.lean = wallLean(part, oriented.toolpath, settings.planning.bead.width_mm);
+  return std::move(oriented.toolpath);
+}
+
+void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
+  const bool is_five_axis = writesFiveAxis(job, machine, sliced);
+  const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
+  const bool is_as_planned =
+      hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
+  if (is_program || (is_as_planned && !is_five_axis))
+    return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
+  const double turn_deg = greatestJetTurn(sliced.toolpath, sliced.bed_from_part, machine) * 180.0 / M_PI;
+  if (turn_deg < 0.01) return;
+  const char* format = machine.rotary_joints.empty()
+                           ? "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "
+                             "can; a program for this one is refused"
+                           : "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s";
+  char text[256];
+  std::snprintf(text, sizeof text, format, turn_deg, machine.name.c_str());
+  sliced.summary.notes.emplace_back(text);
+}
+
+}  // namespace lamina

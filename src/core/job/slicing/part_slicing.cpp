@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/slicing/part_slicing.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "job/slicing/inclined_layers.hpp"
+#include "job/slicing/oriented_planning.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
+#include "lamina/job/part/copies.hpp"
+#include "lamina/job/part/placement.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+
+namespace lamina {
+namespace {
+
+bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
+
+bool buildsPart(const ToolpathLayer& layer) {
+  return std::any_of(layer.paths.begin(), layer.paths.end(),
+                     [](const Path& path) { return buildsPart(path); });
+}
+
+/// Layers in which nothing is laid, but in one above.
+std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
+  const auto last = std::find_if(layers.rbegin(), layers.rend(),
+                                 [](const ToolpathLayer& layer) { return buildsPart(layer); });
+  return static_cast<std::size_t>(
+      std::count_if(last, layers.rend(), [](const ToolpathLayer& layer) { return !buildsPart(layer); }));
+}
+
+void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
+  const ToolpathTotals sums = totals(toolpath);
+  summary.deposition_runs = sums.deposition_runs;
+  summary.deposition_mm = sums.deposition_mm;
+  summary.travel_mm = sums.travel_mm;
+  summary.deposited_mm3 = sums.deposited_mm3;
+  summary.repositions = countRepositions(toolpath);
+  summary.empty_layers = countEmptyLayers(toolpath.layers);
+}
+
+/// A part that is thinner than any bead, or drop, everywhere would leave nothing but its skirt.
+void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
+  for (const ToolpathLayer& layer : toolpath.layers)
+    if (buildsPart(layer)) return;
+  const std::string part =
+      "of part '" + toolpath.part_name + "' is laid in any of " + std::to_string(toolpath.layers.size());
+  if (infillStrategy(settings.infill.strategy).deposit == Deposit::Drops)
+    throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
+                       std::to_string(settings.fill.drops.diameter_mm) + " mm, everywhere");
+  throw InvalidInput("no bead " + part + " layers: it is narrower than walls.narrowest, " +
+                     std::to_string(settings.walls.narrowest) +
+                     " pitches, everywhere, or walls.count and infill.density are both 0");
+}
+
+std::string sizeText(const Point3& size) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.4g x %.4g x %.4g mm", size.x(), size.y(), size.z());
+  return text;
+}
+
+/// Refuses early what cannot fit anywhere; the exact check is made on the toolpath.
+void requireFits(const Box3& part, const Box3& bed, const std::string& machine) {
+  if ((part.size().array() <= bed.size().array()).all()) return;
+  throw Unreachable("the part is " + sizeText(part.size()) + "; the machine " + machine + " reaches over " +
+                    sizeText(bed.size()));
+}
+
+/// Of the part and what it is laid on.
+Box3 boxOnBed(const SourcePart& source) {
+  Box3 box = boundingBox(source.mesh);
+  for (const Point3& vertex : source.base.vertices) box.include(vertex);
+  return box;
+}
+
+/// What was read, and where it stands.
+void place(const SourcePart& source, const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
+  const Box3 box = boxOnBed(source);
+  requireFits(box, workspace(machine), machine.name);
+  sliced.bed_from_part = placePart(box, machine, job.settings.placement);
+  sliced.summary.triangles = source.mesh.triangles.size();
+  sliced.summary.mesh_volume_mm3 = volume(source.mesh);
+  sliced.summary.repairs = source.repairs;
+}
+
+}  // namespace
+
+void requireJetFor(const SliceJob& job, const Machine& machine) {
+  const SlicingSettings& slicing = job.settings.slicing;
+  if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireJet(slicing.plane, machine);
+}
+
+SourcePart readSource(const SliceJob& job) {
+  SourcePart source = readPart(job.part, job.settings.input);
+  const SlicingMode mode = job.settings.slicing.mode;
+  const std::string& base = job.settings.conformal.base;
+  if (!base.empty() && (mode == SlicingMode::Conformal || mode == SlicingMode::Auto))
+    source.base = readPart(base, job.settings.input).mesh;
+  return source;
+}
+
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const Machine& machine, Progress& progress) {
+  SlicedPart sliced;
+  place(source, machine, job, sliced);
+  sliced.toolpath =
+      planOriented(std::move(source), {job, machine, sliced.bed_from_part}, sliced.summary, progress);
+  requireDeposition(sliced.toolpath, job.settings.planning);
+  sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
+                               job.settings.planning.travel.feed_mm_s);
+  addToolpath(sliced.summary, sliced.toolpath);
+  requireWithin(machine, job, sliced);
+  return sliced;
+}
+
+}  // namespace lamina

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "job/part/part_source.hpp"
+#include "lamina/base/progress.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+
+namespace lamina {
+
+/// Plane layers need a jet that the machine has.
+/// @throws Unreachable
+void requireJetFor(const SliceJob& job, const Machine& machine);
+
+/// Reads what a job prints, and what it is laid on where its mode asks for that.
+/// @throws InvalidMesh, FileError as `readPart`
+SourcePart readSource(const SliceJob& job);
+
+/// Everything between mesh and program: places, slices and plans what was read, and checks it against the
+/// machine. Of the times in the summary only that of slicing is set.
+/// @throws as `runSliceJob`
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const Machine& machine, Progress& progress);
+
+}  // namespace lamina

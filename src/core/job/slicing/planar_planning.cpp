@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "job/slicing/inclined_layers.hpp"
+#include "job/laps.hpp"
+#include "job/slicing/part_planning.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/job/voids/drop_void_job.hpp"
+#include "lamina/planning/scan_pass.hpp"
+#include "lamina/slicing/planar/layer_plane.hpp"
+
+namespace lamina {
+namespace {
+
+/// @param source  turned so that the layers are level
+std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettings& settings,
+                                   Progress& progress) {
+  const Box3 box = boundingBox(source.mesh);
+  const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
+  if (slabs.empty())
+    throw InvalidInput("the part is " + std::to_string(box.size().z()) +
+                       " mm high across its layers; the first layer of " +
+                       std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
+  std::vector<double> heights;
+  heights.reserve(slabs.size());
+  for (const LayerSlab& slab : slabs) heights.push_back(slab.cut());
+  std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
+  std::vector<Layer> layers(slabs.size());
+  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {slabs[i], std::move(sections[i])};
+  return layers;
+}
+
+/// In the frame of the layers.
+Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Progress& progress) {
+  const PlanSettings& settings = request.job.settings.planning;
+  const PlaneSettings& plane = request.job.settings.slicing.plane;
+  if (plane.angle_deg == 0.0) return planPart(request.partName(), layers, settings, progress);
+  return planPart(request.partName(), layers, settings, bedBeneath(plane, request.bed_from_part), progress);
+}
+
+}  // namespace
+
+PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progress& progress) {
+  const JobSettings& settings = request.job.settings;
+  const PlaneSettings& plane = settings.slicing.plane;
+  Laps laps;
+  if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
+  std::vector<Layer> layers = sliceIntoLayers(source, settings.slicing, progress);
+  PlannedPart planned;
+  planned.lean = wallLean(source.mesh, Point3::UnitZ(),
+                          {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
+  planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
+  source = {};
+  planned.counts = countsOf(layers);
+  planned.counts.slice_s = laps.lap();
+  planned.plan = planOf(layers, request, progress);
+  layers = {};
+  Toolpath& toolpath = planned.plan.toolpath;
+  if (settings.drop_voids.is_on)
+    toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,
+                                   settings.planning.travel.feed_mm_s, progress);
+  toolpath = withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.machine));
+  toolpath = inPartFrame(std::move(toolpath), plane);
+  return planned;
+}
+
+}  // namespace lamina

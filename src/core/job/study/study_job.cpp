@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/study/study_job.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "job/study/study_comparison.hpp"
+#include "job/study/study_decision.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/version.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/study/study_measurement.hpp"
+#include "lamina/optimisation/evaluation_journal.hpp"
+#include "lamina/optimisation/experiment_table.hpp"
+#include "lamina/optimisation/front_csv.hpp"
+#include "lamina/study/evaluations_csv.hpp"
+#include "lamina/study/report.hpp"
+#include "lamina/study/search_settings.hpp"
+
+namespace lamina {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Feasible values of the objectives so far, the best of each.
+std::vector<double> bestValues(const Goals& goals, const std::vector<std::string>& names,
+                               const std::vector<Evaluation>& feasible) {
+  std::vector<double> best;
+  if (feasible.empty()) return best;
+  for (const Objective& objective : goals.objectives) {
+    const std::size_t response = responseIndex(names, objective.response);
+    double value = feasible.front().responses.at(response);
+    for (const Evaluation& evaluation : feasible) {
+      const double other = evaluation.responses.at(response);
+      value = objective.sense == Sense::Minimise ? std::min(value, other) : std::max(value, other);
+    }
+    best.push_back(value);
+  }
+  return best;
+}
+
+/// Remembers what was tried.
+class RecordingEvaluator final : public Evaluator {
+ public:
+  explicit RecordingEvaluator(Evaluator& inner) : inner_(inner) {}
+
+  const std::vector<std::string>& responseNames() const override { return inner_.responseNames(); }
+  std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points, const EvaluationListener& done,
+                                   Progress& progress) override {
+    std::vector<Evaluation> found = inner_.evaluate(points, done, progress);
+    tried_.insert(tried_.end(), found.begin(), found.end());
+    return found;
+  }
+
+  /// These, then what was tried.
+  std::vector<Evaluation> after(std::vector<Evaluation> samples) const {
+    samples.insert(samples.end(), tried_.begin(), tried_.end());
+    return samples;
+  }
+
+ private:
+  Evaluator& inner_;
+  std::vector<Evaluation> tried_;
+};
+
+std::vector<std::string> outputsOf(const StudyFiles& files) {
+  return {files.journal, files.front_journal, files.front, files.evaluations,
+          files.chosen,  files.picture,       files.report};
+}
+
+std::vector<std::string> inputsOf(const Study& study) {
+  std::vector<std::string> inputs = {study.file, study.table};
+  if (study.slice) inputs.insert(inputs.end(), {study.slice->part, study.slice->config});
+  return inputs;
+}
+
+class StudyRun {
+ public:
+  StudyRun(const StudyJob& job, Evaluator* outer, const StudyListener& listener, Progress& progress)
+      : study_(job.study),
+        files_(studyFilesIn(job.output)),
+        listener_(listener),
+        progress_(progress),
+        settings_(searchSettingsOf(study_)),
+        measurement_(study_),
+        criteria_(decisionCriteria(study_, measurement_.frontResponseNames())) {
+    requireApart(outputsOf(files_), inputsOf(study_));
+    if (!study_.table.empty())
+      table_ = readExperimentTable(study_.table, study_.variables, measurement_.responseNames());
+    prepareFolder(job);
+    prepareEvaluators(outer, job.earlier);
+  }
+
+  StudyOutcome run(const SurrogateFit& fit) {
+    const Clock::time_point start = Clock::now();
+    outcome_.response_names = measurement_.responseNames();
+    outcome_.front_response_names = outcome_.response_names;
+    outcome_.version = laminaVersion();
+    study_.method == SearchMethod::Nsga2 ? searchForFront() : searchWith(fit);
+    tellSettings();
+    StudyComparison comparison = comparisonOf(study_, measurement_, *in_full_, outcome_, progress_);
+    outcome_.compared = std::move(comparison.rows);
+    outcome_.notes.insert(outcome_.notes.end(), comparison.notes.begin(), comparison.notes.end());
+    outcome_.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+    write();
+    return std::move(outcome_);
+  }
+
+ private:
+  void prepareFolder(const StudyJob& job) const {
+    if (job.output.empty()) throw InvalidConfig("no folder for the output is named");
+    std::error_code failed;
+    std::filesystem::create_directories(job.output, failed);
+    if (failed || !std::filesystem::is_directory(job.output, failed))
+      throw FileError("cannot make the folder '" + job.output + "'");
+  }
+
+  bool isTableAlone() const { return !study_.slice && !study_.commands; }
+
+  /// Before the journal of an earlier run is emptied.
+  void requireSearchable(Evaluator& evaluator) const {
+    const SearchProblem problem{study_.variables, study_.goals, evaluator};
+    study_.method == SearchMethod::Nsga2 ? validate(problem, settings_.nsga2) : validate(problem);
+  }
+
+  void prepareEvaluators(Evaluator* outer, EarlierJournal earlier) {
+    const auto& names = measurement_.responseNames();
+    const std::string fingerprint = measurement_.fingerprint();
+    // A table answers with the points it has, and somebody may have typed more into it since: no journal.
+    if (isTableAlone())
+      searched_ = std::make_unique<TableEvaluator>(study_.variables, names, table_.proposed,
+                                                   settings_.surrogate.answer_nearness);
+    if (!isTableAlone() && outer == nullptr)
+      measured_ = std::make_unique<ParallelEvaluator>(
+          names,
+          [this](const DesignPoint& point, Progress& progress) { return measurement_.at(point, progress); });
+    if (!isTableAlone()) {
+      Evaluator& inner = outer != nullptr ? *outer : *measured_;
+      requireSearchable(inner);
+      searched_ = std::make_unique<JournalledEvaluator>(
+          inner, study_.variables, JournalSettings{files_.journal, fingerprint, earlier});
+    }
+    const bool is_measured_more = measurement_.frontResponseNames() != names;
+    measured_in_full_ = std::make_unique<ParallelEvaluator>(
+        measurement_.frontResponseNames(), [this](const DesignPoint& point, Progress& progress) {
+          return measurement_.inFull(point, progress);
+        });
+    in_full_ = std::make_unique<JournalledEvaluator>(
+        is_measured_more ? *measured_in_full_ : *searched_, study_.variables,
+        JournalSettings{is_measured_more ? files_.front_journal : "", fingerprint, earlier});
+  }
+
+  void searchForFront() {
+    const auto hear = [this](const Generation& generation) {
+      if (listener_)
+        listener_({generation.index, generation.evaluations, generation.failed,
+                   bestValues(study_.goals, measurement_.responseNames(), generation.front),
+                   generation.hypervolume});
+    };
+    FrontSearch search =
+        searchFront({study_.variables, study_.goals, *searched_}, settings_.nsga2, hear, progress_);
+    outcome_.seed = settings_.nsga2.seed;
+    outcome_.evaluations = std::move(search.evaluations);
+    outcome_.generations = std::move(search.generations);
+    outcome_.front = std::move(search.front);
+    if (outcome_.front.empty()) return;
+    measureFrontInFull();
+    decideAmongFront();
+  }
+
+  void measureFrontInFull() {
+    if (measurement_.frontResponseNames() == outcome_.response_names) return;
+    std::vector<DesignPoint> points;
+    for (const Evaluation& evaluation : outcome_.front) points.push_back(evaluation.point);
+    std::vector<Evaluation> in_full = in_full_->evaluate(points, {}, progress_);
+    const auto failed = std::find_if_not(in_full.begin(), in_full.end(), isEvaluated);
+    if (failed != in_full.end()) {
+      outcome_.notes.push_back("decided by what the search measured; other metrics cannot be measured: " +
+                               failed->error);
+      return;
+    }
+    outcome_.front = std::move(in_full);
+    outcome_.front_response_names = measurement_.frontResponseNames();
+  }
+
+  void decideAmongFront() {
+    FrontDecision found = decideAmong(outcome_.front, outcome_.front_response_names, criteria_,
+                                      decisionMethodOf(study_.decision.method));
+    outcome_.notes.insert(outcome_.notes.end(), found.notes.begin(), found.notes.end());
+    if (!found.decision) return;
+    outcome_.decision_indices = std::move(found.decision->indices);
+    outcome_.chosen = outcome_.front.at(found.decision->chosen);
+  }
+
+  void searchWith(const SurrogateFit& fit) {
+    if (!fit) throw InvalidConfig("the study asks for a surrogate, and nothing is there to fit it");
+    std::vector<Evaluation> samples = table_.design;
+    if (!isTableAlone()) samples.insert(samples.end(), table_.proposed.begin(), table_.proposed.end());
+    RecordingEvaluator recording(*searched_);
+    const auto hear = [&](const SurrogateIteration& iteration) {
+      if (listener_) listener_(stateAfter(iteration, recording.after(samples)));
+    };
+    SurrogateSearch search = searchBySurrogate({study_.variables, study_.goals, recording}, {fit, samples},
+                                               settings_.surrogate, hear, progress_);
+    outcome_.seed = settings_.surrogate.seed;
+    outcome_.evaluations = search.evaluations;
+    if (search.best) {
+      outcome_.chosen = search.evaluations.at(*search.best);
+      chooseInFull();
+    }
+    if (search.end == SurrogateEnd::NotMeasured && !search.iterations.empty())
+      outcome_.notes.push_back("next to be measured: " + pointText(search.iterations.back().proposed));
+    outcome_.surrogate = std::move(search);
+  }
+
+  StudyState stateAfter(const SurrogateIteration& iteration, const std::vector<Evaluation>& tried) const {
+    std::vector<Evaluation> feasible;
+    for (const Evaluation& evaluation : tried)
+      if (isEvaluated(evaluation) &&
+          violationOf(study_.goals, measurement_.responseNames(), evaluation.responses) == 0.0)
+        feasible.push_back(evaluation);
+    return {static_cast<int>(iteration.index), static_cast<int>(tried.size()),
+            static_cast<int>(failedCount(tried)),
+            bestValues(study_.goals, measurement_.responseNames(), feasible), 0.0};
+  }
+
+  void chooseInFull() {
+    if (measurement_.frontResponseNames() == outcome_.response_names) return;
+    const Evaluation in_full = in_full_->evaluate({outcome_.chosen->point}, {}, progress_).front();
+    if (!isEvaluated(in_full)) {
+      outcome_.notes.push_back("other metrics of what was chosen cannot be measured: " + in_full.error);
+      return;
+    }
+    outcome_.chosen = in_full;
+    outcome_.front_response_names = measurement_.frontResponseNames();
+  }
+
+  std::string pointText(const DesignPoint& point) const {
+    std::string text;
+    for (std::size_t i = 0; i < point.size(); ++i)
+      text += (i == 0 ? "" : ", ") + study_.variables[i].name + " " + textOf(study_.variables[i], point[i]);
+    return text;
+  }
+
+  void tellSettings() {
+    SettingsSchema schema;
+    study_.method == SearchMethod::Nsga2 ? describe(schema, settings_.nsga2)
+                                         : describe(schema, settings_.surrogate);
+    for (const Setting& setting : schema.settings()) outcome_.search.push_back({setting.key, setting.get()});
+    if (study_.method == SearchMethod::Surrogate)
+      for (const SettingText& setting : surrogateFitSettingsOf(study_)) outcome_.search.push_back(setting);
+  }
+
+  /// What an earlier run wrote and this one does not is removed once the rest is there.
+  void write() const {
+    const DesignSpace& space = study_.variables;
+    std::vector<std::string> stale;
+    writeFile(files_.evaluations, evaluationsCsv(space, outcome_.response_names, outcome_.evaluations));
+    if (study_.method == SearchMethod::Nsga2)
+      writeFile(files_.front, frontCsv(space, outcome_.front_response_names, outcome_.front));
+    else
+      stale.push_back(files_.front);
+    if (outcome_.chosen)
+      writeFile(files_.chosen, measurement_.configurationAt(outcome_.chosen->point));
+    else
+      stale.push_back(files_.chosen);
+    const auto pictures = frontPictures(study_, outcome_);
+    if (!pictures.empty())
+      writeFile(files_.picture, pictures.front().png);
+    else
+      stale.push_back(files_.picture);
+    writeFile(files_.report, studyReport(study_, outcome_));
+    std::error_code ignored;
+    for (const std::string& file : stale) std::filesystem::remove(file, ignored);
+  }
+
+  const Study& study_;
+  StudyFiles files_;
+  const StudyListener& listener_;
+  Progress& progress_;
+  SearchSettings settings_;
+  StudyMeasurement measurement_;
+  std::vector<Criterion> criteria_;
+  ExperimentTable table_;
+  std::unique_ptr<Evaluator> measured_;
+  std::unique_ptr<Evaluator> searched_;
+  std::unique_ptr<Evaluator> measured_in_full_;
+  std::unique_ptr<Evaluator> in_full_;
+  StudyOutcome outcome_;
+};
+
+}  // namespace
+
+StudyFiles studyFilesIn(const std::string& folder) {
+  const auto in = [&](const char* name) { return (std::filesystem::path(folder) / name).string(); };
+  return {in("journal.jsonl"), in("front.jsonl"), in("front.csv"),  in("evaluations.csv"),
+          in("chosen.yaml"),   in("front.png"),   in("report.html")};
+}
+
+StudyOutcome runStudy(const StudyJob& job, const SurrogateFit& fit, Evaluator* outer,
+                      const StudyListener& listener, Progress& progress) {
+  StudyRun run(job, outer, listener, progress);
+  return run.run(fit);
+}
+
+}  // namespace lamina

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/voids/void_job.hpp"
+
+#include <string>
+#include <utility>
+
+#include "job/voids/missing_layers.hpp"
+#include "job/voids/part_placing.hpp"
+#include "job/part/part_source.hpp"
+#include "job/slicing/wall_contours.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/slicing/planar/planar_slicer.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+/// Of the part above the program: its bottom lies at that of the first layer.
+double riseOf(const Toolpath& program, double bottom_mm) {
+  if (program.layers.empty()) return 0.0;
+  return bottom_mm - (program.layers.front().z_mm - program.layers.front().height_mm);
+}
+
+std::vector<double> cutHeights(const Toolpath& program, double rise_mm) {
+  std::vector<double> heights;
+  for (const ToolpathLayer& layer : program.layers) {
+    heights.push_back(rise_mm + layer.z_mm - 0.5 * layer.height_mm);
+    if (heights.size() > 1 && heights.back() <= heights[heights.size() - 2])
+      throw InvalidInput("layer " + std::to_string(heights.size() - 1) + " of '" + program.part_name +
+                         "' is at " + std::to_string(layer.z_mm) +
+                         " mm, not above the one before; layers must rise");
+  }
+  return heights;
+}
+
+void requireFinite(const Point2& offset) {
+  if (offset.allFinite()) return;
+  throw InvalidInput("offset of the part is " + std::to_string(offset.x()) + ", " +
+                     std::to_string(offset.y()) + " mm; must be finite");
+}
+
+std::vector<LayerVoids> missingLayers(const Toolpath& program, const SourcePart& source, const Box3& box,
+                                      Progress& progress) {
+  const std::vector<ToolpathLayer> lacking = layersBetween(program, box.size().z());
+  const double rise_mm = riseOf(program, box.low.z());
+  std::vector<double> heights;
+  heights.reserve(lacking.size());
+  for (const ToolpathLayer& layer : lacking) heights.push_back(rise_mm + layer.z_mm - 0.5 * layer.height_mm);
+  const std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
+  std::vector<LayerVoids> missing;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    LayerVoids layer;
+    layer.z_mm = lacking[i].z_mm;
+    layer.area_mm2 = area(unite(sections[i].contours));
+    layer.uncovered_mm2 = layer.area_mm2;
+    if (layer.area_mm2 > 0.0) missing.push_back(layer);
+  }
+  return missing;
+}
+
+}  // namespace
+
+PlacedContours placeContours(const Toolpath& program, const VoidJob& job, Progress& progress) {
+  if (job.offset) requireFinite(*job.offset);
+  requireLevelLayers(program, "the void map");
+  if (job.part.empty()) return {wallContours(program), Point2::Zero(), {}};
+  const SourcePart source = readPart(job.part, job.settings.input);
+  const Box3 box = boundingBox(source.mesh);
+  const std::vector<Section> sections =
+      sliceMesh(source.mesh, source.topology, cutHeights(program, riseOf(program, box.low.z())), progress);
+  PlacedContours placed;
+  placed.contours.reserve(sections.size());
+  for (const Section& section : sections) placed.contours.push_back(unite(section.contours));
+  placed.offset = job.offset ? *job.offset : findPlace(program, placed.contours, box, job);
+  for (Regions& contour : placed.contours) contour = moved(std::move(contour), placed.offset);
+  placed.missing = missingLayers(program, source, box, progress);
+  return placed;
+}
+
+VoidTotals totals(const VoidReport& report) {
+  std::vector<LayerVoids> layers = report.layers;
+  layers.insert(layers.end(), report.part.missing.begin(), report.part.missing.end());
+  VoidTotals sums = totals(layers);
+  sums.layers = report.layers.size();
+  if (!report.layers.empty())
+    sums.runs_per_layer_mean *= static_cast<double>(layers.size()) / static_cast<double>(sums.layers);
+  return sums;
+}
+
+VoidReport runVoidJob(const Toolpath& program, const VoidJob& job, Progress& progress) {
+  VoidReport report;
+  report.part = placeContours(program, job, progress);
+  report.layers = findVoids(report.part.contours, program, job.map, progress);
+  return report;
+}
+
+}  // namespace lamina

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/arm/external_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/arm/six_axis_arm.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kAlong = 1e-9;    // sine: a jet along the axis
+constexpr double kBeneath = 1e-6;  // mm: axis 1 on the table's axis
+
+/// About which a table turns its bed, and the direction in which it stands.
+struct Table {
+  Point3 axis = Point3::UnitZ();  ///< of the bed's turn over the base
+  Point3 away = Point3::UnitX();
+};
+
+Point3 acrossAxis(const Point3& direction, const Point3& axis) { return direction - axis.dot(direction) * axis; }
+
+Table tableOf(const Mechanism& mechanism) {
+  const SixAxisArm& arm = requireSixAxisArm(mechanism);
+  const SerialChain& chain = arm.chain().external;
+  const auto joint = std::find_if(chain.joints.begin(), chain.joints.end(),
+                                  [](const DrivenJoint& each) { return each.name == "external_1"; });
+  if (joint == chain.joints.end() || joint->kind != JointKind::Rotary)
+    throw InvalidConfig("arm '" + arm.name() +
+                        "' has no rotary joint external_1; expected a table that turns");
+  const Screw& screw = chain.screws[static_cast<std::size_t>(joint - chain.joints.begin())];
+  // The screw moves the nozzle over the bed: the bed turns the other way over the base.
+  const Point3 axis = -screw.direction;
+  const Point3 away = acrossAxis(screw.point - arm.chain().arm.screws[0].point, axis);
+  return {axis, away.norm() > kBeneath ? away.normalized() : axis.unitOrthogonal()};
+}
+
+double azimuthAtZero(const Table& table, const Point3& jet) {
+  return std::atan2(table.axis.dot(table.away.cross(jet)), table.away.dot(jet));
+}
+
+bool isAlong(const Table& table, const Point3& jet) { return acrossAxis(jet, table.axis).norm() < kAlong; }
+
+}  // namespace
+
+double tableValue(const Mechanism& arm, const Point3& jet, const TableHeading& heading, double near) {
+  const Table table = tableOf(arm);
+  if (isAlong(table, jet)) return near;
+  const double value = heading.azimuth - azimuthAtZero(table, jet);
+  return near + std::remainder(value - near, 2.0 * M_PI);
+}
+
+double jetAzimuth(const Mechanism& arm, const Point3& jet, double table_value) {
+  const Table table = tableOf(arm);
+  if (isAlong(table, jet)) return 0.0;
+  const double azimuth = std::remainder(azimuthAtZero(table, jet) + table_value, 2.0 * M_PI);
+  return azimuth <= -M_PI ? azimuth + 2.0 * M_PI : azimuth;
+}
+
+}  // namespace lamina

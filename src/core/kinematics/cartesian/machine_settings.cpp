@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
+
+#include "lamina/base/atomic_file.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning) {
+  schema.choice("machine.name", settings.name, mechanismNames(), meaning);
+  schema.text("machine.urdf", settings.urdf, "File that describes the machine; empty takes the named one.");
+}
+
+Machine machineOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
+}
+
+std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? mechanismByName(settings.name) : mechanismFromUrdf(readFile(settings.urdf));
+}
+
+}  // namespace lamina

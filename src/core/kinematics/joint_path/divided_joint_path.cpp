@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/joint_path/divided_joint_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kinematics/model/joint_ranges.hpp"
+#include "lamina/base/parallel.hpp"
+
+namespace lamina {
+
+namespace {
+
+constexpr int kMostSteps = 64;  // that a motion is divided into at once
+
+double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+MotionDeviation deviation(const JointValues& from, const JointValues& to, const Mechanism& mechanism) {
+  const Eigen::Isometry3d start = mechanism.bedFromNozzle(from);
+  const Eigen::Isometry3d end = mechanism.bedFromNozzle(to);
+  const Eigen::Isometry3d half = mechanism.bedFromNozzle(0.5 * (from + to));
+  const Point3 middle = 0.5 * (start.translation() + end.translation());
+  const Eigen::Quaterniond turned =
+      Eigen::Quaterniond(start.linear()).slerp(0.5, Eigen::Quaterniond(end.linear()));
+  Point3 jet = turned * Point3::UnitZ();
+  if (mechanism.jetSpin() == JetSpin::Free) {
+    const Point3 mean = start.linear().col(2) + end.linear().col(2);
+    if (mean.norm() > 0.0) jet = mean;
+  }
+  return {(half.translation() - middle).norm(), angleBetween(jet, half.linear().col(2))};
+}
+
+bool isSteady(const JointValues& from, const JointValues& to, const std::vector<JointRange>& ranges,
+              double most_turn) {
+  for (std::size_t j = 0; j < ranges.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    if (ranges[j].is_rotary && std::abs(to[index] - from[index]) > most_turn) return false;
+  }
+  return true;
+}
+
+/// The deviation of a motion that is curved shrinks with the square of the steps.
+int stepsFor(const MotionDeviation& deviation, const MotionDivision& division) {
+  const double excess = std::max(deviation.tip_mm / division.tip_tolerance_mm,
+                                 deviation.jet / (division.jet_tolerance_deg * M_PI / 180.0));
+  if (!(excess > 1.0)) return 1;
+  return std::min(kMostSteps, std::max(2, static_cast<int>(std::ceil(std::sqrt(excess)))));
+}
+
+/// Where the joints start anew by whole turns, for each waypoint: both lists are in the order of the motion.
+std::vector<char> woundUpAt(const JointPath& path) {
+  std::vector<char> is_wound_up(path.at.size(), 0);
+  std::size_t i = 0;
+  for (const FaultyWaypoint& faulty : path.faults) {
+    while (i + 1 < path.at.size() && path.at[i] != faulty.at) ++i;
+    if (faulty.fault == JointFault::WindUp) is_wound_up[i] = 1;
+  }
+  return is_wound_up;
+}
+
+MotionDeviation greatestOf(const std::vector<MotionDeviation>& deviations) {
+  MotionDeviation greatest;
+  for (const MotionDeviation& one : deviations) {
+    greatest.tip_mm = std::max(greatest.tip_mm, one.tip_mm);
+    greatest.jet = std::max(greatest.jet, one.jet);
+  }
+  return greatest;
+}
+
+}  // namespace
+
+std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
+                                              const Mechanism& mechanism, const JointPathSettings& settings) {
+  const std::vector<JointRange> ranges = jointRanges(mechanism.joints());
+  const double most_turn = settings.max_turn_deg * M_PI / 180.0;
+  const std::vector<char> is_wound_up = woundUpAt(path);
+  std::vector<MotionDeviation> deviations(path.at.size());
+  NoProgress silent;
+  const auto measure = [&](std::size_t i) {
+    if (i == 0 || path.values[i].size() == 0 || path.values[i - 1].size() == 0) return;
+    const WaypointIndex& at = path.at[i];
+    const WaypointIndex& before = path.at[i - 1];
+    if (at.layer != before.layer || at.path != before.path) return;
+    const bool is_travel = toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel;
+    if (is_wound_up[i]) return;
+    if (is_travel && !isSteady(path.values[i - 1], path.values[i], ranges, most_turn)) return;
+    deviations[i] = deviation(path.values[i - 1], path.values[i], mechanism);
+  };
+  parallelFor(path.at.size(), measure, silent, "joints");
+  return deviations;
+}
+
+DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                                      const Mechanism& mechanism, const JointPathSettings& settings,
+                                      Progress& progress) {
+  return planDividedJointPath(std::move(toolpath), bed_from_part, {mechanism, NoGuard()}, settings, progress);
+}
+
+DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                                      const GuardedMechanism& guarded, const JointPathSettings& settings,
+                                      Progress& progress) {
+  validate(settings);
+  DividedJointPath result;
+  result.divided = divideMotions(std::move(toolpath), settings.division);
+  for (int division = 0;; ++division) {
+    result.joints = planJointPath(result.divided.toolpath, bed_from_part, guarded, settings, progress);
+    const std::vector<MotionDeviation> deviations =
+        motionDeviations(result.joints, result.divided.toolpath, guarded.mechanism, settings);
+    result.greatest = greatestOf(deviations);
+    std::vector<int> steps;
+    steps.reserve(deviations.size());
+    for (const MotionDeviation& one : deviations) steps.push_back(stepsFor(one, settings.division));
+    const bool is_close = std::all_of(steps.begin(), steps.end(), [](int count) { return count == 1; });
+    if (is_close || division == kMostDivisions) return result;
+    result.divided = divided(result.divided, steps);
+  }
+}
+
+}  // namespace lamina

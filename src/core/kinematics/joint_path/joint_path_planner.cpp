@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/joint_path/joint_path_planner.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "kinematics/joint_path/station_joints.hpp"
+#include "kinematics/joint_path/joint_unwinding.hpp"
+
+namespace lamina {
+
+namespace {
+
+constexpr double kLiftedRank = 1e9;  // mm: above the length of any travel
+
+std::vector<WindLink> windLinks(const std::vector<StationJoints>& joints,
+                                const std::vector<Station>& stations) {
+  std::vector<WindLink> links(joints.size());
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    const StationMotion& motion = stations[i].motion;
+    links[i].is_linked = joints[i].is_linked;
+    links[i].may_rewind = motion.way == StationWay::ClearTravel;
+    links[i].rank = motion.length_mm + (motion.lift_mm > 0.0 ? kLiftedRank : 0.0);
+  }
+  return links;
+}
+
+StationFault woundUp(const WoundUp& at, const RungSolver& solver, const Mechanism& mechanism) {
+  const JointRange& range = solver.ranges()[at.joint];
+  return {at.index, JointFault::WindUp,
+          "joint " + mechanism.joints()[at.joint].name + " runs out of its limits, " +
+              jointValueText(range, range.low) + " to " + jointValueText(range, range.high) +
+              ", since the travel before, and would have to be wound back while depositing"};
+}
+
+/// Whole turns for all stations; adds where they cannot be chosen.
+std::size_t unwindStations(StationWayThrough& way, const StationTask& task) {
+  std::vector<JointValues> values;
+  values.reserve(way.stations.size());
+  for (const StationJoints& here : way.stations) values.push_back(here.values);
+  Unwound unwound = unwind(std::move(values), windLinks(way.stations, task.stations), task.solver.ranges());
+  for (std::size_t i = 0; i < way.stations.size(); ++i) way.stations[i].values = unwound.values[i];
+  for (const WoundUp& at : unwound.wound_up) {
+    way.stations[at.index].is_linked = false;
+    way.faults.push_back(woundUp(at, task.solver, task.mechanism));
+  }
+  return unwound.rewinds;
+}
+
+JointPath jointPathOf(const StationList& list, StationWayThrough way, std::size_t rewinds) {
+  JointPath path;
+  path.rewinds = rewinds;
+  path.values.reserve(list.waypoints.size());
+  for (const std::uint32_t station : list.station_of) path.values.push_back(way.stations[station].values);
+  std::stable_sort(way.faults.begin(), way.faults.end(),
+                   [](const StationFault& a, const StationFault& b) { return a.station < b.station; });
+  // Every waypoint that has no values is named, those that share a station too.
+  for (const StationFault& fault : way.faults) {
+    std::size_t waypoint = list.waypoint_of[fault.station];
+    const bool has_values = way.stations[fault.station].values.size() > 0;
+    do {
+      path.faults.push_back({list.waypoints[waypoint], fault.fault, fault.reason});
+      ++waypoint;
+    } while (!has_values && waypoint < list.waypoints.size() && list.station_of[waypoint] == fault.station);
+  }
+  path.at = list.waypoints;
+  return path;
+}
+
+}  // namespace
+
+JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                        const Mechanism& mechanism, const JointPathSettings& settings, Progress& progress) {
+  return planJointPath(toolpath, bed_from_part, {mechanism, NoGuard()}, settings, progress);
+}
+
+JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                        const GuardedMechanism& guarded, const JointPathSettings& settings,
+                        Progress& progress) {
+  validate(settings);
+  StationList list = stationsOf(toolpath, bed_from_part);
+  if (list.stations.empty()) return {};
+  setExternalAxes(list.stations, guarded.mechanism, settings);
+  const RungSolver solver(guarded, settings);
+  const StationTask task{list.stations, guarded.mechanism, solver, settings};
+  StationWayThrough way = searchLadder(task, progress);
+  if (settings.is_yaw_smoothed) smoothSamples(way.stations, task, progress);
+  steadySwings(way.stations, task);
+  const std::size_t rewinds = unwindStations(way, task);
+  std::vector<StationFault> slow = slowPassages(way.stations, task);
+  std::move(slow.begin(), slow.end(), std::back_inserter(way.faults));
+  return jointPathOf(list, std::move(way), rewinds);
+}
+
+}  // namespace lamina

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/joint_path/ladder_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lamina {
+
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostTravelEdges = 4096;  // some 50 µs: little beside solving both rungs
+
+bool exists(const Rung& rung, std::size_t slot) { return rung.penalty[slot] < kNever; }
+
+bool hasNodes(const Rung& rung) {
+  return std::any_of(rung.penalty.begin(), rung.penalty.end(), [](double p) { return p < kNever; });
+}
+
+/// Whether both are samples of one thing all around, so that neighbours have neighbouring numbers.
+bool areAlike(const Rung& a, const Rung& b) {
+  return a.kind == b.kind && a.kind != SampleKind::Single && a.samples == b.samples;
+}
+
+}  // namespace
+
+LadderSearch::LadderSearch(std::vector<JointRange> ranges, const JointPathSettings& settings,
+                           SteadyCrossing crossing)
+    : ranges_(std::move(ranges)), settings_(settings), crossing_(std::move(crossing)) {
+  for (const JointRange& range : ranges_) {
+    weights_.push_back(1.0 / (range.max_speed * range.max_speed));
+    half_periods_.push_back(range.winds ? M_PI : kNever);
+    most_turn_.push_back(range.is_rotary ? settings_.max_turn_deg * M_PI / 180.0 : kNever);
+  }
+}
+
+/// Squared steps of the joints over their speeds; infinite if one of them is more than the factor times the
+/// greatest turn.
+double LadderSearch::edge(const double* from, const double* to, double most_turn_factor) const {
+  double sum = 0.0;
+  bool is_short = true;
+  for (std::size_t j = 0; j < weights_.size(); ++j) {
+    const double plain = std::abs(to[j] - from[j]);
+    const double step = plain > half_periods_[j] ? plain - 2.0 * half_periods_[j] : plain;
+    is_short &= std::abs(step) <= most_turn_[j] * most_turn_factor;
+    sum += weights_[j] * step * step;
+  }
+  return is_short ? sum : kNever;
+}
+
+/// [rad]
+double LadderSearch::sampleTurn(int from, int to, int samples) const {
+  const int apart = std::abs(from - to);
+  return 2.0 * M_PI * std::min(apart, samples - apart) / samples;
+}
+
+void LadderSearch::tryEdge(const Rung& rung, std::size_t slot, std::size_t from_slot,
+                           const StationMotion& motion, Reached& best) const {
+  if (!(cost_[from_slot] < best.cost)) return;
+  const double factor = motion.way == StationWay::Deposition ? 1.0 : kNever;
+  double turns = edge(before_.at(from_slot), rung.at(slot), factor);
+  const NodeId from = before_.idOf(from_slot);
+  const NodeId to = rung.idOf(slot);
+  if (rung.kind == SampleKind::Yaw) {
+    const double yaw = sampleTurn(sampleOf(from), sampleOf(to), rung.samples);
+    turns += settings_.yaw_weight * yaw * yaw;
+  }
+  const double cost = cost_[from_slot] + turns / motion.duration_s;
+  if (!(cost < best.cost)) return;
+  if (branchOf(from) != branchOf(to) && !crossing_(before_.at(from_slot), rung.at(slot))) return;
+  best = {cost, from};
+}
+
+void LadderSearch::reach(const Rung& rung, std::size_t slot, const StationMotion& motion,
+                         Reached& best) const {
+  const NodeId to = rung.idOf(slot);
+  const bool crosses = crossing_ && rung.kind != SampleKind::Yaw;
+  const bool is_windowed = areAlike(before_, rung) && 2 * settings_.yaw_reach + 1 < rung.samples;
+  const int tried = is_windowed ? 2 * settings_.yaw_reach + 1 : before_.samples;
+  const int first = is_windowed ? sampleOf(to) - settings_.yaw_reach + rung.samples : 0;
+  for (int t = 0; t < tried; ++t) {
+    const int sample = (first + t) % before_.samples;
+    if (branchOf(to) < before_.branches)
+      tryEdge(rung, slot, before_.slot(sample, branchOf(to)), motion, best);
+    for (int branch = 0; crosses && branch < before_.branches; ++branch)
+      if (branch != branchOf(to)) tryEdge(rung, slot, before_.slot(sample, branch), motion, best);
+  }
+}
+
+/// The nodes that a travel may set out from.
+std::vector<std::size_t> LadderSearch::departures(std::size_t nodes) const {
+  std::vector<std::size_t> all;
+  std::vector<std::size_t> cheapest(static_cast<std::size_t>(before_.branches), cost_.size());
+  for (std::size_t slot = 0; slot < cost_.size(); ++slot) {
+    if (!(cost_[slot] < kNever)) continue;
+    all.push_back(slot);
+    std::size_t& best = cheapest[slot % cheapest.size()];
+    if (best == cost_.size() || cost_[slot] < cost_[best]) best = slot;
+  }
+  if (all.size() * nodes <= kMostTravelEdges) return all;
+  cheapest.erase(std::remove(cheapest.begin(), cheapest.end(), cost_.size()), cheapest.end());
+  return cheapest;
+}
+
+void LadderSearch::overTravel(const Rung& rung, const StationMotion& motion,
+                              std::vector<Reached>& reached) const {
+  const std::vector<std::size_t> from_slots = departures(reached.size());
+  for (std::size_t slot = 0; slot < reached.size(); ++slot) {
+    if (!exists(rung, slot)) continue;
+    for (const std::size_t from : from_slots) {
+      double turns = edge(before_.at(from), rung.at(slot), kNever);
+      if (rung.kind == SampleKind::Yaw && areAlike(before_, rung)) {
+        const double yaw = sampleTurn(sampleOf(before_.idOf(from)), sampleOf(rung.idOf(slot)), rung.samples);
+        turns += settings_.yaw_weight * yaw * yaw;
+      }
+      const double cost = cost_[from] + settings_.branch_change_cost + turns / motion.duration_s;
+      if (cost < reached[slot].cost) reached[slot] = {cost, before_.idOf(from)};
+    }
+  }
+}
+
+LadderSearch::Link LadderSearch::advance(Rung rung, const StationMotion& motion) {
+  records_.push_back({back_.size(), kNoNode, static_cast<std::uint8_t>(rung.branches)});
+  const bool is_first = before_.penalty.empty();
+  if (!hasNodes(rung)) {
+    if (!is_first) finishBefore();
+    before_ = Rung();
+    return Link::Empty;
+  }
+  std::vector<Reached> reached(rung.penalty.size(), {kNever, kNoNode});
+  if (!is_first) {
+    for (std::size_t slot = 0; slot < reached.size(); ++slot)
+      if (exists(rung, slot)) reach(rung, slot, motion, reached[slot]);
+    if (motion.way == StationWay::ClearTravel && settings_.branch_change == BranchChange::OnTravel)
+      overTravel(rung, motion, reached);
+  }
+  const bool is_joined =
+      std::any_of(reached.begin(), reached.end(), [](const Reached& r) { return r.cost < kNever; });
+  if (!is_joined && !is_first) {
+    cut_ = cutBefore(rung);
+    finishBefore();
+  }
+  cost_.resize(reached.size());
+  for (std::size_t slot = 0; slot < reached.size(); ++slot) {
+    const double before = is_joined ? reached[slot].cost : 0.0;
+    cost_[slot] = before + rung.penalty[slot] * motion.duration_s;
+    back_.push_back(reached[slot].from);
+  }
+  before_ = std::move(rung);
+  if (is_first) return Link::Start;
+  return is_joined ? Link::Joined : Link::Cut;
+}
+
+/// The way so far ends at the cheapest node of the rung before the newest one.
+void LadderSearch::finishBefore() {
+  const auto cheapest = std::min_element(cost_.begin(), cost_.end());
+  records_[records_.size() - 2].end = before_.idOf(static_cast<std::size_t>(cheapest - cost_.begin()));
+}
+
+LadderSearch::Cut LadderSearch::cutBetween(const double* from, const double* to) const {
+  Cut cut;
+  bool is_near_wound = true;
+  for (std::size_t j = 0; j < ranges_.size(); ++j) {
+    if (!ranges_[j].is_rotary) continue;
+    const double step = stepBetween(ranges_[j], from[j], to[j]);
+    is_near_wound &= std::abs(std::remainder(step, 2.0 * M_PI)) <= most_turn_[j];
+    if (std::abs(step) > std::abs(cut.turn)) cut = {j, step, false};
+  }
+  cut.is_wound = is_near_wound && std::abs(cut.turn) > most_turn_[cut.joint];
+  return cut;
+}
+
+/// What the ladder lacks, told of the pair of nodes that is nearest to an edge.
+LadderSearch::Cut LadderSearch::cutBefore(const Rung& rung) const {
+  Cut least{0, kNever, false};
+  for (const std::size_t from : departures(rung.penalty.size()))
+    for (std::size_t to = 0; to < rung.penalty.size(); ++to) {
+      if (!exists(rung, to) || branchOf(before_.idOf(from)) != branchOf(rung.idOf(to))) continue;
+      const Cut cut = cutBetween(before_.at(from), rung.at(to));
+      if (std::abs(cut.turn) < std::abs(least.turn)) least = cut;
+    }
+  return least;
+}
+
+std::vector<NodeId> LadderSearch::trace() const {
+  std::vector<NodeId> nodes(records_.size(), kNoNode);
+  NodeId next = kNoNode;
+  if (!before_.penalty.empty()) {
+    const auto cheapest = std::min_element(cost_.begin(), cost_.end());
+    next = before_.idOf(static_cast<std::size_t>(cheapest - cost_.begin()));
+  }
+  for (std::size_t i = records_.size(); i-- > 0;) {
+    const RungRecord& record = records_[i];
+    nodes[i] = record.end == kNoNode ? next : record.end;
+    next = kNoNode;
+    if (nodes[i] == kNoNode) continue;
+    const auto slot = static_cast<std::size_t>(sampleOf(nodes[i])) * record.branches +
+                      static_cast<std::size_t>(branchOf(nodes[i]));
+    next = back_[record.first_back + slot];
+  }
+  return nodes;
+}
+
+}  // namespace lamina

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/joint_path/rung_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lamina {
+
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+/// Nearer to a singularity than this [rad] a pose is taken into it: a joint would swing for less than
+/// a waypoint's orientation is accurate to.
+constexpr double kExactlySingular = 1e-7;
+
+/// The pose with the nozzle turned about its jet.
+Eigen::Isometry3d yawed(const Eigen::Isometry3d& bed_from_nozzle, double yaw) {
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  Eigen::Isometry3d turned = bed_from_nozzle;
+  turned.matrix().col(0) = c * bed_from_nozzle.matrix().col(0) + s * bed_from_nozzle.matrix().col(1);
+  turned.matrix().col(1) = c * bed_from_nozzle.matrix().col(1) - s * bed_from_nozzle.matrix().col(0);
+  return turned;
+}
+
+std::string marginText(double margin) {
+  return jointValueText({true}, std::asin(std::clamp(margin, 0.0, 1.0)));
+}
+
+}  // namespace
+
+RungSolver::RungSolver(const GuardedMechanism& guarded, const JointPathSettings& settings)
+    : mechanism_(&guarded.mechanism), guard_(&guarded.guard), settings_(settings) {
+  ranges_ = jointRanges(mechanism_->joints());
+  for (const DrivenJoint& joint : mechanism_->joints()) is_external_.push_back(isExternal(joint.name));
+}
+
+JointValues RungSolver::nearFor(double external) const {
+  JointValues near(static_cast<Eigen::Index>(ranges_.size()));
+  for (std::size_t j = 0; j < ranges_.size(); ++j)
+    near[static_cast<Eigen::Index>(j)] = is_external_[j] ? external : ranges_[j].middle;
+  return near;
+}
+
+JointValues RungSolver::withFree(JointValues near, double free_value) const {
+  for (std::size_t j = 0; j < ranges_.size(); ++j)
+    if (ranges_[j].is_rotary && !is_external_[j]) near[static_cast<Eigen::Index>(j)] = free_value;
+  return near;
+}
+
+RungSolver::Asked RungSolver::askedAt(const Station& station) const {
+  Asked asked{SampleKind::Single, station.pose(), nearFor(station.external)};
+  const bool is_free = mechanism_->jetSpin() == JetSpin::Free;
+  if (!is_free && settings_.yaw == YawChoice::Free) {
+    asked.kind = SampleKind::Yaw;
+    return asked;
+  }
+  const auto solutions = mechanism_->solutions(asked.bed_from_nozzle, asked.near);
+  if (solutions.empty()) return asked;
+  const JointValues& values = solutions.front().values;
+  const double margin = mechanism_->singularityMargin(values);
+  const double tolerance =
+      std::max(kExactlySingular, is_free ? settings_.singular_jet_tolerance_deg * kDegree : 0.0);
+  if (margin > std::sin(tolerance)) return asked;
+  asked.kind = SampleKind::FreeJoint;
+  if (is_free) asked.bed_from_nozzle = passing(asked.bed_from_nozzle, values);
+  return asked;
+}
+
+/// The pose with its jet along the rotary axis next to it, about which the joint is then free.
+Eigen::Isometry3d RungSolver::passing(const Eigen::Isometry3d& bed_from_nozzle,
+                                      const JointValues& values) const {
+  const Jacobian jacobian = mechanism_->jacobian(values);
+  const Point3 jet = bed_from_nozzle.linear().col(2);
+  Point3 nearest = jet;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t j = 0; j < ranges_.size(); ++j) {
+    if (!ranges_[j].is_rotary || is_external_[j]) continue;
+    const Point3 axis = jacobian.col(static_cast<Eigen::Index>(j)).tail<3>().normalized();
+    const double sine = axis.cross(jet).norm();
+    if (sine >= least) continue;
+    least = sine;
+    nearest = axis.dot(jet) < 0.0 ? Point3(-axis) : axis;
+  }
+  Eigen::Isometry3d passed = bed_from_nozzle;
+  passed.linear() = Eigen::Quaterniond::FromTwoVectors(jet, nearest) * bed_from_nozzle.linear();
+  return passed;
+}
+
+InverseSolutions RungSolver::solutionsAt(const Asked& asked, double coordinate) const {
+  InverseSolutions found =
+      asked.kind == SampleKind::FreeJoint
+          ? mechanism_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate))
+          : mechanism_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
+  for (InverseSolution& solution : found)
+    for (std::size_t j = 0; j < ranges_.size(); ++j) {
+      double& value = solution.values[static_cast<Eigen::Index>(j)];
+      value = nearMiddle(ranges_[j], value);
+    }
+  return found;
+}
+
+bool RungSolver::isWithinLimits(const JointValues& values) const {
+  for (std::size_t j = 0; j < ranges_.size(); ++j)
+    if (!isWithin(ranges_[j], values[static_cast<Eigen::Index>(j)])) return false;
+  return true;
+}
+
+bool RungSolver::isAllowed(const JointValues& values) const {
+  return isWithinLimits(values) && guard_->allows(values);
+}
+
+double RungSolver::penaltyOf(const JointValues& values) const {
+  const double margin = mechanism_->singularityMargin(values);
+  if (margin < std::sin(settings_.least_margin_deg * kDegree)) return std::numeric_limits<double>::infinity();
+  const double avoided = std::sin(settings_.singular_margin_deg * kDegree);
+  double penalty = margin < avoided ? settings_.singular_weight * std::pow(1.0 - margin / avoided, 2) : 0.0;
+  const double near_limit = settings_.limit_margin_deg * kDegree;
+  for (std::size_t j = 0; j < ranges_.size(); ++j) {
+    if (!ranges_[j].is_rotary || ranges_[j].winds) continue;
+    const double value = values[static_cast<Eigen::Index>(j)];
+    const double room = std::max(0.0, std::min(value - ranges_[j].low, ranges_[j].high - value));
+    if (room < near_limit) penalty += settings_.limit_weight * std::pow(1.0 - room / near_limit, 2);
+  }
+  return penalty;
+}
+
+Rung RungSolver::solve(const Station& station) const {
+  const Asked asked = askedAt(station);
+  Rung rung;
+  rung.kind = asked.kind;
+  rung.samples = asked.kind == SampleKind::Single ? 1 : settings_.yaw_samples;
+  rung.joints = static_cast<int>(ranges_.size());
+  std::vector<InverseSolutions> found(static_cast<std::size_t>(rung.samples));
+  for (int s = 0; s < rung.samples; ++s) {
+    InverseSolutions& here = found[static_cast<std::size_t>(s)];
+    here = solutionsAt(asked, coordinateOf(asked.kind, nodeId(s, 0)));
+    for (const InverseSolution& solution : here) rung.branches = std::max(rung.branches, solution.branch + 1);
+  }
+  const std::size_t nodes = rung.slot(rung.samples, 0);
+  rung.values.resize(nodes * ranges_.size());
+  rung.penalty.assign(nodes, std::numeric_limits<double>::infinity());
+  for (int s = 0; s < rung.samples; ++s)
+    for (const InverseSolution& solution : found[static_cast<std::size_t>(s)]) {
+      if (!isAllowed(solution.values)) continue;
+      const std::size_t slot = rung.slot(s, solution.branch);
+      rung.penalty[slot] = penaltyOf(solution.values);
+      std::copy_n(solution.values.data(), ranges_.size(),
+                  rung.values.begin() + static_cast<std::ptrdiff_t>(slot * ranges_.size()));
+    }
+  return rung;
+}
+
+std::optional<JointValues> RungSolver::at(const Station& station, SampleKind kind, double coordinate,
+                                          int branch) const {
+  const Asked asked = askedAt(station);
+  if (asked.kind != kind) return std::nullopt;
+  for (const InverseSolution& solution : solutionsAt(asked, coordinate))
+    if (solution.branch == branch && isAllowed(solution.values) && std::isfinite(penaltyOf(solution.values)))
+      return solution.values;
+  return std::nullopt;
+}
+
+double RungSolver::coordinateOf(SampleKind kind, NodeId node) const {
+  if (kind == SampleKind::Single) return 0.0;
+  return 2.0 * M_PI * sampleOf(node) / settings_.yaw_samples;
+}
+
+/// Of the joint that is furthest outside, by its range.
+RungSolver::Hindrance RungSolver::limitHindrance(const JointValues& values) const {
+  double furthest = -1.0;
+  Hindrance hindrance{JointFault::OutOfLimits, ""};
+  for (std::size_t j = 0; j < ranges_.size(); ++j) {
+    const JointRange& range = ranges_[j];
+    const double value = values[static_cast<Eigen::Index>(j)];
+    const double outside = std::max(range.low - value, value - range.high) / (range.high - range.low);
+    if (isWithin(range, value) || outside <= furthest) continue;
+    furthest = outside;
+    const bool is_low = value < range.low;
+    hindrance.reason = "joint " + mechanism_->joints()[j].name + " would have to be at " +
+                       jointValueText(range, value) + "; its " + (is_low ? "least" : "greatest") +
+                       " value is " + jointValueText(range, is_low ? range.low : range.high);
+  }
+  return hindrance;
+}
+
+RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
+  const Asked asked = askedAt(station);
+  const int samples = asked.kind == SampleKind::Single ? 1 : settings_.yaw_samples;
+  double best_margin = -1.0;
+  std::string collision;
+  double least_outside = std::numeric_limits<double>::infinity();
+  JointValues least;
+  for (int s = 0; s < samples; ++s)
+    for (const InverseSolution& solution : solutionsAt(asked, coordinateOf(asked.kind, nodeId(s, 0)))) {
+      double outside = 0.0;
+      for (std::size_t j = 0; j < ranges_.size(); ++j) {
+        const double value = solution.values[static_cast<Eigen::Index>(j)];
+        const double by = std::max(ranges_[j].low - value, value - ranges_[j].high);
+        if (!isWithin(ranges_[j], value))
+          outside = std::max(outside, by / (ranges_[j].high - ranges_[j].low));
+      }
+      if (outside == 0.0 && !guard_->allows(solution.values)) {
+        if (collision.empty()) collision = guard_->hindrance(solution.values);
+      } else if (outside == 0.0) {
+        best_margin = std::max(best_margin, mechanism_->singularityMargin(solution.values));
+      }
+      if (outside >= least_outside) continue;
+      least_outside = outside;
+      least = solution.values;
+    }
+  if (best_margin >= 0.0)
+    return {JointFault::Singular, marginText(best_margin) + " from a singularity; must be " +
+                                      jointValueText({true}, settings_.least_margin_deg * kDegree) +
+                                      " or more"};
+  if (!collision.empty()) return {JointFault::SelfCollision, collision};
+  if (std::isfinite(least_outside)) return limitHindrance(least);
+  return {JointFault::OutOfReach,
+          "no values of the joints of " + mechanism_->name() + " bring the nozzle there"};
+}
+
+}  // namespace lamina

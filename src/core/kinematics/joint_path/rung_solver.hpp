@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kinematics/model/joint_ranges.hpp"
+#include "kinematics/joint_path/rung.hpp"
+#include "kinematics/joint_path/stations.hpp"
+#include "lamina/kinematics/joint_path/joint_guard.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/joint_path/joint_path_settings.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+
+namespace lamina {
+
+/// Finds all ways in which a mechanism stands at a station. Values that never change; calls may be made from
+/// several threads. Mechanism and guard must outlive it.
+class RungSolver {
+ public:
+  RungSolver(const GuardedMechanism& guarded, const JointPathSettings& settings);
+
+  /// Nodes are within the limits, allowed by the guard and no nearer to a singularity than the settings
+  /// allow; rotary values are those next to the middle of the limits. No node at all if the station cannot be
+  /// reached so.
+  Rung solve(const Station& station) const;
+
+  /// One node of a rung, for a coordinate [rad] that need not be one of the samples.
+  /// @return nothing if there is none
+  std::optional<JointValues> at(const Station& station, SampleKind kind, double coordinate, int branch) const;
+
+  /// What keeps the mechanism from a station whose rung has no node.
+  struct Hindrance {
+    JointFault fault = JointFault::OutOfReach;
+    std::string reason;
+  };
+  Hindrance hindrance(const Station& station) const;
+
+  /// Whether limits and guard let the values in.
+  bool isAllowed(const JointValues& values) const;
+
+  double coordinateOf(SampleKind kind, NodeId node) const;
+  const std::vector<JointRange>& ranges() const { return ranges_; }
+
+ private:
+  struct Asked {
+    SampleKind kind = SampleKind::Single;
+    Eigen::Isometry3d bed_from_nozzle;
+    JointValues near;
+  };
+
+  Asked askedAt(const Station& station) const;
+  Eigen::Isometry3d passing(const Eigen::Isometry3d& bed_from_nozzle, const JointValues& values) const;
+  JointValues nearFor(double external) const;
+  JointValues withFree(JointValues near, double free_value) const;
+  InverseSolutions solutionsAt(const Asked& asked, double coordinate) const;
+  bool isWithinLimits(const JointValues& values) const;
+  double penaltyOf(const JointValues& values) const;
+  Hindrance limitHindrance(const JointValues& values) const;
+
+  const Mechanism* mechanism_;
+  const JointGuard* guard_;
+  JointPathSettings settings_;
+  std::vector<JointRange> ranges_;
+  std::vector<bool> is_external_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics/joint_path/ladder_search.hpp"
+#include "kinematics/joint_path/station_joints.hpp"
+#include "lamina/base/parallel.hpp"
+
+namespace lamina {
+
+namespace {
+
+constexpr std::size_t kBlock = 64;                 // rungs held at a time, twice
+constexpr double kSteadyJet = 0.1 * M_PI / 180.0;  // far beneath what a head is held to
+const std::string kStage = "joints";
+
+/// Whether half of the steps of the joints turn the nozzle half of the way.
+class HalfWayTest {
+ public:
+  HalfWayTest(const Mechanism& mechanism, const std::vector<JointRange>& ranges)
+      : mechanism_(&mechanism), ranges_(&ranges) {}
+
+  bool operator()(const double* from, const double* to) const {
+    const auto count = static_cast<Eigen::Index>(ranges_->size());
+    const JointValues start = Eigen::Map<const Eigen::VectorXd>(from, count);
+    const JointValues end = Eigen::Map<const Eigen::VectorXd>(to, count);
+    JointValues half = start;
+    for (std::size_t j = 0; j < ranges_->size(); ++j)
+      half[static_cast<Eigen::Index>(j)] += 0.5 * stepBetween((*ranges_)[j], from[j], to[j]);
+    const Eigen::Quaterniond a(mechanism_->bedFromNozzle(start).linear());
+    const Eigen::Quaterniond b(mechanism_->bedFromNozzle(end).linear());
+    const Eigen::Quaterniond between(mechanism_->bedFromNozzle(half).linear());
+    if (mechanism_->jetSpin() == JetSpin::Given)
+      return a.slerp(0.5, b).angularDistance(between) <= kSteadyJet;
+    const Point3 jet = between * Point3::UnitZ();
+    const Point3 mean = a * Point3::UnitZ() + b * Point3::UnitZ();
+    return std::atan2(mean.cross(jet).norm(), mean.dot(jet)) <= kSteadyJet;
+  }
+
+ private:
+  const Mechanism* mechanism_;
+  const std::vector<JointRange>* ranges_;
+};
+
+StationFault jump(const StationTask& task, std::size_t station, const LadderSearch::Cut& cut) {
+  if (!std::isfinite(cut.turn))
+    return {station, JointFault::Jump, "no solution here is of a branch that the waypoint before has"};
+  const std::string joint = "joint " + task.mechanism.joints()[cut.joint].name;
+  const std::string turn = jointValueText(task.solver.ranges()[cut.joint], std::abs(cut.turn));
+  if (cut.is_wound)
+    return {station, JointFault::WindUp,
+            joint + " is at its limit and would have to be wound back by " + turn + " while depositing"};
+  const std::string length = jointValueText({}, task.stations[station].motion.length_mm);
+  const std::string most = jointValueText({true}, task.settings.max_turn_deg * M_PI / 180.0);
+  return {station, JointFault::Jump,
+          joint + " would have to turn by " + turn + " within " + length + "; at most " + most};
+}
+
+/// The search, a block of rungs at a time.
+class BlockSearch {
+ public:
+  BlockSearch(const StationTask& task, StationWayThrough& way)
+      : task_(task),
+        way_(way),
+        search_(task.solver.ranges(), task.settings, HalfWayTest(task.mechanism, task.solver.ranges())) {}
+
+  /// Solves the rungs from a station on while those solved before are searched.
+  void step(std::size_t first) {
+    inParallel([&] { solveFrom(first); }, [&] { searchReady(); });
+    std::swap(ready_, coming_);
+  }
+
+  std::vector<NodeId> trace() const { return search_.trace(); }
+
+ private:
+  void solveFrom(std::size_t first) {
+    const std::size_t count = task_.stations.size();
+    coming_.resize(std::min(kBlock, count - std::min(first, count)));
+    NoProgress silent;
+    parallelFor(
+        coming_.size(), [&](std::size_t i) { coming_[i] = task_.solver.solve(task_.stations[first + i]); },
+        silent, kStage);
+  }
+
+  void searchReady() {
+    for (Rung& rung : ready_) {
+      const std::size_t station = searched_++;
+      way_.stations[station].kind = rung.kind;
+      const auto link = search_.advance(std::move(rung), task_.stations[station].motion);
+      way_.stations[station].is_linked = link == LadderSearch::Link::Joined;
+      if (link == LadderSearch::Link::Cut) way_.faults.push_back(jump(task_, station, search_.lastCut()));
+      if (link != LadderSearch::Link::Empty) continue;
+      const RungSolver::Hindrance hindrance = task_.solver.hindrance(task_.stations[station]);
+      way_.faults.push_back({station, hindrance.fault, hindrance.reason});
+    }
+  }
+
+  const StationTask& task_;
+  StationWayThrough& way_;
+  LadderSearch search_;
+  std::size_t searched_ = 0;
+  std::vector<Rung> ready_;
+  std::vector<Rung> coming_;
+};
+
+}  // namespace
+
+StationWayThrough searchLadder(const StationTask& task, Progress& progress) {
+  const std::size_t count = task.stations.size();
+  StationWayThrough way;
+  way.stations.resize(count);
+  BlockSearch search(task, way);
+  for (std::size_t first = 0; first < count + kBlock; first += kBlock) {
+    throwIfCancelled(progress, kStage);
+    search.step(first);
+    progress.report(kStage, std::min(1.0, static_cast<double>(first) / static_cast<double>(count)));
+  }
+  const std::vector<NodeId> nodes = search.trace();
+  NoProgress silent;
+  parallelFor(
+      count,
+      [&](std::size_t i) {
+        StationJoints& here = way.stations[i];
+        here.node = nodes[i];
+        if (nodes[i] == kNoNode) return;
+        const double coordinate = task.solver.coordinateOf(here.kind, nodes[i]);
+        here.values = *task.solver.at(task.stations[i], here.kind, coordinate, branchOf(nodes[i]));
+      },
+      silent, kStage);
+  return way;
+}
+
+}  // namespace lamina

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/model/joint_limits.hpp"
+
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+/// As people read it: degrees for what turns.
+std::string shown(JointKind kind, double value) {
+  return std::to_string(kind == JointKind::Linear ? value : value * 180.0 / M_PI);
+}
+
+}  // namespace
+
+std::optional<std::string> limitFault(const JointValues& values, const Mechanism& mechanism) {
+  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
+    const DrivenJoint& joint = mechanism.joints()[j];
+    const double value = values[static_cast<Eigen::Index>(j)];
+    if (value >= joint.low - kJointLimitSlack && value <= joint.high + kJointLimitSlack) continue;
+    const std::string unit = joint.kind == JointKind::Linear ? " mm" : " deg";
+    return "joint " + joint.name + " at " + shown(joint.kind, value) + unit + "; must be within " +
+           shown(joint.kind, joint.low) + " to " + shown(joint.kind, joint.high) + unit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lamina

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/model/link_bodies.hpp"
+
+#include <algorithm>
+
+#include "kinematics/model/body_shape.hpp"
+#include "kinematics/model/link_motion.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kOnePlace = 1e-3;  // mm: digits of a URDF
+
+/// The joint by which a group hangs.
+struct GroupJoint {
+  std::size_t parent = 0;
+  bool is_rotary = false;
+  bool goes_on = false;  ///< turns where the joint of its parent does, as those of a universal joint
+};
+
+/// Gathers the groups of a tree of links.
+class GroupCollector {
+ public:
+  explicit GroupCollector(const urdf::ModelInterface& model) {
+    found_.groups.emplace_back();
+    joints_.emplace_back();
+    add(*model.getRoot(), 0, Eigen::Isometry3d::Identity());
+    addPairs();
+  }
+
+  LinkBodies take() { return std::move(found_); }
+
+ private:
+  /// @param group_from_link  from the frame of the joint by which the group hangs [mm]
+  void add(const urdf::Link& link, std::size_t group, const Eigen::Isometry3d& group_from_link) {
+    found_.groups[group].links.push_back(link.name);
+    if (link.name == "bed") found_.bed = group;
+    for (const auto& collision : link.collision_array)
+      found_.groups[group].bodies.push_back(
+          {link.name, shapeOf(*collision, link.name), poseOf(collision->origin)});
+    auto children = link.child_links;
+    std::sort(children.begin(), children.end(),
+              [](const auto& a, const auto& b) { return a->name < b->name; });
+    for (const auto& child : children) {
+      const urdf::Joint& joint = *child->parent_joint;
+      const Eigen::Isometry3d group_from_child =
+          group_from_link * poseOf(joint.parent_to_joint_origin_transform);
+      if (joint.type == urdf::Joint::FIXED)
+        add(*child, group, group_from_child);
+      else
+        add(*child, groupHangingOn(group, joint, group_from_child), Eigen::Isometry3d::Identity());
+    }
+  }
+
+  std::size_t groupHangingOn(std::size_t parent, const urdf::Joint& joint,
+                             const Eigen::Isometry3d& parent_from_joint) {
+    GroupJoint hung;
+    hung.parent = parent;
+    hung.is_rotary = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+    hung.goes_on =
+        hung.is_rotary && joints_[parent].is_rotary && parent_from_joint.translation().norm() < kOnePlace;
+    found_.groups.push_back({{}, {}, parent, joint.name});
+    joints_.push_back(hung);
+    return found_.groups.size() - 1;
+  }
+
+  bool hangsOn(std::size_t group, std::size_t on) const {
+    while (joints_[group].parent != on) {
+      if (!joints_[group].goes_on || !found_.groups[joints_[group].parent].bodies.empty()) return false;
+      group = joints_[group].parent;
+    }
+    return true;
+  }
+
+  void addPairs() {
+    for (std::size_t b = 1; b < found_.groups.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a) {
+        const bool is_solid = !found_.groups[a].bodies.empty() && !found_.groups[b].bodies.empty();
+        if (is_solid && !hangsOn(b, a)) found_.pairs.emplace_back(a, b);
+      }
+  }
+
+  LinkBodies found_;
+  std::vector<GroupJoint> joints_;  ///< of the groups; that of the first has no meaning
+};
+
+}  // namespace
+
+LinkBodies linkBodies(const std::string& urdf) {
+  const auto model = parseMachine(urdf);
+  if (!model->getLink("bed")) throw InvalidConfig("machine '" + model->getName() + "' has no link 'bed'");
+  return GroupCollector(*model).take();
+}
+
+}  // namespace lamina

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kinematics/model/multi_axis_machine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/model/tool_axis_turn.hpp"
+#include "kinematics/model/serial_chain.hpp"
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLeastVolume = 1e-3;  // of the box that three axes of length 1 span
+constexpr double kLeastSine = 1e-3;    // between what must not be parallel
+constexpr std::size_t kMostRotaries = 2;
+
+[[noreturn]] void refuse(const SerialChain& chain, const std::string& what) {
+  throw InvalidConfig("machine '" + chain.name + "'" + what);
+}
+
+/// Indices of the rotary joints, that next to the bed first.
+std::vector<int> rotariesOf(const SerialChain& chain) {
+  std::vector<int> rotaries;
+  for (const int j : chain.outward)
+    if (chain.joints[static_cast<std::size_t>(j)].kind == JointKind::Rotary) rotaries.push_back(j);
+  return rotaries;
+}
+
+JetTurner turnerOf(const SerialChain& chain) {
+  JetTurner turner;
+  for (const int j : rotariesOf(chain))
+    turner.axes.push_back(chain.screws[static_cast<std::size_t>(j)].direction);
+  turner.at_zero = chain.bed_from_nozzle_at_zero.linear().col(2);
+  return turner;
+}
+
+/// The linear joints are the first.
+Eigen::Matrix3d linearDirections(const SerialChain& chain, const JointValues& values) {
+  return jacobian(chain, values).topLeftCorner<3, 3>();
+}
+
+JointValues zeroOf(const SerialChain& chain) {
+  return JointValues::Zero(static_cast<Eigen::Index>(chain.joints.size()));
+}
+
+class MultiAxisMachine : public Mechanism {
+ public:
+  explicit MultiAxisMachine(SerialChain chain)
+      : chain_(std::move(chain)),
+        rotaries_(rotariesOf(chain_)),
+        turner_(turnerOf(chain_)),
+        volume_at_zero_(std::abs(linearDirections(chain_, zeroOf(chain_)).determinant())) {}
+
+  const std::string& name() const override { return chain_.name; }
+  const std::string& urdf() const override { return chain_.urdf; }
+  const std::vector<DrivenJoint>& joints() const override { return chain_.joints; }
+  JetSpin jetSpin() const override { return JetSpin::Free; }
+
+  Eigen::Isometry3d bedFromNozzle(const JointValues& values) const override {
+    return lamina::bedFromNozzle(chain_, values);
+  }
+  Jacobian jacobian(const JointValues& values) const override { return lamina::jacobian(chain_, values); }
+  std::map<std::string, Eigen::Isometry3d> bedFromLinks(const JointValues& values) const override {
+    return lamina::bedFromLinks(chain_, values);
+  }
+  std::map<std::string, double> urdfJoints(const JointValues& values) const override {
+    return lamina::urdfJoints(chain_, values);
+  }
+
+  double singularityMargin(const JointValues& values) const override {
+    // Changes only where a rotary joint stands between linear ones.
+    const double volume = std::abs(linearDirections(chain_, values).determinant()) / volume_at_zero_;
+    return std::min(volume, jetMargin(turner_, anglesOf(values)));
+  }
+
+  InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
+                             const JointValues& near) const override {
+    InverseSolutions found;
+    for (const JetTurn& turn : jetTurns(turner_, bed_from_nozzle.linear().col(2), anglesOf(near))) {
+      InverseSolution solution{turn.branch, zeroOf(chain_)};
+      for (std::size_t r = 0; r < rotaries_.size(); ++r)
+        solution.values[rotaries_[r]] = turn.angles[static_cast<Eigen::Index>(r)];
+      const Eigen::Matrix3d directions = linearDirections(chain_, solution.values);
+      if (!(std::abs(directions.determinant()) > kLeastVolume)) continue;
+      const Point3 way = bed_from_nozzle.translation() - bedFromNozzle(solution.values).translation();
+      solution.values.head<3>() = directions.inverse() * way;
+      found.push_back(solution);
+    }
+    return found;
+  }
+
+ private:
+  Eigen::Vector2d anglesOf(const JointValues& values) const {
+    Eigen::Vector2d angles = Eigen::Vector2d::Zero();
+    for (std::size_t r = 0; r < rotaries_.size(); ++r)
+      angles[static_cast<Eigen::Index>(r)] = values[rotaries_[r]];
+    return angles;
+  }
+
+  SerialChain chain_;
+  std::vector<int> rotaries_;  ///< that next to the bed first
+  JetTurner turner_;
+  double volume_at_zero_;
+};
+
+void requireKnownJoints(const SerialChain& chain) {
+  for (const DrivenJoint& joint : chain.joints) {
+    const std::string letters = joint.kind == JointKind::Linear ? "xyz" : "abc";
+    if (joint.name.size() == 1 && letters.find(joint.name) != std::string::npos) continue;
+    refuse(chain,
+           ": joint '" + joint.name +
+               "' moves; only prismatic joints x, y and z and rotary joints a, b and c are understood");
+  }
+}
+
+void requireLinearAxes(const SerialChain& chain) {
+  const auto linear = std::count_if(chain.joints.begin(), chain.joints.end(),
+                                    [](const DrivenJoint& joint) { return joint.kind == JointKind::Linear; });
+  if (linear != 3)
+    refuse(chain,
+           " has " + std::to_string(linear) + " linear axes between bed and nozzle; expected x, y and z");
+  if (!(std::abs(linearDirections(chain, zeroOf(chain)).determinant()) > kLeastVolume))
+    refuse(chain, ": the axes x, y and z do not span space");
+}
+
+void requireRotaryAxes(const SerialChain& chain) {
+  const std::vector<int> rotaries = rotariesOf(chain);
+  const auto nameOf = [&](std::size_t r) {
+    return "'" + chain.joints[static_cast<std::size_t>(rotaries[r])].name + "'";
+  };
+  if (rotaries.empty()) return;
+  if (rotaries.size() > kMostRotaries)
+    refuse(chain, " has " + std::to_string(rotaries.size()) + " rotary joints; at most two are understood");
+  const JetTurner turner = turnerOf(chain);
+  if (rotaries.size() == 2 && sineBetween(turner.axes[0], turner.axes[1]) < kLeastSine)
+    refuse(chain, ": the axes of joints " + nameOf(0) + " and " + nameOf(1) +
+                      " are parallel; expected two that tilt the jet to any side");
+  if (sineBetween(turner.axes.back(), turner.at_zero) < kLeastSine)
+    refuse(chain,
+           ": joint " + nameOf(rotaries.size() - 1) + " turns about the jet; expected an axis that tilts it");
+}
+
+}  // namespace
+
+std::unique_ptr<Mechanism> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text) {
+  SerialChain chain = serialChain(model, text);
+  requireKnownJoints(chain);
+  requireLinearAxes(chain);
+  requireRotaryAxes(chain);
+  return std::make_unique<MultiAxisMachine>(std::move(chain));
+}
+
+}  // namespace lamina

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/parameterization/flattening_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, FlatteningSettings& settings) {
+  schema.choice<FlatteningMethod>("flattening.method", settings.method,
+                                  {{"rigid", FlatteningMethod::Rigid},
+                                   {"mds", FlatteningMethod::Mds},
+                                   {"stress", FlatteningMethod::Stress}},
+                                  "Plan of a curved layer: triangles as rigid as can be, scaling of geodesic "
+                                  "distances, or least error of "
+                                  "lengths.");
+  schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0, false},
+                 "Vertices from which geodesic distances are taken; pieces with fewer vertices use all.");
+  schema.number(
+      "flattening.tolerance", settings.tolerance, {0.001, 0.5, false},
+      "Share by which lengths on the layer may differ from those in its plan; beyond it the layer is "
+      "cut.");
+}
+
+}  // namespace lamina

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/order/near_origin.hpp"
+
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+constexpr double kNear = 5e3;   // mm: half of what areas may reach
+constexpr double kMetre = 1e3;  // mm
+
+double wholeMetres(double middle_mm) {
+  return std::abs(middle_mm) < kNear ? 0.0 : std::round(middle_mm / kMetre) * kMetre;
+}
+
+}  // namespace
+
+Point2 distanceFromOrigin(const Layer& layer) {
+  const Box2 box = boundingBox(layer.section.contours);
+  if (box.isEmpty()) return Point2::Zero();
+  return {wholeMetres(box.centre().x()), wholeMetres(box.centre().y())};
+}
+
+Layer moved(Layer layer, const Point2& by) {
+  for (Polygon& contour : layer.section.contours)
+    for (Point2& point : contour) point += by;
+  return layer;
+}
+
+}  // namespace lamina

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// What lies beneath the beads of an inclined layer along the jet: the layer before, and the bed. A bead is
+/// carried where it touches the bed with its flank or its foot, or where its middle is at most a quarter of
+/// its width beyond the edge of the layer before, so that a quarter of it lies on that.
+class Footing {
+ public:
+  /// @param beneath  the layer before; null for the first
+  Footing(const Layer& layer, const Layer* beneath, const BedPlane& bed, const Bead& bead);
+
+  /// @param point  of a run, in the plane of the layer [mm]
+  bool carries(const Point2& point) const;
+
+ private:
+  bool touchesBed(const Point2& point) const;
+  bool isOverMaterial(const Point2& anywhere) const;
+  std::size_t rowOf(double y) const;
+
+  BedPlane bed_;
+  double top_mm_;
+  double reach_mm_;                 ///< of a bead beneath its waypoint, towards the bed
+  Point2 origin_ = Point2::Zero();  ///< of the rows
+  double low_y_ = 0.0;
+  double row_mm_ = 1.0;
+  std::vector<std::vector<std::pair<Point2, Point2>>> rows_;  ///< edges of the layer before by their y
+};
+
+}  // namespace lamina

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "lamina/base/random.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/plan_settings.hpp"
+
+namespace lamina {
+
+/// Chooses where the closed loops of one layer start and end.
+///
+/// Aligned: the vertex nearest to `anchor`, the same point for all layers. Rear: the vertex farthest towards
+/// +y, of several the one farthest towards +x. Random: anywhere along the loop, by seed and layer. Nearest:
+/// the vertex nearest to where the nozzle comes from.
+class Seam {
+ public:
+  Seam(const SeamSettings& settings, const Point2& anchor, std::uint64_t layer);
+
+  /// The loop from its seam on. Nearest leaves it as it is: the nozzle's place is not known yet.
+  Polygon placed(Polygon loop);
+
+  /// The loop as it is run by a nozzle that comes from `nozzle`; differs from `loop` for Nearest only.
+  Polygon approached(Polygon loop, const Point2& nozzle) const;
+
+ private:
+  SeamPlacement placement_;
+  Point2 anchor_;
+  Random random_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/walls/opened_loop.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace lamina {
+namespace {
+
+/// Stretches shorter than this are left out [mm].
+constexpr double kShortest = 1e-6;
+
+/// Where the nozzle is and how it is held.
+struct Pose {
+  Point3 point;
+  Eigen::Quaterniond orientation;
+};
+
+/// Waypoints of an open path: where each is, and which waypoint of the cycle tells of the way to it.
+struct Waypoints {
+  std::vector<Point3> points;
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<std::size_t> from;
+
+  void add(const Pose& pose, std::size_t waypoint) {
+    if (!points.empty() && (pose.point - points.back()).norm() < kShortest) return;
+    points.push_back(pose.point);
+    orientations.push_back(pose.orientation);
+    from.push_back(waypoint);
+  }
+
+  /// Takes away from the end.
+  void shorten(double left_out) {
+    while (points.size() > 1) {
+      const Point3 back = points[points.size() - 2] - points.back();
+      const double length = back.norm();
+      if (length > left_out + kShortest) {
+        points.back() += left_out / length * back;
+        orientations.back() =
+            orientations.back().slerp(left_out / length, orientations[orientations.size() - 2]);
+        return;
+      }
+      left_out -= length;
+      points.pop_back();
+      orientations.pop_back();
+      from.pop_back();
+    }
+  }
+};
+
+Point3 startOf(const Path& cycle, const CyclePlace& place) {
+  const Point3& from = cycle.points[place.motion];
+  return from + place.part * (cycle.points[cycle.motionEnd(place.motion)] - from);
+}
+
+Pose poseAt(const Path& cycle, std::size_t waypoint) {
+  return {cycle.points[waypoint], cycle.orientation.at(waypoint)};
+}
+
+Pose startPoseOf(const Path& cycle, const CyclePlace& place) {
+  const Eigen::Quaterniond& from = cycle.orientation.at(place.motion);
+  const Eigen::Quaterniond& to = cycle.orientation.at(cycle.motionEnd(place.motion));
+  return {startOf(cycle, place), from.slerp(place.part, to)};
+}
+
+template <class Value>
+AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::size_t>& from) {
+  if (quantity.isCommon()) return quantity;
+  std::vector<Value> values;
+  values.reserve(from.size());
+  for (const std::size_t waypoint : from) values.push_back(quantity.at(waypoint));
+  return AlongPath<Value>(std::move(values));
+}
+
+}  // namespace
+
+CyclePlace nearestPlace(const Path& cycle, const Point3& point) {
+  CyclePlace best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t motion = 0; motion < cycle.motionCount(); ++motion) {
+    const Point3& from = cycle.points[motion];
+    const Point3 along = cycle.points[cycle.motionEnd(motion)] - from;
+    const double squared = along.squaredNorm();
+    const double part = squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
+    const Point3 place = from + part * along;
+    const double distance = (place - point).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best = {motion, part, place};
+  }
+  return best;
+}
+
+Path opened(const Path& cycle, const CycleOpening& opening) {
+  const std::size_t count = cycle.points.size();
+  const std::size_t motion = opening.start.motion;
+  const std::size_t end = cycle.motionEnd(motion);
+  const Pose start = startPoseOf(cycle, opening.start);
+  Waypoints waypoints;
+  waypoints.add(start, end);
+  for (std::size_t i = 0; i < count; ++i) {
+    // The way to a waypoint is told by itself forwards, and by the one after it backwards.
+    if (opening.sense == CycleSense::AsGiven)
+      waypoints.add(poseAt(cycle, (end + i) % count), (end + i) % count);
+    else
+      waypoints.add(poseAt(cycle, (motion + count - i) % count), (motion + count - i + 1) % count);
+  }
+  waypoints.add(start, end);
+  waypoints.shorten(opening.left_out_mm);
+  Path path = cycle;
+  path.is_closed = false;
+  path.points = std::move(waypoints.points);
+  path.bead = taken(cycle.bead, waypoints.from);
+  path.feed_mm_s = taken(cycle.feed_mm_s, waypoints.from);
+  if (!cycle.orientation.isCommon())
+    path.orientation = AlongPath<Eigen::Quaterniond>(std::move(waypoints.orientations));
+  return path;
+}
+
+Point3 endOfOpened(const Path& cycle, const CycleOpening& opening) {
+  const std::size_t count = cycle.points.size();
+  const std::size_t motion = opening.start.motion;
+  Point3 end = startOf(cycle, opening.start);
+  double left_out = opening.left_out_mm;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = opening.sense == CycleSense::AsGiven ? (motion + count - i) % count
+                                                                  : (cycle.motionEnd(motion) + i) % count;
+    const Point3 back = cycle.points[next] - end;
+    const double length = back.norm();
+    if (length > left_out) return length > 0.0 ? Point3(end + left_out / length * back) : end;
+    left_out -= length;
+    end = cycle.points[next];
+  }
+  return end;
+}
+
+}  // namespace lamina

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/walls/walls.hpp"
+
+#include <utility>
+
+#include "infill/medial/medial_beads.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "planning/walls/narrow_places.hpp"
+
+namespace lamina {
+namespace {
+
+/// In squared pitches: corners may hold as much without being taken for narrow places.
+constexpr double kCorners = 0.1;
+/// In squared pitches: smaller narrow places get no bead, but for those that are seen from outside.
+constexpr double kLeastGap = 0.3;
+constexpr double kLeastFin = 0.05;
+/// In squared pitches: a smaller narrow place is left to the lines beside it, such as a corner is.
+constexpr double kLeastNarrow = 4.0;
+
+class WallMaker {
+ public:
+  WallMaker(const Regions& material, const PlanSettings& settings, double pitch_mm, double overlap_mm)
+      : material_(material),
+        settings_(settings),
+        pitch_(pitch_mm),
+        // A bead reaches beyond the width it fills: its edge, not that width, ends at the outline.
+        beyond_(0.5 * (settings.bead.width_mm - pitch_mm)),
+        overlap_(overlap_mm) {}
+
+  Walls make() const {
+    Walls walls;
+    if (!addAll(walls)) {
+      walls = {};
+      addOneByOne(walls);
+    }
+    if (settings_.walls.count == 0) {
+      walls.infill = offset(material_, -beyond_);
+      walls.unprinted_mm2 = areaThinnerThan(material_, leastThickness());
+    }
+    return walls;
+  }
+
+  /// Lines to and fro in a place less than two beads wide would be mostly turns.
+  void takeNarrowInfill(Walls& walls) const {
+    const Regions shrunk = offset(walls.infill, -pitch_);
+    if (isWideEverywhere(walls.infill, shrunk, pitch_, kLeastNarrow * pitch_ * pitch_)) return;
+    const SplitArea split = splitByThickness(walls.infill, shrunk, pitch_, kLeastNarrow * pitch_ * pitch_);
+    walls.narrow_infill = beadsAlong(split.narrow, PathRole::GapFill);
+    walls.infill = difference(walls.infill, split.narrow);
+  }
+
+ private:
+  /// All walls, each from the one before: less to do than one by one. False if there is a narrow place.
+  bool addAll(Walls& walls) const {
+    const double tolerance = kCorners * pitch_ * pitch_;
+    const Regions* before = &material_;
+    walls.walls.reserve(static_cast<std::size_t>(settings_.walls.count));
+    for (int k = 0; k < settings_.walls.count; ++k) {
+      const double distance = k == 0 ? 0.5 * settings_.bead.width_mm : pitch_;
+      walls.walls.push_back({offset(*before, -distance), {}});
+      if (!isWideEverywhere(*before, walls.walls.back().centre_lines, distance, tolerance)) return false;
+      before = &walls.walls.back().centre_lines;
+    }
+    if (walls.walls.empty()) return true;
+    const double distance = 0.5 * pitch_ - overlap_;
+    walls.infill = offset(*before, -distance);
+    return isWideEverywhere(*before, walls.infill, distance, tolerance);
+  }
+
+  void addOneByOne(Walls& walls) const {
+    walls.unprinted_mm2 = areaThinnerThan(material_, leastThickness());
+    Regions left = offset(material_, -beyond_);
+    for (int k = 0; k < settings_.walls.count && !left.empty(); ++k) {
+      const Regions inner = offset(left, -pitch_);
+      const double least_gap = (k == 0 ? kLeastFin : kLeastGap) * pitch_ * pitch_;
+      const SplitArea split = splitByThickness(left, inner, pitch_, least_gap);
+      walls.walls.push_back({offset(split.wide, -0.5 * pitch_),
+                             beadsAlong(split.narrow, k == 0 ? PathRole::OuterWall : PathRole::GapFill)});
+      left = inner;
+    }
+    walls.infill = overlap_ > 0.0 ? offset(left, overlap_) : std::move(left);
+  }
+
+  double leastThickness() const { return settings_.walls.narrowest * pitch_ + 2.0 * beyond_; }
+
+  std::vector<FillPath> beadsAlong(const Regions& narrow, PathRole role) const {
+    MedialBeadSettings beads;
+    beads.pitch_mm = pitch_;
+    beads.least_width = settings_.walls.narrowest;
+    std::vector<FillPath> runs = medialBeads(narrow, beads);
+    for (FillPath& run : runs) run.role = role;
+    return runs;
+  }
+
+  const Regions& material_;
+  const PlanSettings& settings_;
+  double pitch_;
+  double beyond_;  ///< what a bead reaches beyond the width it fills, on each side [mm]
+  double overlap_;
+};
+
+}  // namespace
+
+Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
+  const bool fits = contact == WallContact::Fitted;
+  const bool overlaps = contact == WallContact::Overlapping;
+  const double overlap = overlaps ? settings.infill.wall_overlap * settings.bead.width_mm : 0.0;
+  const WallMaker maker(material, settings, pitch_mm, overlap);
+  Walls walls = maker.make();
+  if (fits) maker.takeNarrowInfill(walls);
+  return walls;
+}
+
+}  // namespace lamina

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/csv/csv_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/program/csv/csv_writer.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kFields = 14;
+constexpr std::size_t kDropFields = 15;
+constexpr std::size_t kMostLayers = 10'000'000;
+
+struct Row {
+  std::size_t layer = 0;
+  std::size_t path = 0;
+  PathRole role = PathRole::Travel;
+  bool is_closed = false;
+  Deposit deposit = Deposit::Bead;
+  std::array<double, 10> numbers{};  // x y z, qw qx qy qz, bead width and height, feed
+
+  Point3 point() const { return {numbers[0], numbers[1], numbers[2]}; }
+  Eigen::Quaterniond orientation() const { return {numbers[3], numbers[4], numbers[5], numbers[6]}; }
+  Bead bead() const { return {numbers[7], numbers[8]}; }
+  double feed() const { return numbers[9]; }
+  bool isLikePathOf(const Row& other) const {
+    return role == other.role && is_closed == other.is_closed && deposit == other.deposit;
+  }
+  bool isOfSamePathAs(const Row& other) const { return layer == other.layer && path == other.path; }
+};
+
+/// The text line by line, each split at its commas.
+class Rows {
+ public:
+  explicit Rows(std::string_view text) : rest_(text) {}
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InvalidProgram("CSV line " + std::to_string(line_) + ": " + what);
+  }
+
+  ToldFrame readHeader() {
+    ToldFrame told;
+    std::string_view header = nextLine();
+    for (; !header.empty() && header.front() == '#'; header = nextLine()) {
+      if (!readFrameComment(header.substr(1), told)) refuse("a comment tells no frame");
+    }
+    if (header == kDropCsvHeader) fields_ = kDropFields;
+    if (header != kCsvHeader && header != kDropCsvHeader)
+      refuse(std::string("the header must be ") + kCsvHeader + ", or end in ,deposit");
+    return told;
+  }
+
+  bool isAtEnd() const { return rest_.empty(); }
+
+  Row next() {
+    std::string_view line = nextLine();
+    std::array<std::string_view, kDropFields> fields;
+    std::size_t count = 0;
+    for (; count < fields_ && !line.empty(); ++count) {
+      const std::size_t comma = std::min(line.find(','), line.size());
+      fields[count] = line.substr(0, comma);
+      line.remove_prefix(std::min(comma + 1, line.size()));
+    }
+    if (count != fields_ || !line.empty()) refuse("a row needs " + std::to_string(fields_) + " fields");
+    Row row;
+    row.layer = number<std::size_t>(fields[0]);
+    row.path = number<std::size_t>(fields[1]);
+    row.role = role(fields[2]);
+    if (fields[3] != "0" && fields[3] != "1")
+      refuse("closed is '" + std::string(fields[3]) + "'; must be 0 or 1");
+    row.is_closed = fields[3] == "1";
+    for (std::size_t i = 0; i < row.numbers.size(); ++i) row.numbers[i] = number<double>(fields[i + 4]);
+    if (fields_ == kDropFields) row.deposit = deposit(fields[kFields]);
+    return row;
+  }
+
+ private:
+  std::string_view nextLine() {
+    ++line_;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+
+  PathRole role(std::string_view field) const {
+    try {
+      return pathRoleFromString(std::string(field));
+    } catch (const InvalidInput& error) {
+      refuse(error.what());
+    }
+  }
+
+  Deposit deposit(std::string_view field) const {
+    for (const Deposit each : {Deposit::Bead, Deposit::Drops})
+      if (field == toString(each)) return each;
+    refuse("deposit is '" + std::string(field) + "'; must be bead or drops");
+  }
+
+  template <class Number>
+  Number number(std::string_view field) const {
+    Number value{};
+    const auto result = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (result.ec != std::errc{} || result.ptr != field.data() + field.size())
+      refuse("'" + std::string(field) + "' is no number");
+    return value;
+  }
+
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  std::size_t fields_ = kFields;  ///< of a row
+};
+
+/// One value if all are the same, otherwise each.
+template <class Value, class Same>
+AlongPath<Value> along(std::vector<Value> each, Same are_same) {
+  const bool is_common = std::all_of(each.begin(), each.end(),
+                                     [&](const Value& value) { return are_same(value, each.front()); });
+  if (is_common) return AlongPath<Value>(each.front());
+  return AlongPath<Value>(std::move(each));
+}
+
+Path pathOf(std::vector<Row> rows, const Rows& source) {
+  Path path;
+  path.role = rows.front().role;
+  path.is_closed = rows.front().is_closed;
+  path.deposit = rows.front().deposit;
+  if (path.is_closed) {
+    if (rows.size() < 3 || rows.back().point() != rows.front().point())
+      source.refuse("the closed path before does not return to where it starts");
+    // The last row tells of the way back to the first waypoint.
+    rows.front() = rows.back();
+    rows.pop_back();
+  }
+  std::vector<Eigen::Quaterniond> orientations;
+  std::vector<Bead> beads;
+  std::vector<double> feeds;
+  for (const Row& row : rows) {
+    path.points.push_back(row.point());
+    orientations.push_back(row.orientation());
+    beads.push_back(row.bead());
+    feeds.push_back(row.feed());
+  }
+  path.orientation = along(
+      std::move(orientations),
+      [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs() == b.coeffs(); });
+  path.bead = along(std::move(beads), std::equal_to<>());
+  path.feed_mm_s = along(std::move(feeds), std::equal_to<>());
+  return path;
+}
+
+/// @param normal  of the layers
+void placeLayer(ToolpathLayer& layer, const Point3& normal) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Path& path : layer.paths) {
+    if (path.role == PathRole::Travel) continue;
+    if (std::isinf(highest)) layer.height_mm = path.bead.at(path.points.size() - 1).height_mm;
+    for (const Point3& point : path.points) highest = std::max(highest, normal.dot(point));
+  }
+  if (std::isfinite(highest)) layer.z_mm = highest;
+}
+
+void addPath(Toolpath& toolpath, const Row& first, Path path, const Rows& source) {
+  auto& layers = toolpath.layers;
+  if (first.layer >= kMostLayers) source.refuse("layer " + std::to_string(first.layer) + " is out of order");
+  if (first.layer + 1 < layers.size()) source.refuse("the path before is of a layer that has ended");
+  if (first.layer >= layers.size()) layers.resize(first.layer + 1);
+  if (first.path != layers.back().paths.size()) source.refuse("the path before is out of order");
+  layers.back().paths.push_back(std::move(path));
+}
+
+}  // namespace
+
+Toolpath readCsv(std::string_view text, const std::string& part_name) {
+  Toolpath toolpath;
+  toolpath.part_name = part_name;
+  Rows source(text);
+  toolpath.part_from_layers = source.readHeader().bed_from_layers;
+  std::vector<Row> rows;
+  while (!source.isAtEnd()) {
+    const Row row = source.next();
+    if (!rows.empty() && !row.isOfSamePathAs(rows.front())) {
+      addPath(toolpath, rows.front(), pathOf(rows, source), source);
+      rows.clear();
+    }
+    if (!rows.empty() && !row.isLikePathOf(rows.front()))
+      source.refuse("role, closed or deposit differ from the row before, which is of the same path");
+    rows.push_back(row);
+  }
+  if (!rows.empty()) addPath(toolpath, rows.front(), pathOf(rows, source), source);
+  for (ToolpathLayer& layer : toolpath.layers) placeLayer(layer, layerNormal(toolpath));
+  validate(toolpath);
+  return toolpath;
+}
+
+}  // namespace lamina

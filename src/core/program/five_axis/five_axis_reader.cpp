@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/five_axis/five_axis_reader.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+#include "lamina/program/gcode/gcode_line.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "program/five_axis/five_axis_letters.hpp"
+#include "program/gcode/slicer_comments.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::string_view kMark = ";FIVE_AXIS:";
+constexpr double kSamePlace = 0.01;  // mm: last decimals of all joints together
+constexpr double kLargest = 1e7;     // mm, deg and their feeds
+constexpr double kShortest = 1e12;   // 1/min: the least motion at the greatest feed that is written
+
+struct Turned {
+  Eigen::Quaterniond begin;
+  Eigen::Quaterniond end;
+};
+
+/// A word's value; F and E too.
+struct Words {
+  std::optional<double> g;
+  std::optional<double> e;
+  std::optional<double> f;
+  bool has_axis = false;
+};
+
+/// The lines of a part, one after the other.
+class FiveAxisInterpreter {
+ public:
+  FiveAxisInterpreter(const Mechanism& machine, const FiveAxisSettings& settings,
+                      const ProgramSettings& filament)
+      : machine_(machine),
+        settings_(settings),
+        letters_(axisLetters(machine)),
+        builder_(filament),
+        values_(letters_.size(), std::numeric_limits<double>::quiet_NaN()) {}
+
+  void readLine(std::string_view text, std::size_t number) {
+    line_ = number;
+    if (text.substr(0, kMark.size()) == kMark) return readAxes(text.substr(kMark.size()));
+    if (text == "; start of the part") return startPart();
+    if (text == "; end of the part") is_in_part_ = false, is_over_ = true;
+    if (!is_in_part_) {
+      if (!text.empty() && text.front() == ';') builder_.tell(text.substr(1));
+      return;
+    }
+    const GcodeLine& line = parser_.parse(text, number);
+    remark_ = line.words.empty() || line.comments.empty() ? "" : line.comments.front();
+    if (line.words.empty())
+      for (const std::string_view comment : line.comments) readRemark(comment);
+    if (line.is_other) return readCommand(line.command);
+    if (!line.words.empty()) readMotion(line);
+  }
+
+  Toolpath finish(const std::string& part_name) {
+    if (!is_over_)
+      throw InvalidProgram("'" + part_name + "' has no '; end of the part'; expected whole programs");
+    Toolpath toolpath = builder_.finish(part_name);
+    if (toolpath.layers.empty())
+      throw InvalidProgram("'" + part_name + "' has no motion; expected a program that prints");
+    return oriented(std::move(toolpath));
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InvalidProgram("line " + std::to_string(line_) + ": " + what);
+  }
+
+  void readAxes(std::string_view told) {
+    const std::size_t space = std::min(told.find(' '), told.size());
+    const std::string_view kind = told.substr(0, space);
+    if (kind != "joints" && kind != "tool_tip")
+      refuse("found '" + std::string(kind) + "'; expected joints or tool_tip");
+    has_joints_ = kind == "joints";
+    const std::string axes(told.substr(std::min(space + 1, told.size())));
+    if (axes != toText(letters_))
+      refuse("the program has the axes '" + axes + "'; expected those of '" + machine_.name() + "', " +
+             toText(letters_));
+    has_axes_ = true;
+  }
+
+  void startPart() {
+    if (!has_axes_) refuse("the part starts; expected '" + std::string(kMark) + "' before it");
+    is_in_part_ = true;
+  }
+
+  void readRemark(std::string_view comment) {
+    const std::size_t section = context_.section;
+    readComment(comment, context_);
+    if (context_.section != section) path_begin_ = nozzle_;
+  }
+
+  void readCommand(std::string_view command) {
+    if (command == "G93" || command == "G94") {
+      has_inverse_time_ = command == "G93";
+    } else if (command != tipControlOn(settings_)) {
+      refuse("found '" + std::string(command.substr(0, 40)) +
+             "'; expected G0, G1, G93, G94 or what turns tool-tip coordinates on");
+    }
+  }
+
+  Words readWords(const GcodeLine& line) {
+    Words words;
+    for (const GcodeWord& word : line.words) {
+      const double most = word.letter == 'F' && has_inverse_time_ ? kShortest : kLargest;
+      if (!word.value || !(std::abs(*word.value) <= most))
+        refuse(std::string("the word ") + word.letter + " has no value within " +
+               (most > kLargest ? "1e12" : "1e7") + "; expected a number");
+      std::optional<double>* known = word.letter == 'G'   ? &words.g
+                                     : word.letter == 'E' ? &words.e
+                                     : word.letter == 'F' ? &words.f
+                                                          : nullptr;
+      if (known != nullptr) {
+        if (known->has_value()) refuse(std::string("the word ") + word.letter + " stands twice");
+        *known = word.value;
+      } else {
+        setAxis(word.letter, *word.value);
+        words.has_axis = true;
+      }
+    }
+    return words;
+  }
+
+  void setAxis(char letter, double value) {
+    for (std::size_t i = 0; i < letters_.size(); ++i)
+      if (letters_[i].letter == letter) {
+        values_[i] = value;
+        return;
+      }
+    refuse(std::string("found the word ") + letter + "; expected G, E, F or an axis of " + toText(letters_));
+  }
+
+  /// @return the nozzle over the bed [mm]
+  Eigen::Isometry3d pose() const {
+    JointValues joints = JointValues::Zero(static_cast<Eigen::Index>(letters_.size()));
+    for (std::size_t i = 0; i < letters_.size(); ++i) {
+      if (std::isnan(values_[i]))
+        refuse(std::string("axis ") + letters_[i].letter + " has no value yet; expected one before it moves");
+      const bool is_linear = letters_[i].kind == JointKind::Linear;
+      if (!is_linear) joints[letters_[i].joint] = values_[i] * M_PI / 180.0;
+      if (is_linear && has_joints_) joints[letters_[i].joint] = values_[i];
+    }
+    Eigen::Isometry3d bed_from_nozzle = machine_.bedFromNozzle(joints);
+    if (!has_joints_) bed_from_nozzle.translation() = Point3(values_[0], values_[1], values_[2]);
+    return bed_from_nozzle;
+  }
+
+  void readMotion(const GcodeLine& line) {
+    const Words words = readWords(line);
+    if (!words.g || (*words.g != 0.0 && *words.g != 1.0)) refuse("found another motion; expected G0 or G1");
+    if (*words.g == 0.0) return approach();
+    if (words.f && !(*words.f > 0.0))
+      refuse("the feed is " + std::to_string(*words.f) + "; expected more than 0");
+    if (words.f) feed_ = *words.f;
+    if (!words.f && (has_inverse_time_ || !feed_)) refuse("a motion has no F; expected one");
+    if (!words.has_axis) return readFilament(words);
+    if (!is_placed_) refuse("a motion before any position; expected an approach by G0");
+    if (remark_ == "turn") {
+      turn_ = Eigen::Quaterniond(pose().linear());
+      return addMotion(nozzle_, 0.0, 1.0);
+    }
+    filament_mm_ += words.e.value_or(0.0);
+    Point3 tip = pose().translation();
+    time_s_ += has_inverse_time_ ? 60.0 / *feed_ : (tip - between_).norm() / (*feed_ / 60.0);
+    way_mm_ += (tip - between_).norm();
+    between_ = tip;
+    if (remark_ == "via") return;
+    if (remark_ == "close") tip = closing(tip);
+    const double feed_mm_s = time_s_ > 0.0 ? std::max(way_mm_ / time_s_, 1e-9) : *feed_ / 60.0;
+    const Turned turned = {turn_, Eigen::Quaterniond(pose().linear())};
+    if (tip != nozzle_) turns_.push_back(turned);
+    turn_ = turned.end;
+    addMotion(tip, filament_mm_, feed_mm_s);
+    filament_mm_ = time_s_ = way_mm_ = 0.0;
+  }
+
+  /// The last of its lines, before which no layer is told, gives the place that the first motion starts from.
+  void approach() {
+    for (const double value : values_)
+      if (std::isnan(value)) return;
+    if (context_.layer) refuse("found G0 amid the part; expected G1");
+    const Eigen::Isometry3d bed_from_nozzle = pose();
+    between_ = bed_from_nozzle.translation();
+    nozzle_ = between_;
+    is_placed_ = true;
+    turn_ = Eigen::Quaterniond(bed_from_nozzle.linear());
+  }
+
+  /// Where the path began, which joints reach but for their last decimals.
+  Point3 closing(const Point3& tip) const {
+    const double off_mm = (tip - path_begin_).norm();
+    if (!(off_mm <= kSamePlace))
+      refuse("a path closes " + std::to_string(off_mm) + " mm off its start; expected it to return");
+    return path_begin_;
+  }
+
+  void readFilament(const Words& words) {
+    if (!words.e) refuse("a motion of nothing; expected an axis or E");
+    if (!is_placed_) refuse("a motion before any position; expected an approach by G0");
+    addMotion(nozzle_, *words.e, 1.0);
+  }
+
+  void addMotion(const Point3& tip, double filament_mm, double feed_mm_s) {
+    GcodeMotion motion = motionIn(context_);
+    motion.start = nozzle_;
+    motion.end = tip;
+    motion.extrusion_mm = filament_mm;
+    motion.feed_mm_s = feed_mm_s;
+    motion.line = line_;
+    if (!context_.layer) refuse("a motion before the first layer; expected ';LAYER:' before it");
+    builder_.add(motion);
+    nozzle_ = tip;
+  }
+
+  /// The builder makes a motion of each that the nozzle made, in their order.
+  Toolpath oriented(Toolpath toolpath) const {
+    std::size_t next = 0;
+    for (ToolpathLayer& layer : toolpath.layers)
+      for (Path& path : layer.paths) {
+        std::vector<Eigen::Quaterniond> each(path.points.size());
+        each.front() = turns_[next].begin;
+        for (std::size_t m = 0; m < path.motionCount(); ++m) each[path.motionEnd(m)] = turns_[next++].end;
+        path.orientation = AlongPath<Eigen::Quaterniond>(std::move(each));
+      }
+    return toolpath;
+  }
+
+  const Mechanism& machine_;
+  const FiveAxisSettings& settings_;
+  std::vector<AxisLetter> letters_;
+  ToolpathBuilder builder_;
+  GcodeLineParser parser_;
+  SlicerContext context_;
+  std::vector<double> values_;  ///< of the words [mm, deg]
+  std::vector<Turned> turns_;   ///< of each motion of the nozzle
+  std::size_t line_ = 0;
+  std::string_view remark_;
+  bool has_axes_ = false;
+  bool has_joints_ = false;
+  bool has_inverse_time_ = false;
+  bool is_in_part_ = false;
+  bool is_over_ = false;
+  std::optional<double> feed_;
+  bool is_placed_ = false;
+  Point3 nozzle_ = Point3::Zero();
+  Point3 path_begin_ = Point3::Zero();
+  Point3 between_ = Point3::Zero();
+  Eigen::Quaterniond turn_ = Eigen::Quaterniond::Identity();
+  double filament_mm_ = 0.0;  ///< since the last waypoint
+  double time_s_ = 0.0;
+  double way_mm_ = 0.0;
+};
+
+}  // namespace
+
+bool isFiveAxisProgram(std::string_view program) {
+  const std::string_view head = program.substr(0, program.find("; start of the part"));
+  return head.find("\n" + std::string(kMark)) != std::string_view::npos;
+}
+
+Toolpath readFiveAxis(std::string_view program, const Mechanism& machine, const FiveAxisSettings& settings,
+                      const ProgramSettings& filament, const std::string& part_name) {
+  FiveAxisInterpreter interpreter(machine, settings, filament);
+  for (std::size_t line = 1; !program.empty(); ++line) {
+    const std::size_t end = std::min(program.find('\n'), program.size());
+    std::string_view text = program.substr(0, end);
+    program.remove_prefix(std::min(end + 1, program.size()));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    interpreter.readLine(text, line);
+  }
+  return interpreter.finish(part_name);
+}
+
+}  // namespace lamina

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/five_axis/five_axis_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
+  schema.choice<FiveAxisUse>("five_axis.use", settings.use,
+                             {{"tilted", FiveAxisUse::Tilted}, {"always", FiveAxisUse::Always}},
+                             "Which toolpaths of a machine with rotary joints become five-axis G-code.");
+  schema.choice<FiveAxisCoordinates>(
+      "five_axis.coordinates", settings.coordinates,
+      {{"tool_tip", FiveAxisCoordinates::ToolTip}, {"joints", FiveAxisCoordinates::Joints}},
+      "Positions of the tip over the bed, or of the joints with inverse-time feed.");
+  schema.choice<FiveAxisDialect>("five_axis.dialect", settings.dialect,
+                                 {{"generic", FiveAxisDialect::Generic},
+                                  {"linuxcnc", FiveAxisDialect::LinuxCnc},
+                                  {"fanuc", FiveAxisDialect::Fanuc},
+                                  {"siemens", FiveAxisDialect::Siemens}},
+                                 "Controller, for the words that turn tool-tip coordinates on and off.");
+  schema.text("five_axis.tip_control_on", settings.tip_control_on,
+              "Line that turns tool-tip coordinates on; empty for that of the dialect.");
+  schema.text("five_axis.tip_control_off", settings.tip_control_off,
+              "Line that turns tool-tip coordinates off; empty for that of the dialect.");
+  schema.number("five_axis.chord_tolerance_mm", settings.chord_tolerance_mm, {0.0, 10.0, true},
+                "By how much the tip may leave its line while joints move from one line to the next.");
+}
+
+std::string tipControlOn(const FiveAxisSettings& settings) {
+  if (!settings.tip_control_on.empty()) return settings.tip_control_on;
+  if (settings.dialect == FiveAxisDialect::LinuxCnc) return "M428";
+  if (settings.dialect == FiveAxisDialect::Fanuc) return "G43.4 H1";
+  return settings.dialect == FiveAxisDialect::Siemens ? "TRAORI" : "";
+}
+
+std::string tipControlOff(const FiveAxisSettings& settings) {
+  if (!settings.tip_control_off.empty()) return settings.tip_control_off;
+  if (settings.dialect == FiveAxisDialect::LinuxCnc) return "M429";
+  if (settings.dialect == FiveAxisDialect::Fanuc) return "G49";
+  return settings.dialect == FiveAxisDialect::Siemens ? "TRAFOOF" : "";
+}
+
+}  // namespace lamina

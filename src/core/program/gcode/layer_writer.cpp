@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/gcode/layer_writer.hpp"
+
+#include <algorithm>
+
+#include "program/gcode/extrusion.hpp"
+#include "program/gcode/fixed_point.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kPositionScale = 1e3;     // 3 decimals
+constexpr double kFilamentScale = 1e5;     // 5 decimals
+constexpr double kHeightScale = 1e5;       // 5 decimals: a bead that rises from nothing starts thin
+constexpr double kFeedScale = 60.0 * 1e3;  // mm/s to mm/min with 3 decimals
+constexpr std::size_t kLongestWrittenLine = 128;
+
+/// Appends " X1.5" if the value is not the one that holds.
+char* writeChanged(char* out, char letter, std::int64_t units, std::int64_t& modal) {
+  if (units == modal) return out;
+  modal = units;
+  *out++ = ' ';
+  *out++ = letter;
+  return writeFixed<3>(out, units);
+}
+
+template <int decimals>
+void writeComment(const char* key, std::int64_t units, std::string& text) {
+  char line[kLongestWrittenLine];
+  char* end = writeFixed<decimals>(line, units);
+  *end++ = '\n';
+  text.append(key).append(line, end);
+}
+
+}  // namespace
+
+LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
+                         const ProgramSettings& settings)
+    : linear_(frame.program_from_bed.linear() * frame.bed_from_part.linear()),
+      translation_(frame.program_from_bed * frame.bed_from_part.translation()),
+      is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
+      rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
+      filament_per_volume_(filamentPerVolume(settings)),
+      retraction_length_mm_(settings.retraction_length_mm),
+      retraction_feed_mm_s_(settings.retraction_feed_mm_s),
+      drops_(settings.drops) {}
+
+void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
+  const bool lays_drops = std::any_of(layer.paths.begin(), layer.paths.end(),
+                                      [](const Path& path) { return path.deposit == Deposit::Drops; });
+  text.append(lays_drops ? ";" + drops_.layer_mark : ";LAYER:")
+      .append(std::to_string(start.index))
+      .append("\n");
+  writeComment<3>(";Z:", toUnits(layer.z_mm + rise_mm_, kPositionScale), text);
+  Modal modal;
+  writeHeight(layer.height_mm, modal, text);
+  modal.filament_mm = start.filament_mm;
+  modal.filament = toUnits(start.filament_mm, kFilamentScale);
+
+  bool is_retracted = start.is_retracted;
+  const Path* previous = nullptr;  // deposition path that ends where the next one starts
+  PathRole role = PathRole::Travel;
+  for (std::size_t p = 0; p < layer.paths.size(); ++p) {
+    const Path& path = layer.paths[p];
+    const bool next_is_retracted =
+        p + 1 < layer.paths.size() ? layer.paths[p + 1].process.is_retracted : start.next_is_retracted;
+    if (path.process.is_retracted && !is_retracted) writeRetraction(-retraction_length_mm_, modal, text);
+    if (path.deposit == Deposit::Drops) {
+      writeDrops(path, modal, text);
+      continue;
+    }
+    if (path.role != PathRole::Travel) {
+      if (path.role != role || previous != nullptr)
+        text.append(";TYPE:").append(toString(path.role)).append("\n");
+      role = path.role;
+    }
+    previous = path.role == PathRole::Travel ? nullptr : &path;
+    writePath(path, modal, text);
+    is_retracted = path.process.is_retracted && next_is_retracted;
+    if (path.process.is_retracted && !is_retracted) writeRetraction(retraction_length_mm_, modal, text);
+  }
+}
+
+void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) const {
+  text.append(";").append(drops_.role_mark).append(roleName(path.role, drops_)).append("\n");
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const double factor = i > 0 ? feedFactor(path.points[i - 1], path.points[i]) : 1.0;
+    writeMotion(path.points[i], path.feed_mm_s.at(i) * factor, modal, text);
+    text.append(drops_.discharge).append("\n");
+  }
+}
+
+void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) const {
+  const PathExtrusion extrusion(path, filament_per_volume_);
+  const std::size_t motions = path.motionCount();
+  for (std::size_t m = 0; m < motions; ++m) {
+    const std::size_t end = path.motionEnd(m);
+    const double length_mm = (path.points[end] - path.points[m]).norm();
+    const double laid_mm = extrusion.along(length_mm, end);
+    modal.filament_mm += laid_mm;
+    // Too little to be written: without E it would read as a travel. The next motion takes it along.
+    if (laid_mm > 0.0 && toUnits(modal.filament_mm, kFilamentScale) == modal.filament) continue;
+    if (path.role != PathRole::Travel) writeHeight(path.bead.at(end).height_mm, modal, text);
+    writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
+                modal, text);
+  }
+}
+
+double LayerWriter::feedFactor(const Point3& start, const Point3& end) const {
+  const Point3 way = end - start;
+  return is_askew_ && !way.isZero() ? (linear_ * way).norm() / way.norm() : 1.0;
+}
+
+void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text) {
+  const std::int64_t height = toUnits(height_mm, kHeightScale);
+  if (height == modal.height) return;
+  modal.height = height;
+  writeComment<5>(";HEIGHT:", height, text);
+}
+
+void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {
+  const Point3 target = linear_ * end + translation_;
+  char line[kLongestWrittenLine];
+  char* out = line + 2;
+  out = writeChanged(out, 'X', toUnits(target.x(), kPositionScale), modal.x);
+  out = writeChanged(out, 'Y', toUnits(target.y(), kPositionScale), modal.y);
+  out = writeChanged(out, 'Z', toUnits(target.z(), kPositionScale), modal.z);
+  if (out == line + 2) return;  // shorter than the last decimal: its material goes to the next motion
+  const std::int64_t filament = toUnits(modal.filament_mm, kFilamentScale);
+  line[0] = 'G';
+  line[1] = '0';
+  if (filament != modal.filament) {
+    line[1] = '1';
+    *out++ = ' ';
+    *out++ = 'E';
+    out = writeFixed<5>(out, filament - modal.filament);
+    modal.filament = filament;
+  }
+  out = writeChanged(out, 'F', toUnits(feed_mm_s, kFeedScale), modal.feed);
+  *out++ = '\n';
+  text.append(line, out);
+}
+
+void LayerWriter::writeRetraction(double length_mm, Modal& modal, std::string& text) const {
+  const std::int64_t units = toUnits(length_mm, kFilamentScale);
+  if (units == 0) return;
+  char line[kLongestWrittenLine] = "G1 E";
+  char* out = writeFixed<5>(line + 4, units);
+  out = writeChanged(out, 'F', toUnits(retraction_feed_mm_s_, kFeedScale), modal.feed);
+  *out++ = '\n';
+  text.append(line, out);
+}
+
+}  // namespace lamina

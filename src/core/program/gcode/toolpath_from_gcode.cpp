@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/program/drops/drop_program.hpp"
+#include "lamina/program/program_frame.hpp"
+#include "lamina/program/gcode/slicer_dialect.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "program/gcode/extrusion.hpp"
+#include "program/gcode/path_builder.hpp"
+#include "program/gcode/slicer_comments.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
+
+/// The builder's, and what tells a program of drops.
+GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
+  GcodeHandlers handlers;
+  handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
+  handlers.comment = [&builder](std::string_view comment) { builder.tell(comment); };
+  handlers.other = [&settings, &has_drops](std::size_t, std::string_view command) {
+    has_drops |= isDischarge(command, settings.drops);
+  };
+  return handlers;
+}
+
+bool isFilamentAlone(const GcodeMotion& motion) { return motion.start == motion.end; }
+
+}  // namespace
+
+class ToolpathBuilder::State {
+ public:
+  explicit State(const ProgramSettings& settings)
+      : volume_per_filament_(1.0 / filamentPerVolume(settings)),
+        filament_diameter_mm_(settings.filament_diameter_mm),
+        told_diameter_mm_(settings.filament_diameter_mm) {}
+
+  void tell(std::string_view comment) {
+    if (comment == kStartCodeEnds) forget();
+    is_over_ |= comment == kEndCodeBegins;
+    if (const auto diameter_mm = filamentDiameterTold(comment)) told_diameter_mm_ = *diameter_mm;
+    if (!readFrameComment(comment, told_)) return;
+    layers_from_program_ = told_.bed_from_layers.conjugate() * told_.bed_from_program;
+  }
+
+  void addTold(const GcodeMotion& motion) {
+    if (is_over_) return;
+    layers_from_program_ ? add(inLayers(motion)) : add(motion);
+  }
+
+  void add(const GcodeMotion& motion) {
+    if (motion.layer != layer_) changeLayer(motion.layer);
+    if (isFilamentAlone(motion)) {
+      if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
+      is_interrupted_ = true;
+      return;
+    }
+    if (motion.extrusion_mm != 0.0) is_retracted_ = motion.extrusion_mm < 0.0;
+    if (has_comments_ && !layer_) return;  // before the first layer or after the part
+    if (!has_comments_ && motion.extrusion_mm > 0.0) beginLayerByHeight(motion);
+    if (!runs_.empty() && !is_interrupted_ && runs_.back().accepts(motion, is_retracted_))
+      runs_.back().add(motion);
+    else
+      begin(motion);
+    reached_ = motion.end;
+    is_interrupted_ = false;
+  }
+
+  Toolpath finish(const std::string& part_name) {
+    closeLayer(runs_.size());
+    toolpath_.part_name = part_name;
+    if (told_diameter_mm_ != filament_diameter_mm_)
+      scaleBeads(std::pow(told_diameter_mm_ / filament_diameter_mm_, 2));
+    if (!layers_from_program_) return std::move(toolpath_);
+    return withNozzle(turned(std::move(toolpath_), told_.bed_from_layers), told_.bed_from_nozzle);
+  }
+
+ private:
+  /// In the frame in which the layers are level.
+  GcodeMotion inLayers(GcodeMotion motion) const {
+    const double told_mm = (motion.end - motion.start).norm();
+    motion.start = *layers_from_program_ * motion.start;
+    motion.end = *layers_from_program_ * motion.end;
+    if (told_mm > 0.0) motion.feed_mm_s *= (motion.end - motion.start).norm() / told_mm;
+    return motion;
+  }
+
+  void begin(const GcodeMotion& motion) {
+    // Homing, and what is left out between the part's layers, move the nozzle without a motion of their own.
+    if (reached_ && *reached_ != motion.start) {
+      GcodeMotion unseen = motion;
+      unseen.start = *reached_;
+      unseen.end = motion.start;
+      unseen.extrusion_mm = 0.0;
+      runs_.emplace_back(unseen, is_retracted_);
+    }
+    runs_.emplace_back(motion, is_retracted_);
+  }
+
+  void changeLayer(std::optional<int> layer) {
+    if (has_comments_)
+      closeLayer(runs_.size());
+    else
+      forget();
+    has_comments_ = true;
+    layer_ = layer;
+  }
+
+  /// What was read was no part of the part.
+  void forget() { toolpath_.layers.clear(), runs_.clear(), reached_.reset(); }
+
+  /// A slicer may tell the filament only after the motions.
+  void scaleBeads(double area_factor) {
+    for (ToolpathLayer& layer : toolpath_.layers)
+      for (Path& path : layer.paths) {
+        if (path.role == PathRole::Travel) continue;
+        std::vector<Bead> beads = path.bead.values();
+        for (Bead& bead : beads)
+          if (bead.width_mm > 0.0) bead = beadOfArea(crossSection(bead) * area_factor, bead.height_mm);
+        path.bead = AlongPath<Bead>(std::move(beads));
+      }
+  }
+
+  /// The travel that leads to the new height belongs to the new layer.
+  void beginLayerByHeight(const GcodeMotion& motion) {
+    const double z = motion.end.z();
+    std::size_t kept = runs_.size();
+    while (kept > 0 && !runs_[kept - 1].deposits()) --kept;
+    if (kept > 0 && std::abs(runs_[kept - 1].lastZ() - z) > kSameHeight) closeLayer(kept);
+  }
+
+  void closeLayer(std::size_t count) {
+    if (count == 0) return;
+    ToolpathLayer layer;
+    layer.z_mm = runs_[count - 1].lastZ();
+    for (std::size_t i = count; i-- > 0;)
+      if (runs_[i].deposits()) layer.z_mm = runs_[i].lastZ();
+    const double below_mm = toolpath_.layers.empty() ? 0.0 : toolpath_.layers.back().z_mm;
+    const double step_mm = layer.z_mm - below_mm;
+    layer.height_mm =
+        runs_.front().layerHeight().value_or(step_mm > kSameHeight ? step_mm : fallback_height_mm_);
+    fallback_height_mm_ = layer.height_mm;
+    layer.paths.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+      layer.paths.push_back(runs_[i].build(layer.height_mm, volume_per_filament_));
+    runs_.erase(runs_.begin(), runs_.begin() + static_cast<std::ptrdiff_t>(count));
+    toolpath_.layers.push_back(std::move(layer));
+  }
+
+  double volume_per_filament_;
+  double filament_diameter_mm_;  ///< of the settings
+  double told_diameter_mm_;      ///< by the program, else as set
+  bool is_over_ = false;         ///< end code has begun
+  ToldFrame told_;
+  std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that tells its frame
+  std::optional<int> layer_;
+  bool has_comments_ = false;
+  std::optional<Point3> reached_;  ///< by the motions that are kept
+  bool is_retracted_ = false;
+  bool is_interrupted_ = false;      ///< by a motion of the filament alone
+  double fallback_height_mm_ = 0.2;  ///< of a layer no higher than the one before it
+  std::vector<PathBuilder> runs_;    ///< of the layer being read
+  Toolpath toolpath_;
+};
+
+ToolpathBuilder::ToolpathBuilder(const ProgramSettings& settings)
+    : state_(std::make_unique<State>(settings)) {}
+ToolpathBuilder::~ToolpathBuilder() = default;
+void ToolpathBuilder::tell(std::string_view comment) { state_->tell(comment); }
+void ToolpathBuilder::add(const GcodeMotion& motion) { state_->addTold(motion); }
+Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->finish(part_name); }
+
+Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,
+                           const std::string& part_name) {
+  ToolpathBuilder builder(settings);
+  bool has_drops = false;
+  GcodeReader reader({}, handlersFor(builder, settings, has_drops));
+  reader.read(program);
+  reader.finish();
+  if (has_drops) return toolpathOf(parseDropProgram(std::string(program), settings.drops), part_name);
+  Toolpath toolpath = builder.finish(part_name);
+  if (toolpath.layers.empty())
+    throw InvalidProgram("'" + part_name + "' has no motion; expected a program that prints");
+  return toolpath;
+}
+
+Toolpath toolpathFromGcodeFile(const std::string& path, const ProgramSettings& settings) {
+  ToolpathBuilder builder(settings);
+  bool has_drops = false;
+  readGcodeFile(path, {}, handlersFor(builder, settings, has_drops));
+  const std::string file_name = path.substr(path.find_last_of('/') + 1);
+  const std::string part_name = file_name.substr(0, file_name.find_last_of('.'));
+  if (has_drops) return toolpathOf(parseDropProgram(readFile(path), settings.drops), part_name);
+  Toolpath toolpath = builder.finish(part_name);
+  if (toolpath.layers.empty())
+    throw InvalidProgram("'" + path + "' has no motion; expected a program that prints");
+  return toolpath;
+}
+
+}  // namespace lamina

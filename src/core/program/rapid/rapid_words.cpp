@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/rapid/rapid_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::size_t kLongestName = 32;
+constexpr std::size_t kNumberRoom = 400;  // any double with a few decimals
+
+constexpr std::array<std::string_view, 49> kReserved = {
+    "alias",   "and",      "backward", "case",    "connect", "const",     "default", "div",       "do",
+    "else",    "elseif",   "endfor",   "endfunc", "endif",   "endmodule", "endproc", "endrecord", "endtest",
+    "endtrap", "endwhile", "error",    "exit",    "false",   "for",       "from",    "func",      "goto",
+    "if",      "inout",    "local",    "mod",     "module",  "nostepin",  "not",     "noview",    "or",
+    "pers",    "proc",     "raise",    "record",  "retry",   "return",    "step",    "test",      "then",
+    "to",      "true",     "while",    "var"};
+
+constexpr std::array<double, 24> kSpeeds = {5,    10,   20,   30,   40,   50,   60,   80,
+                                            100,  150,  200,  300,  400,  500,  600,  800,
+                                            1000, 1500, 2000, 2500, 3000, 4000, 5000, 7000};
+constexpr std::array<int, 14> kZones = {0, 1, 5, 10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200};
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+std::optional<int> numberAfter(char letter, const std::string& name) {
+  if (name.empty() || name.front() != letter) return std::nullopt;
+  int value = 0;
+  const auto result = std::from_chars(name.data() + 1, name.data() + name.size(), value);
+  if (result.ec != std::errc{} || std::to_string(value) != name.substr(1)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string lowerCase(std::string_view name) {
+  std::string lower(name);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
+void requireRapidName(const std::string& key, const std::string& name) {
+  const bool is_name =
+      !name.empty() && name.size() <= kLongestName && isLetter(name.front()) &&
+      std::all_of(name.begin(), name.end(), [](char c) { return isLetter(c) || isDigit(c) || c == '_'; });
+  if (!is_name)
+    throw InvalidConfig(key + " is '" + name +
+                        "'; must be a letter, then letters, digits and underscores, at most 32");
+  if (std::find(kReserved.begin(), kReserved.end(), lowerCase(name)) != kReserved.end())
+    throw InvalidConfig(key + " is '" + name + "', a word of RAPID; must be a name");
+}
+
+std::optional<double> rapidSpeed(std::string_view name) {
+  const std::optional<int> number = numberAfter('v', lowerCase(name));
+  if (!number || std::find(kSpeeds.begin(), kSpeeds.end(), *number) == kSpeeds.end()) return std::nullopt;
+  return *number;
+}
+
+bool isRapidZone(std::string_view name) {
+  const std::string lower = lowerCase(name);
+  if (lower == "fine") return true;
+  const std::optional<int> number = numberAfter('z', lower);
+  return number && std::find(kZones.begin(), kZones.end(), *number) != kZones.end();
+}
+
+void appendDecimals(std::string& text, double value, int decimals) {
+  char digits[kNumberRoom];
+  const char* begin = digits;
+  const char* end =
+      std::to_chars(digits, digits + kNumberRoom, value, std::chars_format::fixed, decimals).ptr;
+  if (*begin == '-' && std::all_of(begin + 1, end, [](char c) { return c == '0' || c == '.'; })) ++begin;
+  text.append(begin, end);
+}
+
+void appendShortest(std::string& text, double value) {
+  char digits[kNumberRoom];
+  text.append(digits, std::to_chars(digits, digits + kNumberRoom, value, std::chars_format::fixed).ptr);
+}
+
+}  // namespace lamina

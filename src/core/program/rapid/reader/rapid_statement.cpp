@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <optional>
+
+#include "program/rapid/reader/rapid_source.hpp"
+#include "program/rapid/rapid_words.hpp"
+
+namespace lamina {
+namespace {
+
+double knownNumber(RapidCursor& cursor, const RapidSource& source) {
+  const std::size_t line = cursor.line();
+  const std::string name = cursor.takeName("a number or its name");
+  const auto found = source.numbers.find(name);
+  if (found == source.numbers.end())
+    cursor.refuseAt(line, "found '" + name + "'; expected a number, or a num that is declared");
+  return found->second;
+}
+
+bool startsNumber(const RapidCursor& cursor) {
+  for (const char c : std::string_view("0123456789."))
+    if (cursor.isNext(c)) return true;
+  return false;
+}
+
+double takeTerm(RapidCursor& cursor, const RapidSource& source) {
+  return startsNumber(cursor) ? cursor.takeNumber("a number") : knownNumber(cursor, source);
+}
+
+/// Numbers and their names, with + and - between them and before the first.
+double takeSum(RapidCursor& cursor, const RapidSource& source) {
+  double sign = cursor.take("-") ? -1.0 : 1.0;
+  if (sign > 0.0) cursor.take("+");
+  double sum = sign * takeTerm(cursor, source);
+  while (cursor.isNext('+') || cursor.isNext('-')) {
+    sign = cursor.take("-") ? -1.0 : 1.0;
+    if (sign > 0.0) cursor.expect("+");
+    sum += sign * takeTerm(cursor, source);
+  }
+  return sum;
+}
+
+RapidTarget takeOffset(RapidCursor& cursor, const RapidSource& source) {
+  cursor.expect("(");
+  const std::size_t line = cursor.line();
+  const std::string name = cursor.takeName("the target that the offsets are from");
+  const auto found = source.targets.find(name);
+  if (found == source.targets.end())
+    cursor.refuseAt(line, "found '" + name + "'; expected a robtarget that is declared");
+  RapidTarget target = found->second;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    cursor.expect(",");
+    target.point[axis] += takeSum(cursor, source);
+  }
+  cursor.expect(")");
+  return target;
+}
+
+double takeSpeed(RapidCursor& cursor, const RapidSource& source) {
+  const std::size_t line = cursor.line();
+  const std::string name = cursor.takeName("the name of a speed");
+  if (const auto found = source.speeds.find(name); found != source.speeds.end()) return found->second;
+  const std::optional<double> own = rapidSpeed(name);
+  if (!own)
+    cursor.refuseAt(line, "found speed '" + name + "'; expected one that is declared, or RAPID's own");
+  return *own;
+}
+
+void takeZone(RapidCursor& cursor, const RapidSource& source) {
+  const std::size_t line = cursor.line();
+  const std::string name = cursor.takeName("the name of a zone");
+  if (!isRapidZone(name) && source.names.count(name) == 0)
+    cursor.refuseAt(line, "found zone '" + name + "'; expected one that is declared, or RAPID's own");
+}
+
+/// After its first word.
+RapidMove takeMove(RapidCursor& cursor, RapidSource& source, bool has_trigger) {
+  RapidMove move;
+  const RapidTarget target = cursor.takeWord("offs") ? takeOffset(cursor, source) : readRapidTarget(cursor);
+  move.point = target.point;
+  move.orientation = target.orientation;
+  cursor.expect(",");
+  move.feed_mm_s = takeSpeed(cursor, source);
+  cursor.expect(",");
+  if (has_trigger) {
+    cursor.takeName("the name of a trigger");
+    cursor.expect(",");
+  }
+  takeZone(cursor, source);
+  cursor.expect(",");
+  cursor.takeName("the name of a tool");
+  cursor.expect("\\");
+  cursor.expectWord("wobj");
+  cursor.expect(":=");
+  const std::size_t line = cursor.line();
+  const std::string work_object = cursor.takeName("the name of a work object");
+  if (source.work_object.empty()) source.work_object = work_object;
+  if (work_object != source.work_object)
+    cursor.refuseAt(line, "found work object '" + work_object + "'; expected '" + source.work_object +
+                              "' as in the moves before");
+  return move;
+}
+
+/// What prepares a program: signals, files, triggers. After its first word.
+bool skipPreparation(RapidCursor& cursor, const RapidSource& source, const std::string& word) {
+  if (word == "aliasio") {
+    cursor.takeString("the signal's name on the controller in quotation marks");
+    cursor.expect(",");
+    cursor.takeName("the name of a signal");
+  } else if (word == "confl") {
+    cursor.expect("\\");
+    if (!cursor.takeWord("on") && !cursor.takeWord("off")) cursor.refuse("On or Off");
+  } else if (word == "waittime") {
+    takeSum(cursor, source);
+  } else if (word == "waitdi") {
+    cursor.takeName("the name of a signal");
+    cursor.expect(",");
+    cursor.expectWord("high");
+  } else if (word == "triggio") {
+    cursor.takeName("the name of a trigger");
+    cursor.expect(",");
+    takeSum(cursor, source);
+    cursor.expect("\\");
+    cursor.expectWord("time");
+    cursor.expect("\\");
+    cursor.expectWord("dop");
+    cursor.expect(":=");
+    cursor.takeName("the name of a signal");
+    cursor.expect(",");
+    cursor.takeNumber("a value of the signal");
+  } else if (word == "load" || word == "unload") {
+    if (word == "load") {
+      cursor.expect("\\");
+      cursor.expectWord("dynamic");
+      cursor.expect(",");
+    }
+    cursor.expectWord("diskhome");
+    cursor.expect("\\");
+    cursor.expectWord("file");
+    cursor.expect(":=");
+    cursor.takeString("the name of a file in quotation marks");
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// A call by a name in quotation marks.
+void takeLateCall(RapidCursor& cursor, RapidSource& source, RapidStatement& statement) {
+  statement.action = RapidAction::Call;
+  statement.index = source.called.size();
+  source.called.push_back(lowerCase(cursor.takeString("a procedure's name in quotation marks")));
+  cursor.expect("%");
+}
+
+}  // namespace
+
+void readRapidStatement(RapidCursor& cursor, RapidSource& source, RapidProcedure& procedure) {
+  RapidStatement statement;
+  statement.line = cursor.line();
+  if (cursor.take("%")) {
+    takeLateCall(cursor, source, statement);
+  } else {
+    std::string word = cursor.takeName("an instruction");
+    if (word == "movel" || word == "triggl") {
+      statement.action = RapidAction::Move;
+      statement.index = source.moves.size();
+      source.moves.push_back(takeMove(cursor, source, word == "triggl"));
+    } else if (word == "set" || word == "reset") {
+      statement.action = word == "set" ? RapidAction::Set : RapidAction::Reset;
+      cursor.takeName("the name of a signal");
+    } else if (!skipPreparation(cursor, source, word)) {
+      if (!cursor.isNext(';'))
+        cursor.refuseAt(statement.line, "found instruction '" + word +
+                                            "'; expected MoveL, TriggL, Set, Reset, WaitTime, WaitDI, "
+                                            "AliasIO, ConfL, TriggIO, Load, UnLoad or a call");
+      statement.action = RapidAction::Call;
+      statement.index = source.called.size();
+      source.called.push_back(std::move(word));
+    }
+  }
+  cursor.expect(";");
+  if (statement.action != RapidAction::Preparing) procedure.statements.push_back(statement);
+}
+
+}  // namespace lamina

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "program/rapid/writer/rapid_lines.hpp"
+
+#include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "program/rapid/rapid_words.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kPositionDecimals = 4;
+constexpr int kOrientationDecimals = 7;
+constexpr int kAxisDecimals = 3;
+constexpr double kDegrees = 180.0 / M_PI;
+
+bool isExternal(const DrivenJoint& joint) { return joint.name.rfind("external_", 0) == 0; }
+
+std::string toText(const AbbConfiguration& configuration) {
+  return "[" + std::to_string(configuration.cf1) + "," + std::to_string(configuration.cf4) + "," +
+         std::to_string(configuration.cf6) + "," + std::to_string(configuration.cfx) + "]";
+}
+
+std::string startOfProcess(const RapidSettings& settings) {
+  if (settings.variant != RapidVariant::Wire3Axes) return settings.laser_on + ";";
+  return "WaitDI " + settings.laser_ready_signal + ",high;Set " + settings.wire_signal +
+         ";WaitTime waiting1;Set " + settings.laser_signal + ";WaitTime waiting2;";
+}
+
+std::string endOfProcess(const RapidSettings& settings) {
+  if (settings.variant == RapidVariant::Wire3Axes)
+    return "Reset " + settings.laser_signal + ";WaitTime t_capas;";
+  std::string text = settings.laser_off + ";WaitTime ";
+  appendShortest(text, settings.laser_off_wait_s);
+  return text + ";";
+}
+
+}  // namespace
+
+std::string rapidConfiguration(const RapidSettings& settings) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < settings.fixed_configuration.size(); ++i) {
+    if (i > 0) text += ',';
+    appendDecimals(text, settings.fixed_configuration[i], 0);
+  }
+  return text + "]";
+}
+
+std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings) {
+  const std::size_t count = settings.is_thesis_compatible ? 5 : 6;
+  std::string text = "[";
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) text += ',';
+    if (i < values.size())
+      appendDecimals(text, values[i], kAxisDecimals);
+    else
+      text += "9e+09";
+  }
+  return text + "]";
+}
+
+RapidLines::RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds,
+                       const Eigen::Isometry3d& bed_from_part, const RapidSettings& settings)
+    : plan_(plan),
+      speeds_(speeds),
+      bed_from_part_(bed_from_part),
+      turn_(bed_from_part.linear()),
+      settings_(settings),
+      fixed_axes_(rapidConfiguration(settings) + "," + rapidExternalAxes({settings.external_axis}, settings)),
+      on_(startOfProcess(settings)),
+      off_(endOfProcess(settings)) {
+  if (settings.variant != RapidVariant::Powder5Axes) {
+    const Point3 start(settings.start_point_mm[0], settings.start_point_mm[1], settings.start_point_mm[2]);
+    bed_from_part_.pretranslate(-start);
+  }
+  tail_ = settings.tool + "\\WObj:=" + settings.work_object + ";\n";
+}
+
+void RapidLines::setRobot(const Mechanism& arm, const ProgramStations& stations) {
+  arm_ = &arm;
+  stations_ = &stations;
+}
+
+bool RapidLines::isLastMove(const RapidPlace& place) const {
+  return place.move + 1 == plan_.paths[place.path].moveCount();
+}
+
+bool RapidLines::startsAfter(const RapidPlace& place) const {
+  const RapidPath& path = plan_.paths[place.path];
+  if (path.is_turned && place.move == 0) return path.switches_on;
+  if (!isLastMove(place) || place.path + 1 == plan_.paths.size()) return false;
+  const RapidPath& next = plan_.paths[place.path + 1];
+  return next.switches_on && !next.is_turned;
+}
+
+bool RapidLines::isFine(const RapidPlace& place) const {
+  const RapidPath& path = plan_.paths[place.path];
+  if (path.is_turned && place.move == 0) return true;
+  if (!isLastMove(place)) return false;
+  const bool is_last = place.path + 1 == plan_.paths.size();
+  return is_last || path.switches_off || startsAfter(place) || plan_.paths[place.path + 1].is_turned;
+}
+
+void RapidLines::append(const RapidPlace& place, std::string& text) const {
+  const RapidPath& path = plan_.paths[place.path];
+  const bool is_turn = path.is_turned && place.move == 0;
+  const std::size_t waypoint = is_turn ? 0 : path.path->motionEnd(place.move - path.turnCount());
+  const bool is_run_end = isLastMove(place) && path.switches_off;
+  const bool is_wire = settings_.variant == RapidVariant::Wire3Axes;
+  const double feed = path.path->feed_mm_s.at(waypoint);
+  const std::string& speed = is_turn           ? speeds_.approach()
+                             : path.deposits() ? speeds_.deposition(feed)
+                                               : speeds_.air(feed);
+  text += is_wire && is_run_end ? "TriggL " : "MoveL ";
+  appendTarget(place, waypoint, text);
+  appendTail(is_run_end, speed, isFine(place) ? settings_.end_zone : settings_.zone, text);
+  if (is_run_end)
+    text += off_;
+  else if (startsAfter(place))
+    text += on_;
+  text += '\n';
+}
+
+void RapidLines::appendTail(bool is_run_end, const std::string& speed, const std::string& zone,
+                            std::string& text) const {
+  const char* comma = settings_.variant == RapidVariant::Powder5Axes ? "," : ", ";
+  text.append(comma).append(speed).append(comma);
+  if (settings_.variant == RapidVariant::Wire3Axes && is_run_end)
+    text.append(settings_.wire_trigger).append(comma);
+  text.append(zone).append(settings_.variant == RapidVariant::Powder3Axes ? ", " : ",").append(tail_);
+}
+
+void RapidLines::appendTarget(const RapidPlace& place, std::size_t waypoint, std::string& text) const {
+  const Path& path = *plan_.paths[place.path].path;
+  const Point3 point = bed_from_part_ * path.points[waypoint];
+  if (settings_.variant != RapidVariant::Powder5Axes) {
+    text.append("Offs(").append(settings_.start_point);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      appendOffset(axis, point[static_cast<Eigen::Index>(axis)], text);
+    text += ')';
+    return;
+  }
+  const Eigen::Quaterniond turn = turn_ * path.orientation.at(waypoint);
+  const double numbers[] = {point.x(), point.y(), point.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+  text += "[[";
+  for (int i = 0; i < 7; ++i) {
+    if (i > 0) text += i == 3 ? "],[" : ",";
+    appendDecimals(text, numbers[i], i < 3 ? kPositionDecimals : kOrientationDecimals);
+  }
+  text += "],";
+  appendAxes(place, text);
+  text += ']';
+}
+
+void RapidLines::appendOffset(std::size_t axis, double value, std::string& text) const {
+  const std::size_t sign = text.append(",").append(settings_.offset).append(1, "xyz"[axis]).size();
+  appendDecimals(text, value, kPositionDecimals);
+  if (text[sign] != '-') text.insert(sign, 1, '+');
+}
+
+void RapidLines::appendAxes(const RapidPlace& place, std::string& text) const {
+  if (stations_ == nullptr) {
+    text += fixed_axes_;
+    return;
+  }
+  const RapidPath& path = plan_.paths[place.path];
+  const JointValues& joints = path.is_turned && place.move == 0
+                                  ? stations_->begin(place.path)
+                                  : stations_->end(place.path, place.move - path.turnCount());
+  std::vector<double> external;
+  for (std::size_t j = 0; j < arm_->joints().size(); ++j) {
+    const double value = joints[static_cast<Eigen::Index>(j)];
+    if (isExternal(arm_->joints()[j]))
+      external.push_back(arm_->joints()[j].kind == JointKind::Linear ? value : value * kDegrees);
+  }
+  if (external.empty()) external.push_back(settings_.external_axis);
+  text += (settings_.configuration == RapidConfiguration::Fixed ? rapidConfiguration(settings_)
+                                                                : toText(abbConfiguration(*arm_, joints))) +
+          "," + rapidExternalAxes(external, settings_);
+}
+
+}  // namespace lamina

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <string>
+
+#include "lamina/program/rapid/writer/rapid_program.hpp"
+#include "program/program_stations.hpp"
+#include "program/rapid/writer/rapid_plan.hpp"
+#include "program/rapid/writer/rapid_speeds.hpp"
+
+namespace lamina {
+
+/// `[-1,0,0,2]`.
+std::string rapidConfiguration(const RapidSettings& settings);
+
+/// `[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]` with these first [mm, deg].
+std::string rapidExternalAxes(const std::vector<double>& values, const RapidSettings& settings);
+
+/// Writes the two lines of each point of a program.
+class RapidLines {
+ public:
+  RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds, const Eigen::Isometry3d& bed_from_part,
+             const RapidSettings& settings);
+
+  /// From here on targets tell configuration and external axes of the arm. Both must outlive the lines.
+  void setRobot(const Mechanism& arm, const ProgramStations& stations);
+
+  void append(const RapidPlace& place, std::string& text) const;
+
+ private:
+  bool isLastMove(const RapidPlace& place) const;
+  bool startsAfter(const RapidPlace& place) const;
+  bool isFine(const RapidPlace& place) const;
+  void appendTarget(const RapidPlace& place, std::size_t waypoint, std::string& text) const;
+  void appendOffset(std::size_t axis, double value, std::string& text) const;
+  void appendAxes(const RapidPlace& place, std::string& text) const;
+  void appendTail(bool is_run_end, const std::string& speed, const std::string& zone,
+                  std::string& text) const;
+
+  const RapidPlan& plan_;
+  const RapidSpeeds& speeds_;
+  Eigen::Isometry3d bed_from_part_;
+  Eigen::Quaterniond turn_;  ///< bed_from_part
+  RapidSettings settings_;
+  std::string tail_;  ///< tool and work object
+  std::string fixed_axes_;
+  std::string on_;
+  std::string off_;
+  const Mechanism* arm_ = nullptr;
+  const ProgramStations* stations_ = nullptr;
+};
+
+}  // namespace lamina

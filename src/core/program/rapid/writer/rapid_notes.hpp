@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lamina/toolpath/toolpath.hpp"
+#include "program/rapid/writer/rapid_plan.hpp"
+
+namespace lamina {
+
+/// Begins a comment that tells what the moves of a program do not: `!# path outer_wall closed 12`.
+constexpr std::string_view kRapidNote = "!# ";
+
+/// Comments before a procedure: for each of its paths the layer where a new one begins, role, whether it is
+/// closed, retracted or begins with a move of its own, the number of its moves in this procedure, and runs of
+/// motions with one bead.
+/// @param rise_mm  of the part along the layers' normal
+void appendRapidNotes(const Toolpath& toolpath, const RapidPlan& plan, const RapidChunk& chunk,
+                      double rise_mm, std::string& text);
+
+}  // namespace lamina

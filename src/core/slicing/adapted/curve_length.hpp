@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/slicing/adapted/adapted_layers.hpp"
+#include "slicing/adapted/curve_places.hpp"
+
+namespace lamina {
+
+/// A curve by its length from its first point.
+class CurveLength {
+ public:
+  /// @param curve  must outlive this
+  explicit CurveLength(const AdaptedCurve& curve);
+
+  double total() const { return at_point_.back(); }
+  /// Length up to a point of the curve [mm].
+  double atPoint(std::size_t i) const { return at_point_[i]; }
+  double at(const CurvePlace& place) const;
+  /// @param length_mm  on a closed curve taken round it, on an open one within it
+  CurvePlace placeAt(double length_mm) const;
+
+ private:
+  const AdaptedCurve& curve_;
+  std::vector<double> at_point_;  // that of the first point again at the end, if closed
+};
+
+}  // namespace lamina

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slicing/adapted/harmonic_heights.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// What an edge couples its ends by: half the sum of the cotangents of the angles opposite to it.
+template <class Add>
+void addTriangle(const RegionTriangulation& region, const Triangle& corner, const Add& add) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t i = corner[(k + 1) % 3];
+    const std::uint32_t j = corner[(k + 2) % 3];
+    const Point2 u = region.points[i] - region.points[corner[k]];
+    const Point2 v = region.points[j] - region.points[corner[k]];
+    add(i, j, 0.5 * u.dot(v) / (u.x() * v.y() - u.y() * v.x()));
+  }
+}
+
+}  // namespace
+
+std::vector<double> harmonicHeights(const RegionTriangulation& region, const std::vector<double>& border) {
+  const auto fixed = static_cast<std::uint32_t>(border.size());
+  const auto free = static_cast<Eigen::Index>(region.points.size() - border.size());
+  std::vector<double> heights = border;
+  heights.resize(region.points.size(), 0.0);
+  if (free == 0) return heights;
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(free);
+  const auto addTo = [&](std::uint32_t row, std::uint32_t column, double weight) {
+    if (row < fixed) return;
+    const auto r = static_cast<Eigen::Index>(row - fixed);
+    entries.emplace_back(r, r, weight);
+    if (column < fixed)
+      right[r] += weight * border[column];
+    else
+      entries.emplace_back(r, static_cast<Eigen::Index>(column - fixed), -weight);
+  };
+  for (const Triangle& corner : region.triangles)
+    addTriangle(region, corner, [&](std::uint32_t i, std::uint32_t j, double weight) {
+      addTo(i, j, weight);
+      addTo(j, i, weight);
+    });
+  Matrix matrix(free, free);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd inside = Eigen::SimplicialLDLT<Matrix>(matrix).solve(right);
+  for (Eigen::Index r = 0; r < free; ++r) heights[fixed + static_cast<std::size_t>(r)] = inside[r];
+  return heights;
+}
+
+}  // namespace lamina

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/polygon/region_triangulation.hpp"
+
+namespace lamina {
+
+/// Heights over a triangulation that are given on its border and satisfy Laplace's equation inside, by linear
+/// finite elements.
+/// @param border  one per point of the border [mm]
+/// @return one per point [mm]; between the lowest and the highest of the border
+std::vector<double> harmonicHeights(const RegionTriangulation& region, const std::vector<double>& border);
+
+}  // namespace lamina

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/mesh/mesh.hpp"
+
+namespace lamina {
+
+/// The faces that reach between two heights.
+Mesh facesBetween(const Mesh& mesh, double low, double high);
+
+/// The faces that come as near to a place.
+Mesh facesNear(const Mesh& mesh, const Point3& place, double within_mm);
+
+}  // namespace lamina

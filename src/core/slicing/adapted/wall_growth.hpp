@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lamina/slicing/adapted/adapted_layers.hpp"
+#include "slicing/adapted/wall_strand.hpp"
+
+namespace lamina {
+
+/// Layers that are computed in one go and divided afterwards.
+struct GrowthStep {
+  double height_mm = 0.0;
+  std::size_t parts = 1;
+};
+
+struct GrowthSteps {
+  GrowthStep first;
+  GrowthStep other;         ///< its parts are as high as a layer
+  double spacing_mm = 0.0;  ///< of points along contours
+};
+
+/// Grows one wall from its lowest flat contour to its highest, layer by layer. Each layer grows towards the
+/// lowest flat contour that is a step above all of the layer beneath, and in the end to the top.
+/// @param mesh  the part, to show where it cannot be sliced
+/// @throws Unsliceable if a layer leaves a gap over the one beneath it, or the top is not reached; Cancelled
+std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
+                                   Progress& progress);
+
+}  // namespace lamina

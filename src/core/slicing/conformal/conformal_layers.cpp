@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/slicing/conformal/conformal_layers.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "lamina/parameterization/surface_cut.hpp"
+#include "slicing/curved/unreached_surface.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRadiansPerDegree = M_PI / 180.0;
+// Of a layer: how much of another one a thickness may hold by rounding.
+constexpr double kRounding = 1e-9;
+
+void requirePositive(const std::string& key, double value) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  throw InvalidConfig(key + " is " + std::to_string(value) + " mm; must be positive");
+}
+
+Point3 directionOf(const ConformalSettings& settings) {
+  if (settings.direction.empty()) return Point3::UnitZ();
+  const Point3 direction(settings.direction.at(0), settings.direction.at(1), settings.direction.at(2));
+  if (!(direction.norm() > 0.0)) throw InvalidConfig("conformal.direction is 0, 0, 0; expected a direction");
+  return direction.normalized();
+}
+
+/// The faces that look in the direction.
+TriangleNumbers facesTowards(const Mesh& mesh, const ConformalSettings& settings) {
+  const Point3 direction = directionOf(settings);
+  const double least = std::cos(settings.max_tilt_deg * kRadiansPerDegree) - kRounding;
+  TriangleNumbers chosen;
+  for (std::uint32_t number = 0; number < mesh.triangles.size(); ++number) {
+    const Triangle& corner = mesh.triangles[number];
+    const Point3& a = mesh.vertices[corner[0]];
+    const Point3 doubled = (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
+    if (doubled.norm() > 0.0 && doubled.dot(direction) >= least * doubled.norm()) chosen.push_back(number);
+  }
+  if (chosen.empty())
+    throw Unsliceable("no face looks within " + std::to_string(settings.max_tilt_deg) +
+                          " degrees (conformal.max_tilt_deg) of (" + std::to_string(direction.x()) + ", " +
+                          std::to_string(direction.y()) + ", " + std::to_string(direction.z()) +
+                          "); there is nothing to lay layers on",
+                      mesh);
+  return chosen;
+}
+
+/// No point of the part is farther from the base.
+double farthestFrom(const Mesh& base, const Mesh& part) {
+  const NearestTriangle nearest(base);
+  double farthest = 0.0;
+  for (const Triangle& triangle : part.triangles)
+    for (const std::uint32_t corner : triangle)
+      farthest = std::max(farthest, nearest.nearest(part.vertices[corner]).distance_mm);
+  return farthest;
+}
+
+LayerSurface insideOf(const SignedDistance& part, const Box3& box, double margin_mm,
+                      const LayerSurface& shell) {
+  std::vector<double> field;
+  field.reserve(shell.middle.vertices.size());
+  for (const Point3& vertex : shell.middle.vertices) {
+    // Nothing that a triangle with this corner reaches is inside.
+    const double beyond = (vertex - vertex.cwiseMax(box.low).cwiseMin(box.high)).norm();
+    field.push_back(beyond > margin_mm ? -beyond : part.at(vertex).inside_mm);
+  }
+  return whereNotNegative(shell, field);
+}
+
+void requireFilled(const ConformalLayers& result, const Mesh& part, const Mesh& base,
+                   const ConformalSettings& settings) {
+  const double gap = 1.0 - result.laid_mm3 / result.part_mm3;
+  if (100.0 * std::abs(gap) <= settings.largest_gap_percent) return;
+  TriangleNumbers all(part.triangles.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  Mesh region = patchOf(part, unreached(part, all, base, 2.0 * result.layer_height_mm));
+  const double beyond_mm2 = surfaceArea(region);
+  throw Unsliceable("layers on the base fill " + std::to_string(result.laid_mm3) + " mm³ of the part's " +
+                        std::to_string(result.part_mm3) + " mm³; expected within " +
+                        std::to_string(settings.largest_gap_percent) +
+                        " % (conformal.largest_gap_percent). " + std::to_string(beyond_mm2) +
+                        " mm² of its surface lie beyond the base's edges, behind it or beside it",
+                    std::move(region));
+}
+
+}  // namespace
+
+ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& settings, double layer_height_mm,
+                              Progress& progress) {
+  requirePositive("slicing.layer_height_mm", layer_height_mm);
+  requirePositive("conformal.thickness_mm", settings.thickness_mm);
+  const double count = std::ceil(settings.thickness_mm / layer_height_mm - kRounding);
+  const TriangleNumbers chosen = facesTowards(mesh, settings);
+  const Mesh rest = patchOf(mesh, remainder(mesh, chosen, {}));
+  const SignedDistance part(mesh);
+  std::optional<NearestTriangle> nearest_rest;
+  if (!rest.triangles.empty()) nearest_rest.emplace(rest);
+  ConformalLayers result;
+  result.layer_height_mm = settings.thickness_mm / count;
+  ShellLimits limits;
+  limits.part = &part;
+  limits.part_side = PartSide::Outside;
+  limits.rest = nearest_rest ? &*nearest_rest : nullptr;
+  limits.farthest_mm = settings.thickness_mm;
+  limits.step_mm = result.layer_height_mm;
+  const ShellPropagation propagation({patchOf(mesh, chosen), {}}, settings.longest_edge_mm, limits, progress);
+  result.layers = propagation.shells(result.layer_height_mm, NozzleSide::Ahead, progress);
+  result.laid_mm3 = volume(result.layers);
+  return result;
+}
+
+ConformalLayers layersOnBase(const Mesh& part, const Mesh& base, const ConformalSettings& settings,
+                             double layer_height_mm, Progress& progress) {
+  requirePositive("slicing.layer_height_mm", layer_height_mm);
+  ConformalLayers result;
+  result.layer_height_mm = layer_height_mm;
+  result.part_mm3 = volume(part);
+  if (!(result.part_mm3 > 0.0))
+    throw InvalidMesh("the part holds " + std::to_string(result.part_mm3) +
+                      " mm³; expected a positive volume");
+  const ShellSource source{patchOf(base, facesTowards(base, settings)), {}};
+  ShellLimits limits;
+  limits.farthest_mm = farthestFrom(source.surface, part);
+  limits.step_mm = layer_height_mm;
+  const ShellPropagation propagation(source, settings.longest_edge_mm, limits, progress);
+  const SignedDistance inside(part);
+  const Box3 box = boundingBox(part);
+  std::vector<LayerSurface> shells = propagation.shells(layer_height_mm, NozzleSide::Ahead, progress);
+  const auto cut = [&](std::size_t i) {
+    shells[i] = insideOf(inside, box, 4.0 * settings.longest_edge_mm, shells[i]);
+  };
+  parallelFor(shells.size(), cut, progress, "cut shells");
+  for (LayerSurface& shell : shells)
+    if (!shell.middle.triangles.empty()) result.layers.push_back(std::move(shell));
+  result.laid_mm3 = volume(result.layers);
+  requireFilled(result, part, source.surface, settings);
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/slicing/curved/curved_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
+#include "lamina/parameterization/layer_volume.hpp"
+#include "slicing/curved/curved_division.hpp"
+#include "slicing/curved/curved_refusal.hpp"
+#include "slicing/curved/layer_coverage.hpp"
+#include "slicing/curved/part_samples.hpp"
+#include "slicing/curved/shell_tidying.hpp"
+#include "slicing/curved/unreached_surface.hpp"
+
+namespace lamina {
+namespace {
+
+// Part of a layer's height by which the source's level layers may lie in those beneath and above them.
+constexpr double kLargestOverlap = 0.05;
+
+constexpr double kAll = std::numeric_limits<double>::infinity();
+// So many that 5 % of them are within 0.7 % of what they stand for.
+constexpr std::size_t kSamples = 4000;
+// What surely is out of reach of a surface's shells: so many layer heights and degrees beside its border.
+constexpr double kBeside = 2.0;
+constexpr double kSteepestDeg = 65.0;
+
+// In squares of the layer height: the holes are those of a bead twice as wide as high.
+constexpr double kLeastPiece = 0.1;
+constexpr double kLargestHole = 4.0;
+
+struct ShellFamily {
+  std::vector<LayerSurface> shells;
+  std::vector<ShellEnd> ends;
+};
+
+ShellFamily propagate(const CurvedPart& part, const TriangleNumbers& source,
+                      const std::optional<ShellBound>& bound, NozzleSide side, Progress& progress) {
+  if (source.empty()) return {};
+  ShellSource inward = shellSourceOf(part.mesh, source);
+  inward.surface = turnedOver(std::move(inward.surface));
+  const Mesh rest = patchOf(part.mesh, remainder(part.mesh, source, {}));
+  const NearestTriangle nearest_rest(rest);
+  const ShellLimits limits{&part.inside, PartSide::Inside, &nearest_rest,
+                           bound,        part.size_mm,     part.height_mm};
+  const ShellPropagation propagation(inward, part.settings.longest_edge_mm, limits, progress);
+  std::vector<LayerSurface> shells = propagation.shells(part.height_mm, side, progress);
+  const double square_mm2 = part.height_mm * part.height_mm;
+  const TidyLimits too_small{kLeastPiece * square_mm2, kLargestHole * square_mm2};
+  const auto tidy = [&](std::size_t i) { shells[i] = tidied(shells[i], too_small); };
+  parallelFor(shells.size(), tidy, progress, "propagate shells");
+  while (!shells.empty() && shells.back().middle.triangles.empty()) shells.pop_back();
+  return {std::move(shells), propagation.ends(part.height_mm)};
+}
+
+ShellFamily lowerFamily(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
+  std::optional<ShellBound> above;
+  if (division.lower_top_mm) above = ShellBound{Point3::UnitZ(), *division.lower_top_mm};
+  return propagate(part, division.lower, above, NozzleSide::Ahead, progress);
+}
+
+ShellFamily upperFamily(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
+  const ShellBound below{-Point3::UnitZ(), -division.upper_bottom_mm};
+  ShellFamily upper = propagate(part, division.upper, below, NozzleSide::Behind, progress);
+  std::reverse(upper.shells.begin(), upper.shells.end());
+  return upper;
+}
+
+std::vector<Layer> levelLayers(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
+  if (!division.lower_top_mm) return {};
+  const auto slabs = middleSlabs(*division.lower_top_mm, division.upper_bottom_mm, part.height_mm);
+  std::vector<double> cuts;
+  cuts.reserve(slabs.size());
+  for (const LayerSlab& slab : slabs) cuts.push_back(slab.cut());
+  std::vector<Section> sections = sliceMesh(part.mesh, part.topology, cuts, progress);
+  std::vector<Layer> layers;
+  for (std::size_t i = 0; i < slabs.size(); ++i) layers.push_back({slabs[i], std::move(sections[i])});
+  return layers;
+}
+
+LayerVolumes volumesOf(const CurvedPart& part, const CurvedLayers& layers) {
+  LayerVolumes volumes{volume(part.mesh), volume(layers.lower), 0.0, volume(layers.upper)};
+  for (const Layer& layer : layers.middle)
+    volumes.middle_mm3 += signedArea(layer.section.contours) * layer.slab.height();
+  return volumes;
+}
+
+/// The samples that a scheme cannot come to, whatever its layers look like.
+std::vector<Point3> besideOf(const CurvedPart& part, const PartSamples& samples,
+                             const CurvedDivision& division) {
+  std::vector<Point3> below;
+  std::vector<Point3> above;
+  for (const Point3& point : samples.points()) {
+    if (!division.lower_top_mm || point.z() < *division.lower_top_mm)
+      below.push_back(point);
+    else if (point.z() > division.upper_bottom_mm)
+      above.push_back(point);
+  }
+  const auto outOfReach = [&](const std::vector<Point3>& points, const TriangleNumbers& patch) {
+    if (points.empty() || patch.empty()) return points;
+    return unreached(points, turnedOver(patchOf(part.mesh, patch)), kBeside * part.height_mm, kSteepestDeg);
+  };
+  std::vector<Point3> beside = outOfReach(below, division.lower);
+  const std::vector<Point3> beside_upper = outOfReach(above, division.upper);
+  beside.insert(beside.end(), beside_upper.begin(), beside_upper.end());
+  return beside;
+}
+
+/// What is open or laid twice below a height.
+CurvedFlaws flawsBelow(double ceiling_mm, const CurvedLayers& layers, const PartSamples& samples,
+                       Progress& progress) {
+  CurvedFlaws flaws;
+  flaws.scheme = layers.scheme;
+  const std::vector<std::uint32_t> counts =
+      layerCounts(samples, {layers.lower, layers.middle, layers.upper}, progress);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const Point3& point = samples.points()[i];
+    if (point.z() > ceiling_mm) continue;
+    if (counts[i] == 0) flaws.open.push_back(point);
+    if (counts[i] > 1) flaws.twice.push_back(point);
+  }
+  return flaws;
+}
+
+/// As many samples as may be wrong.
+std::size_t mostFlaws(const CurvedPart& part, const PartSamples& samples) {
+  return static_cast<std::size_t>(0.01 * part.settings.largest_gap_percent *
+                                  static_cast<double>(samples.points().size()));
+}
+
+/// A scheme's layers and what is wrong with them. If that is too much, layers may be missing.
+struct Attempt {
+  CurvedLayers layers;
+  CurvedFlaws flaws;
+};
+
+Attempt attempted(const CurvedPart& part, const CurvedDivision& division, const PartSamples& samples,
+                  Progress& progress) {
+  const std::size_t most = mostFlaws(part, samples);
+  Attempt attempt;
+  auto& [layers, flaws] = attempt;
+  layers.scheme = division.scheme;
+  flaws.scheme = division.scheme;
+  flaws.beside = besideOf(part, samples, division);
+  if (flaws.count() > most) return attempt;
+  ShellFamily lower = lowerFamily(part, division, progress);
+  layers.lower = std::move(lower.shells);
+  layers.lower_ends = std::move(lower.ends);
+  if (!division.upper.empty()) {
+    const double ceiling = division.lower_top_mm.value_or(kAll) - part.height_mm;
+    flaws = flawsBelow(ceiling, layers, samples, progress);
+    if (flaws.count() > most) return attempt;
+  }
+  ShellFamily upper = upperFamily(part, division, progress);
+  layers.upper = std::move(upper.shells);
+  layers.upper_ends = std::move(upper.ends);
+  layers.middle = levelLayers(part, division, progress);
+  layers.volumes = volumesOf(part, layers);
+  flaws = flawsBelow(kAll, layers, samples, progress);
+  const auto share = [&](const std::vector<Point3>& points) {
+    return static_cast<double>(points.size()) / static_cast<double>(samples.points().size());
+  };
+  layers.coverage = {samples.points().size(), share(flaws.open), share(flaws.twice)};
+  return attempt;
+}
+
+}  // namespace
+
+const char* toString(CurvedScheme scheme) {
+  switch (scheme) {
+    case CurvedScheme::Halves:
+      return "halves";
+    case CurvedScheme::LowerOnly:
+      return "lower only";
+    default:
+      return "both sides";
+  }
+}
+
+namespace {
+
+std::vector<LayerSlab> slabsOf(double bottom_mm, double height_mm, double count) {
+  std::vector<LayerSlab> slabs;
+  for (double i = 0.0; i < count; ++i)
+    slabs.push_back({bottom_mm + i * height_mm, bottom_mm + (i + 1.0) * height_mm});
+  return slabs;
+}
+
+}  // namespace
+
+std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm) {
+  const double room = high_mm - low_mm;
+  if (room < 0.5 * layer_height_mm) return {};
+  if (room < 1.5 * layer_height_mm) return {{low_mm, high_mm}};
+  const double of_source = std::max(2.0, std::floor((room - layer_height_mm) / layer_height_mm + 1.01));
+  const double step = (room - layer_height_mm) / (of_source - 1.0);
+  if (std::abs(step - layer_height_mm) <= kLargestOverlap * layer_height_mm)
+    return slabsOf(low_mm + 0.5 * (layer_height_mm - step), step, of_source);
+  const double count = std::round(room / layer_height_mm);
+  return slabsOf(low_mm, room / count, count);
+}
+
+CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
+                          double layer_height_mm, Progress& progress) {
+  const CurvedPart part = curvedPart(mesh, topology, settings, layer_height_mm);
+  const std::vector<CurvedDivision> ways = curvedDivisions(part);
+  const PartSamples samples(mesh, kSamples);
+  std::optional<CurvedFlaws> least;
+  for (const CurvedDivision& division : ways) {
+    Attempt attempt = attempted(part, division, samples, progress);
+    CurvedFlaws& flaws = attempt.flaws;
+    if (flaws.count() <= mostFlaws(part, samples)) return std::move(attempt.layers);
+    if (!least || flaws.count() < least->count()) least = std::move(flaws);
+  }
+  refuseCurved(part, samples, *least);
+}
+
+}  // namespace lamina

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/client/line_feed.hpp"
+
+namespace lamina {
+namespace {
+
+// Far more than any window: firmware asks for lines it has just missed.
+constexpr std::size_t kRememberedLines = 1024;
+
+}  // namespace
+
+const ProgramLine* LineFeed::peek() {
+  const std::size_t index = next_ - first_kept_;
+  if (index < kept_.size()) return &kept_[index];
+  auto line = source_();
+  if (!line) return nullptr;
+  kept_.push_back(std::move(*line));
+  has_unsent_ = true;
+  return &kept_.back();
+}
+
+void LineFeed::advance() {
+  if (next_ == end()) has_unsent_ = false;
+  ++next_;
+  if (kept_.size() <= kRememberedLines) return;
+  kept_.pop_front();
+  ++first_kept_;
+}
+
+bool LineFeed::rewind(std::uint64_t number) {
+  if (number < first_kept_ || number > end()) return false;
+  next_ = number;
+  return true;
+}
+
+std::int32_t LineFeed::layerOf(std::uint64_t number) const {
+  if (number < first_kept_ || number >= first_kept_ + kept_.size()) return -1;
+  return kept_[number - first_kept_].layer;
+}
+
+}  // namespace lamina

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+
+#include "lamina/streaming/client/streamable_program.hpp"
+
+namespace lamina {
+
+/// Numbers the lines of a program and remembers the last ones sent, so that sending can go back to any of
+/// them.
+class LineFeed {
+ public:
+  using Source = std::function<std::optional<ProgramLine>()>;
+
+  /// @param first  number of the first line
+  LineFeed(Source source, std::uint64_t first)
+      : source_(std::move(source)), first_kept_(first), next_(first) {}
+
+  /// The line to send next; null at the end of the program.
+  const ProgramLine* peek();
+  /// The line given by `peek` was sent.
+  void advance();
+  /// Sends again from line `number` on.
+  /// @return false, and nothing changes, if that line was never sent or is no longer remembered
+  bool rewind(std::uint64_t number);
+
+  /// Number of the line `peek` gives.
+  std::uint64_t next() const { return next_; }
+  /// One more than the highest number sent.
+  std::uint64_t end() const { return first_kept_ + kept_.size() - (has_unsent_ ? 1 : 0); }
+  /// Layer of a line that is remembered; -1 otherwise.
+  std::int32_t layerOf(std::uint64_t number) const;
+
+ private:
+  Source source_;
+  std::deque<ProgramLine> kept_;  ///< lines first_kept_ and following
+  bool has_unsent_ = false;       ///< the last one kept was read and never sent
+  std::uint64_t first_kept_;
+  std::uint64_t next_;
+};
+
+}  // namespace lamina

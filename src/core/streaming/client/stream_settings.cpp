@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/client/stream_settings.hpp"
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, StreamSettings& settings) {
+  const Bounds times{0.0, 86400.0, true};
+  schema.integer("stream.window_bytes", settings.window_bytes, {32, 65536},
+                 "Bytes sent and not yet acknowledged; below the firmware's receive buffer.");
+  schema.integer("stream.window_lines", settings.window_lines, {1, 256},
+                 "Lines sent and not yet acknowledged; at most the firmware's command queue.");
+  schema.integer("stream.max_line_bytes", settings.max_line_bytes, {32, 4096},
+                 "Longest line the firmware takes, with number and checksum.");
+  schema.number("stream.connect_timeout_s", settings.connect_timeout_s, times,
+                "Time the machine has for its first answer.");
+  schema.number(
+      "stream.probe_after_s", settings.probe_after_s, times,
+      "Time without an answer after which the machine is asked which line it has; above its busy interval.");
+  schema.number("stream.settle_s", settings.settle_s, times,
+                "Time without an answer after which lines sent behind a lost one are taken for discarded.");
+  schema.number("stream.silence_timeout_s", settings.silence_timeout_s, times,
+                "Time without an answer after which the job is aborted.");
+  schema.number("stream.blocking_timeout_s", settings.blocking_timeout_s, times,
+                "The same while homing, heating or waiting is under way.");
+  schema.number("stream.safe_stop_timeout_s", settings.safe_stop_timeout_s, times,
+                "Time the machine has to confirm a safe stop.");
+  schema.flag("stream.keep_heaters_on", settings.keep_heaters_on, "Leave the heaters on after a safe stop.");
+  schema.integer("stream.temperature_interval_s", settings.temperature_interval_s, {0, 60},
+                 "Interval of the machine's temperature reports; 0 for none.");
+  schema.integer("stream.position_interval_s", settings.position_interval_s, {0, 60},
+                 "Interval of the machine's position reports; 0 for none.");
+}
+
+void validate(const StreamSettings& settings) {
+  if (settings.window_bytes >= settings.max_line_bytes) return;
+  throw InvalidConfig("stream.window_bytes is " + std::to_string(settings.window_bytes) +
+                      "; must be at least stream.max_line_bytes, " + std::to_string(settings.max_line_bytes));
+}
+
+}  // namespace lamina

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/client/streamer_machine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr int kReportAttempts = 3;
+// Lines under way when a job is aborted must not be taken for those of the safe stop.
+constexpr std::uint64_t kSafeStopGap = 1000;
+
+/// Commands during which firmware may say nothing for long.
+bool isBlocking(const std::string& command) {
+  constexpr std::array<std::string_view, 16> kCommands = {"G28",  "G29",  "G30",  "G34",  "G4",   "M0",
+                                                          "M1",   "M48",  "M109", "M190", "M191", "M226",
+                                                          "M303", "M400", "M600", "M701"};
+  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view name) {
+    return command.compare(0, name.size(), name) == 0 &&
+           (command.size() == name.size() ||
+            std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
+  });
+}
+
+LineFeed::Source sourceOf(const StreamableProgram& program) {
+  return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
+    // What stands in a file that was written to meanwhile was never checked.
+    if (program.hasChanged()) return std::nullopt;
+    return cursor->next();
+  };
+}
+
+LineFeed::Source sourceOf(std::vector<std::string> commands) {
+  std::reverse(commands.begin(), commands.end());
+  return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
+    if (left.empty()) return std::nullopt;
+    ProgramLine line{left.back(), -1};
+    left.pop_back();
+    return line;
+  };
+}
+
+std::vector<std::string> reportRequests(const StreamSettings& settings) {
+  std::vector<std::string> requests;
+  if (settings.position_interval_s > 0)
+    requests.push_back("M154 S" + std::to_string(settings.position_interval_s));
+  if (settings.temperature_interval_s > 0) {
+    requests.push_back("M155 S" + std::to_string(settings.temperature_interval_s));
+  }
+  return requests;
+}
+
+double firstRetry(const StreamSettings& settings) { return settings.probe_after_s; }
+
+std::string seconds(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find('.') + 2);
+  return text + " s";
+}
+
+}  // namespace
+
+Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings,
+                           ReplyListener heard)
+    : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
+  validate(settings);
+  heard_ = std::move(heard);
+  status_.lines_total = program.lines();
+  reports_ = reportRequests(settings);
+}
+
+void Streamer::Machine::enter(PackmlState state) {
+  status_.state = state;
+  entered_.push_back(state);
+}
+
+void Streamer::Machine::beginPhase(Phase phase, double now) {
+  phase_ = phase;
+  timer_.restart(now);
+}
+
+bool Streamer::Machine::isWaiting() const {
+  if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling();
+  return phase_ != Phase::Idle;
+}
+
+double Streamer::Machine::silenceLimit() const {
+  if (status_.state == PackmlState::Starting) return settings_.connect_timeout_s;
+  const bool is_blocked = phase_ == Phase::Draining || sent_.hasBlocking();
+  return is_blocked ? settings_.blocking_timeout_s : settings_.silence_timeout_s;
+}
+
+double Streamer::Machine::nextDeadline() const {
+  if (!isWaiting()) return kNever;
+  if (phase_ == Phase::Offline) return safe_stop_by_;
+  const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
+  const double deadline = std::min(timer_.retryAt(), give_up);
+  return isSettling() ? std::min(deadline, settle_until_) : deadline;
+}
+
+void Streamer::Machine::start(double now) {
+  if (status_.state != PackmlState::Idle) return;
+  enter(PackmlState::Starting);
+  beginNumbering(0, now);
+}
+
+void Streamer::Machine::beginNumbering(std::uint64_t base, double now) {
+  base_ = base;
+  beginPhase(Phase::Numbering, now);
+  retry(now);
+}
+
+void Streamer::Machine::nextReport(double now) {
+  if (!reports_.empty()) {
+    beginPhase(Phase::Reporting, now);
+    output_ += reports_.back() + "\n";
+    return;
+  }
+  enter(PackmlState::Execute);
+  beginPhase(Phase::Feeding, now);
+  proceed(now);
+}
+
+/// Sends what may be sent, and takes the step that is due when nothing is under way any more.
+void Streamer::Machine::proceed(double now) {
+  settle(now);
+  if (isSettling()) return;
+  if (status_.state == PackmlState::Execute || isStopping()) pump(now);
+  if (!sent_.empty()) return;
+  if (status_.state == PackmlState::Holding) {
+    enter(PackmlState::Held);
+  } else if (status_.state == PackmlState::Execute || isStopping()) {
+    // Nothing is left to send either: the machine must tell that it has all.
+    beginPhase(Phase::Probing, now);
+    probe(now);
+  }
+}
+
+bool Streamer::Machine::hasRoom(std::size_t bytes) const {
+  if (sent_.empty() || must_send_one_) return true;
+  return sent_.count() < static_cast<std::size_t>(settings_.window_lines) &&
+         sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
+}
+
+void Streamer::Machine::pump(double now) {
+  while (const ProgramLine* line = feed_.peek()) {
+    const std::string framed = frameLine(feed_.next(), line->command);
+    if (!hasRoom(framed.size())) break;
+    if (sent_.empty()) timer_.restart(now);
+    must_send_one_ = false;
+    sent_.add({feed_.next(), framed.size(), isBlocking(line->command), feed_.next() < feed_.end(), false});
+    output_ += framed;
+    feed_.advance();
+  }
+  if (!isStopping()) status_.lines_sent = feed_.end() - 1;
+}
+
+/// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
+/// after the next one.
+void Streamer::Machine::probe(double) {
+  ++status_.probes;
+  const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
+  output_ += frameLine(expected + 1, "M105");
+}
+
+void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
+  if (!goTo(wanted, now)) return;
+  // The firmware has read everything that was sent before the probe.
+  sent_.clear();
+  settle_until_ = 0.0;
+  must_send_one_ = false;
+  if (wanted < feed_.end()) ++status_.resends;
+  beginPhase(Phase::Feeding, now);
+  const bool may_feed = status_.state == PackmlState::Execute || isStopping();
+  if (may_feed && feed_.peek() == nullptr) onAllTaken(now);
+}
+
+void Streamer::Machine::onAllTaken(double now) {
+  const std::uint64_t lines_read = feed_.end() - 1;
+  if (!isStopping() && lines_read < status_.lines_total) {
+    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
+                                          std::to_string(lines_read) + " of " +
+                                          std::to_string(status_.lines_total)},
+          now);
+    return;
+  }
+  if (!isStopping()) enter(PackmlState::Completing);
+  beginPhase(Phase::Draining, now);
+  askForRest();
+}
+
+void Streamer::Machine::elapse(double now) {
+  if (!isWaiting()) return;
+  if (isStopping() && now >= safe_stop_by_) {
+    finishAborted(
+        phase_ == Phase::Offline
+            ? "; the link did not come back, so that the machine was not told to stop: look after it"
+            : "; the machine did not confirm the safe stop");
+  } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
+    timeOut(now);
+  } else if (now >= timer_.retryAt()) {
+    retry(now);
+  } else if (isSettling() && now >= settle_until_) {
+    proceed(now);
+  }
+}
+
+void Streamer::Machine::retry(double now) {
+  timer_.asked(now);
+  switch (phase_) {
+    case Phase::Numbering:
+      if (isStopping()) output_ += urgentStop();
+      output_ += frameLine(base_, "M110 N" + std::to_string(base_));
+      probe(now);
+      break;
+    case Phase::Reporting:
+      if (++report_attempts_ < kReportAttempts) {
+        output_ += reports_.back() + "\n";
+      } else {
+        onOk({}, now);  // a machine without reports prints all the same
+      }
+      break;
+    case Phase::Feeding:
+      phase_ = Phase::Probing;
+      settle_until_ = 0.0;
+      probe(now);
+      break;
+    case Phase::Probing:
+      probe(now);
+      break;
+    case Phase::Draining:
+      askForRest();
+      break;
+    case Phase::Idle:
+    case Phase::Offline:
+      break;
+  }
+}
+
+/// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
+/// may not answer for minutes, but runs these as soon as it can.
+std::string Streamer::Machine::urgentStop() const {
+  return settings_.keep_heaters_on ? "M108\nM410\n" : "M108\nM410\nM104 S0\nM140 S0\n";
+}
+
+void Streamer::Machine::timeOut(double now) {
+  if (status_.state != PackmlState::Starting) {
+    abort({ErrorCode::TimedOut,
+           "no answer from the machine for " + seconds(timer_.quietFor(now)) + whereItStands()},
+          now);
+  } else if (has_answered_) {
+    abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
+  } else {
+    abort({ErrorCode::TimedOut, "no machine answered within " + seconds(settings_.connect_timeout_s) +
+                                    "; is it on, and is the baud rate right?"},
+          now);
+  }
+}
+
+bool Streamer::Machine::pause(double now) {
+  if (status_.state != PackmlState::Execute) return false;
+  enter(PackmlState::Holding);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
+bool Streamer::Machine::resume(double now) {
+  if (status_.state != PackmlState::Held && status_.state != PackmlState::Holding) return false;
+  if (status_.state == PackmlState::Holding) enter(PackmlState::Held);
+  enter(PackmlState::Unholding);
+  enter(PackmlState::Execute);
+  if (phase_ == Phase::Feeding) proceed(now);
+  return true;
+}
+
+void Streamer::Machine::abort(const Failure& why, double now) {
+  if (isStopping() || isFinal(status_.state)) return;
+  status_.failure = why;
+  const bool is_machine_there = has_answered_ && status_.state != PackmlState::Idle;
+  enter(PackmlState::Aborting);
+  if (!is_machine_there) {
+    finishAborted("");
+    return;
+  }
+  prepareSafeStop(now);
+  beginNumbering(base_, now);
+}
+
+void Streamer::Machine::prepareSafeStop(double now) {
+  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
+  std::vector<std::string> safe_stop = {"M410"};
+  if (!settings_.keep_heaters_on) safe_stop.insert(safe_stop.end(), {"M104 S0", "M140 S0"});
+  base_ = feed_.end() + kSafeStopGap;
+  feed_ = LineFeed(sourceOf(std::move(safe_stop)), base_ + 1);
+  sent_.clear();
+  settle_until_ = 0.0;
+  must_send_one_ = false;
+}
+
+/// A machine whose link is lost goes on heating: it is told to stop as soon as it can be reached again.
+void Streamer::Machine::disconnect(const std::string& why, double now) {
+  if (isFinal(status_.state) || phase_ == Phase::Offline) return;
+  if (!isStopping()) {
+    status_.failure = {ErrorCode::Disconnected, why + whereItStands()};
+    enter(PackmlState::Aborting);
+    if (!has_answered_) {
+      finishAborted("");
+      return;
+    }
+    prepareSafeStop(now);
+  }
+  received_.clear();
+  output_.clear();
+  phase_ = Phase::Offline;
+}
+
+void Streamer::Machine::reconnect(double now) {
+  if (phase_ != Phase::Offline) return;
+  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  beginNumbering(base_, now);
+}
+
+void Streamer::Machine::finishAborted(const std::string& remark) {
+  status_.failure.message += remark;
+  phase_ = Phase::Idle;
+  sent_.clear();
+  enter(PackmlState::Aborted);
+}
+
+std::string Streamer::Machine::takeOutput() { return std::exchange(output_, {}); }
+
+std::vector<PackmlState> Streamer::Machine::takeStateChanges() { return std::exchange(entered_, {}); }
+
+}  // namespace lamina

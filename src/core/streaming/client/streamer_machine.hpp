@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/streaming/client/streamer.hpp"
+#include "streaming/client/answer_timer.hpp"
+#include "streaming/client/line_feed.hpp"
+#include "streaming/client/sent_lines.hpp"
+
+namespace lamina {
+
+/// What the streamer does, behind its interface.
+class Streamer::Machine {
+ public:
+  Machine(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard);
+
+  void start(double now);
+  void receive(std::string_view bytes, double now);
+  void elapse(double now);
+  void disconnect(const std::string& why, double now);
+  void reconnect(double now);
+  bool isOffline() const { return phase_ == Phase::Offline; }
+  bool pause(double now);
+  bool resume(double now);
+  void abort(const Failure& why, double now);
+
+  std::string takeOutput();
+  double nextDeadline() const;
+  const StreamStatus& status() const { return status_; }
+  std::vector<PackmlState> takeStateChanges();
+
+ private:
+  /// What is being waited for.
+  enum class Phase {
+    Idle,       ///< nothing
+    Numbering,  ///< the firmware to count lines from base_ on, and to tell so
+    Reporting,  ///< the ok to each of reports_
+    Feeding,    ///< answers to the lines under way
+    Probing,    ///< which line the firmware has
+    Draining,   ///< the end of all motions, or of all heating
+    Offline,    ///< the link to come back, for the safe stop
+  };
+
+  void enter(PackmlState state);
+  void beginPhase(Phase phase, double now);
+  bool isWaiting() const;
+  double silenceLimit() const;
+
+  void onReply(const MarlinReply& reply, double now);
+  void onOk(const MarlinReply& reply, double now);
+  void onResend(const MarlinReply& reply, double now);
+  void onRefusal(std::uint64_t wanted, double now);
+  void onStart(double now);
+  void onFatal(const MarlinReply& reply, double now);
+
+  void prepareSafeStop(double now);
+  void beginNumbering(std::uint64_t base, double now);
+  void nextReport(double now);
+  void proceed(double now);
+  void pump(double now);
+  bool hasRoom(std::size_t bytes) const;
+  void probe(double now);
+  void onProbeAnswer(std::uint64_t wanted, double now);
+  void onAllTaken(double now);
+  void askForRest();
+  bool isSafe(const MarlinTemperatures& temperatures) const;
+  bool goTo(std::uint64_t line, double now);
+  void retry(double now);
+  void timeOut(double now);
+  std::string urgentStop() const;
+  void settle(double now);
+  bool isSettling() const { return settle_until_ > 0.0; }
+
+  bool isStopping() const { return status_.state == PackmlState::Aborting; }
+  void acknowledgedUpTo(std::uint64_t line);
+  std::string whereItStands() const;
+  void finishAborted(const std::string& remark);
+
+  StreamSettings settings_;
+  ReplyListener heard_;
+  StreamStatus status_;
+  LineFeed feed_;
+  SentLines sent_;
+  AnswerTimer timer_;
+  Phase phase_ = Phase::Idle;
+  std::uint64_t base_ = 0;            ///< number after which lines count, while Numbering
+  std::vector<std::string> reports_;  ///< still to be asked for, the last one first
+  int report_attempts_ = 0;
+  bool has_answered_ = false;
+  bool expects_ok_of_resend_ = false;  ///< firmware says ok after a request to resend
+  double settle_until_ = 0.0;          ///< nothing is sent while stale lines may be answered; 0 if none is
+  bool must_send_one_ = false;  ///< whatever the window, or a full one of discarded lines would wait for ever
+  std::uint64_t rewound_to_ = 0;
+  int refusals_in_a_row_ = 0;
+  int odd_requests_ = 0;
+  double safe_stop_by_ = 0.0;
+  double safe_stop_latest_ = 0.0;  ///< however long the machine says that it is busy
+  std::string received_;
+  std::string output_;
+  std::vector<PackmlState> entered_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/emulator/emulated_machine.hpp"
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
+#include "streaming/transport/byte_link.hpp"
+#include "streaming/transport/deadline_timer.hpp"
+#include "streaming/transport/pseudo_terminal.hpp"
+
+namespace lamina {
+namespace {
+
+using boost::asio::ip::tcp;
+using PtyLink = ByteLink<boost::asio::posix::stream_descriptor>;
+using TcpLink = ByteLink<tcp::socket>;
+
+// Reports pile up where nobody reads them; real ports lose them too.
+constexpr std::size_t kMostUnread = 1 << 16;
+
+}  // namespace
+
+class EmulatedMachine::Impl {
+ public:
+  Impl(const EmulatedSettings& settings, std::vector<Fault> faults, const EmulatedPorts& ports,
+       EmulatedObserver observer)
+      : firmware_(settings, std::move(faults), std::move(observer)),
+        replug_s_(settings.fault_replug_s),
+        acceptor_(context_),
+        work_timer_(context_, clock_, [this] { advance(); }),
+        replug_timer_(context_, clock_, [this] { plugPty(); }) {
+    if (!ports.pty_link.empty()) link_ = std::make_unique<SymbolicLink>(ports.pty_link);
+    plugPty();
+    if (ports.tcp_port) listen(*ports.tcp_port);
+    firmware_.elapse(clock_.now());  // machine time starts here
+    thread_ = std::thread([this] {
+      const auto keep_running = boost::asio::make_work_guard(context_);
+      context_.run();
+    });
+  }
+
+  ~Impl() {
+    boost::asio::post(context_, [this] { context_.stop(); });
+    thread_.join();
+    unplugPty();
+    if (tcp_) tcp_->close();
+  }
+
+  std::string pty() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (link_) return link_->path();
+    return terminal_ ? terminal_->path() : std::string();
+  }
+  std::uint16_t tcpPort() const { return tcp_port_; }
+
+  /// What `ask` says of the firmware, from any thread.
+  template <class Ask>
+  auto query(Ask ask) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return ask(firmware_);
+  }
+
+ private:
+  enum class Speaker { Pty, Tcp };
+
+  void listen(std::uint16_t port) {
+    try {
+      const tcp::endpoint endpoint(boost::asio::ip::address_v4::loopback(), port);
+      acceptor_.open(endpoint.protocol());
+      acceptor_.set_option(tcp::acceptor::reuse_address(true));
+      acceptor_.bind(endpoint);
+      acceptor_.listen();
+      tcp_port_ = acceptor_.local_endpoint().port();
+    } catch (const boost::system::system_error& error) {
+      throw DeviceError("cannot listen on TCP port " + std::to_string(port) + ": " + error.code().message());
+    }
+    accept();
+  }
+
+  void accept() {
+    acceptor_.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
+      if (error) return;
+      socket.set_option(tcp::no_delay(true));
+      if (tcp_) tcp_->close();
+      tcp_ = std::make_shared<TcpLink>(std::move(socket));
+      tcp_->start({[this](std::string_view bytes) { receive(bytes, Speaker::Tcp); }, {}});
+      accept();
+    });
+  }
+
+  void plugPty() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    terminal_ = std::make_unique<PseudoTerminal>();
+    pty_ = std::make_shared<PtyLink>(
+        boost::asio::posix::stream_descriptor(context_, terminal_->releaseMachineSide()));
+    pty_->start({[this](std::string_view bytes) { receive(bytes, Speaker::Pty); }, {}});
+    if (link_) link_->pointTo(terminal_->path());
+  }
+
+  void unplugPty() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (link_) link_->remove();
+    if (pty_) pty_->close();
+    terminal_.reset();
+  }
+
+  void receive(std::string_view bytes, Speaker speaker) {
+    speaker_ = speaker;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      firmware_.receive(bytes, clock_.now());
+    }
+    passOn();
+  }
+
+  void advance() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      firmware_.elapse(clock_.now());
+    }
+    passOn();
+  }
+
+  /// Sends what the firmware has said and comes back when it wants to go on.
+  void passOn() {
+    if (firmware_.takeDisconnect()) {
+      cutLink();
+    } else {
+      const std::string said = firmware_.takeOutput();
+      if (speaker_ == Speaker::Pty && pty_->pending() < kMostUnread)
+        pty_->send(said);
+      else if (speaker_ == Speaker::Tcp && tcp_->pending() < kMostUnread)
+        tcp_->send(said);
+    }
+    work_timer_.set(firmware_.nextDeadline());
+  }
+
+  void cutLink() {
+    firmware_.takeOutput();
+    if (speaker_ == Speaker::Tcp) {
+      tcp_->close();
+      return;
+    }
+    unplugPty();
+    replug_timer_.set(clock_.now() + replug_s_);
+  }
+
+  SteadyClock clock_;
+  boost::asio::io_context context_;
+  mutable std::mutex mutex_;  ///< of the firmware and of the terminal's name, which other threads ask for
+  EmulatedFirmware firmware_;
+  double replug_s_;
+  std::unique_ptr<SymbolicLink> link_;
+  std::unique_ptr<PseudoTerminal> terminal_;
+  std::shared_ptr<PtyLink> pty_;
+  std::shared_ptr<TcpLink> tcp_;
+  tcp::acceptor acceptor_;
+  std::uint16_t tcp_port_ = 0;
+  Speaker speaker_ = Speaker::Pty;
+  DeadlineTimer work_timer_;
+  DeadlineTimer replug_timer_;
+  std::thread thread_;
+};
+
+EmulatedMachine::EmulatedMachine(const EmulatedSettings& settings, std::vector<Fault> faults,
+                                 const EmulatedPorts& ports, EmulatedObserver observer)
+    : impl_(std::make_unique<Impl>(settings, std::move(faults), ports, std::move(observer))) {}
+EmulatedMachine::~EmulatedMachine() = default;
+
+std::string EmulatedMachine::pty() const { return impl_->pty(); }
+std::uint16_t EmulatedMachine::tcpPort() const { return impl_->tcpPort(); }
+EmulatedCounts EmulatedMachine::counts() const {
+  return impl_->query([](const EmulatedFirmware& firmware) { return firmware.counts(); });
+}
+bool EmulatedMachine::isIdle() const {
+  return impl_->query([](const EmulatedFirmware& firmware) { return firmware.isIdle(); });
+}
+Point3 EmulatedMachine::position() const {
+  return impl_->query([](const EmulatedFirmware& firmware) { return firmware.position(); });
+}
+double EmulatedMachine::nozzleTarget() const {
+  return impl_->query([](const EmulatedFirmware& firmware) { return firmware.nozzleTarget(); });
+}
+double EmulatedMachine::bedTarget() const {
+  return impl_->query([](const EmulatedFirmware& firmware) { return firmware.bedTarget(); });
+}
+
+}  // namespace lamina

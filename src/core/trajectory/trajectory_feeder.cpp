@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/trajectory/trajectory_feeder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trajectory/motion_sample.hpp"
+#include "trajectory/timed_motion.hpp"
+#include "trajectory/tool_lift.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kGridSlack = 1e-6;  // of a step: a time this near to a point is that point's
+
+}  // namespace
+
+class HandOver::State {
+ public:
+  State(std::shared_ptr<const TimedMotion> motion, const HandOverSettings& settings)
+      : motion_(std::move(motion)),
+        settings_(settings),
+        timeline_(motion_->plan().timeline()),
+        schedule_(motion_->schedule()) {}
+
+  HandOverState state() const {
+    return state_ == HandOverState::Running && sent_ >= lastStep() ? HandOverState::Finished : state_;
+  }
+  double restTime() const { return timeline_.end() + motion_->averaging(); }
+  std::vector<ProcessEvent> events() const { return schedule_.events(); }
+
+  JointState at(double time_s) const {
+    JointState state = motionSample(timeline_, motion_->averaging(), time_s);
+    state.process = schedule_.signalsAt(time_s, state.process.flow_mm3_s);
+    return state;
+  }
+
+  std::optional<TrajectoryChunk> next(double now_s) {
+    const long last = lastStep();
+    const double chunk_s = settings_.points / settings_.rate_hz;
+    if (sent_ >= last || (sent_ >= 0 && timeOf(sent_) - now_s >= settings_.ahead_s + chunk_s))
+      return std::nullopt;
+    const long first = std::max(sent_, 0L);
+    const long end = std::min(last, first + settings_.points);
+    TrajectoryChunk chunk;
+    chunk.points.reserve(static_cast<std::size_t>(end - first + 1));
+    for (long step = first; step <= end; ++step) chunk.points.push_back(at(timeOf(step)));
+    sent_ = end;
+    return chunk;
+  }
+
+  void pause(double now_s) {
+    if (state_ != HandOverState::Running || !brake(now_s)) return;
+    state_ = HandOverState::Paused;
+    reschedule();
+  }
+
+  void resume(double now_s) {
+    if (state_ != HandOverState::Paused) return;
+    // Averages of the way to rest and of that from it must not meet.
+    const double start_s = std::max(timeOf(stepAfter(now_s + settings_.reaction_s)), restTime());
+    if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
+    appendRest(PhaseKind::Halt, start_s - timeline_.end());
+    appendRest(PhaseKind::Wait, motion_->settings().process.settling_s);
+    motion_->plan().appendRestart(timeline_, rest_);
+    state_ = HandOverState::Running;
+    reschedule();
+  }
+
+  bool isOver(double now_s) const {
+    return state_ == HandOverState::Aborted || (state_ == HandOverState::Running && now_s >= restTime());
+  }
+
+  void abort(double now_s) {
+    if (isOver(now_s)) return;
+    const bool was_running = state_ == HandOverState::Running;
+    if (was_running && !brake(now_s)) rest_ = timeline_.placeAt(timeline_.end());
+    state_ = HandOverState::Aborted;
+    reschedule();
+    // What the controller has is replaced from now on: the motion is the same until the reaction.
+    schedule_.makeSafeFrom(now_s);
+    sent_ = std::min(sent_, std::max(0L, stepBefore(now_s)));
+  }
+
+  void lift(double now_s, const ToolLift& lift, const Mechanism& mechanism) {
+    lift_ = toolLift(rest_.curve->at(rest_.span, rest_.along).position, lift, mechanism, motion_->settings());
+    const double start_s = std::max(restTime(), timeOf(stepAfter(now_s + settings_.reaction_s)));
+    if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
+    appendRest(PhaseKind::Halt, start_s - timeline_.end());
+    timeline_.append(lift_->plan().timeline(), 0);
+  }
+
+ private:
+  double timeOf(long step) const { return static_cast<double>(step) / settings_.rate_hz; }
+  long stepAfter(double time_s) const {
+    return static_cast<long>(std::ceil(time_s * settings_.rate_hz - kGridSlack));
+  }
+  long stepBefore(double time_s) const {
+    return static_cast<long>(std::floor(time_s * settings_.rate_hz + kGridSlack));
+  }
+  long lastStep() const { return stepAfter(restTime()); }
+
+  /// Plans the way to rest; false if the motion ends before that.
+  bool brake(double now_s) {
+    const long step = std::max(0L, stepAfter(now_s + settings_.reaction_s));
+    const double cut_s = timeOf(step);
+    if (cut_s >= timeline_.end()) return false;
+    const MotionPlace place = timeline_.placeAt(cut_s);
+    if (cut_s > 0.0) {
+      timeline_.cut(cut_s);
+    } else {
+      timeline_ = Timeline();
+      timeline_.append({0.0, place.curve, place.along, 0.0, 0.0, place.span, PhaseKind::Halt},
+                       1.0 / settings_.rate_hz);
+    }
+    motion_->plan().appendStop(timeline_, place);
+    rest_ = timeline_.placeAt(timeline_.end());
+    sent_ = std::min(sent_, step);
+    return true;
+  }
+
+  void appendRest(PhaseKind kind, double duration_s) {
+    timeline_.append({0.0, rest_.curve, rest_.along, 0.0, 0.0, rest_.span, kind}, duration_s);
+  }
+
+  void reschedule() {
+    schedule_ = ProcessSchedule(timeline_, motion_->averaging(), motion_->settings().process,
+                                ProcessSchedule::Beads::Cut);
+  }
+
+  std::shared_ptr<const TimedMotion> motion_;
+  std::shared_ptr<const TimedMotion> lift_;
+  HandOverSettings settings_;
+  Timeline timeline_;
+  ProcessSchedule schedule_;
+  HandOverState state_ = HandOverState::Running;
+  MotionPlace rest_;  ///< where it is paused or aborted
+  long sent_ = -1;    ///< step of the last point handed over
+};
+
+HandOver::HandOver(const TimedPath& path, const HandOverSettings& settings) {
+  HandOverSettings checked = settings;
+  SettingsSchema schema;
+  describe(schema, checked);
+  schema.validate();
+  state_ = std::make_unique<State>(path.motion(), settings);
+}
+HandOver::~HandOver() = default;
+HandOver::HandOver(HandOver&&) noexcept = default;
+HandOver& HandOver::operator=(HandOver&&) noexcept = default;
+
+std::optional<TrajectoryChunk> HandOver::next(double now_s) { return state_->next(now_s); }
+void HandOver::pause(double now_s) { state_->pause(now_s); }
+void HandOver::resume(double now_s) { state_->resume(now_s); }
+void HandOver::abort(double now_s) { state_->abort(now_s); }
+
+void HandOver::abort(double now_s, const ToolLift& lift, const Mechanism& mechanism) {
+  if (state_->isOver(now_s)) return;
+  state_->abort(now_s);
+  state_->lift(now_s, lift, mechanism);
+}
+
+HandOverState HandOver::state() const { return state_->state(); }
+double HandOver::restTime() const { return state_->restTime(); }
+JointState HandOver::at(double time_s) const { return state_->at(time_s); }
+std::vector<ProcessEvent> HandOver::events() const { return state_->events(); }
+
+}  // namespace lamina

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "verification/collision/deposited_boxes.hpp"
+#include "verification/collision/extents.hpp"
+#include "lamina/kinematics/cartesian/machine_bodies.hpp"
+
+namespace lamina {
+
+/// A shape around all that is no farther than the margin [mm] from another; around a cone it is a cylinder.
+BodyShape grown(const BodyShape& shape, double margin);
+
+/// A shape that is asked, by FCL, what it is in.
+class Solid {
+ public:
+  explicit Solid(const BodyShape& shape);
+
+  /// Of the shape at a pose.
+  /// @param normal  of the layers, of unit length [frame of the pose]
+  Extents extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const;
+
+  bool meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const;
+  bool meets(const Solid& other, const Eigen::Isometry3d& other_pose, const Eigen::Isometry3d& pose) const;
+
+ private:
+  struct Geometry;
+
+  BodyShape shape_;
+  std::shared_ptr<const Geometry> geometry_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/overhang/deposited_beads.hpp"
+
+#include <algorithm>
+
+namespace lamina {
+
+bool lays(const Path& path) {
+  const std::vector<Bead>& beads = path.bead.values();
+  return path.role != PathRole::Travel && std::any_of(beads.begin(), beads.end(), [](const Bead& bead) {
+           return bead.width_mm > 0.0 && bead.height_mm > 0.0;
+         });
+}
+
+LaidBeads laidBeads(const Toolpath& toolpath) {
+  const Eigen::Matrix3d layers_from_part = toolpath.part_from_layers.conjugate().toRotationMatrix();
+  LaidBeads laid;
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    laid.first_of_layer.push_back(laid.beads.size());
+    for (const Path& path : layer.paths)
+      forEachLaid(path, [&](std::size_t waypoint) {
+        const Bead& section = path.bead.at(waypoint);
+        const Point3 down(0.0, 0.0, 0.5 * section.height_mm);
+        laid.beads.push_back({layers_from_part * cameFrom(path, waypoint) - down,
+                              layers_from_part * path.points[waypoint] - down, section});
+      });
+  }
+  laid.first_of_layer.push_back(laid.beads.size());
+  return laid;
+}
+
+}  // namespace lamina

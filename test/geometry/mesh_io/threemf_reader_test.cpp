@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Model/COM/NMR_DLLInterfaces.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
+
+namespace lamina {
+namespace {
+
+using NMR::MODELTRANSFORM;
+using Object = NMR::PLib3MFBase;
+
+/// Identity with a factor on x and a shift along x.
+MODELTRANSFORM scaledAndShifted(float factor_x, float shift_x) {
+  return {{{factor_x, 0, 0, shift_x}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+}
+
+/// A tetrahedron of volume 1/6 in the model.
+Object* addTetrahedron(Object* model) {
+  NMR::MODELMESHVERTEX vertices[] = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
+  NMR::MODELMESHTRIANGLE triangles[] = {{{0, 2, 1}}, {{0, 1, 3}}, {{0, 3, 2}}, {{1, 2, 3}}};
+  Object* mesh = nullptr;
+  EXPECT_EQ(NMR::lib3mf_model_addmeshobject(model, &mesh), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_meshobject_setgeometry(mesh, vertices, 4, triangles, 4), LIB3MF_OK);
+  return mesh;
+}
+
+/// Two tetrahedra as components of one object, the second mirrored and shifted, placed with a shift; in
+/// centimetres.
+std::string assembly() {
+  Object *model = nullptr, *object = nullptr, *component = nullptr, *item = nullptr, *writer = nullptr;
+  EXPECT_EQ(NMR::lib3mf_createmodel(&model), LIB3MF_OK);
+  NMR::lib3mf_model_setunit(model, NMR::MODELUNIT_CENTIMETER);
+  Object* mesh = addTetrahedron(model);
+  NMR::lib3mf_model_addcomponentsobject(model, &object);
+  NMR::lib3mf_componentsobject_addcomponent(object, mesh, nullptr, &component);
+  NMR::lib3mf_release(component);
+  MODELTRANSFORM mirrored = scaledAndShifted(-1, 5);
+  NMR::lib3mf_componentsobject_addcomponent(object, mesh, &mirrored, &component);
+  MODELTRANSFORM shifted = scaledAndShifted(1, 2);
+  EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, object, &shifted, &item), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
+  const std::string path = testing::TempDir() + "assembly.3mf";
+  EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
+  for (Object* handle : {writer, item, component, object, mesh, model}) NMR::lib3mf_release(handle);
+  const std::string bytes = readFile(path);
+  std::remove(path.c_str());
+  return bytes;
+}
+
+TEST(ThreemfReader, HonoursUnitComponentsAndTransforms) {
+  const Mesh mesh = readMeshFromBytes(assembly(), "assembly.3mf", {LengthUnit::Inch, 1.0});
+  EXPECT_EQ(mesh.triangles.size(), 8u);
+  EXPECT_NEAR(volume(mesh), 1000.0 / 3.0, 1e-9);
+  EXPECT_NEAR(boundingBox(mesh).low.x(), 20.0, 1e-9);
+  EXPECT_NEAR(boundingBox(mesh).high.x(), 70.0, 1e-9);
+}
+
+TEST(ThreemfReader, RefusesEveryShorterPiece) {
+  const std::string whole = assembly();
+  for (std::size_t length = 0; length < whole.size(); length += 7)
+    EXPECT_THROW(readMeshFromBytes(whole.substr(0, length), "a.3mf"), InvalidMesh) << length;
+}
+
+}  // namespace
+}  // namespace lamina

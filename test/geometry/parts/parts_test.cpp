@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/geometry/parts/parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+
+namespace lamina {
+namespace {
+
+/// Area of the polygon with n corners on a circle.
+double polygonArea(double radius, int n) { return 0.5 * n * radius * radius * std::sin(2.0 * M_PI / n); }
+
+class EveryPart : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPart, IsClosedAndFacesOutwards) {
+  const Mesh mesh = makePart(GetParam());
+  EXPECT_FALSE(pairHalfEdges(mesh).has_border);
+  EXPECT_GT(volume(mesh), 0.0);
+}
+
+TEST_P(EveryPart, StandsOnThePlate) { EXPECT_NEAR(boundingBox(makePart(GetParam())).low.z(), 0.0, 1e-12); }
+
+TEST_P(EveryPart, HasNoTriangleWithoutArea) {
+  const Mesh mesh = makePart(GetParam());
+  for (const Triangle& t : mesh.triangles) EXPECT_GT(surfaceArea({mesh.vertices, {t}}), 1e-9);
+}
+
+TEST_P(EveryPart, TakesItsOwnDefaults) {
+  std::vector<SettingText> values;
+  for (const PartParameter& parameter : partParameters(GetParam()))
+    values.push_back({parameter.key, parameter.default_value});
+  EXPECT_FALSE(values.empty());
+  EXPECT_EQ(makePart(GetParam(), values).vertices, makePart(GetParam()).vertices);
+}
+
+TEST_P(EveryPart, NamesItsParametersWhenAskedForAnother) {
+  try {
+    makePart(GetParam(), {{"colour", "3"}});
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find(partParameters(GetParam()).front().key), std::string::npos);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, EveryPart, testing::ValuesIn(partNames()));
+
+struct Truth {
+  std::string name;
+  std::vector<SettingText> parameters;
+  double volume;
+  double area;
+};
+
+class KnownPart : public testing::TestWithParam<Truth> {};
+
+TEST_P(KnownPart, HasItsVolumeAndArea) {
+  const Mesh mesh = makePart(GetParam().name, GetParam().parameters);
+  EXPECT_NEAR(volume(mesh), GetParam().volume, 1e-9 * GetParam().volume);
+  EXPECT_NEAR(surfaceArea(mesh), GetParam().area, 1e-9 * GetParam().area);
+}
+
+/// Perimeter of the polygon with n corners on a circle.
+double polygonPerimeter(double radius, int n) { return 2.0 * n * radius * std::sin(M_PI / n); }
+
+std::vector<Truth> truths() {
+  const double ring = polygonArea(10, 60) - polygonArea(4, 60);
+  const double hole = polygonArea(5, 40);
+  // A side face of a cone over n corners is as high as its apothem and the height make it.
+  const double slant = std::hypot(20.0, 10.0 * std::cos(M_PI / 60));
+  const double edge = 10.0 * (std::sqrt(2.0) - 1.0);
+  const double bevel = 5.0 - 0.5 * edge;
+  return {
+      // 723.85 mm3 and 434.31 mm2, as published.
+      {"bevelled_cube",
+       {},
+       100.0 * edge + 2.0 / 3.0 * bevel * (100.0 + 10.0 * edge + edge * edge),
+       2.0 * edge * edge + 4.0 * 10.0 * edge + 4.0 * (10.0 + edge) * edge},
+      {"box", {{"x_mm", "2"}, {"y_mm", "3"}, {"z_mm", "4"}}, 24.0, 52.0},
+      {"flat_wall", {{"length_mm", "10"}, {"thickness_mm", "1"}, {"height_mm", "5"}}, 50.0, 130.0},
+      {"pyramid", {{"width_mm", "6"}, {"depth_mm", "6"}, {"height_mm", "4"}}, 48.0, 36.0 + 4 * 15.0},
+      {"tetradecahedron", {{"edge_mm", "2"}}, 64.0 * std::sqrt(2.0), 4.0 * (6.0 + 12.0 * std::sqrt(3.0))},
+      {"cylinder",
+       {{"radius_mm", "10"}, {"height_mm", "7"}, {"segments", "60"}},
+       7.0 * polygonArea(10, 60),
+       2.0 * polygonArea(10, 60) + 7.0 * polygonPerimeter(10, 60)},
+      {"cone",
+       {{"segments", "60"}},
+       20.0 / 3.0 * polygonArea(10, 60),
+       polygonArea(10, 60) + 0.5 * slant * polygonPerimeter(10, 60)},
+      {"tube",
+       {{"inner_radius_mm", "4"}, {"segments", "60"}},
+       20.0 * ring,
+       2.0 * ring + 20.0 * (polygonPerimeter(10, 60) + polygonPerimeter(4, 60))},
+      {"semi_cone",
+       {{"segments", "30"}},
+       10.0 / 3.0 * polygonArea(10, 60),
+       0.5 * polygonArea(10, 60) + 0.25 * slant * polygonPerimeter(10, 60) + 200.0},
+      {"through_hole_plate",
+       {{"hole_radius_mm", "5"}, {"segments", "40"}, {"x_mm", "50"}},
+       10.0 * (1500.0 - hole),
+       2.0 * (1500.0 - hole) + 1600.0 + 10.0 * polygonPerimeter(5, 40)},
+      {"blind_hole_plate",
+       {{"hole_radius_mm", "5"}, {"segments", "40"}, {"hole_depth_mm", "4"}},
+       9000.0 - 4.0 * hole,
+       1800.0 + 1200.0 + 4.0 * polygonPerimeter(5, 40)},
+  };
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, KnownPart, testing::ValuesIn(truths()),
+                         [](const auto& truth) { return truth.param.name; });
+
+TEST(Parts, ASphereNearsItsVolumeWithTheSquareOfTheSegments) {
+  const double truth = 4000.0 / 3.0 * M_PI;
+  const double coarse = truth - volume(makePart("sphere", {{"segments", "40"}}));
+  const double fine = truth - volume(makePart("sphere", {{"segments", "80"}}));
+  EXPECT_GT(fine, 0.0);
+  EXPECT_NEAR(coarse / fine, 4.0, 0.05);
+}
+
+TEST(Parts, ACurvedWallHasTheVolumeOfItsArc) {
+  const double truth = 0.5 * M_PI * 30.0 * 2.0 * 20.0;
+  EXPECT_NEAR(volume(makePart("curved_wall", {{"segments", "500"}})), truth, 1e-5 * truth);
+}
+
+TEST(Parts, ABladeKeepsItsVolumeWhenItLeans) {
+  const auto lean = [](const char* degrees) {
+    return volume(makePart("blade", {{"lean_deg", degrees}, {"twist_deg", "0"}}));
+  };
+  EXPECT_NEAR(lean("0"), lean("30"), 1e-9 * lean("0"));
+}
+
+TEST(Parts, RefusesAnUnknownNameNamingTheOthers) {
+  try {
+    makePart("teapot");
+    FAIL();
+  } catch (const InvalidConfig& error) {
+    EXPECT_NE(std::string(error.what()).find("blade, blind_hole_plate, box"), std::string::npos);
+  }
+}
+
+TEST(Parts, RefusesParametersThatContradictEachOther) {
+  EXPECT_THROW(makePart("tube", {{"inner_radius_mm", "10"}}), InvalidConfig);
+  EXPECT_THROW(makePart("through_hole_plate", {{"hole_radius_mm", "15"}}), InvalidConfig);
+  EXPECT_THROW(makePart("through_hole_plate", {{"segments", "42"}}), InvalidConfig);
+  EXPECT_THROW(makePart("blind_hole_plate", {{"hole_depth_mm", "10"}}), InvalidConfig);
+  EXPECT_THROW(makePart("curved_wall", {{"thickness_mm", "60"}}), InvalidConfig);
+  EXPECT_THROW(makePart("blade", {{"thickness_mm", "30"}}), InvalidConfig);
+  EXPECT_THROW(makePart("box", {{"x_mm", "0"}}), InvalidConfig);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/polygon/nesting.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::rectangle;
+using test::reversed;
+
+TEST(Nesting, GivesEachHoleToTheRegionDirectlyRoundIt) {
+  const auto regions =
+      nest({reversed(rectangle(11, 11, 12, 12)), rectangle(10, 10, 20, 20), reversed(rectangle(5, 5, 25, 25)),
+            rectangle(0, 0, 30, 30), rectangle(40, 0, 50, 10)});
+  ASSERT_TRUE(regions);
+  ASSERT_EQ(regions->size(), 3U);
+  EXPECT_DOUBLE_EQ(area({(*regions)[0]}), 99.0);
+  EXPECT_DOUBLE_EQ(area({(*regions)[1]}), 500.0);
+  EXPECT_DOUBLE_EQ(area({(*regions)[2]}), 100.0);
+}
+
+TEST(Nesting, OfNothingIsNoRegion) { EXPECT_TRUE(nest({})->empty()); }
+
+TEST(Nesting, RefusesOutlinesThatDoNotAlternate) {
+  EXPECT_FALSE(nest({rectangle(0, 0, 30, 30), rectangle(5, 5, 25, 25)}));
+  EXPECT_FALSE(nest({reversed(rectangle(0, 0, 30, 30))}));
+  EXPECT_FALSE(
+      nest({rectangle(0, 0, 30, 30), reversed(rectangle(5, 5, 25, 25)), reversed(rectangle(6, 6, 7, 7))}));
+  EXPECT_FALSE(nest({{}}));
+}
+
+}  // namespace
+}  // namespace lamina

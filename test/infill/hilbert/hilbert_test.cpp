@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/hilbert/hilbert.hpp"
+
+#include <gtest/gtest.h>
+
+#include "infill/hilbert/hilbert_quadtree.hpp"
+#include "support/fill_requests.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::circle;
+using test::rectangle;
+using test::requestOf;
+using test::reversed;
+
+/// Material of the paths over the height of the layer [mm²].
+double plannedArea(const std::vector<FillPath>& paths, double pitch_mm) {
+  double sum = 0.0;
+  for (const FillPath& path : paths)
+    for (std::size_t i = path.is_closed ? 0 : 1; i < path.points.size(); ++i)
+      sum += (path.points[i] - path.points[(i + path.points.size() - 1) % path.points.size()]).norm() *
+             (path.width_mm.empty() ? pitch_mm : path.width_mm[i]);
+  return sum;
+}
+
+TEST(Hilbert, OverASquareOfAPowerOfTwoIsTheWholeCurve) {
+  // 16 x 16 points at a spacing of 0.4 and 0.04 from the border of where centre lines run.
+  const double side = 15 * 0.4 + 0.04 + 0.4;
+  const std::vector<FillPath> paths = hilbert({{rectangle(0, 0, side, side), {}}}, requestOf(0.4, 0.0));
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_NEAR(length(paths[0].points), 255 * 0.4, 1e-6);
+}
+
+TEST(Hilbert, HasFewerRunsThanTheCurveHasPieces) {
+  const Regions ring = {{circle({0, 0}, 20, 200), {reversed(circle({2, 1}, 7, 90))}}};
+  const std::vector<FillPath> paths = hilbert(ring, requestOf(0.8, 0.2));
+  // Each of the 2 pi (20 + 7) / 0.8 = 212 cells along the borders may cut the curve.
+  EXPECT_LT(paths.size(), 40U);
+}
+
+TEST(Hilbert, SearchesTheAngleOfFewestRuns) {
+  const Regions slanted = {{{{0, 0}, {20, 8}, {16, 18}, {-4, 10}}, {}}};
+  InfillRequest request = requestOf(0.5, 0.0);
+  const std::size_t given = hilbert(slanted, request).size();
+  request.settings.hilbert.angles = 12;
+  EXPECT_LE(hilbert(slanted, request).size(), given);
+}
+
+TEST(HilbertQuadtree, FillsARegionInOneClosedRun) {
+  const Regions ring = {{circle({0, 0}, 20, 200), {reversed(circle({2, 1}, 7, 90))}}};
+  const std::vector<FillPath> paths = hilbertQuadtree(ring, requestOf(0.4, 0.2));
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_TRUE(paths[0].is_closed);
+}
+
+TEST(HilbertQuadtree, FillsEachRegionInOneRun) {
+  const Regions regions = {{rectangle(0, 0, 7, 7), {}}, {rectangle(10, 0, 19, 5), {}}};
+  EXPECT_EQ(hilbertQuadtree(regions, requestOf(0.4, 0.0)).size(), 2U);
+}
+
+TEST(HilbertQuadtree, LaysTheMaterialThatASquareHolds) {
+  for (const double side : {8.0, 8.1, 8.2, 8.3}) {
+    const std::vector<FillPath> paths =
+        hilbertQuadtree({{rectangle(0, 0, side, side), {}}}, requestOf(0.4, 0.0));
+    // The lattice keeps 0.02 mm off the border of where centre lines run.
+    EXPECT_NEAR(plannedArea(paths, 0.4), std::pow(side - 0.04, 2), 0.03 * side * side) << side;
+  }
+}
+
+TEST(Hilbert, LaysTheMaterialThatAStripHolds) {
+  // Strips that are no whole number of pitches wide, so that cells are larger than the spacing.
+  for (const double width : {4.2, 4.3, 4.4, 4.5}) {
+    const std::vector<FillPath> paths = hilbert({{rectangle(0, 0, 20, width), {}}}, requestOf(0.4, 0.0));
+    EXPECT_NEAR(plannedArea(paths, 0.4), (20 - 0.04) * (width - 0.04), 0.05 * 20 * width) << width;
+  }
+}
+
+TEST(HilbertQuadtree, OfHalfTheDensityLaysHalfTheMaterial) {
+  const Regions square = {{rectangle(0, 0, 40, 40), {}}};
+  EXPECT_NEAR(plannedArea(hilbertQuadtree(square, requestOf(0.8, 0.0)), 0.4), 0.5 * 40 * 40, 0.04 * 40 * 40);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Programs that tell joints, from part to file and read back.
+#include "job/joint_program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/job/program_file.hpp"
+#include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+double jetAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Point3 jet = a * Point3::UnitZ();
+  const Point3 other = b * Point3::UnitZ();
+  return std::atan2(jet.cross(other).norm(), jet.dot(other));
+}
+
+/// A small box whose nozzle leans by 10 deg.
+class LedProgramTest : public testing::Test {
+ protected:
+  LedProgramTest() {
+    job_.part = folder_.file("box.stl");
+    job_.settings.slicing.layer_height_mm = 0.5;
+    job_.settings.slicing.first_layer_height_mm = 0.5;
+    job_.settings.planning.skirt.count = 0;
+    writeStl(job_.part, test::boxBetween({0, 0, 0}, {12, 8, 1}));
+  }
+
+  void lean() {
+    job_.settings.orientation.mode = OrientationMode::Fixed;
+    job_.settings.orientation.fixed = {10.0, 30.0};
+  }
+
+  SlicedPart slice(const std::string& machine, const std::string& output) {
+    job_.settings.machine.name = machine;
+    job_.output = folder_.file(output);
+    return runSliceJob(job_, nobody_);
+  }
+
+  Toolpath readBack() const { return readProgram(job_.output, job_.settings.program, job_.settings.machine); }
+
+  /// The file tells the very places that were led to, and the waypoints asked for are among them.
+  void expectSame(const Toolpath& read, const SlicedPart& sliced, double within_mm) {
+    const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    ASSERT_TRUE(led);
+    ASSERT_EQ(read.layers.size(), sliced.toolpath.layers.size());
+    for (std::size_t l = 0; l < read.layers.size(); ++l) {
+      const auto& paths = led->toolpath.layers[l].paths;
+      ASSERT_EQ(read.layers[l].paths.size(), paths.size());
+      for (std::size_t p = 0; p < paths.size(); ++p) {
+        expectSame(read.layers[l].paths[p], paths[p], within_mm);
+        for (const Eigen::Quaterniond& turn : read.layers[l].paths[p].orientation.values())
+          EXPECT_LT(jetAngle(turn, sliced.toolpath.layers[l].paths[p].orientation.at(0)), 1e-6);
+      }
+    }
+    EXPECT_NEAR(totals(read).deposition_mm, totals(sliced.toolpath).deposition_mm, 0.01);
+  }
+
+  void expectSame(const Path& read, const Path& led, double within_mm) const {
+    ASSERT_EQ(read.points.size(), led.points.size());
+    EXPECT_EQ(read.role, led.role);
+    for (std::size_t i = 0; i < led.points.size(); ++i) {
+      EXPECT_LT((read.points[i] - bed_from_part_ * led.points[i]).norm(), within_mm);
+      EXPECT_LT(jetAngle(read.orientation.at(i), led.orientation.at(i)), 1e-6);
+    }
+  }
+
+  std::string refusal(const std::string& machine, const std::string& output) {
+    try {
+      slice(machine, output);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  bool hasWritten() const { return folder_.fileCount() > 1; }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+  NoProgress nobody_;
+  Eigen::Isometry3d bed_from_part_ = Eigen::Isometry3d::Identity();
+};
+
+TEST_F(LedProgramTest, FiveAxisGcodeOfATiltedToolpathTellsItsPoses) {
+  lean();
+  for (const char* machine : {"five_axis_head_table", "five_axis_head_ac", "five_axis_table_ac"})
+    for (const auto coordinates : {FiveAxisCoordinates::ToolTip, FiveAxisCoordinates::Joints}) {
+      job_.settings.program.five_axis.coordinates = coordinates;
+      const SlicedPart sliced = slice(machine, "box.gcode");
+      bed_from_part_ = sliced.bed_from_part;
+      // 4 decimals of three lengths; of joints also 5 of an angle at some 300 mm.
+      expectSame(readBack(), sliced, coordinates == FiveAxisCoordinates::ToolTip ? 1e-4 : 4e-4);
+    }
+}
+
+TEST_F(LedProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
+  slice("five_axis_head_table", "level.gcode");
+  EXPECT_EQ(readFile(job_.output).find(";FIVE_AXIS:"), std::string::npos);
+  job_.settings.program.five_axis.use = FiveAxisUse::Always;
+  const SlicedPart sliced = slice("five_axis_head_table", "asked.gcode");
+  EXPECT_NE(readFile(job_.output).find(";FIVE_AXIS:"), std::string::npos);
+  bed_from_part_ = sliced.bed_from_part;
+  expectSame(readBack(), sliced, 1e-4);
+}
+
+TEST_F(LedProgramTest, WhatAMachineCannotRunLeavesNoFile) {
+  lean();
+  EXPECT_NE(refusal("cartesian_gantry", "box.gcode").find("deg"), std::string::npos);
+  EXPECT_NE(refusal("irb_4600", "box.gcode").find("is a robot"), std::string::npos);
+  job_.settings.orientation.fixed.tilt_deg = 75.0;
+  job_.settings.orientation.limits.max_off_normal_deg = 90.0;
+  const std::string text = refusal("five_axis_head_ab", "box.gcode");  // its joints turn by 60 deg at most
+  EXPECT_EQ(text.rfind("layer 0, path 0, waypoint 0: ", 0), 0U) << text;
+  EXPECT_NE(text.find("the first of "), std::string::npos) << text;
+  EXPECT_FALSE(hasWritten());
+}
+
+TEST_F(LedProgramTest, AnotherMachineDoesNotReadTheProgram) {
+  lean();
+  slice("five_axis_head_ac", "box.gcode");
+  for (const char* machine : {"five_axis_table_bc", "cartesian_gantry", "irb_4600"}) {
+    job_.settings.machine.name = machine;
+    EXPECT_THROW(readBack(), InvalidProgram) << machine;
+  }
+}
+
+/// A target of a module: where the nozzle is over the bed, by which joints, and the first external axis.
+struct Target {
+  Eigen::Isometry3d bed_from_nozzle = Eigen::Isometry3d::Identity();
+  AbbConfiguration configuration;
+  double external = 0.0;  ///< as it stands there [mm, deg]
+};
+
+std::vector<Target> targetsOf(const std::string& text) {
+  std::vector<Target> targets;
+  for (std::size_t at = text.find("MoveL [["); at != std::string::npos; at = text.find("MoveL [[", at + 1)) {
+    Target target;
+    Point3 tip;
+    Eigen::Quaterniond turn;
+    AbbConfiguration& read = target.configuration;
+    const int count =
+        std::sscanf(text.c_str() + at, "MoveL [[%lf,%lf,%lf],[%lf,%lf,%lf,%lf],[%d,%d,%d,%d],[%lf", &tip.x(),
+                    &tip.y(), &tip.z(), &turn.w(), &turn.x(), &turn.y(), &turn.z(), &read.cf1, &read.cf4,
+                    &read.cf6, &read.cfx, &target.external);
+    EXPECT_EQ(count, 12);
+    target.bed_from_nozzle = Eigen::Translation3d(tip) * turn.normalized();
+    targets.push_back(target);
+  }
+  return targets;
+}
+
+/// Whether a target and its configuration give an arm these joints, but for whole turns.
+bool leadsTo(const JointValues& joints, const Target& target, const Mechanism& arm) {
+  for (const InverseSolution& solution : arm.solutions(target.bed_from_nozzle, joints)) {
+    if (abbConfiguration(arm, solution.values).cfx != target.configuration.cfx) continue;
+    for (Eigen::Index j = 0; j < joints.size(); ++j)
+      if (std::abs(std::remainder(solution.values[j] - joints[j], 2.0 * M_PI)) > 1e-5) return false;
+    const AbbConfiguration expected = abbConfiguration(arm, joints);
+    return expected.cf1 == target.configuration.cf1 && expected.cf4 == target.configuration.cf4 &&
+           expected.cf6 == target.configuration.cf6;
+  }
+  return false;
+}
+
+TEST_F(LedProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
+  lean();
+  job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
+  for (const char* machine : {"irb_4600", "irb_4600_turntable"}) {
+    const SlicedPart sliced = slice(machine, "box.mod");
+    bed_from_part_ = sliced.bed_from_part;
+    expectSame(readBack(), sliced, 1e-4);
+    const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    std::size_t station = 0;  // a path that begins where the one before ended begins without a target
+    for (const Target& target : targetsOf(readFile(job_.output))) {
+      while (station < led->joints.values.size() &&
+             !leadsTo(led->joints.values[station], target, *led->mechanism))
+        ++station;
+      ASSERT_LT(station, led->joints.values.size()) << machine;
+    }
+    EXPECT_EQ(station + 1, led->joints.values.size());
+  }
+}
+
+TEST_F(LedProgramTest, ATurntableThatFollowsIsToldAtEachTarget) {
+  lean();
+  job_.settings.joints.external = ExternalChoice::Follow;
+  const SlicedPart sliced = slice("irb_4600_turntable", "box.mod");
+  const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+  ASSERT_TRUE(led);
+  const std::vector<Target> targets = targetsOf(readFile(job_.output));
+  EXPECT_NEAR(targets.front().external, led->joints.values.front()[6] * 180.0 / M_PI, 6e-4);
+  EXPECT_NEAR(targets.back().external, led->joints.values.back()[6] * 180.0 / M_PI, 6e-4);
+  job_.settings.program.rapid.variant = RapidVariant::Powder3Axes;
+  EXPECT_NE(refusal("irb_4600_turntable", "offsets.mod").find("external"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(job_.output));
+}
+
+TEST_F(LedProgramTest, AnArmThatTellsNoJointsGetsTheTargetsOfTheToolpath) {
+  const SlicedPart sliced = slice("irb_4600", "box.mod");
+  const Toolpath read = readBack();
+  ASSERT_EQ(totals(read).waypoints, totals(sliced.toolpath).waypoints);
+  const Path& path = sliced.toolpath.layers[0].paths[0];
+  EXPECT_LT(read.layers[0].paths[0].orientation.at(0).angularDistance(path.orientation.at(0)), 1e-6);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/kinematic_model_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+using Eigen::Isometry3d;
+
+/// A bead of 100 mm over the bed of a head with axes A and C.
+Toolpath longBead() { return {"bead", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {100, 0, 0.2})}}}}; }
+
+MechanismRun runOver(const Mechanism& mechanism, const Point3& place) {
+  NoProgress nobody;
+  return runOn(mechanism, longBead(), Isometry3d(Eigen::Translation3d(place)), {}, nobody);
+}
+
+TEST(MechanismRun, HasJointsThatBringTheNozzleToEveryStepOfTheDividedToolpath) {
+  const auto machine = mechanismByName("five_axis_head_ac");
+  const MechanismRun run = runOver(*machine, {100, 100, 0});
+  ASSERT_TRUE(run.path.isRunnable());
+  // Steps of 5 mm, and the start.
+  ASSERT_EQ(run.path.at.size(), 21U);
+  for (std::size_t i = 0; i < 21; ++i) {
+    const Point3 tip = machine->bedFromNozzle(run.path.values[i]).translation();
+    EXPECT_LT((tip - Point3(100.0 + 5.0 * static_cast<double>(i), 100, 0.2)).norm(), 1e-6) << i;
+  }
+}
+
+TEST(MechanismRun, TakesTheTimeOfItsMotionFromRestToRest) {
+  const auto machine = mechanismByName("five_axis_head_ac");
+  TimingSettings settings;
+  settings.motion.acceleration_mm_s2 = 300.0;
+  settings.trajectory.joint_ramp_s = 0.01;  // joints are brisker than the path
+  const TimedRun timed = inTime(runOver(*machine, {100, 100, 0}), *machine, settings);
+  // 100 mm at 30 mm/s, up to it and down from it within 0.1 s.
+  EXPECT_NEAR(timed.time.total_s, 100.0 / 30.0 + 0.1, 1e-6);
+  EXPECT_NEAR(timed.trajectory->duration(), timed.time.total_s, 1e-12);
+}
+
+TEST(MechanismRun, IsRefusedByTheFirstWaypointOutOfReach) {
+  const auto machine = mechanismByName("five_axis_head_ac");
+  const MechanismRun run = runOver(*machine, {1e5, 100, 0});
+  EXPECT_FALSE(run.path.isRunnable());
+  try {
+    inTime(run, *machine, {});
+    FAIL() << "expected it to be refused";
+  } catch (const Unreachable& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(what.find("layer 0, path 0, waypoint 0: "), 0U) << what;
+    EXPECT_NE(what.find("out_of_limits, the first of 21 places that five_axis_head_ac cannot run"),
+              std::string::npos)
+        << what;
+  }
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/voids/void_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kHeight = 0.5;
+constexpr double kWidth = 1.0;
+
+/// Lines along y side by side from x = low on, from y = 0 to 10, all in one layer after the other.
+Toolpath linesFrom(double low, int lines, int layers) {
+  Toolpath program;
+  program.part_name = "lines";
+  for (int k = 0; k < layers; ++k) {
+    ToolpathLayer layer;
+    layer.height_mm = kHeight;
+    layer.z_mm = kHeight * (k + 1);
+    for (int i = 0; i < lines; ++i) {
+      Path path;
+      path.role = PathRole::Infill;
+      const double x = low + kWidth * (i + 0.5);
+      path.points = {{x, 0.0, layer.z_mm}, {x, 10.0, layer.z_mm}};
+      path.bead = beadOfArea(kWidth * kHeight, kHeight);
+      path.feed_mm_s = 10.0;
+      layer.paths.push_back(path);
+    }
+    program.layers.push_back(layer);
+  }
+  return program;
+}
+
+class VoidJobTest : public ::testing::Test {
+ protected:
+  VoidJobTest() {
+    job_.part = folder_.file("box.stl");
+    writeStl(job_.part, test::boxBetween({0, 0, 3}, {10, 10, 5}));
+  }
+
+  VoidReport run(const Toolpath& program) {
+    NoProgress progress;
+    return runVoidJob(program, job_, progress);
+  }
+
+  test::ScratchFolder folder_;
+  VoidJob job_;
+};
+
+TEST_F(VoidJobTest, FindsNothingInABoxThatIsFull) {
+  job_.offset = Point2(20, 0);
+  const VoidReport report = run(linesFrom(20, 10, 4));
+  ASSERT_EQ(report.layers.size(), 4U);
+  for (const LayerVoids& layer : report.layers) {
+    EXPECT_NEAR(layer.area_mm2, 100.0, 1e-6);
+    EXPECT_NEAR(layer.uncovered_mm2, 0.0, 1e-6);
+    EXPECT_TRUE(layer.voids.empty());
+  }
+}
+
+TEST_F(VoidJobTest, FindsWhereAProgramHasPutThePart) {
+  const VoidReport report = run(linesFrom(20, 10, 4));
+  EXPECT_NEAR(report.part.offset.x(), 20.0, 0.02);
+  EXPECT_NEAR(report.part.offset.y(), 0.0, 0.02);
+}
+
+TEST_F(VoidJobTest, FindsThePlaceOfAPartWhoseOutermostFinIsNotPrinted) {
+  const Mesh fin = test::boxBetween({12, 0, 0}, {12.1, 10, 2});
+  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 2}), fin));
+  const VoidReport report = run(linesFrom(20, 10, 4));
+  EXPECT_NEAR(report.part.offset.x(), 20.0, 0.06);
+  EXPECT_NEAR(report.part.offset.y(), 0.0, 0.06);
+  EXPECT_NEAR(report.layers[1].uncovered_mm2, 1.0, 0.1);  // the fin
+}
+
+TEST_F(VoidJobTest, FindsTheLineThatIsMissing) {
+  Toolpath program = linesFrom(0, 10, 4);
+  program.layers[2].paths.erase(program.layers[2].paths.begin() + 4);
+  job_.offset = Point2::Zero();
+  const VoidReport report = run(program);
+  ASSERT_EQ(report.layers[2].voids.size(), 1U);
+  // A bead reaches a little farther than it fills, from both sides.
+  const double reached = (1.0 - M_PI / 4.0) * kHeight;
+  EXPECT_NEAR(report.layers[2].uncovered_mm2, 10.0 * (kWidth - reached), 0.05);
+  EXPECT_NEAR(report.layers[1].uncovered_mm2, 0.0, 1e-6);
+}
+
+TEST_F(VoidJobTest, TakesALayerBeyondThePartForOverfill) {
+  job_.offset = Point2::Zero();
+  const VoidReport report = run(linesFrom(0, 10, 5));
+  EXPECT_NEAR(report.layers[4].area_mm2, 0.0, 1e-9);
+  // Ten lines with round ends.
+  EXPECT_NEAR(report.layers[4].overfill_mm2, 10 * kWidth * (10.0 + M_PI / 4.0 * kWidth), 0.1);
+}
+
+TEST_F(VoidJobTest, CountsLayersThatAProgramLacksAsUncovered) {
+  job_.offset = Point2(20, 0);
+  const VoidReport whole = run(linesFrom(20, 10, 4));
+  EXPECT_TRUE(whole.part.missing.empty());
+  const VoidReport half = run(linesFrom(20, 10, 2));
+  ASSERT_EQ(half.part.missing.size(), 2U);
+  EXPECT_NEAR(half.part.missing[1].z_mm, 2.0, 1e-9);
+  const VoidTotals sums = totals(half);
+  EXPECT_EQ(sums.layers, 2U);
+  EXPECT_NEAR(sums.uncovered.mean_percent, 50.0, 0.01);
+  EXPECT_NEAR(sums.uncovered.total_percent, 50.0, 0.01);
+  EXPECT_NEAR(sums.uncovered.worst_percent, 100.0, 1e-9);
+  EXPECT_NEAR(sums.runs_per_layer_mean, 10.0, 1e-9);
+}
+
+TEST_F(VoidJobTest, FindsLayersThatAreMissingBetweenOthers) {
+  Toolpath program = linesFrom(20, 10, 4);
+  program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);
+  EXPECT_EQ(run(program).part.missing.size(), 2U);
+}
+
+TEST_F(VoidJobTest, MissesNoLayerWhereThePartHasNoMaterial) {
+  writeStl(job_.part, test::joined(test::boxBetween({0, 0, 0}, {10, 10, 0.5}),
+                                   test::boxBetween({0, 0, 1.5}, {10, 10, 2})));
+  Toolpath program = linesFrom(20, 10, 4);
+  program.layers.erase(program.layers.begin() + 1, program.layers.begin() + 3);
+  EXPECT_TRUE(run(program).part.missing.empty());
+}
+
+TEST_F(VoidJobTest, WithoutAPartTakesWhatTheOuterWallsEnclose) {
+  Toolpath program = linesFrom(0, 10, 1);
+  const auto loop = [&](double low, double high) {
+    Path wall = program.layers[0].paths[0];
+    wall.role = PathRole::OuterWall;
+    wall.is_closed = true;
+    wall.points = {{low, low, kHeight}, {high, low, kHeight}, {high, high, kHeight}, {low, high, kHeight}};
+    return wall;
+  };
+  job_.part.clear();
+  EXPECT_THROW(run(program), InvalidInput);
+  program.layers[0].paths = {loop(20, 30), loop(24, 26)};
+  const VoidReport report = run(program);
+  // The walls are a little wider than they fill.
+  const double reach = kWidth + (1.0 - M_PI / 4.0) * kHeight;
+  EXPECT_NEAR(report.layers[0].area_mm2, std::pow(10 + reach, 2) - std::pow(2 - reach, 2), 1e-3);
+  EXPECT_NEAR(report.layers[0].uncovered_mm2, std::pow(10 - reach, 2) - std::pow(2 + reach, 2), 1.0);
+  EXPECT_EQ(report.layers[0].overfill_mm2, 0.0);
+}
+
+TEST_F(VoidJobTest, RefusesLayersThatDoNotRise) {
+  Toolpath program = linesFrom(0, 10, 2);
+  program.layers[1].z_mm = program.layers[0].z_mm;
+  EXPECT_THROW(run(program), InvalidInput);
+}
+
+}  // namespace
+}  // namespace lamina

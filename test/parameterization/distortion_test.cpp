@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/parameterization/distortion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "support/surfaces.hpp"
+
+namespace lamina {
+namespace {
+
+using namespace test;
+
+std::vector<Point2> planOf(const Mesh& mesh, double x_factor, double y_factor) {
+  std::vector<Point2> plan;
+  for (const Point3& vertex : mesh.vertices) plan.emplace_back(x_factor * vertex.x(), y_factor * vertex.y());
+  return plan;
+}
+
+TEST(PlanDistortion, AnExactPlanHasNone) {
+  const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
+  const PlanDistortion distortion = measureDistortion(plate, planOf(plate, 1.0, 1.0));
+  EXPECT_NEAR(distortion.index_sum, 0.0, 1e-12);
+  EXPECT_NEAR(distortion.least_stretch, 1.0, 1e-12);
+  EXPECT_NEAR(distortion.greatest_stretch, 1.0, 1e-12);
+  EXPECT_EQ(distortion.flipped, 0U);
+}
+
+TEST(PlanDistortion, StretchTellsBothDirections) {
+  const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
+  const PlanDistortion distortion = measureDistortion(plate, planOf(plate, 2.0, 0.8));
+  EXPECT_NEAR(distortion.least_stretch, 0.5, 1e-12);
+  EXPECT_NEAR(distortion.greatest_stretch, 1.25, 1e-12);
+}
+
+TEST(PlanDistortion, TheIndexComparesPerimeters) {
+  const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
+  const PlanDistortion twice = measureDistortion(plate, planOf(plate, 2.0, 2.0));
+  EXPECT_NEAR(twice.index_mean, 1.0, 1e-12);
+  EXPECT_NEAR(twice.index_sum, 24.0, 1e-12);
+  // Sides of 1, 1 and sqrt(2) become 2, 1 and sqrt(5).
+  const PlanDistortion wide = measureDistortion(plate, planOf(plate, 2.0, 1.0));
+  EXPECT_NEAR(wide.index_mean, (3.0 + std::sqrt(5.0)) / (2.0 + std::sqrt(2.0)) - 1.0, 1e-12);
+}
+
+TEST(PlanDistortion, MirroredTrianglesAreCounted) {
+  const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
+  EXPECT_EQ(measureDistortion(plate, planOf(plate, -1.0, 1.0)).flipped, 24U);
+  std::vector<Point2> plan = planOf(plate, 1.0, 1.0);
+  plan[6] += Point2(1.5, 0.0);  // an inner vertex, beyond its neighbour
+  EXPECT_GT(measureDistortion(plate, plan).flipped, 0U);
+}
+
+TEST(PlanDistortion, TrianglesThatVanishInThePlanStretchWithoutEnd) {
+  const Mesh plate = plateMesh(1, 1, 1.0, 1.0);
+  EXPECT_TRUE(std::isinf(measureDistortion(plate, planOf(plate, 1.0, 0.0)).greatest_stretch));
+}
+
+TEST(PlanDistortion, TrianglesWithoutAreaStretchAsLines) {
+  Mesh line;
+  line.vertices = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  line.triangles = {{0, 1, 2}};
+  const PlanDistortion distortion = measureDistortion(line, {{0.0, 0.0}, {1.0, 0.0}, {0.5, -1e-12}});
+  EXPECT_NEAR(distortion.greatest_stretch, 2.0, 1e-9);
+  EXPECT_EQ(distortion.flipped, 0U);
+}
+
+TEST(PlanDistortion, APlanOfAnotherSurfaceIsRefused) {
+  EXPECT_THROW(measureDistortion(plateMesh(1, 1, 1.0, 1.0), {}), InvalidInput);
+}
+
+TEST(Injective, ARingIsAndARingThatOverlapsIsNot) {
+  // An open ring of less or more than a full turn.
+  const auto ring = [](double turn) {
+    return patch(60, 2, [turn](double u, double v) {
+      const double r = 10.0 - 3.0 * v;
+      return Point3(r * std::cos(turn * u), r * std::sin(turn * u), 5.0 * u);
+    });
+  };
+  const Mesh open = ring(6.0);
+  const Mesh overlapping = ring(7.0);
+  EXPECT_EQ(measureDistortion(overlapping, planOf(overlapping, 1.0, 1.0)).flipped, 0U);
+  EXPECT_TRUE(isInjective(open, planOf(open, 1.0, 1.0)));
+  EXPECT_FALSE(isInjective(overlapping, planOf(overlapping, 1.0, 1.0)));
+}
+
+TEST(Injective, HolesAreAllowed) {
+  const Mesh ring = band(40, 2, [](double u, double v) {
+    const double r = 10.0 - 3.0 * v;
+    return Point3(r * std::cos(2.0 * M_PI * u), r * std::sin(2.0 * M_PI * u), 0.0);
+  });
+  EXPECT_TRUE(isInjective(ring, planOf(ring, 1.0, 1.0)));
+}
+
+TEST(Injective, ATwoFoldDiscIsNot) {
+  const Mesh twice = disc(40, 2, [](double share, double angle) {
+    const double r = share * (1.0 + 0.2 * std::cos(angle + 0.3));
+    return Point3(r * std::cos(2.0 * angle), r * std::sin(2.0 * angle), share * angle);
+  });
+  EXPECT_EQ(measureDistortion(twice, planOf(twice, 1.0, 1.0)).flipped, 0U);
+  EXPECT_FALSE(isInjective(twice, planOf(twice, 1.0, 1.0)));
+}
+
+}  // namespace
+}  // namespace lamina

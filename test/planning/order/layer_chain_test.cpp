@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/order/layer_chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/geometry/polygon/offset.hpp"
+#include "support/planned_layers.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::circle;
+using test::layersOf;
+using test::plan;
+using test::rectangle;
+using test::reversed;
+
+constexpr double kHeight = test::kLayerHeight;
+constexpr double kPitch = test::kLayerPitch;
+
+struct NamedPart {
+  std::string name;
+  std::vector<Layer> layers;
+};
+
+/// The parts of T4: figures 3-13 to 3-19.
+std::vector<NamedPart> parts() {
+  const Polygon disc = circle({0, 0}, 8, 90);
+  const Polygon hole = reversed(rectangle(-3, -3, 3, 3));
+  return {{"cylinder", layersOf(30, [&](int) { return std::vector<Polygon>{disc}; })},
+          {"cube", layersOf(30, [](int) { return std::vector<Polygon>{rectangle(0, 0, 12, 12)}; })},
+          {"pyramid", layersOf(30,
+                               [](int i) {
+                                 const double half = 8.0 - 0.2 * i;
+                                 return std::vector<Polygon>{rectangle(-half, -half, half, half)};
+                               })},
+          {"through hole", layersOf(30,
+                                    [&](int) {
+                                      return std::vector<Polygon>{disc, hole};
+                                    })},
+          {"hole from half height",
+           layersOf(30,
+                    [&](int i) {
+                      return i < 15 ? std::vector<Polygon>{disc} : std::vector<Polygon>{disc, hole};
+                    })},
+          {"hole up to half height", layersOf(30, [&](int i) {
+             return i < 15 ? std::vector<Polygon>{disc, hole} : std::vector<Polygon>{disc};
+           })}};
+}
+
+PlanSettings contoursOnly() {
+  PlanSettings settings;
+  settings.infill.strategy = "contour";
+  settings.infill.density = 1.0;
+  settings.walls.count = 0;
+  settings.skirt.count = 0;
+  return settings;
+}
+
+// T4 of the curved paths.
+TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
+  for (const NamedPart& part : parts()) {
+    const ToolpathTotals sums = totals(plan(part.layers, contoursOnly()));
+    EXPECT_EQ(sums.travel_mm, 0.0) << part.name;
+    EXPECT_EQ(sums.deposition_runs, part.layers.size()) << part.name;
+  }
+}
+
+// T4 of the curved paths.
+TEST(LayerChain, LaysNoPointOutsideTheOutline) {
+  for (const NamedPart& part : parts()) {
+    const Toolpath toolpath = plan(part.layers, contoursOnly());
+    for (std::size_t i = 0; i < part.layers.size(); ++i) {
+      const std::vector<Polygon>& outline = part.layers[i].section.contours;
+      for (const Path& path : toolpath.layers[i].paths)
+        // The first point is where the layer beneath ended; see below.
+        for (std::size_t k = i == 0 ? 0 : 1; k < path.points.size(); ++k)
+          ASSERT_TRUE(contains(outline, path.points[k].head<2>())) << part.name << ", layer " << i;
+    }
+  }
+}
+
+// T4 of the curved paths.
+TEST(LayerChain, BeginsEachLayerWhereTheOneBeneathEnded) {
+  for (const NamedPart& part : parts()) {
+    const Toolpath toolpath = plan(part.layers, contoursOnly());
+    for (std::size_t i = 1; i < part.layers.size(); ++i) {
+      ASSERT_EQ(toolpath.layers[i].paths.size(), 1U) << part.name << ", layer " << i;
+      const Path& path = toolpath.layers[i].paths.front();
+      EXPECT_EQ(path.firstPoint(), toolpath.layers[i - 1].paths.back().lastPoint())
+          << part.name << ", layer " << i;
+      EXPECT_TRUE(contains(part.layers[i - 1].section.contours, path.firstPoint().head<2>()))
+          << part.name << ", layer " << i;
+      EXPECT_LE((path.points[1] - path.points[0]).head<2>().norm(), kPitch)
+          << part.name << ": the way up to layer " << i;
+      EXPECT_NEAR(path.points[1].z() - path.points[0].z(), kHeight, 1e-9) << part.name << ", layer " << i;
+    }
+  }
+}
+
+TEST(LayerChain, LeavesNineTenthsOfAPitchOfEachCycleOut) {
+  const std::vector<Layer> cube =
+      layersOf(4, [](int) { return std::vector<Polygon>{rectangle(0, 0, 12, 12)}; });
+  const Toolpath toolpath = plan(cube, contoursOnly());
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    ASSERT_EQ(layer.paths.size(), 1U);
+    const Path& path = layer.paths.front();
+    EXPECT_FALSE(path.is_closed);
+    const Point3& start = path.points[path.points.front().z() < layer.z_mm ? 1 : 0];
+    EXPECT_NEAR((path.points.back() - start).norm(), 0.9 * kPitch, 0.05 * kPitch);
+  }
+}
+
+TEST(LayerChain, TravelsWhereTheNextLayerIsFar) {
+  const std::vector<Layer> steps = layersOf(2, [](int i) {
+    return std::vector<Polygon>{i == 0 ? rectangle(0, 0, 5, 5) : rectangle(20, 0, 25, 5)};
+  });
+  const Toolpath toolpath = plan(steps, contoursOnly());
+  ASSERT_EQ(toolpath.layers[1].paths.size(), 2U);
+  EXPECT_EQ(toolpath.layers[1].paths[0].role, PathRole::Travel);
+}
+
+TEST(LayerChain, KeepsTravelsBetweenTheRegionsOfALayer) {
+  const std::vector<Layer> pair = layersOf(5, [](int) {
+    return std::vector<Polygon>{rectangle(0, 0, 5, 5), rectangle(7, 0, 12, 5)};
+  });
+  for (const ToolpathLayer& layer : plan(pair, contoursOnly()).layers) {
+    std::size_t runs = 0;
+    for (const Path& path : layer.paths) runs += path.role == PathRole::Infill ? 1 : 0;
+    EXPECT_EQ(runs, 2U);
+  }
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/order/support_test.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "lamina/base/random.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+const Bead kBead{0.4, 0.2};
+
+/// Layers whose plane rises along y by 45 deg over a bed far beneath.
+BedPlane farBed() { return {Point3(0, M_SQRT1_2, M_SQRT1_2), -1000.0}; }
+
+Layer layer(double bottom_mm, const Polygon& contour) {
+  return {{bottom_mm, bottom_mm + 0.2}, {{contour}, {}}};
+}
+
+const Polygon kSquare = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+
+TEST(Footing, CarriesWhereAQuarterOfTheBeadLiesOnTheLayerBefore) {
+  const Layer beneath = layer(0.0, kSquare);
+  const Footing footing(layer(0.2, kSquare), &beneath, farBed(), kBead);
+  EXPECT_TRUE(footing.carries({5, 5}));
+  EXPECT_TRUE(footing.carries({5, 10.09}));
+  EXPECT_FALSE(footing.carries({5, 10.11}));
+  EXPECT_FALSE(footing.carries({20, 5}));
+}
+
+TEST(Footing, CarriesWhereTheBeadTouchesTheBed) {
+  // At 45 deg a bead reaches (0.2 + 0.4 / 2) / sqrt 2 mm beneath its waypoint; the plane is at z' = 0.2.
+  const BedPlane bed{Point3(0, M_SQRT1_2, M_SQRT1_2), 0.0};
+  const Footing footing(layer(0.0, kSquare), nullptr, bed, kBead);
+  EXPECT_TRUE(footing.carries({3, 0.19}));
+  EXPECT_FALSE(footing.carries({3, 0.21}));
+}
+
+TEST(Footing, AgreesWithTheEvenOddRule) {
+  EXPECT_TRUE(rc::check("rows against all edges", [](std::uint64_t seed) {
+    Random random(seed);
+    Polygon star;
+    for (int i = 0; i < 40; ++i) {
+      const double radius = random.uniform(2.0, 10.0);
+      star.emplace_back(radius * std::cos(i * M_PI / 20), radius * std::sin(i * M_PI / 20));
+    }
+    const Layer beneath = layer(0.0, star);
+    const Footing footing(layer(0.2, star), &beneath, farBed(), kBead);
+    const std::vector<Polygon> grown = outlines(offset(unite({star}), 0.1));
+    for (int i = 0; i < 50; ++i) {
+      const Point2 point(random.uniform(-11.0, 11.0), random.uniform(-11.0, 11.0));
+      RC_ASSERT(footing.carries(point) == contains(grown, point));
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace lamina

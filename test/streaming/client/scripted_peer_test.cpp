@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The streamer against firmware played by hand, line by line, at times that are set.
+#include <gtest/gtest.h>
+
+#include "lamina/streaming/client/streamer.hpp"
+
+namespace lamina {
+namespace {
+
+std::string tenLines() {
+  std::string text;
+  for (int i = 1; i <= 10; ++i) text += "G1 X" + std::to_string(i) + "\n";
+  return text;
+}
+
+class ScriptedPeer : public testing::Test {
+ protected:
+  static StreamSettings settings() {
+    StreamSettings settings;
+    settings.temperature_interval_s = 0;
+    return settings;
+  }
+
+  /// Begins a job and answers until its first lines are under way.
+  void begin(Streamer& streamer) {
+    streamer.start(0.0);
+    EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
+    streamer.receive("ok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n", 0.0);
+    EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+  }
+  static std::string line(std::uint64_t number) { return frameLine(number, "G1 X" + std::to_string(number)); }
+
+  StreamableProgram program_ = StreamableProgram::fromText("ten lines", tenLines(), 96);
+};
+
+TEST_F(ScriptedPeer, NeverHasMoreUnderWayThanTheWindow) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4));
+  streamer.receive("ok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), line(5));
+  streamer.receive("o", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.receive("k\nok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), line(6) + line(7));
+  EXPECT_EQ(streamer.status().lines_acknowledged, 3U);
+}
+
+TEST_F(ScriptedPeer, KeepsTheReceiveBufferFromOverflowing) {
+  StreamSettings narrow = settings();
+  narrow.window_bytes = 32;
+  narrow.max_line_bytes = 32;
+  Streamer streamer(program_, narrow);
+  begin(streamer);
+  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2));  // 12 bytes each; a third would make 36
+}
+
+TEST_F(ScriptedPeer, CompletesOnlyWhenTheMachineSaysThatItHasEveryLine) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  for (int i = 0; i < 10; ++i) streamer.receive("ok\n", 0.1 * i);
+  EXPECT_EQ(streamer.status().lines_acknowledged, 10U);
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+  streamer.takeOutput();
+  streamer.receive("Resend: 10\nok\n", 1.5);  // one of the oks was for something else
+  EXPECT_EQ(streamer.takeOutput(), line(10));
+  streamer.receive("ok\n", 1.6);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(12, "M105"));
+  streamer.receive("Resend: 11\nok\n", 1.7);
+  EXPECT_EQ(streamer.status().state, PackmlState::Completing);
+  EXPECT_EQ(streamer.takeOutput(), "M400\n");
+  streamer.receive("ok\n", 1.8);
+  EXPECT_EQ(streamer.status().state, PackmlState::Complete);
+}
+
+TEST_F(ScriptedPeer, SendsFromTheLineAskedForOnceTheOthersAreAnswered) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok\nError:checksum mismatch, Last Line: 1\nResend: 2\nok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), "");  // 3 and 4 are still to be refused
+  streamer.receive("Resend: 2\nok\nResend: 2\nok\n", 0.11);
+  EXPECT_EQ(streamer.takeOutput(), line(2) + line(3) + line(4) + line(5));
+  EXPECT_EQ(streamer.status().resends, 1U);
+}
+
+TEST_F(ScriptedPeer, SendsAgainWhenFirmwareHasDiscardedTheOthers) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1\nok\n", 0.1);
+  EXPECT_NEAR(streamer.nextDeadline(), 0.15, 1e-9);
+  streamer.elapse(streamer.nextDeadline());
+  EXPECT_EQ(streamer.takeOutput(), line(1) + line(2) + line(3) + line(4));
+}
+
+TEST_F(ScriptedPeer, AsksWhichLineTheMachineHasWhenOksAreLost) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  EXPECT_NEAR(streamer.nextDeadline(), 2.5, 1e-9);
+  streamer.elapse(2.5);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(6, "M105"));
+  streamer.receive("Resend: 5\nok\n", 2.6);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+  EXPECT_EQ(streamer.status().lines_acknowledged, 4U);
+}
+
+TEST_F(ScriptedPeer, FollowsTheNumbersOfAdvancedOks) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok N3 P15 B3\n", 0.1);  // those of 1 and 2 were lost
+  EXPECT_EQ(streamer.status().lines_acknowledged, 3U);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7));
+}
+
+TEST_F(ScriptedPeer, WaitsPatientlyWhileTheMachineIsBusy) {
+  const auto heating = StreamableProgram::fromText("heating", "M109 S200\n", 96);
+  Streamer streamer(heating, settings());
+  begin(streamer);
+  for (double now = 2.0; now < 600.0; now += 2.0) {
+    streamer.elapse(now);
+    streamer.receive("echo:busy: processing\n", now);
+  }
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(1, "M109 S200"));
+}
+
+TEST_F(ScriptedPeer, StopsSafelyWhenTheMachineFallsSilent) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  for (double now = 1.0; now < 60.5; now += 0.5) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::TimedOut);
+  EXPECT_NE(streamer.takeOutput().find("M108\nM410\nM104 S0\nM140 S0\n"), std::string::npos);
+  for (double now = 60.5; now < 71.0; now += 0.5) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop"), std::string::npos);
+}
+
+TEST_F(ScriptedPeer, TurnsHeatersOffInLinesTheMachineConfirms) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  EXPECT_EQ(streamer.takeOutput(),
+            "M108\nM410\nM104 S0\nM140 S0\n" + frameLine(1005, "M110 N1005") + frameLine(1007, "M105"));
+  streamer.receive("ok\nok\nok\nok\nok\nok\nok\nResend: 1006\nok\n", 1.1);
+  EXPECT_EQ(streamer.takeOutput(),
+            frameLine(1006, "M410") + frameLine(1007, "M104 S0") + frameLine(1008, "M140 S0"));
+  streamer.receive("ok\nResend: 1007\nok\n", 1.2);
+  streamer.elapse(1.3);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(1007, "M104 S0") + frameLine(1008, "M140 S0"));
+  streamer.receive("ok\nok\n", 1.4);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(1010, "M105"));
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  streamer.receive("Resend: 1009\nok\n", 1.5);
+  EXPECT_EQ(streamer.takeOutput(), "M105\n");
+  streamer.receive("ok T:180.0 /200.0 B:60.0 /60.0\n", 1.6);  // the lines wait behind others
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  streamer.elapse(4.2);
+  EXPECT_EQ(streamer.takeOutput(), "M105\n");
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0\n", 4.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.message, "enough");
+}
+
+TEST_F(ScriptedPeer, LeavesHeatersOnIfToldTo) {
+  StreamSettings keeping = settings();
+  keeping.keep_heaters_on = true;
+  Streamer streamer(program_, keeping);
+  begin(streamer);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  streamer.receive("Resend: 1006\nok\n", 1.1);
+  const std::string sent = streamer.takeOutput();
+  EXPECT_NE(sent.find("M410"), std::string::npos);
+  EXPECT_EQ(sent.find("S0"), std::string::npos);
+}
+
+TEST_F(ScriptedPeer, GivesUpWhenNobodyAnswers) {
+  Streamer streamer(program_, settings());
+  streamer.start(0.0);
+  for (double now = 0.5; now <= 10.0; now += 0.5) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::TimedOut);
+}
+
+TEST_F(ScriptedPeer, RefusesFirmwareThatDoesNotCheckLineNumbers) {
+  Streamer streamer(program_, settings());
+  streamer.start(0.0);
+  for (double now = 0.5; now <= 25.0; now += 0.5) {
+    streamer.receive("ok\n", now);
+    streamer.elapse(now);
+  }
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
+}
+
+TEST_F(ScriptedPeer, GreetsAgainWhenTheMachineHasJustBooted) {
+  Streamer streamer(program_, settings());
+  streamer.start(0.0);
+  streamer.takeOutput();
+  streamer.receive("start\necho:Marlin 2.1\n", 1.5);
+  EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
+}
+
+TEST_F(ScriptedPeer, AbortsWhenTheMachineIsResetDuringAJob) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("ok\nok\nstart\n", 1.0);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::DeviceError);
+  EXPECT_NE(streamer.status().failure.message.find("line 2 of 10 was the last acknowledged"),
+            std::string::npos);
+}
+
+TEST_F(ScriptedPeer, AbortsWhenTheMachineHalts) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("Error:Thermal Runaway, system stopped! Heater_ID: 0\n", 1.0);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
+  EXPECT_NE(streamer.status().failure.message.find("Thermal Runaway"), std::string::npos);
+}
+
+TEST_F(ScriptedPeer, AbortsWhenTheMachineAsksForLinesThatNeverWere) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  for (int i = 0; i < 10; ++i) streamer.receive("Resend: 4711\nok\n", 0.1 * i);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
+}
+
+TEST_F(ScriptedPeer, AbortsWhenALineIsRefusedForEver) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  for (int i = 1; i < 1000 && streamer.status().state == PackmlState::Execute; ++i) {
+    streamer.receive("Resend: 1\nok\n", i);
+    streamer.elapse(i + 0.5);
+  }
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
+}
+
+TEST_F(ScriptedPeer, SaysThatTheMachineWasNotStoppedWhenTheLinkStaysLost) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("ok\n", 0.5);
+  streamer.disconnect("lost the link", 1.0);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  EXPECT_DOUBLE_EQ(streamer.nextDeadline(), 11.0);
+  streamer.elapse(11.0);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::Disconnected);
+  EXPECT_EQ(streamer.status().failure.message,
+            "lost the link; line 1 of 10 was the last acknowledged; the link did not come back, so that the "
+            "machine was not told to stop: look after it");
+}
+
+TEST_F(ScriptedPeer, StopsTheMachineOnceTheLinkIsBack) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("ok\n", 0.5);
+  streamer.disconnect("lost the link", 1.0);
+  EXPECT_TRUE(streamer.isOffline());
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.reconnect(9.0);
+  EXPECT_FALSE(streamer.isOffline());
+  EXPECT_EQ(streamer.takeOutput().find("M108\nM410\nM104 S0\nM140 S0\n"), 0U);
+  streamer.receive("Resend: 1007\nok\nok\nok\nok\n", 9.1);
+  streamer.receive("Resend: 1010\nok\n", 9.2);
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0\n", 9.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.message, "lost the link; line 1 of 10 was the last acknowledged");
+}
+
+TEST_F(ScriptedPeer, WaitsForAMachineThatIsBusyWhenItIsToStop) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  for (double now = 2.0; now < 100.0; now += 2.0) {
+    streamer.elapse(now);
+    streamer.receive("echo:busy: processing\n", now);
+  }
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  for (double now = 100.0; now < 111.0; now += 2.0) streamer.elapse(now);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+}
+
+TEST_F(ScriptedPeer, DoesNotTakeAnUnknownTargetForAColdHeater) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  streamer.receive("Resend: 1006\nok\nok\nok\nok\n", 1.1);
+  streamer.receive("Resend: 1009\nok\n", 1.2);
+  streamer.receive("ok T:200.0 B:60.0\n", 1.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  streamer.receive("ok T:200.0 B:60.0 /0\n", 1.4);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+}
+
+TEST_F(ScriptedPeer, HoldsAfterTheLinesUnderWay) {
+  Streamer streamer(program_, settings());
+  EXPECT_FALSE(streamer.pause(0.0));
+  begin(streamer);
+  streamer.takeOutput();
+  EXPECT_FALSE(streamer.resume(0.1));
+  EXPECT_TRUE(streamer.pause(0.1));
+  EXPECT_EQ(streamer.status().state, PackmlState::Holding);
+  streamer.receive("ok\nok\nok\n", 0.2);
+  EXPECT_EQ(streamer.status().state, PackmlState::Holding);
+  streamer.receive("ok\n", 0.3);
+  EXPECT_EQ(streamer.status().state, PackmlState::Held);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  EXPECT_TRUE(streamer.resume(100.0));
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+}
+
+TEST_F(ScriptedPeer, PassesThroughLegalStatesOnly) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.pause(0.1);
+  streamer.resume(0.2);
+  streamer.pause(0.3);
+  streamer.receive("ok\nok\nok\nok\n", 0.4);
+  streamer.resume(0.5);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 0.6);
+  streamer.disconnect("lost the link", 0.7);
+  streamer.elapse(100.0);
+  PackmlState before = PackmlState::Idle;
+  for (const PackmlState state : streamer.takeStateChanges()) {
+    EXPECT_TRUE(isLegalTransition(before, state)) << toString(before) << " to " << toString(state);
+    before = state;
+  }
+  EXPECT_EQ(before, PackmlState::Aborted);
+}
+
+TEST_F(ScriptedPeer, TellsTemperaturesPositionsAndWarnings) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive(" T:201.0 /210.0 B:59.0 /60.0 @:0\nX:1.0 Y:2.0 Z:3.0 E:4.0 Count X:0\nError:SD full\n",
+                   0.1);
+  EXPECT_DOUBLE_EQ(streamer.status().temperatures->nozzle_c, 201.0);
+  EXPECT_DOUBLE_EQ(streamer.status().position->y, 2.0);
+  EXPECT_EQ(streamer.status().message, "Error:SD full");
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/client/streamer.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+
+#include "streaming/emulator/simulated_link.hpp"
+
+namespace lamina {
+namespace {
+
+using test::SimulatedLink;
+
+StreamableProgram program(const std::string& text) { return StreamableProgram::fromText("test", text, 96); }
+
+EmulatedSettings instantMachine() {
+  EmulatedSettings settings;
+  settings.speed_up = 0.0;
+  return settings;
+}
+
+TEST(Streamer, RunsEveryLineOnceInOrder) {
+  const auto spiral = program(test::spiralProgram(500));
+  SimulatedLink link(spiral, {}, instantMachine(), {});
+  link.run();
+  EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
+  EXPECT_EQ(link.numberedCommands(), test::commandsOf(spiral));
+  EXPECT_EQ(link.streamer.status().lines_acknowledged, 500U);
+  EXPECT_EQ(link.streamer.status().layer, 4);
+  EXPECT_EQ(link.streamer.status().resends, 0U);
+  EXPECT_EQ(link.firmware.counts().bytes_lost, 0U);
+}
+
+class StreamerUnderFault : public testing::TestWithParam<FaultKind> {};
+
+TEST_P(StreamerUnderFault, RunsEveryLineOnceInOrder) {
+  const auto spiral = program(test::spiralProgram(2000));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EmulatedSettings machine = instantMachine();
+    machine.fault_seed = static_cast<int>(seed);
+    SimulatedLink link(spiral, {}, machine, {{GetParam(), 0.02, {1, 2, 3, 500, 1999, 2000}}}, seed);
+    link.run();
+    EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
+    EXPECT_EQ(link.numberedCommands(), test::commandsOf(spiral));
+    EXPECT_EQ(link.streamer.status().lines_acknowledged, 2000U);
+    EXPECT_GT(link.firmware.counts().faults, 20U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKind, StreamerUnderFault,
+                         testing::Values(FaultKind::LostOk, FaultKind::DelayedOk, FaultKind::LostLine,
+                                         FaultKind::CorruptedLine, FaultKind::SpuriousResend,
+                                         FaultKind::Silence),
+                         [](const auto& tested) { return std::string(toString(tested.param)); });
+
+/// Any mix of the faults that a job must survive, each up to 3 %.
+rc::Gen<std::vector<Fault>> anyFaults() {
+  const auto rate = rc::gen::map(rc::gen::inRange(0, 31), [](int per_mille) { return per_mille / 1000.0; });
+  return rc::gen::map(rc::gen::container<std::vector<double>>(6, rate), [](const std::vector<double>& rates) {
+    constexpr std::array<FaultKind, 6> kKinds = {FaultKind::LostOk,         FaultKind::DelayedOk,
+                                                 FaultKind::LostLine,       FaultKind::CorruptedLine,
+                                                 FaultKind::SpuriousResend, FaultKind::Silence};
+    std::vector<Fault> faults;
+    for (std::size_t i = 0; i < kKinds.size(); ++i) faults.push_back({kKinds[i], rates[i], {}});
+    return faults;
+  });
+}
+
+RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderUnderAnyFaults, ()) {
+  const auto spiral = program(test::spiralProgram(*rc::gen::inRange(5, 400)));
+  EmulatedSettings machine;
+  machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  machine.command_queue = *rc::gen::inRange(1, 9);
+  StreamSettings settings;
+  settings.window_lines = *rc::gen::inRange(1, 9);
+  settings.window_bytes = *rc::gen::inRange(96, 256);
+  SimulatedLink link(spiral, settings, machine, *anyFaults(), *rc::gen::inRange<std::uint64_t>(1, 1000000));
+  link.run();
+  RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
+  RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+}
+
+RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
+  const auto spiral = program(test::spiralProgram(300));
+  EmulatedSettings machine;
+  machine.speed_up = 50.0;
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  SimulatedLink link(spiral, {}, machine, *anyFaults());
+  link.start();
+  for (const int pause : *rc::gen::container<std::vector<int>>(5, rc::gen::inRange(1, 400))) {
+    for (int i = 0; i < pause && !isFinal(link.streamer.status().state); ++i) link.step();
+    link.streamer.pause(link.now);
+    link.runUntil(link.now + 100.0);
+    const auto held = link.numberedCommands().size();
+    link.runUntil(link.now + 100.0);
+    RC_ASSERT(isFinal(link.streamer.status().state) || link.numberedCommands().size() == held ||
+              link.streamer.status().state != PackmlState::Held);
+    link.streamer.resume(link.now);
+    link.collect();
+  }
+  link.runUntil(1e6);
+  RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
+  RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+}
+
+TEST(Streamer, TurnsHeatersOffThoughTheMachineHearsNothingWhileItHeats) {
+  EmulatedSettings deaf;
+  deaf.emergency_parser = false;
+  SimulatedLink link(program("M109 S200\nG1 X1\n"), {}, deaf, {});
+  link.start();
+  while (link.firmware.nozzleTarget() == 0.0) link.step();
+  link.runUntil(link.now + 1.0);
+  link.streamer.abort({ErrorCode::Cancelled, "enough"}, link.now);
+  link.collect();
+  link.runUntil(link.now + 100.0);
+  EXPECT_EQ(link.streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(link.streamer.status().failure.message, "enough");
+  EXPECT_GT(link.now, 30.0) << "the machine heats to 200 degC at 5 degC/s before it hears anything";
+  EXPECT_DOUBLE_EQ(link.firmware.nozzleTarget(), 0.0);
+}
+
+RC_GTEST_PROP(StreamerProperty, EveryAbortLeavesTheMachineCold, ()) {
+  const auto hot = program("M104 S200\nM140 S60\n" + test::spiralProgram(200));
+  EmulatedSettings machine;
+  machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  machine.emergency_parser = *rc::gen::arbitrary<bool>();
+  SimulatedLink link(hot, {}, machine, *anyFaults());
+  link.start();
+  const int steps = *rc::gen::inRange(1, 2000);
+  for (int i = 0; i < steps && !isFinal(link.streamer.status().state); ++i) link.step();
+  link.streamer.abort({ErrorCode::Cancelled, "enough"}, link.now);
+  link.collect();
+  link.runUntil(link.now + 100.0);
+  RC_ASSERT(isFinal(link.streamer.status().state));
+  if (link.streamer.status().state == PackmlState::Complete) return;
+  const bool is_confirmed = link.streamer.status().failure.message == "enough";
+  RC_ASSERT(!is_confirmed || (link.firmware.nozzleTarget() == 0.0 && link.firmware.bedTarget() == 0.0));
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/verification/collision/joint_clearance.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/base/random.hpp"
+#include "support/toolpaths.hpp"
+
+namespace lamina {
+namespace {
+
+/// An upright head on x, y and z that turns by `b` about y at the nozzle tip, with a plate for a bed and,
+/// 200 mm from its middle, a post.
+/// @param bodies  collision elements of the nozzle
+std::string tippingHead(const std::string& bodies) {
+  return R"(<robot name="tipping_head">
+    <link name="base_link"><collision><origin xyz="0.2 0 0"/><geometry><box size="0.01 0.01 0.2"/></geometry></collision></link>
+    <link name="bed"><collision><origin xyz="0 0 -0.005"/><geometry><box size="0.3 0.3 0.01"/></geometry></collision></link>
+    <joint name="base_to_bed" type="fixed"><parent link="base_link"/><child link="bed"/></joint>
+    <link name="beam"/><link name="carriage"/><link name="slide"/><link name="fork"/>
+    <joint name="x" type="prismatic"><parent link="base_link"/><child link="beam"/><axis xyz="1 0 0"/>
+      <limit lower="-0.3" upper="0.3" velocity="0.5" effort="1"/></joint>
+    <joint name="y" type="prismatic"><parent link="beam"/><child link="carriage"/><axis xyz="0 1 0"/>
+      <limit lower="-0.3" upper="0.3" velocity="0.5" effort="1"/></joint>
+    <joint name="z" type="prismatic"><parent link="carriage"/><child link="slide"/><axis xyz="0 0 1"/>
+      <limit lower="-0.3" upper="0.3" velocity="0.5" effort="1"/></joint>
+    <joint name="b" type="revolute"><parent link="slide"/><child link="fork"/><axis xyz="0 1 0"/>
+      <limit lower="-1.6" upper="1.6" velocity="1" effort="1"/></joint>
+    <link name="nozzle">)" +
+         bodies + R"(</link>
+    <joint name="fork_to_nozzle" type="fixed"><parent link="fork"/><child link="nozzle"/>
+      <origin rpy="3.14159265358979 0 0"/></joint>
+  </robot>)";
+}
+
+/// A cone that stands on the tip, 30 mm high.
+std::string coneOf(double half_angle) {
+  return R"(<collision name="cone"><origin xyz="0 0 -0.015"/><geometry><cylinder radius=")" +
+         std::to_string(0.03 * std::tan(half_angle)) + R"(" length="0.03"/></geometry></collision>)";
+}
+
+Path travel(const std::vector<Point3>& points, double tilt = 0.0) {
+  Path path = test::straightPath(points[0], points[1]);
+  path.points = points;
+  path.role = PathRole::Travel;
+  path.bead = Bead{};
+  path.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(tilt, Point3::UnitY())) * nozzleDown();
+  return path;
+}
+
+Path wallAt(double x, double height) {
+  Path wall = test::straightPath({x, -40, height}, {x, 40, height});
+  wall.bead = Bead{1.0, height};
+  return wall;
+}
+
+/// A wall of one bead, 1 mm wide, along y at that x, and a travel that comes down beside it to (0, 0, z) with
+/// the head tilted towards the wall.
+Toolpath besideWall(double x, double wall_height, double z, double tilt) {
+  const Path wall = wallAt(x, wall_height);
+  Path down = travel({{0, 0, 100}, {0, 0, z}}, tilt);
+  return {"wall", {{wall_height, wall_height, {wall, travel({wall.lastPoint(), {0, 0, 100}}), down}}}};
+}
+
+JointPath jointsOf(const Mechanism& mechanism, const Toolpath& toolpath) {
+  JointPath path;
+  JointValues near = JointValues::Zero(static_cast<Eigen::Index>(mechanism.joints().size()));
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
+      const Path& run = toolpath.layers[l].paths[p];
+      for (std::size_t i = 0; i < run.points.size() + (run.is_closed ? 1 : 0); ++i) {
+        const std::size_t w = i % run.points.size();
+        const Eigen::Isometry3d pose = Eigen::Translation3d(run.points[w]) * run.orientation.at(w);
+        path.at.push_back({l, p, w});
+        path.values.push_back(near);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const InverseSolution& solution : mechanism.solutions(pose, near)) {
+          const double way = (solution.values - near).tail(1).norm();
+          if (way < nearest) nearest = way, path.values.back() = solution.values;
+        }
+        near = path.values.back();
+      }
+    }
+  return path;
+}
+
+JointClearanceReport checked(const Toolpath& toolpath, const std::string& urdf) {
+  const auto mechanism = mechanismFromUrdf(urdf);
+  const JointPath path = jointsOf(*mechanism, toolpath);
+  ClearanceSettings settings;
+  settings.tolerance_mm = 0.0;
+  NoProgress nobody;
+  return checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *mechanism, path}, linkBodies(urdf),
+                             settings, nobody);
+}
+
+TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
+  EXPECT_TRUE(rc::check("any half angle and tilt", [](std::uint64_t seed) {
+    Random random(seed);
+    const double half_angle = random.uniform(0.2, 0.6);
+    const double tilt = random.uniform(0.0, 0.5);
+    // The flank leans by tilt + half angle from the vertical; at the top of the wall, 10 mm, it is 10 - z
+    // times the tangent of that out, as long as the cone is that long.
+    const double gap = random.uniform(1.0, 5.0);
+    const double limit = 10.0 - gap / std::tan(half_angle + tilt);
+    RC_PRE(limit > 0.5 && 9.5 > limit);
+    const std::string machine = tippingHead(coneOf(half_angle));
+    RC_ASSERT(checked(besideWall(gap + 0.5, 10.0, limit + 0.01, tilt), machine).collisions.empty());
+    const auto collisions = checked(besideWall(gap + 0.5, 10.0, limit - 0.01, tilt), machine).collisions;
+    RC_ASSERT(collisions.size() == 1U);
+    RC_ASSERT(collisions[0].obstacle == Obstacle::Material);
+    RC_ASSERT(collisions[0].at.path == 2U && collisions[0].at.waypoint == 1U);
+    RC_ASSERT(collisions[0].laid.path == 0U && collisions[0].link == "nozzle");
+  }));
+}
+
+TEST(JointClearance, ATiltAwayFromAWallClearsIt) {
+  const std::string machine = tippingHead(coneOf(0.5));
+  EXPECT_EQ(checked(besideWall(1.0, 10.0, 5.0, 0.4), machine).collisions.size(), 1U);
+  EXPECT_TRUE(checked(besideWall(1.0, 10.0, 5.0, -0.5), machine).collisions.empty());
+}
+
+TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
+  // The flank of a cone of half angle 0.5 lies on the plate at a tilt of pi / 2 - 0.5.
+  const Path clear = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 - 0.01);
+  const Path beneath = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
+  EXPECT_TRUE(checked({"tip", {{1, 1, {clear}}}}, tippingHead(coneOf(0.5))).collisions.empty());
+  const auto collisions = checked({"tip", {{1, 1, {beneath}}}}, tippingHead(coneOf(0.5))).collisions;
+  ASSERT_EQ(collisions.size(), 2U) << "both waypoints";
+  EXPECT_EQ(collisions[0].obstacle, Obstacle::Bed);
+  EXPECT_EQ(collisions[0].link, "nozzle");
+}
+
+TEST(JointClearance, AHeadThatRunsIntoAPostNamesBothLinks) {
+  const auto collisions =
+      checked({"post", {{1, 1, {travel({{150, 0, 50}, {190, 0, 50}})}}}}, tippingHead(coneOf(0.5)))
+          .collisions;
+  ASSERT_EQ(collisions.size(), 1U);
+  EXPECT_EQ(collisions[0].obstacle, Obstacle::Machine);
+  EXPECT_EQ(collisions[0].link, "nozzle");
+  EXPECT_EQ(collisions[0].other, "base_link");
+  EXPECT_EQ(collisions[0].at.waypoint, 1U);
+}
+
+TEST(JointClearance, PlacesBetweenWaypointsAreLookedAt) {
+  Toolpath toolpath = besideWall(5.0, 10.0, 50.0, 0.0);
+  toolpath.layers[0].paths.push_back(travel({{0, 0, 50}, {-30, 0, 5}, {40, 0, 5}}));
+  const auto collisions = checked(toolpath, tippingHead(coneOf(0.3))).collisions;
+  ASSERT_EQ(collisions.size(), 1U) << "it goes through the wall";
+  EXPECT_EQ(collisions[0].at.path, 3U);
+  EXPECT_EQ(collisions[0].at.waypoint, 2U);
+}
+
+TEST(JointClearance, WhatIsLaidLaterIsNotThereYet) {
+  Toolpath toolpath = besideWall(2.0, 10.0, 5.0, 0.0);
+  std::reverse(toolpath.layers[0].paths.begin(), toolpath.layers[0].paths.end());
+  for (Path& path : toolpath.layers[0].paths) std::reverse(path.points.begin(), path.points.end());
+  EXPECT_TRUE(checked(toolpath, tippingHead(coneOf(0.5))).collisions.empty());
+}
+
+TEST(JointClearance, BeadsOfLayersThatBendLieBeneathTheTipAlongTheJet) {
+  // A bead on a slope of 45 deg, 2 mm high, laid with the jet into the slope: it reaches sqrt(2) mm beneath
+  // and beside its line. A point of its box is met from below where one that hung straight down is not.
+  Path bead = test::straightPath({0, 0, 20}, {20, 0, 40});
+  bead.bead = Bead{1.0, 2.0};
+  bead.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 4, Point3::UnitY())) * nozzleDown();
+  const double inside = 1.0 / std::sqrt(2.0);
+  const Path low = travel({{10 + inside, 0, 10}, {10 + inside, 0, 30 - inside}});
+  const Path between = travel({bead.lastPoint(), {60, 0, 60}, {60, 0, 10}, low.firstPoint()});
+  const auto collisions =
+      checked({"slope", {{40, 2, {bead, between, low}}}}, tippingHead(coneOf(0.1))).collisions;
+  ASSERT_FALSE(collisions.empty());
+  EXPECT_EQ(collisions.back().obstacle, Obstacle::Material);
+  EXPECT_EQ(collisions.back().at.path, 2U);
+}
+
+TEST(JointClearance, WhatTheNozzleHasJustLeftIsSoftAndWhatItComesBackToIsNot) {
+  // A rod of 1 mm that reaches half a millimetre beneath the tip: it stands in what it lays.
+  const std::string machine = tippingHead(
+      R"(<collision><origin xyz="0 0 -0.0095"/><geometry><cylinder radius="0.0005" length="0.02"/></geometry></collision>)");
+  Path bead = test::straightPath({0, 0, 20}, {20, 0, 20});
+  bead.points.clear();
+  for (int x = 0; x <= 20; ++x) bead.points.emplace_back(x, 0, 20);
+  bead.bead = Bead{2.0, 1.0};
+  EXPECT_TRUE(checked({"leave", {{20, 1, {bead}}}}, machine).collisions.empty());
+  const Path back = travel({{20, 0, 20}, {12, 0, 20}});
+  EXPECT_EQ(checked({"back", {{20, 1, {bead, back}}}}, machine).collisions.size(), 1U);
+}
+
+TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
+  const std::string urdf = tippingHead(coneOf(0.5));
+  const auto mechanism = mechanismFromUrdf(urdf);
+  const Toolpath toolpath = besideWall(1.0, 10.0, 5.0, 0.4);
+  JointPath path = jointsOf(*mechanism, toolpath);
+  path.values.back() = JointValues();
+  NoProgress nobody;
+  const JointClearanceReport report =
+      checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *mechanism, path}, linkBodies(urdf),
+                          ClearanceSettings(), nobody);
+  EXPECT_TRUE(report.collisions.empty());
+  EXPECT_EQ(report.waypoints, path.values.size() - 1);
+}
+
+TEST(JointClearance, AMachineWithoutBodiesIsRefused) {
+  EXPECT_THROW(checked(besideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")), InvalidConfig);
+}
+
+TEST(JointClearance, IsTheSameWhateverTheThreads) {
+  const Toolpath toolpath = besideWall(1.0, 10.0, 5.0, 0.4);
+  const auto many = checked(toolpath, tippingHead(coneOf(0.5))).collisions;
+  const ThreadLimit limit(1);
+  const auto one = checked(toolpath, tippingHead(coneOf(0.5))).collisions;
+  ASSERT_EQ(one.size(), many.size());
+  for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].tip, many[i].tip);
+}
+
+}  // namespace
+}  // namespace lamina
