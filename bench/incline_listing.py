@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The published rotation of a program as its listing describes it: line by line, with NumPy vectors and regular expressions.
+"""The rotation of a program as [Garcia2024, figures 4.11 to 4.16] lists it: line by line, with NumPy vectors and regular expressions.
 
     incline_listing.py IN.gcode OUT.gcode LAYER_HEIGHT [ANGLE_DEG]
 

@@ -25,7 +25,7 @@ struct TrackArguments {
 /// What is set on the command line.
 struct TrackSettings {
   TrackingSettings tracking;
-  MotionLimits motion{1000.0, 1000.0, 0.0};  // of the source
+  MotionLimits motion{1000.0, 1000.0, 0.0};  // of [Guacheta2021, section 4.2.3]
 };
 
 TrackSettings settingsFrom(const SettingOptions& options) {

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """The architecture checks must find what they are there to find."""
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
 import budgets
+import docs_links
 import include_rule
 import one_definition
+import references
 
 
 def tree(files):
@@ -15,6 +18,13 @@ def tree(files):
         path = root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
+    return root
+
+
+def repository(files):
+    root = tree(files)
+    for command in (["init", "--quiet"], ["add", "--all"]):
+        subprocess.run(["git", "-C", root, *command], check=True)
     return root
 
 
@@ -52,6 +62,49 @@ class OneDefinition(unittest.TestCase):
         found = one_definition.faults(tree({"include/a.hpp": "class Place {\n};\n",
                                             "src/b.hpp": "class Place;\nclass Place::State {\n};\n"}))
         self.assertEqual(list(found), [])
+
+
+class DocsLinks(unittest.TestCase):
+    def found(self, files):
+        return list(docs_links.faults(repository(files)))
+
+    def test_pages_are_reached_through_each_other(self):
+        self.assertEqual(self.found({"docs/README.md": "[a](a.md)\n", "docs/a.md": "[b](nodes/b.md#c), [web](https://x.org/y.md)\n",
+                                     "docs/nodes/b.md": "[c](#c)\n", "README.md": "![p](docs/a.md)\n"}), [])
+
+    def test_a_page_out_of_reach_is_named(self):
+        found = self.found({"docs/README.md": "\n", "docs/nodes/a.md": "[b](../README.md)\n"})
+        self.assertEqual(len(found), 1)
+        self.assertIn("docs/nodes/a.md", found[0])
+
+    def test_a_link_to_nothing_is_named_with_its_line(self):
+        found = self.found({"docs/README.md": "\n[a](gone.md#b)\n"})
+        self.assertEqual(len(found), 1)
+        self.assertTrue(found[0].startswith("docs/README.md:2: "), found[0])
+        self.assertIn("gone.md", found[0])
+
+    def test_code_has_no_links(self):
+        self.assertEqual(self.found({"docs/README.md": "```cpp\n[a](b) {}\n```\n`[a](b)`\n"}), [])
+
+
+class References(unittest.TestCase):
+    def found(self, files):
+        return list(references.faults(repository(files)))
+
+    def test_a_citation_with_an_entry_is_taken(self):
+        self.assertEqual(self.found({"docs/references.md": "- **[Deb2002]** K. Deb\n", "a.cpp": "// [Deb2002, eq. 1]\n"}), [])
+
+    def test_a_citation_without_an_entry_is_named_with_its_line(self):
+        for citation in ("[Nobody1999]", "[Nobody1999,", "[Nobody1999, table 3]"):
+            found = self.found({"docs/references.md": "- **[Deb2002]** K. Deb\n", "a.hpp": f"\n/// {citation}\n"})
+            self.assertEqual(len(found), 1, citation)
+            self.assertIn("a.hpp:2: cites [Nobody1999]", found[0])
+
+    def test_two_entries_of_one_key_are_refused(self):
+        self.assertEqual(len(self.found({"docs/references.md": "- **[Deb2002]** a\n- **[Deb2002]** b\n"})), 1)
+
+    def test_other_brackets_are_no_citations(self):
+        self.assertEqual(self.found({"a.cpp": "double a[kCount]; // [mm], [0, 1000], [N m]\n"}), [])
 
 
 class Budgets(unittest.TestCase):

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-// Measured on printed parts: table 6.1 (roughness) and 6.2 (fracture load) of the source, T20.
+// Measured on printed parts: roughness and fracture load [Sobreviela2014, tables 6.1 and 6.2].
 const Sample kRoughBefore{5.88, 1.31, 18};
 const Sample kRoughAfter{4.64, 1.13, 15};
 const Sample kLoadBefore{0.69, 0.03, 9};

@@ -5,7 +5,7 @@ import unittest
 
 from lamina_command import lamina, told
 
-# The front of the specification's example, with a setting of the slicer beside it.
+# A front of three, with a setting of the slicer beside it.
 FRONT = """# variables 2
 slicing.layer_height_mm,infill.strategy,a,b
 0.2,zigzag,1,0.2
@@ -32,7 +32,7 @@ class Decide(unittest.TestCase):
         with open(self.path(name), encoding="utf-8") as file:
             return file.read()
 
-    def test_the_examples_of_the_specification(self):
+    def test_linmap_follows_the_weights(self):
         found = told("decide", self.front)
         self.assertEqual((found["chosen"], found["line"], found["alternatives"]), (2, 4, 3))
         for index, expected in zip(found["indices"], (1.0198, 0.7071, 1.0198)):

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-TEST(Strand, RadiusStartsFromTheStadium) {  // T26: 199.7 and 198.9 um after calibration by hand
+TEST(Strand, RadiusStartsFromTheStadium) {  // 199.7 and 198.9 um in [Vega2023, annexes H and G]
   const double radius_mm = strandRadius(crossSection({0.48, 0.30}));
   EXPECT_NEAR(radius_mm, 0.19922, 1e-5);
   EXPECT_NEAR(radius_mm / 0.1997, 1.0, 0.005);

@@ -74,7 +74,7 @@ bool isSame(const VoxelGrid& a, const VoxelGrid& b) {
   return true;
 }
 
-TEST(ToolpathDeposit, ModelsHoldWhatIsExtrudedInBlocks) {  // T25: within 0.01 %
+TEST(ToolpathDeposit, ModelsHoldWhatIsExtrudedInBlocks) {  // within 0.01 %
   for (const Bead& bead : {Bead{0.48, 0.3}, Bead{0.4, 0.15}, Bead{0.8, 0.4}, Bead{1.2, 0.25}})
     for (const double voxel_mm : {0.1, 0.15, 0.2}) {
       const Block block{10.0, bead, bead.height_mm, static_cast<int>(10.0 / bead.height_mm)};
@@ -89,7 +89,7 @@ TEST(ToolpathDeposit, ModelsHoldWhatIsExtrudedInBlocks) {  // T25: within 0.01 %
     }
 }
 
-TEST(ToolpathDeposit, ModelsAreAsHighAsTheNozzleWas) {  // T28
+TEST(ToolpathDeposit, ModelsAreAsHighAsTheNozzleWas) {  // [Vega2023, table 10]
   struct Case {
     Block block;
     double height_mm;

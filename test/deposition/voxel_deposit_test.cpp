@@ -117,7 +117,7 @@ TEST(VoxelDeposit, AStrandInTheAirIsRoundAndTouchesTheNozzlesPlane) {
   EXPECT_GE(section.high.y(), 2.0 - 1.01 * kVoxel);
 }
 
-TEST(VoxelDeposit, MaterialSpreadsWhereStrandsCross) {  // T27
+TEST(VoxelDeposit, MaterialSpreadsWhereStrandsCross) {  // [Vega2023, figure 29]
   constexpr double kVoxel = 0.025;
   constexpr int kLowerTop = 12;  // voxels: 0.3 mm
   VoxelDeposit lower = deposit({-3, -3, 0}, {3, 3, 1}, kVoxel);

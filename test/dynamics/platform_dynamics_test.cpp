@@ -124,8 +124,9 @@ TEST(PlatformDynamics, PowerOfTheMotorsIsTheChangeOfEnergy) {
   }));
 }
 
-/// Weak: the layout is guessed, so only the order of magnitude can agree with the source's 3.7 (N m)².
-TEST(PlatformDynamics, HoldingAtHomeTakesTorquesOfTheSourcesOrder) {
+/// Weak: the layout is guessed, so only the order of magnitude can agree with 3.7 (N m)², the
+/// energy over the time of [Guacheta2021, tables 5-4 to 5-11].
+TEST(PlatformDynamics, HoldingAtHomeTakesTorquesOfThePublishedOrder) {
   const MovingPlatform moving(1);
   const PlatformState state =
       moving.stateOf(crankAngles(huntPlatform(), huntPlatform().home), CrankAngles::Zero());

@@ -82,7 +82,7 @@ TEST(Corrected, WordsKeepTheirPlaceAndText) {
   EXPECT_EQ(rewritten("G1 X10 Y20 Z30"), "G1 X10.000 Y-7.071 Z35.355\n");
 }
 
-TEST(Corrected, TheSpecificationsRawPointComesWhereItSays) {
+TEST(Corrected, APointBesideTheOriginTurnsAboutX) {
   const std::string text = transformed(layer("G1 X1 E1\nG1 X-5 Y10 Z0.3 E1\n"), test::asSliced()).text;
   EXPECT_TRUE(contains(text, "G1 X-5.000 Y6.859 Z7.283 E1\n")) << text;
 }

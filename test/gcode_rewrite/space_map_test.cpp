@@ -30,7 +30,7 @@ AffineMap randomRotation() {
   return rotation(axis, *rc::gen::inRange(-1800, 1800) * 0.1);
 }
 
-TEST(SpaceMap, RotationsTurnAPointAsInTheSpecification) {
+TEST(SpaceMap, RotationsTurnAPointAsRodriguesSays) {
   const Point3 p(10.0, 20.0, 30.0);
   const Point3 x = Point3::UnitX();
   expectNear(rotation(x, 45.0).map(p), {10.0, -7.071068, 35.355339}, 1e-6);

@@ -76,7 +76,7 @@ inline bool contains(const std::string& text, const std::string& piece) {
   return text.find(piece) != std::string::npos;
 }
 
-/// The program of the published example: a cube of 350 mm on an edge, with relative E.
+/// The program of [Garcia2024, figure 3.4]: a cube of 350 mm on an edge, with relative E.
 inline std::string publishedExample() {
   return "M83\n;LAYER:0\nM107\nG1 F1200 Z4.5\nG0 F18000 X474.333 Y302.047 Z4.5\n;MESH:Cubo.stl\n"
          ";TYPE:WALL-OUTER\nG1 F1200 Z1.5\nG1 F3600 E13.05577\nG1 F884.2 X475.099 Y302.126 E0.45598\n"

@@ -35,7 +35,7 @@ SlicedPart sliced(const SliceJob& job) {
 
 bool isRaster(const Path& path) { return path.role == PathRole::Infill; }
 
-/// Acceptance case A8.
+/// Convex parts need no jumps between sections [Flores2018, section 6.1.2].
 class ConvexPart : public testing::TestWithParam<std::tuple<std::string, HybridLines>> {};
 
 TEST_P(ConvexPart, NeedsOneRepositionALayerAndOneBetweenLayers) {
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, ConvexPart,
                                   (std::get<1>(part.param) == HybridLines::Fitted ? "Fitted" : "Documented");
                          });
 
-/// Acceptance case A10.
+/// [Flores2018, figure 48]
 TEST(HybridJob, TurnsItsRasterBetweenLayersByARightAngle) {
   const SlicedPart result = sliced(metalJob("box", HybridLines::Documented));
   std::vector<Point3> along;

@@ -60,7 +60,7 @@ std::string objOf(const Mesh& mesh) {
   return text;
 }
 
-/// The documented rotation, written out for an axis of that heading.
+/// The rotation of [Garcia2024, eq. 4.1 to 4.3], written out for an axis of that heading.
 Eigen::Matrix3d documentedRotation(double angle_deg, double heading_deg) {
   const double c = std::cos(angle_deg * kRadians);
   const double s = std::sin(angle_deg * kRadians);

@@ -60,7 +60,7 @@ double correlationOf(Correlation kind, const Eigen::VectorXd& scaled) {
   return (1.0 + std::sqrt(5.0) * r + 5.0 / 3.0 * r * r) * std::exp(-std::sqrt(5.0) * r);
 }
 
-/// Universal kriging as the textbooks write it (Sacks et al. 1989), on two standardised variables with a full
+/// Universal kriging as the textbooks write it [Sacks1989], on two standardised variables with a full
 /// quadratic polynomial.
 class Textbook {
  public:

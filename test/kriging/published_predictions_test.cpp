@@ -13,7 +13,8 @@
 namespace lamina {
 namespace {
 
-/// The source's kriging. Order 1 in effect, since two of its variables have two levels only.
+/// The kriging of [Vega2023, section 6.2]. Order 1 in effect, since two of its variables have two levels
+/// only.
 KrigingSettings sourceKriging() { return {Correlation::Exponential, 2, CorrelationRange::Fixed, 1.0}; }
 
 /// The design and the first proposed points.
@@ -24,7 +25,7 @@ std::vector<Evaluation> samplesBefore(const ExperimentTable& table, std::size_t 
   return samples;
 }
 
-/// What the source's search makes of samples and of the rows that answer it.
+/// What the search of [Vega2023, chapter 6] makes of samples and of the rows that answer it.
 SurrogateSearch searched(const PublishedStudy& study, const std::vector<Evaluation>& samples,
                          const std::vector<Evaluation>& answers, int seed) {
   TableEvaluator evaluator(study.space, study.response_names, answers, 0.01);

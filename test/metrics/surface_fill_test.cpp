@@ -67,8 +67,9 @@ SurfaceFillSettings asTheSource() {
 }
 
 TEST(SurfaceFill, OfParallelLinesIsTheirGaps) {
-  // Case T9: bands of 0.4 mm every 0.5 mm leave 20 gaps of 0.1 mm.
-  // The source's round ends leave little corners open where the diagonal cuts lines off.
+  // Bands of 0.4 mm every 0.5 mm leave 20 gaps of 0.1 mm.
+  // The round ends of [Guacheta2021, algorithm 4-1] leave little corners open where the diagonal cuts lines
+  // off.
   for (const SurfaceFillSettings& settings : {byCode(), asTheSource()}) {
     const double little = settings.pieces == FacePieces::Near ? 0.01 : 0.3;
     EXPECT_NEAR(fill(linesEvery(0.5, 0.25), levelFace(), settings).under_fill_mm2, 20.0, 0.3);
@@ -78,7 +79,7 @@ TEST(SurfaceFill, OfParallelLinesIsTheirGaps) {
 }
 
 TEST(SurfaceFill, OfLinesTooNearIsTheirOverlap) {
-  // Case T9: 29 lines overlap in 28 strips of 0.05 mm.
+  // 29 lines overlap in 28 strips of 0.05 mm.
   EXPECT_NEAR(fill(linesEvery(0.5, 0.25), levelFace(), byCode()).over_fill_mm2, 0.0, 1e-6);
   EXPECT_NEAR(fill(linesEvery(0.4, 0.2), levelFace(), byCode()).over_fill_mm2, 0.0, 1e-6);
   EXPECT_NEAR(fill(linesEvery(0.35, 0.175), levelFace(), byCode()).over_fill_mm2, 28 * 0.05 * kSide, 0.05);

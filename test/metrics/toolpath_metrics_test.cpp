@@ -29,7 +29,7 @@ Toolpath straight(std::vector<double> lengths) {
 }
 
 TEST(ToolpathMetrics, TimeIsThatOfTheSource) {
-  // Case T7: 50 mm/s, 1000 mm/s2.
+  // 50 mm/s, 1000 mm/s2 [Guacheta2021, eq. 4.5].
   EXPECT_NEAR(measure(straight({1.0})).print_time_s, 0.063246, 1e-6);
   EXPECT_NEAR(measure(straight({2.5})).print_time_s, 0.1, 1e-9);
   EXPECT_NEAR(measure(straight({10.0})).print_time_s, 0.25, 1e-9);
@@ -46,7 +46,7 @@ TEST(ToolpathMetrics, TimeMayBeAtTheFeedsOfTheToolpath) {
 }
 
 TEST(ToolpathMetrics, MaterialAndTravelOfAProgramAreItsLength) {
-  // Case T10: modal axes, a retraction, and a motion without E, which lays nothing.
+  // Modal axes, a retraction, and a motion without E, which lays nothing.
   const std::string program =
       "G90\nM83\nG92 E0\nG1 Z0.2 F1200\nG1 X10 Y0 F3000\nG1 X20 E0.4\nG1 Y10 E0.4\nG1 E-1\nG1 X0\nG1 E1\n"
       "G1 X0 Y0 E0.4\n";
@@ -93,7 +93,7 @@ TEST(ToolpathMetrics, ThePlatformHoldsItselfUpAndKeepsToALevelPath) {
   MetricsSettings settings;
   settings.simulates_platform = true;
   const ToolpathMetrics metrics = measure(square, settings);
-  // Case T16: 1.5 to 5 (N m)2 hold it against gravity.
+  // 1.5 to 5 (N m)2 hold it against gravity.
   EXPECT_GT(metrics.control_energy_nm2_s, 1.5 * metrics.print_time_s);
   EXPECT_LT(metrics.control_energy_nm2_s, 5.0 * metrics.print_time_s);
   EXPECT_GT(metrics.linear_ise_mm2_s, 0.0);

@@ -29,7 +29,7 @@ double estimated(const Toolpath& toolpath, StrandEnds ends) {
 }
 
 TEST(VolumeError, OfAStraightStrandIsThatOfTheSource) {
-  // Case T8: a section of 0.08 mm2 is a disc of 0.319154 mm.
+  // A section of 0.08 mm2 is a disc of 0.319154 mm.
   EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Whole), 8.0, 1e-9);
   EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Generated), 8.0 - 0.08 * 0.319154, 1e-6);
   EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Commercial), 8.0 - 0.04 * 0.319154, 1e-6);

@@ -21,7 +21,7 @@ void expectNear(const std::vector<double>& actual, const std::vector<double>& ex
   for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << i;
 }
 
-TEST(DecisionTest, LinmapTakesTheMiddleOfTheFrontOfTheSpecification) {
+TEST(DecisionTest, LinmapTakesTheMiddleOfAFrontOfThree) {
   const Decision decision = decide(kFront, {1.0, 1.0}, DecisionMethod::Linmap);
   expectNear(decision.indices, {1.0198, 0.7071, 1.0198}, 5e-5);
   EXPECT_EQ(decision.chosen, 1U);

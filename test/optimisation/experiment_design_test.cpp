@@ -162,8 +162,7 @@ TEST(LatinHypercubeTest, SpreadsItsPointsFartherThanRandomOnes) {
     for (int i = 0; i < 16; ++i) points.push_back(randomPoint(unitSpace(2), generator));
     random += nearestPair(points);
   }
-  // The best one known of 16 points in the plane: nearest distance sqrt(17) of 16 parts (van Dam et al.
-  // 2007).
+  // The best one known of 16 points in the plane: nearest distance sqrt(17) of 16 parts [VanDam2007].
   EXPECT_GT(spread / 5.0, 0.75 * std::sqrt(17.0) * 2.0 / 16.0);
   EXPECT_GT(spread, 3.0 * random);
 }

@@ -180,7 +180,7 @@ TEST_P(Nsga2Test, SearchesASingleObjectiveAndOneThatIsTheSameEverywhere) {
   }
 }
 
-/// CONSTR (Deb 2001): f = x, g = (1 + y) / x with y + 9x >= 6 and 9x - y >= 1. The front is g = (7 - 9x) / x
+/// CONSTR [Deb2001]: f = x, g = (1 + y) / x with y + 9x >= 6 and 9x - y >= 1. The front is g = (7 - 9x) / x
 /// along the first constraint from x = 7/18 to 2/3, then g = 1/x along y = 0.
 TEST_P(Nsga2Test, FindsTheKnownFrontOfAConstrainedProblem) {
   const DesignSpace space = {continuous("x", 0.1, 1.0), continuous("y", 0.0, 5.0)};

@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kOppositeHeading = 180.0;  // the convention of metal-deposition-paths.md
+constexpr double kOppositeHeading = 180.0;  // the convention of [Flores2018, figure 46]
 
 TEST(NoSpin, AVerticalJetGivesTheConventionOfEitherHeading) {
   const Point3 down(0, 0, -1);

@@ -33,7 +33,7 @@ Path reversedPath(Path path) {
   return path;
 }
 
-/// The case A6: the wall leans outwards by `theta_deg`.
+/// For [Flores2018, figure 42]: the wall leans outwards by `theta_deg`.
 void requireToolInTheWall(const Path& ring, const std::vector<Point3>& jets, double theta_deg) {
   for (std::size_t i = 0; i < jets.size(); ++i) {
     EXPECT_NEAR(std::acos(-jets[i].z()) * 180.0 / M_PI, theta_deg, 0.05);

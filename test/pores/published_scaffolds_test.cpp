@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-/// A row of Table 29 of Vega Rodriguez; `bench/measure_scaffolds` compares all of them.
+/// A row of [Vega2023, table 29]; `bench/measure_scaffolds` compares all of them.
 struct PublishedScaffold {
   double amplitude_mm, layer_height_mm;
   int cycles, filaments;

@@ -15,7 +15,7 @@ namespace {
 double volumeOf(const Toolpath& toolpath) { return totals(toolpath).deposited_mm3; }
 
 TEST(FilledShapeTest, CylindersLayWhatTheirPublishedProgramsLay) {
-  // Table 9 of the source: theoretical volumes of programs of 50 and 40 % rectilinear fill.
+  // [Vega2023, table 9]: theoretical volumes of programs of 50 and 40 % rectilinear fill.
   ScaffoldSettings settings = scaffoldDefaults("cylinder");
   const Toolpath half = makeScaffold("cylinder", settings);
   validate(half);

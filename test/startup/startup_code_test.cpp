@@ -21,7 +21,7 @@ double dwellOf(const std::string& code) {
 }
 
 TEST(StartupCode, RaisesTheBedFrom20To90DegreesInTheTimeOfTheProcedure) {
-  // inclined-45-gcode.md section 2.10: at 3 K/min, 20 to 90 degrees take 23.3 min. The last kelvin is not
+  // [Garcia2024, section 3.5]: at 3 K/min, 20 to 90 degrees take 23.3 min. The last kelvin is not
   // waited for.
   const std::string ramp = bedRamp(test::largeGantry(), 20.0);
   EXPECT_NEAR(dwellOf(ramp) / 60.0, 70.0 / 3.0 - 1.0 / 3.0, 1e-9);

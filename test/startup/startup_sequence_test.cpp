@@ -49,7 +49,7 @@ bool waitsFor(const SequencedStep& step, Step before) {
 TEST(StartupSequence, IsEmptyByDefault) { EXPECT_TRUE(makeStartupSequence({}).empty()); }
 
 TEST(StartupSequence, OfTheLargeGantryIsTheOperatorsProcedure) {
-  // inclined-45-gcode.md section 2.10: dryer, power, bed, X, Y, Z, sheet, vacuum, Z again, height map,
+  // [Garcia2024, section 3.5]: dryer, power, bed, X, Y, Z, sheet, vacuum, Z again, height map,
   // transfer.
   const auto sequence = makeStartupSequence(test::largeGantry());
   EXPECT_EQ(stepsOf(sequence),

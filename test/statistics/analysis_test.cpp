@@ -21,8 +21,8 @@ TEST(KolmogorovSmirnovTest, OneValueLiesAsFarAsTheUniformDistributionSays) {
 }
 
 TEST(KolmogorovSmirnovTest, IsWhatMarsagliaTsangAndWangGive) {
-  // Their paper: K(10, 0.274) = 0.6284796154565. Values at the quantiles (i - 1/2)/10 + 0.274 - 1/20 lie so
-  // far.
+  // [Marsaglia2003]: K(10, 0.274) = 0.6284796154565. Values at the quantiles (i - 1/2)/10 + 0.274 - 1/20 lie
+  // so far.
   const auto quantile = [](double p) {
     double low = -10.0;
     double high = 10.0;

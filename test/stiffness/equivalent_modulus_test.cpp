@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-// Specification, case T9: specimens 5 mm wide over a span of 32 mm, bent by 1 mm.
+// [Vega2023, eq. 6 and table 15]: specimens 5 mm wide over a span of 32 mm, bent by 1 mm.
 TEST(EquivalentModulus, OfBendingIsThatOfThePublishedSpecimens) {
   EXPECT_NEAR(bendingModulus(18.64, 32.0, 1.0, {5.0, 2.1}), 3297.68, 0.005);
   EXPECT_NEAR(bendingModulus(13.49, 32.0, 1.0, {5.0, 2.1}), 2386.57, 0.005);

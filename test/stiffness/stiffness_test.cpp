@@ -25,7 +25,7 @@ std::string refusal(const VoxelGrid& grid, const StiffnessSettings& settings) {
   return "";
 }
 
-// Specification, case T24.
+// A cube of 9 mm of polylactide [Vega2023, table 12], pressed by 0.2 mm [Vega2023, section 7.2.2.7].
 TEST(Stiffness, ASolidCubeHasTheModulusOfItsMaterialAlongEveryAxis) {
   for (int axis = 0; axis < 3; ++axis) {
     StiffnessSettings settings;

@@ -12,7 +12,7 @@
 namespace lamina::test {
 
 /// The square-section solid with a regular octagon as profile, 10 mm high, standing on z = 0
-/// (optimal-curved-paths.md section 4.1): slopes of 45 degrees between squares of 4.1421 and 10 mm.
+/// [Guacheta2021, table 5-3]: slopes of 45 degrees between squares of 4.1421 and 10 mm.
 inline Mesh octagonSolid() {
   const double rise = 10.0 / (2.0 + std::sqrt(2.0));
   const std::array<std::array<double, 2>, 4> rings = {

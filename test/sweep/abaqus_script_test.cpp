@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 TEST(AbaqusScript, PlacesTheProfileAcrossTheFirstLine) {
-  // Eq 2.
+  // [Vega2023, eq. 2]
   const SketchTransform expected = {0, 1, 0, 0, 0, 1, 1, 0, 0, 8.962, 2.482, 0};
   const SketchTransform placed = profileTransform({8.962, 2.482}, {4.664, 2.482}, 0.0);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(placed[i], expected[i], 1e-12) << i;

@@ -11,7 +11,7 @@ namespace {
 using Cuts = std::vector<std::size_t>;
 
 TEST(PathCuts, ClosedLoopIsCutBeforeItsLastLine) {
-  // Fig 22: the fourth of five rows.
+  // [Vega2023, figure 22]: the fourth of five rows.
   EXPECT_EQ(pathCuts({{2, 2}, {41.5, 2}, {41.5, 6.5}, {2, 6.5}, {2, 2}}, 0.4968), Cuts{3});
 }
 

@@ -35,7 +35,7 @@ Toolpath layered(const std::vector<double>& z_mm, const PathsAt& paths_at) {
   return toolpath;
 }
 
-/// Solid bending specimen of 40 x 5 mm as Vega Rodriguez' Fig 22 begins it: rings 0.5 mm apart.
+/// Solid bending specimen of 40 x 5 mm as [Vega2023, figure 22] begins it: rings 0.5 mm apart.
 inline Toolpath concentricSpecimen(int layers, double height_mm, double width_mm) {
   std::vector<double> z_mm;
   for (int l = 1; l <= layers; ++l) z_mm.push_back(l * height_mm);

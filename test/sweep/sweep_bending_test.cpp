@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-/// Force on the punch of the first bending specimen of table 13, swept with these corners.
+/// Force on the punch of the first bending specimen of [Vega2023, table 13], swept with these corners.
 double bendingForce(const Toolpath& specimen, CornerStrategy corners) {
   NoProgress progress;
   SweepSettings sweep;
@@ -30,7 +30,7 @@ TEST(SweepBending, CornersMakeNoDifferenceToAnySpecimen) {
     forces_n.push_back(bendingForce(specimen, corners));
   const auto [least, greatest] = std::minmax_element(forces_n.begin(), forces_n.end());
   EXPECT_LT(*greatest / *least - 1.0, 0.005);
-  // Table 2 of the source: 13.47 to 13.49 N.
+  // [Vega2023, table 2]: 13.47 to 13.49 N.
   EXPECT_NEAR(forces_n.back(), 13.49, 0.1 * 13.49);
 }
 

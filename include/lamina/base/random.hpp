@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Small seeded generator (SplitMix64, Steele et al. 2014): the same seed gives the same numbers on every
+/// Small seeded generator (SplitMix64 [Steele2014]): the same seed gives the same numbers on every
 /// machine, which the distributions of the standard library do not promise.
 class Random {
  public:

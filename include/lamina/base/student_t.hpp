@@ -21,7 +21,7 @@ struct StudentTest {
 };
 
 /// Compares means with their standard errors added as they are, not pooled: that is what the printed values
-/// of t fit (droplet-infill.md section 3.6). The probability is of one side.
+/// of t fit [Sobreviela2014, tables 6.1 and 6.2]. The probability is of one side.
 /// @throws InvalidInput if a sample has fewer than two values, or neither has any spread
 StudentTest compareMeans(const Sample& a, const Sample& b);
 

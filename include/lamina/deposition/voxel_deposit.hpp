@@ -40,7 +40,7 @@ struct DepositTotals {
 enum class TopHeights { None, Kept };
 
 /// Lays motions of a nozzle into voxels, one after the other, so that what is laid is what was extruded
-/// (the deposition of VOLCO: Gleadall et al. 2018). The nozzle halts every 0.51 radii of the strand
+/// (the deposition of VOLCO [Gleadall2018]). The nozzle halts every 0.51 radii of the strand
 /// (`deposition.step`); at each halt the portion extruded since goes into the open voxels nearest to a point
 /// one radius along the jet from the tip, but none before the plane through the tip square to the jet, none
 /// beneath the bed and none into a voxel that is solid already. So strands are round in the air, flat under

@@ -8,7 +8,7 @@
 namespace lamina {
 
 /// What of a 6-RUS platform has mass, and what brakes its motors. Defaults: the Hunt platform
-/// (optimal-curved-paths.md 2.15, Table 1-1), its cranks and couplers taken as slender rods.
+/// [Guacheta2021, table 1-1], its cranks and couplers taken as slender rods.
 struct PlatformInertia {
   double platform_kg = 0.97;
   double crank_kg = 0.15;
@@ -16,7 +16,7 @@ struct PlatformInertia {
   /// About its centre of mass, along its axes [kg m²].
   Eigen::Vector3d platform_kg_m2{2766e-6, 2766e-6, 5503e-6};
   Point3 centre_mm = Point3::Zero();     ///< of the mobile platform's mass [platform frame]
-  double viscous_friction = 0.0;         ///< of each motor, not in the source [N m s/rad]
+  double viscous_friction = 0.0;         ///< of each motor, not published [N m s/rad]
   Eigen::Vector3d gravity{0, 0, -9.81};  ///< [m/s², base frame]
 };
 

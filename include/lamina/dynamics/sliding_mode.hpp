@@ -10,15 +10,15 @@
 
 namespace lamina {
 
-/// Gains of the sliding-mode controller (optimal-curved-paths.md 2.15, eq. 1.4 to 1.9 and Table 1-2): with
+/// Gains of the sliding-mode controller [Guacheta2021, eq. 1.4 to 1.9 and table 1-2]: with
 /// the error e = reference - crank, the surface is sigma = e' + k1 e + k2 int e + k3 int int e, and the
 /// torque is gravity + coriolis + mass (k1 e' + k2 e + k3 int e + reach sat(sigma / boundary)).
 struct SlidingModeGains {
   double k1 = 64.4;       ///< [1/s]
   double k2 = 1019.1;     ///< [1/s²]
   double k3 = 7945.8;     ///< [1/s³]
-  double reach = 30.0;    ///< L, not in the source: greatest acceleration it can answer for [rad/s²]
-  double boundary = 0.3;  ///< not in the source: of sigma, within which the answer is linear [rad/s]
+  double reach = 30.0;    ///< L, not published: greatest acceleration it can answer for [rad/s²]
+  double boundary = 0.3;  ///< not published: of sigma, within which the answer is linear [rad/s]
 };
 
 /// Adds the keys controller.*.

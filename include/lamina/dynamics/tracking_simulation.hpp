@@ -30,7 +30,7 @@ struct TrackingSample {
   double turn_error = 0.0;    ///< root of the squares of the errors of alpha, beta and gamma [rad]
 };
 
-/// What following a reference took (optimal-curved-paths.md 3.2, metrics 7 to 9).
+/// What following a reference took [Guacheta2021, eq. 4.8 to 4.11].
 struct TrackingFigures {
   double duration_s = 0.0;
   double linear_ise_mm2_s = 0.0;       ///< integral of the squared error of the tip

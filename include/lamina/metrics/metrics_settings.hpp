@@ -12,51 +12,51 @@ namespace lamina {
 /// What becomes of faces of the part that no bead comes near.
 enum class UncoveredFaces {
   Count,  ///< they are underfilled in full
-  Skip,   ///< they are left out, as in the source
+  Skip,   ///< they are left out, as in [Guacheta2021, listing A.16]
 };
 
 /// The line of a bead that is followed.
 enum class BeadLine {
-  Middle,  ///< half its height behind the tip along the jet, where the source's own paths are
-  Tip,     ///< of the nozzle, as the source takes G-code
+  Middle,  ///< half its height behind the tip along the jet, where the paths of [Guacheta2021] are
+  Tip,     ///< of the nozzle, as [Guacheta2021] takes G-code
 };
 
 /// How wide a bead looks on a face; |n_z| is 0 on vertical faces and 1 on horizontal ones.
 enum class SurfaceWidth {
-  Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as the source's listing
-  Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as the source's text
+  Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as in [Guacheta2021, listing A.16]
+  Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as in [Guacheta2021, section 4.2.1]
   Bead,  ///< of the bead itself: its height seen across the jet, the plan width it fills seen along it
 };
 
 /// Which pieces of the path a face is covered by.
 enum class FacePieces {
   Near,    ///< those that reach over it, also from beside it; faces of one plane count as one would
-  Within,  ///< what lies above or beneath it, with round ends where it is cut off, as in the source
+  Within,  ///< what lies above or beneath it, with round ends where it is cut off, as in [Guacheta2021]
 };
 
 /// Which overlaps are overfill.
 enum class Overlaps {
   Apart,  ///< those of pieces that do not follow each other; joined ones meet at their bisector
-  All,    ///< also the round ends of joined pieces on each other, as in the source
+  All,    ///< also the round ends of joined pieces on each other, as in [Guacheta2021]
 };
 
 /// Section of what the volume is estimated by.
 enum class VolumeSection {
-  Strand,  ///< one section all along, as in the source
+  Strand,  ///< one section all along, as in [Guacheta2021, eq. 4.6]
   Bead,    ///< of each bead itself
 };
 
 /// What is taken off the length of each segment before its volume is estimated; D is the diameter of a disc
 /// of the section.
 enum class StrandEnds {
-  Whole,       ///< nothing, as the source's formula
-  Generated,   ///< D, as the source's listing does for its own paths
+  Whole,       ///< nothing, as in [Guacheta2021, eq. 4.6]
+  Generated,   ///< D, as [Guacheta2021, listing A.19] does for its own paths
   Commercial,  ///< D / 2, as it does for those of other slicers
 };
 
 /// Of the surface metrics.
 struct SurfaceFillSettings {
-  /// Beneath a face within which a bead counts for it; 0.25 mm in the source. 0: half of what
+  /// Beneath a face within which a bead counts for it; 0.25 mm in [Guacheta2021]. 0: half of what
   /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
   /// mm at an upright face.
   double depth_mm = 0.0;

@@ -27,7 +27,7 @@ struct SurfaceFill {
   double over_fill_mm2 = 0.0;
 };
 
-/// Measures how the beads just beneath each face cover it (optimal-curved-paths.md 3.2, algorithm 4-1).
+/// Measures how the beads just beneath each face cover it [Guacheta2021, algorithm 4-1].
 ///
 /// What of a bead's line lies within the prism beneath a face is projected onto the face and widened to a
 /// band with round ends; a drop to a disc. Underfill is what of the face no band covers, overfill what two or

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Nine numbers that say how good a toolpath is for a part, all to be small (optimal-curved-paths.md 3.2).
+/// Nine numbers that say how good a toolpath is for a part, all to be small [Guacheta2021, table 4-2].
 /// What was not measured is not a number.
 struct ToolpathMetrics {
   double print_time_s = 0.0;                                         ///< from rest to rest on every motion

@@ -19,7 +19,7 @@ struct Criterion {
 };
 
 /// The criteria of a decision: under-fill and volume error weigh 3 and all other responses 1
-/// (optimal-curved-paths specification, section 3.4, which leaves the weights open), but for those that are
+/// ([Guacheta2021, section 4.4] leaves the weights open), but for those that are
 /// given.
 /// @param weights    by response, numbers
 /// @param maximised  responses of which more is better

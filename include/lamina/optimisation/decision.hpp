@@ -19,7 +19,7 @@ struct Decision {
   std::vector<double> indices;  ///< of each alternative. Linmap: the least is best; Topsis: the greatest
 };
 
-/// Chooses an alternative (optimal-curved-paths specification, section 3.4). Each cost is taken relative to
+/// Chooses an alternative [Guacheta2021, eq. 4.12 to 4.14]. Each cost is taken relative to
 /// the greatest magnitude it has; the distance of two alternatives is sqrt(sum over costs of weight *
 /// difference^2).
 ///

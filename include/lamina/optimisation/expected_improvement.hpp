@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// By how much a cost is expected to be less than the best known one (Jones, Schonlau and Welch 1998, Eq 15).
+/// By how much a cost is expected to be less than the best known one [Jones1998, eq. 15].
 /// Without variance, the improvement itself; never negative.
 double expectedImprovement(const Prediction& cost, double best_cost);
 

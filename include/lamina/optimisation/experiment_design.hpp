@@ -44,7 +44,7 @@ std::vector<DesignPoint> fullFactorial(const DesignSpace& space, const std::vect
 
 /// Points spread such that each Continuous variable has one in the middle of each of `count` equal parts of
 /// its range, and each other variable takes its values equally often (but for the remainder). Of all such
-/// designs one is sought by exchanges whose nearest points are far apart (Morris and Mitchell 1995: the sum
+/// designs one is sought by exchanges whose nearest points are far apart ([Morris1995]: the sum
 /// of distances to the power of -15). Points that would coincide are exchanged for random ones.
 /// @throws InvalidConfig if there are fewer than 2 points, or more than the space has different ones
 std::vector<DesignPoint> latinHypercube(const DesignSpace& space, std::size_t count, std::uint64_t seed);

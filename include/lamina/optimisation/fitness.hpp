@@ -14,7 +14,7 @@
 namespace lamina {
 
 /// Several objectives as one number: the sum of weight times response over the mean of the response in the
-/// design of experiments (Vega Rodriguez, Eq 7 and 14). Its sense is that of the first objective with a
+/// design of experiments [Vega2023, eq. 7 and 14]. Its sense is that of the first objective with a
 /// weight; objectives of the other sense are subtracted.
 class Fitness {
  public:
@@ -60,7 +60,7 @@ std::optional<std::size_t> bestFeasible(const std::vector<Evaluation>& samples, 
 /// Responses that have a constraint or a weight, as ascending indices.
 std::vector<std::size_t> countedResponses(const Goals& goals, const std::vector<std::string>& response_names);
 
-/// Mean absolute error of predictions in per cent of what was measured (Vega Rodriguez, Eq 5), over the
+/// Mean absolute error of predictions in per cent of what was measured [Vega2023, eq. 5], over the
 /// responses that have a constraint or a weight. One that was measured as 0 counts 0 if it was predicted so,
 /// and otherwise makes the error infinite; one that was not measured does too.
 double predictionErrorPercent(const Goals& goals, const std::vector<std::string>& response_names,

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// A genetic search (Vega Rodriguez, chapter 6).
+/// A genetic search [Vega2023, section 6.3].
 struct GeneticSettings {
   int individuals = 100;
   int generations = 100;

@@ -74,7 +74,7 @@ std::int64_t evaluationsOf(const Nsga2Settings& settings);
 ///   the space
 void validate(const SearchProblem& problem, const Nsga2Settings& settings);
 
-/// Non-dominated sorting genetic algorithm (Deb et al. 2002). Each generation makes new points of the
+/// Non-dominated sorting genetic algorithm [Deb2002]. Each generation makes new points of the
 /// population, tries them, and keeps the best of both by front and then by crowding. The same seed gives the
 /// same result, whatever the number of threads. A point that cannot be tried, or one objective of which is
 /// not finite, counts as an evaluation, is recorded with its error, and is taken for a parent only while

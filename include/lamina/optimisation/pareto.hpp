@@ -29,7 +29,7 @@ Score scoreOf(const Goals& goals, const std::vector<std::string>& response_names
 /// Indices of scores, none of which is better than another.
 using Front = std::vector<std::size_t>;
 
-/// All scores in fronts, the best one first, by constraint-dominance (Deb et al. 2002): feasible scores by
+/// All scores in fronts, the best one first, by constraint-dominance [Deb2002]: feasible scores by
 /// Pareto dominance; after them infeasible ones, those of equal violation together, by how little they
 /// violate; last, in one front, those that could not be tried. No front is empty.
 std::vector<Front> frontsOf(const std::vector<Score>& scores);
@@ -38,7 +38,7 @@ std::vector<Front> frontsOf(const std::vector<Score>& scores);
 /// all stand in it.
 Front paretoFront(const std::vector<Score>& scores);
 
-/// How much room each score of a front has around it (crowding distance of Deb et al. 2002): the extent of
+/// How much room each score of a front has around it (crowding distance of [Deb2002]): the extent of
 /// the box between its neighbours, each cost relative to its extent in the front; infinite at the ends of a
 /// cost. A cost that is the same everywhere tells nothing. Where all are, and for what could not be tried, it
 /// is 0.

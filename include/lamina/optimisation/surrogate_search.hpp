@@ -99,8 +99,8 @@ struct SurrogateSearch {
   SurrogateEnd end = SurrogateEnd::Iterations;
 };
 
-/// Fits a surrogate to each response, proposes a point, tries it, learns from it, and so on (Vega Rodriguez,
-/// chapter 6; expected improvement: Jones, Schonlau and Welch 1998, with constraints as Schonlau 1997).
+/// Fits a surrogate to each response, proposes a point, tries it, learns from it, and so on
+/// [Vega2023, chapter 6]; expected improvement as in [Jones1998], with constraints as in [Schonlau1997].
 /// Missing responses of samples are predicted from those that have them. Fitness is relative to the means of
 /// the design, so that it means the same in all iterations.
 /// @param listener  may be empty

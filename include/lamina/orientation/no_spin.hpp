@@ -9,10 +9,10 @@
 
 namespace lamina {
 
-/// The nozzle's frame about a jet that does not spin (metal-deposition-paths.md section 2.4, for any
+/// The nozzle's frame about a jet that does not spin ([Flores2018, figures 44 to 46], for any
 /// heading): with the heading u = (cos a, sin a, 0) and v = z x u, the nozzle's x is perpendicular to the jet
 /// and to v, and points along u wherever the jet points down. It turns steadily with the jet, also past the
-/// horizontal. Heading 0 gives `nozzleDown()` for a vertical jet, 180 the w 0, x 0, y 1, z 0 of the source.
+/// horizontal. Heading 0 gives `nozzleDown()` for a vertical jet, 180 the w 0, x 0, y 1, z 0 of [Flores2018].
 ///
 /// @param jet  of unit length [part frame]
 /// @return part_from_nozzle, of unit length; its scalar product with that of a vertical jet is not negative

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// Moving average of the jets over `window` waypoints, made unit length again (metal-deposition-paths.md
-/// section 2.5). Circular on a closed path; on an open one the window shrinks evenly towards the ends, whose
-/// jets stay. Where an average vanishes, as between opposite jets, the jet stays. Time is linear in the
+/// Moving average of the jets over `window` waypoints, made unit length again [Flores2018,
+/// section 6.1.2]. Circular on a closed path; on an open one the window shrinks evenly towards the ends,
+/// whose jets stay. Where an average vanishes, as between opposite jets, the jet stays. Time is linear in the
 /// waypoints.
 ///
 /// @param window  odd; 1 changes nothing. On a closed path of fewer waypoints it runs round more than once.

@@ -7,7 +7,7 @@
 namespace lamina {
 
 /// A jet as two turns of a tool that points along -z at rest: about x by `alpha`, then about the fixed y by
-/// `beta` [rad], the jet being R_y(beta) R_x(alpha) (0, 0, -1) (optimal-curved-paths.md section 2.13; its
+/// `beta` [rad], the jet being R_y(beta) R_x(alpha) (0, 0, -1) ([Guacheta2021, listing A.18]; its
 /// third angle is 0).
 struct ToolAngles {
   double alpha = 0.0;  ///< -pi/2 to pi/2

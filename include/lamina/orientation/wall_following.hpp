@@ -17,7 +17,7 @@ struct WallJets {
 };
 
 /// The jet that lies in the wall and across the path, as near to the layer's normal as it can
-/// (metal-deposition-paths.md section 2.3): X is the path's tangent in the layer, Y the wall's normal, the
+/// [Flores2018, figures 42 and 43]: X is the path's tangent in the layer, Y the wall's normal, the
 /// jet X x Y, turned such that it points into the layer, whichever way the path runs. A wall whose normal is
 /// within 30 degrees of the path's direction has no jet across the path: such a waypoint is without a wall.
 ///

@@ -40,7 +40,7 @@ struct ChartStretch {
 };
 
 /// Finds the triangles of a layer's charts by their plan, in a time that does not grow with their number, and
-/// brings points of the plan back into space (optimal-curved-paths.md section 2.7). Queries may be made from
+/// brings points of the plan back into space [Guacheta2021, section 2.3.1]. Queries may be made from
 /// several threads.
 class ChartLookup {
  public:

@@ -10,7 +10,7 @@ namespace lamina {
 
 /// How much of a face straight ways through pores lead to, along one axis. A way goes on from layer to layer,
 /// to the voxel ahead or one of its eight neighbours, and not sideways within a layer
-/// (deposition-and-scaffolds.md section 2.8). Each is a part of the face, in percent.
+/// [Vega2023, annex J]. Each is a part of the face, in percent.
 struct Passage {
   double epci_forward_percent = 0.0;   ///< of the high face, reached from the low one
   double epci_backward_percent = 0.0;  ///< of the low face, reached from the high one

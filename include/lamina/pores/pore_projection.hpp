@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// Where light falls through along z: pixels are open where no voxel above them is solid
-/// (deposition-and-scaffolds.md section 2.9). Pixels hang together by their edges.
+/// [Vega2023, section 7.2.2.5 and annex K]. Pixels hang together by their edges.
 struct PoreProjection {
   PoreGroups openings;  ///< in a frame of one voxel along z
 

@@ -26,7 +26,7 @@ struct PoreSizes {
   std::array<Spread, 3> ellipsoid_mm{};  ///< axes of ellipsoids of equal second moments, longest first
 };
 
-/// What the frame of a grid holds open (deposition-and-scaffolds.md section 2.8).
+/// What the frame of a grid holds open [Vega2023, section 7.2.2.4 and annex J].
 struct PoreReport {
   double porosity_percent = 0.0;
   Passages passages;          ///< through all pores

@@ -7,7 +7,7 @@
 namespace lamina {
 
 /// Area of all voxel faces between solid and open [mm²], those on the border of the frame among them
-/// (deposition-and-scaffolds.md section 2.10).
+/// [Vega2023, section 7.2.2.6].
 double voxelFaceArea(const VoxelGrid& solid);
 
 }  // namespace lamina

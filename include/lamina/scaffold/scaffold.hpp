@@ -17,7 +17,8 @@ std::vector<std::string> scaffoldNames();
 /// @throws InvalidConfig if there is no such kind; names those there are
 std::string scaffoldMeaning(const std::string& name);
 
-/// The settings that a kind starts from: those of the specimens of deposition-and-scaffolds.md section 3.
+/// The settings that a kind starts from: those of the specimens of [Vega2023, tables 1, 4 and 13,
+/// section 7.2].
 /// @throws InvalidConfig if there is no such kind; names those there are
 ScaffoldSettings scaffoldDefaults(const std::string& name);
 
@@ -27,7 +28,7 @@ ScaffoldSettings scaffoldDefaults(const std::string& name);
 /// A sinusoidal scaffold of side L has layers of n filaments y_i(x) = A + i (L - 2 A) / (n - 1) + A f(2 pi B
 /// x / L), x from 0 to L, turned about the middle by 90 deg from layer to layer; where sine and cosine
 /// alternate every two layers. Mirrored, every other filament has -A f. A bead fills pi/4 of its width times
-/// height, mirrored 0.98 of it: with these the published porosities come out.
+/// height, mirrored 0.98 of it: with these the porosities of [Vega2023, tables 29 and 31] come out.
 ///
 /// Boxes, cubes, cylinders and specimens are filled inside their perimeters at the density asked for; a bead
 /// is a stadium. Rectilinear lines are those of the fill `zigzag`, solid rings those of `perimeters`. The

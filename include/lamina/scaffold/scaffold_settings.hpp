@@ -32,7 +32,7 @@ enum class FilamentArrangement {
   Mirrored,  ///< each is the mirror image of the one before; of sine waves only
 };
 
-/// A parametric part (deposition-and-scaffolds.md sections 2.7 and 3). Which fields it takes depends on its
+/// A parametric part [Vega2023, sections 5.3, 7.1 and 7.2]. Which fields it takes depends on its
 /// kind: see `makeScaffold`.
 struct ScaffoldSettings {
   double corner_x_mm = 0.0;  ///< low corner of the part on the bed

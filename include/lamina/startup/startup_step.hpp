@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A step of a machine's start-up (inclined-45-gcode.md section 2.10).
+/// A step of a machine's start-up [Garcia2024, section 3.5].
 enum class StartupStep : std::uint8_t {
   PowerOn,     ///< the operator switches the machine on
   DryPellets,  ///< the material is kept at a temperature for a time

@@ -15,8 +15,8 @@ struct KolmogorovSmirnov {
 };
 
 /// One-sample test of Kolmogorov and Smirnov against N(mean, deviation²), two-sided. The probability is exact
-/// (Marsaglia, Tsang and Wang 2003); in the far tail, their formula good to 7 digits. Where mean and
-/// deviation come from the sample itself, as the source has it, the true probability is smaller (Lilliefors).
+/// [Marsaglia2003]; in the far tail, their formula good to 7 digits. Where mean and
+/// deviation come from the sample itself, as in [Vega2023], the true probability is smaller (Lilliefors).
 /// @throws InvalidInput if there is no value, one is not finite, or the deviation is not positive
 KolmogorovSmirnov testNormality(const std::vector<double>& values, double mean, double deviation);
 

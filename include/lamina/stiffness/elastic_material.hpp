@@ -6,7 +6,7 @@ namespace lamina {
 
 /// A material that is elastic alike in all directions.
 struct ElasticMaterial {
-  double youngs_modulus_mpa = 3861.0;  ///< of the polylactide of specification section 2.11
+  double youngs_modulus_mpa = 3861.0;  ///< of the polylactide of [Vega2023, table 12]
   double poissons_ratio = 0.35;        ///< below 0.5; from 0.49 on elements of eight nodes lock
 
   /// Lamé's first constant [MPa].

@@ -5,7 +5,7 @@
 namespace lamina {
 
 /// Young's modulus [MPa] of a solid body that would bear the same force under the same compression (ISO 604;
-/// specification section 2.11): F L0 / (A dL).
+/// [Vega2023, eq. 13]): F L0 / (A dL).
 double compressionModulus(double force_n, double length_mm, double area_mm2, double compression_mm);
 
 /// Section of a beam.
@@ -15,7 +15,7 @@ struct BeamSection {
 };
 
 /// Young's modulus [MPa] of a solid beam that would bear the same force at the same deflection half way
-/// between two supports (ISO 178; specification section 2.11): F L³ / (4 s b h³).
+/// between two supports (ISO 178; [Vega2023, eq. 6]): F L³ / (4 s b h³).
 double bendingModulus(double force_n, double span_mm, double deflection_mm, const BeamSection& section);
 
 }  // namespace lamina

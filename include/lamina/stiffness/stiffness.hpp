@@ -47,7 +47,7 @@ struct StiffnessResult {
 };
 
 /// Linear-elastic displacements and stresses of the solid voxels of a grid under a load, and the modulus that
-/// follows (specification section 2.11): one element with eight nodes a voxel, small displacements, perfectly
+/// follows [Vega2023, section 7.2.2.7]: one element with eight nodes a voxel, small displacements, perfectly
 /// bonded. Solid that does not hang together, face by face, with all that holds and presses is left out and
 /// told. The result is the same whatever the number of threads.
 ///

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// How a part is loaded (specification section 2.11).
+/// How a part is loaded [Vega2023, sections 7.1.2.3 and 7.2.2.7].
 enum class Load {
   Compression,  ///< between two plates without friction, along the axis
   Bending,      ///< on two supports by a punch half way between them, pressing against the axis

@@ -14,8 +14,8 @@ namespace lamina {
 using SketchTransform = std::array<double, 12>;
 
 /// Places the profile of a sweep whose first line runs from `start` to `end` upright across that line, at the
-/// bottom of the bead: the rows of Rx(-90 deg) Rz(atan(dx / dy)), then start and bottom (Vega Rodriguez, Eq
-/// 1, with the sign of its Rx put right).
+/// bottom of the bead: the rows of Rx(-90 deg) Rz(atan(dx / dy)), then start and bottom ([Vega2023,
+/// eq. 1], with the sign of its Rx put right).
 /// @param start, end  apart
 SketchTransform profileTransform(const Point2& start, const Point2& end, double bottom_mm);
 
@@ -24,9 +24,9 @@ SketchTransform profileTransform(const Point2& start, const Point2& end, double 
 /// origin on which the others cross the x axis.
 bool isSketchRight(const Point2& start, const Point2& end);
 
-/// The Python script with which Abaqus/CAE builds the part of the sweeps (section 3.2.2): one solid sweep
-/// each, on datum planes at the bottoms and tops of the layers. Numbers have 3 decimals [mm]; the part is
-/// moved in x and y so that its middle lines begin at 2 mm.
+/// The Python script with which Abaqus/CAE builds the part of the sweeps [Vega2023, section 3.2.2]: one solid
+/// sweep each, on datum planes at the bottoms and tops of the layers. Numbers have 3 decimals [mm]; the part
+/// is moved in x and y so that its middle lines begin at 2 mm.
 /// @throws InvalidInput if there is no sweep, or one is not level
 std::string abaqusScript(const std::vector<Sweep>& sweeps);
 

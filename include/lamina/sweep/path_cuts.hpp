@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Where a trajectory must be cut so that no sweep along a part of it meets itself (Vega Rodriguez, section
-/// 3.1.3.4 and Fig 23): indices of points, each the last of one section and the first of the next, rising.
+/// Where a trajectory must be cut so that no sweep along a part of it meets itself [Vega2023, section
+/// 3.1.3.4 and figure 23]: indices of points, each the last of one section and the first of the next, rising.
 ///
 /// Peaks are points strictly above both neighbours in x or y, of a level peak the first point; neither end is
 /// one. Where a maximum and a minimum of y, more than 3 points apart, are nearer than the width, or are

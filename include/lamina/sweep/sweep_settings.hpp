@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// How the profile goes round the corners of a trajectory (Vega Rodriguez, section 3.1.3).
+/// How the profile goes round the corners of a trajectory [Vega2023, section 3.1.3].
 enum class CornerStrategy : std::uint8_t {
   Whole = 0,     ///< each trajectory one sweep, mitred at its corners
   Lines = 1,     ///< each line a sweep of its own with flat ends
@@ -19,7 +19,7 @@ enum class CornerStrategy : std::uint8_t {
 /// What a bead's height is where its width tells whether a trajectory meets itself.
 enum class CutHeight : std::uint8_t {
   Bead = 0,      ///< that of the bead
-  Absolute = 1,  ///< that of the layer above the bed, as in the published program: too wide in upper layers
+  Absolute = 1,  ///< that of the layer above the bed, as in [Vega2023]: too wide in upper layers
 };
 
 /// How beads are swept.

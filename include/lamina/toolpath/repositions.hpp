@@ -17,7 +17,7 @@ struct Repositions {
   std::size_t to_layer = 0;  ///< class C: from the last run of a layer to the first one of a later layer
 };
 
-/// Counts them (metal deposition paths, 2.10). No layer gives none.
+/// Counts them [Flores2018, section 6.1.2]. No layer gives none.
 Repositions countRepositions(const Toolpath& toolpath);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 namespace lamina {
 
 /// Time of a straight motion from rest to rest [s]: d / v + v / a, or 2 sqrt(d / a) where the speed is not
-/// reached (optimal curved paths, eq. 4.5). A length of 0 takes none.
+/// reached [Guacheta2021, eq. 4.5]. A length of 0 takes none.
 /// @throws InvalidInput if the length is negative, or speed or acceleration is not positive
 double restToRestTime(double length_mm, double speed_mm_s, double acceleration_mm_s2);
 

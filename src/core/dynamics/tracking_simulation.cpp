@@ -112,7 +112,7 @@ TrackingSimulation::Slope TrackingSimulation::slopeAt(const State& state,
                             state.segment<6>(kIntegral), state.segment<6>(kDoubleIntegral)};
   Slope slope;
   slope.error = error.value;
-  // The source's law does not answer for the friction.
+  // The law of [Guacheta2021, eq. 1.8] does not answer for the friction.
   slope.torque = known.mass * askedAccelerations(settings_.gains, error) + known.coriolis + known.gravity;
   const CrankAngles accelerations = accelerationsFrom(terms, slope.torque);
 

@@ -13,8 +13,8 @@
 
 namespace lamina {
 
-/// The points of a program as the published listing takes them: of every line that begins with G0 or G1 after
-/// the first layer is opened, to the end of the file, from (0, 0, 0) on.
+/// The points of a program as the listings of [Garcia2024] take them: of every line that begins with G0 or G1
+/// after the first layer is opened, to the end of the file, from (0, 0, 0) on.
 class ListingTracker {
  public:
   /// @return whether the line has a point

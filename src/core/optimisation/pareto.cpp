@@ -40,7 +40,7 @@ bool isNowhereGreater(const std::vector<double>& earlier, const std::vector<doub
 
 /// The fronts of feasible scores, by Pareto dominance. In lexicographic order none is dominated by a later
 /// one, so each belongs into the first front that has nobody who dominates it (efficient non-dominated sort,
-/// Zhang et al. 2015).
+/// [Zhang2015]).
 std::vector<Front> feasibleFrontsOf(const std::vector<Score>& scores) {
   Front feasible = feasibleOf(scores);
   std::stable_sort(feasible.begin(), feasible.end(),

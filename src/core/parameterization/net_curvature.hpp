@@ -19,7 +19,7 @@ double netCurvature(const Mesh& mesh, const MeshTopology& topology);
 
 /// The least net curvature with which a surface, if it is as round as a cap, cannot lie flat with all lengths
 /// true within a tolerance. Of all maps of a cap the azimuthal equidistant one stretches least, by t / sin t
-/// (Milnor 1969).
+/// [Milnor1969].
 double greatestFlatCurvature(double tolerance);
 
 }  // namespace lamina

@@ -14,7 +14,7 @@ namespace lamina {
 double stressOf(const std::vector<Point2>& plan, const TriangleFans& fans, const Landmarks& landmarks);
 
 /// Lessens the stress of a plan by majorisation (SMACOF): one vertex after the other moves to the mean of the
-/// places that its sides and landmarks would have it at (Gansner et al. 2004).
+/// places that its sides and landmarks would have it at [Gansner2004].
 std::vector<Point2> lessenStress(std::vector<Point2> plan, const TriangleFans& fans,
                                  const Landmarks& landmarks);
 

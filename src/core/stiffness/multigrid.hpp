@@ -24,8 +24,8 @@ struct MultigridLevel {
 
 /// An approximate inverse of the stiffness of a lattice: one cycle over lattices twice as coarse each, whose
 /// elements carry the mean density of what they cover; the finest is visited once, the others twice as often
-/// as the one above. Smoothed by Chebyshev polynomials of the fourth kind (Lottes, Optimal polynomial
-/// smoothers for multigrid V-cycles, 2023), solved by factors at the coarsest. Symmetric, in single
+/// as the one above. Smoothed by Chebyshev polynomials of the fourth kind
+/// [Lottes2023], solved by factors at the coarsest. Symmetric, in single
 /// precision.
 class Multigrid {
  public:

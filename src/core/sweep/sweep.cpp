@@ -55,7 +55,8 @@ Sweep section(const Sweep& sweep, std::size_t first, std::size_t last) {
   return part;
 }
 
-/// The published program takes the height of the layer above the bed, and has no upright stadium.
+/// The program of [Vega2023, section 3.2.3] takes the height of the layer above the bed, and has no upright
+/// stadium.
 double cuttingWidth(const Sweep& sweep, CutHeight height) {
   const double z_mm = sweep.points.front().z();
   if (height == CutHeight::Bead || !(z_mm > 0.0)) return sweep.bead.width_mm;

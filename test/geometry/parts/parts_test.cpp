@@ -76,7 +76,7 @@ std::vector<Truth> truths() {
   const double edge = 10.0 * (std::sqrt(2.0) - 1.0);
   const double bevel = 5.0 - 0.5 * edge;
   return {
-      // 723.85 mm3 and 434.31 mm2, as published.
+      // 723.85 mm3 and 434.31 mm2 [Guacheta2021, table 5-3].
       {"bevelled_cube",
        {},
        100.0 * edge + 2.0 / 3.0 * bevel * (100.0 + 10.0 * edge + edge * edge),

@@ -27,7 +27,7 @@ InfillRequest solid(ContourLink link = ContourLink::Average, std::size_t layer =
   return request;
 }
 
-/// Contours of circles and squares with no, one and two islands (T5).
+/// Contours of circles and squares with no, one and two islands [Guacheta2021, figures 3-6 to 3-9].
 std::vector<Region> outlinesWithIslands() {
   const Polygon round = circle({0, 0}, 10, 120);
   const Polygon square = rectangle(-10, -10, 10, 10);
@@ -49,7 +49,7 @@ double filledArea(const FillPath& run) {
   return sum;
 }
 
-// T5 of the curved paths.
+// The outline, larger or smaller about the origin.
 Polygon scaledAboutOrigin(Polygon polygon, double factor) {
   for (Point2& point : polygon) point *= factor;
   return polygon;
@@ -97,7 +97,7 @@ TEST(Contour, CutsAtPlacesThatChangeWithTheLayerOnly) {
             contour(square, solid(ContourLink::Average, 1)).front().points);
 }
 
-// T5 of the curved paths.
+// [Guacheta2021, figure 3-7]
 TEST(ContourTree, HasLoopsAPitchApartWithinOnePercent) {
   const ContourTree tree = contourTree({circle({0, 0}, 10, 360), {}}, solid());
   for (std::size_t i = 0; i < 24; ++i) {
@@ -139,8 +139,8 @@ std::vector<std::vector<Polygon>> linesRound(const Region& region, const Contour
   return lines;
 }
 
-// T5 of the curved paths: never nearer, and farther only where a narrow rest between loops, which is filled
-// by loops of its own, ends beside them.
+// [Guacheta2021, figure 3-9]: never nearer, and farther only where a narrow rest between loops, which is
+// filled by loops of its own, ends beside them.
 TEST(ContourTree, HasLoopsAPitchApartWithinOnePercentRoundIslands) {
   constexpr double kPitch = 0.4;
   for (const Region& region : outlinesWithIslands()) {
@@ -163,7 +163,7 @@ TEST(ContourTree, HasLoopsAPitchApartWithinOnePercentRoundIslands) {
   }
 }
 
-// T5 of the curved paths.
+// [Guacheta2021, figure 3-8]
 TEST(ContourTree, MergesLoopsWhereAnIslandTouchesTheOutside) {
   // 1.6 mm are left between island and border: a loop round each, and then less than a loop needs.
   const Region region = {rectangle(-10, -10, 10, 10), {reversed(rectangle(3, -3, 8.4, 3))}};

@@ -36,7 +36,7 @@ std::array<std::pair<Point2, Point2>, 2> linesOf(const RingNet& net, const RingL
 
 double angleOf(const Point2& point) { return std::atan2(point.y(), point.x()); }
 
-// T5 of the curved paths, connection type 0: along the local normal, which on circles is the radius.
+// [Guacheta2021, figure 3-10]: along the local normal, which on circles is the radius.
 TEST(RingLink, OfTheTangentialKindLandsAtTheNearestPoints) {
   const RingNet net = circles();
   const auto link = linkAt(net, {0, 3.0, 1, kPitch}, ContourLink::Tangential, {});
@@ -50,7 +50,7 @@ TEST(RingLink, OfTheTangentialKindLandsAtTheNearestPoints) {
   EXPECT_NEAR(link->b.length(), link->a.length() * 5.4 / 5.0, 2.0 * 5.4 * M_PI / 720.0 * kPitch / 5.0);
 }
 
-// T5 of the curved paths, connection type 1: across the chord of the gap.
+// [Guacheta2021, figure 3-11]: across the chord of the gap.
 TEST(RingLink, OfTheAverageKindHasParallelLinksAcrossTheGap) {
   const RingNet net = circles();
   const auto link = linkAt(net, {0, 3.0, 1, kPitch}, ContourLink::Average, {});

@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-/// Acceptance case A7, of one layer.
+/// Spacing of the points of one layer [Flores2018, figure 40].
 TEST(NormalLoop, InsertsAsManyPointsAsItsStepNeedsAndNoMore) {
   // Edges of 10 and 4 mm: ceil(10 / 3) - 1 = 3 and ceil(4 / 3) - 1 = 1 points more.
   const NormalLoop loop = withNormals(test::rectangle(0, 0, 10, 4), 3.0);

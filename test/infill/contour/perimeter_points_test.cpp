@@ -40,7 +40,7 @@ std::size_t pointsNeeded(const Polygon& contour) {
   return count;
 }
 
-/// Acceptance case A7: perimeters of sliced parts.
+/// Perimeters of sliced parts [Flores2018, figures 38 to 41].
 class PerimeterPoints : public testing::TestWithParam<std::string> {
  protected:
   PerimeterPoints() : mesh_(makePart(GetParam())) {

@@ -24,7 +24,8 @@ InfillRequest solid(double pitch) {
 
 double radiusOf(const FillPath& run) { return run.points.front().norm(); }
 
-/// Acceptance case A14: a circle of 20 mm, 1.5 mm between beads, 4 perimeters, the outermost on the contour.
+/// For [Flores2018, section 6.2.1]: a circle of 20 mm, 1.5 mm between beads, 4 perimeters, the outermost on
+/// the contour.
 InfillRequest circleRequest(PerimeterOffset offset) {
   InfillRequest request = solid(1.5);
   request.settings.perimeters.count = 4;
@@ -110,7 +111,8 @@ TEST(Perimeters, GoFromTheOutsideInOrBackOrInTurn) {
   EXPECT_TRUE(std::is_sorted(odd.begin(), odd.end()));
 }
 
-/// Acceptance case A15, on a square of which the outermost perimeter is 36 mm round.
+/// A start that moves on [Flores2018, section 6.1.2], on a square of which the outermost perimeter is 36 mm
+/// round.
 TEST(Perimeters, StartFartherAlongInEachLayer) {
   InfillRequest request = solid(1.0);
   request.settings.perimeters.count = 2;
@@ -129,7 +131,7 @@ TEST(Perimeters, StartFartherAlongInEachLayer) {
       << "a step farther than the one outside";
 }
 
-/// Acceptance case A15.
+/// A start at random [Flores2018, section 6.2.1].
 TEST(Perimeters, StartAtRandomPlacesOfTheirSeed) {
   const auto starts = [](int seed, std::size_t layer) {
     InfillRequest request = circleRequest(PerimeterOffset::Robust);

@@ -57,7 +57,7 @@ TEST(DropsAlong, AnOutlineShorterThanThePitchAreOne) {
 }
 
 TEST(DropsContour, OfASquareAreAsManyAsItsSidesHaveRoomFor) {
-  // Loops half a drop inside and a drop further each; the side's length rounded down per side (T12).
+  // Loops half a drop inside and a drop further each; the side's length rounded down per side.
   for (const double side : {10.0, 10.3, 10.6, 10.8})
     EXPECT_EQ(dropsOf("drops_contour", {{rectangle(0, 0, side, side), {}}}, 1.0).size(), 100U) << side;
   EXPECT_EQ(dropsOf("drops_contour", {{rectangle(0, 0, 12.6, 12.6), {}}}, 1.0).size(), 144U);

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, Hybrid, testing::Values(HybridLines::Fitted, Hyb
                            return lines.param == HybridLines::Fitted ? "Fitted" : "Documented";
                          });
 
-/// A section that lines along y cross twice for x from 20 to 27 and from 33 to 41 (acceptance case A9).
+/// A section that lines along y cross twice for x from 20 to 27 and from 33 to 41 [Flores2018, figure 50].
 Regions concave() {
   return {
       {rectangle(0, 0, 60, 20), {reversed(rectangle(20, 9, 27, 12)), reversed(rectangle(33, 8, 41, 11))}}};
@@ -95,13 +95,13 @@ std::size_t jumpsInside(const Regions& regions, HybridLines lines, double angle)
          1;
 }
 
-/// Acceptance case A9.
+/// [Flores2018, figure 50]
 TEST(HybridJumps, AreNeededWhereAPassLineCrossesTheSectionTwice) {
   EXPECT_GE(jumpsInside(concave(), HybridLines::Documented, M_PI / 2), 1U);
   EXPECT_GE(jumpsInside(concave(), HybridLines::Fitted, M_PI / 2), 1U);
 }
 
-/// Acceptance case A9.
+/// [Flores2018, figure 49]
 TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
   const Regions notched = {
       {{{0, 0}, {60, 0}, {60, 30}, {40, 30}, {40, 15}, {20, 15}, {20, 30}, {0, 30}}, {}}};
@@ -109,7 +109,7 @@ TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
   EXPECT_EQ(jumpsInside(notched, HybridLines::Fitted, M_PI / 2), 0U);
 }
 
-/// Acceptance case A9: travel of the documented order, by midpoints, by ends and optimised.
+/// Travel in the order of [Flores2018, figure 50], by midpoints, by ends and optimised.
 TEST(HybridJumps, AreShorterInAGreedyOrderThanInTheInitialOne) {
   const std::vector<RasterSection> sections = concaveSections();
   ASSERT_EQ(sections.size(), 7U);

@@ -29,7 +29,7 @@ double worstClearance(const std::vector<GridSection>& sections, double radius) {
   return least;
 }
 
-/// The circle of acceptance case A11: 252 points from +x, radius 20 mm.
+/// A circle: 252 points from +x, radius 20 mm.
 const Polygon& contour() {
   static const Polygon points = circle({0, 0}, 20.0, 252);
   return points;
@@ -37,7 +37,7 @@ const Polygon& contour() {
 
 std::vector<GridSection> circleSections() { return gridSections({contour()}, 2.0, {0.2, 0.2}); }
 
-/// Acceptance case A11, default mode.
+/// Ends of passes in the circle, cut by the perimeter offset inwards.
 TEST(LongitudinalAdaptation, ClippedPutsAllEndsAtTheirDistance) {
   const PerimeterApproach perimeter({contour()}, 2.0, settingsOf(LongitudinalAdaptation::Clipped));
   std::vector<GridSection> sections = circleSections();
@@ -48,7 +48,7 @@ TEST(LongitudinalAdaptation, ClippedPutsAllEndsAtTheirDistance) {
     for (const Point2& end : pass) EXPECT_NEAR((20.0 - end.norm()) / 2.0, 1.0, 1e-3);
 }
 
-/// Acceptance case A11, documented mode.
+/// Ends of passes in the circle, moved as in [Flores2018, figures 56 to 59].
 TEST(LongitudinalAdaptation, NeedsASecondPass) {
   const PerimeterApproach perimeter({contour()}, 2.0, settingsOf(LongitudinalAdaptation::TwoPass));
   std::vector<GridSection> once = circleSections();
@@ -67,8 +67,8 @@ TEST(LongitudinalAdaptation, LeavesAnEndWhosePerimeterIsBesideIt) {
   EXPECT_EQ(perimeter.approached({20.0, 16.9}, {1, 0}), Point2(20.0, 16.9)) << "3.1 mm beneath the border";
 }
 
-/// Acceptance case A12: a stack of passes from y = 0 down, `gap` spacings of 2 mm beneath the straight border
-/// of a wide rectangle.
+/// For [Flores2018, figures 60 to 63]: a stack of passes from y = 0 down, `gap` spacings of 2 mm beneath the
+/// straight border of a wide rectangle.
 class Transversal : public testing::TestWithParam<LongitudinalAdaptation> {
  protected:
   GridSection adapted(double gap) const {
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Modes, Transversal,
                            return mode.param == LongitudinalAdaptation::Clipped ? "Clipped" : "TwoPass";
                          });
 
-/// Acceptance case A13, seen along its passes: they run along y of the part, which is x here.
+/// A rectangle of 40 x 20 mm, seen along its passes: they run along y of the part, which is x here.
 std::vector<GridSection> rectangleSections(LongitudinalAdaptation longitudinal) {
   const Polygon perimeter = rectangle(0, 0, 20, 40);
   std::vector<GridSection> sections = gridSections({perimeter}, 2.0, {0.2, 0.2});
@@ -175,7 +175,7 @@ TEST(PassAdaptation, FitsNineteenPassesIntoARectangle) {
   }
 }
 
-/// Acceptance case A13 in the documented mode.
+/// The same rectangle, its ends moved as in [Flores2018, figures 56 to 59].
 TEST(PassAdaptation, InTwoPassesLeavesOneEndInTheCornerBehind) {
   const std::vector<GridSection> sections = rectangleSections(LongitudinalAdaptation::TwoPass);
   ASSERT_EQ(sections.size(), 1U);

@@ -22,7 +22,7 @@ FilledDropProgram filled(const std::string& text, const DropVoidSettings& settin
   return fillDropProgram(parseDropProgram(text, {}), settings, {}, progress);
 }
 
-TEST(DropVoidJob, LeavesAProgramWithoutVoidsByteForByte) {  // T17
+TEST(DropVoidJob, LeavesAProgramWithoutVoidsByteForByte) {
   const std::string text = squareProgram({kNoneMissing, kNoneMissing});
   const FilledDropProgram result = filled(text);
   EXPECT_EQ(result.text, text);
@@ -31,7 +31,7 @@ TEST(DropVoidJob, LeavesAProgramWithoutVoidsByteForByte) {  // T17
   EXPECT_FALSE(result.report.is_worth_it);
 }
 
-TEST(DropVoidJob, PutsTheMissingDropBackIntoItsLayerOnly) {  // T17 and T18
+TEST(DropVoidJob, PutsTheMissingDropBackIntoItsLayerOnly) {
   const std::string text = squareProgram({kNoneMissing, {4, 4}, kNoneMissing});
   const FilledDropProgram result = filled(text);
   const std::string before = text.substr(0, text.find("M117 layer 1 done"));

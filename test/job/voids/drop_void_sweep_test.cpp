@@ -17,7 +17,7 @@ std::vector<DropSweepStep> sweepOf(const std::string& text) {
 }
 
 TEST(DropVoidSweep, PutsAMissingDropBackAtAnyDegreeAndFillsPoresAboveTheirOwn) {
-  // T2, T4: the pores of a square lattice are admitted from 1 - 1 / sqrt(2) = 29.3 % on, 64 of them.
+  // The pores of a square lattice are admitted from 1 - 1 / sqrt(2) = 29.3 % on, 64 of them.
   const std::vector<DropSweepStep> steps = sweepOf(test::squareProgram({{4, 4}}));
   ASSERT_EQ(steps.size(), 9U);
   for (const DropSweepStep& step : steps) {
@@ -34,7 +34,7 @@ TEST(DropVoidSweep, PutsAMissingDropBackAtAnyDegreeAndFillsPoresAboveTheirOwn) {
 }
 
 TEST(DropVoidSweep, MeasuresTheWholeInsideBeforeAndAfter) {
-  // T8 in a program: within the contour of 8 x 8 pitches there is a void of 1.6438, and pores of 0.2146.
+  // Within the contour of 8 x 8 pitches there is a void of 1.6438, and pores of 0.2146.
   const std::vector<DropSweepStep> steps = sweepOf(test::squareProgram({{4, 4}}));
   for (const DropSweepStep& step : steps) {
     EXPECT_NEAR(step.inside_mm2, 64.0, 0.1);

@@ -25,7 +25,7 @@ struct NamedPart {
   std::vector<Layer> layers;
 };
 
-/// The parts of T4: figures 3-13 to 3-19.
+/// The parts of [Guacheta2021, figures 3-13 to 3-19].
 std::vector<NamedPart> parts() {
   const Polygon disc = circle({0, 0}, 8, 90);
   const Polygon hole = reversed(rectangle(-3, -3, 3, 3));
@@ -59,7 +59,7 @@ PlanSettings contoursOnly() {
   return settings;
 }
 
-// T4 of the curved paths.
+// [Guacheta2021, algorithm 3-3]
 TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
   for (const NamedPart& part : parts()) {
     const ToolpathTotals sums = totals(plan(part.layers, contoursOnly()));
@@ -68,7 +68,7 @@ TEST(LayerChain, MakesOnePathWithoutTravelOfAPartOfOneRegionPerLayer) {
   }
 }
 
-// T4 of the curved paths.
+// [Guacheta2021, figures 3-13 to 3-19]
 TEST(LayerChain, LaysNoPointOutsideTheOutline) {
   for (const NamedPart& part : parts()) {
     const Toolpath toolpath = plan(part.layers, contoursOnly());
@@ -82,7 +82,7 @@ TEST(LayerChain, LaysNoPointOutsideTheOutline) {
   }
 }
 
-// T4 of the curved paths.
+// [Guacheta2021, algorithm 3-3]
 TEST(LayerChain, BeginsEachLayerWhereTheOneBeneathEnded) {
   for (const NamedPart& part : parts()) {
     const Toolpath toolpath = plan(part.layers, contoursOnly());

@@ -84,7 +84,7 @@ TEST(Ordering, ComesNearTheShortestTravelOfFewRuns) {
 }
 
 TEST(Ordering, OfPointsAtRandomComesNearTheKnownTourLength) {
-  // Beardwood, Halton and Hammersley 1959: about 0.7124 sqrt(n A) for many points; 2-opt stays within 15 % or
+  // [Beardwood1959]: about 0.7124 sqrt(n A) for many points; 2-opt stays within 15 % or
   // so.
   Random random(5);
   std::vector<RunEnds> points(5000);

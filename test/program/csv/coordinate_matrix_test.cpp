@@ -24,7 +24,7 @@ Toolpath loop() {
 TEST(CoordinateMatrix, RowsOfALoopAreThoseOfTheDocument) {
   const std::vector<CoordinateRow> rows = coordinateMatrix(loop(), 1.75);
   ASSERT_EQ(rows.size(), 5U);
-  // Fig 22: filament in mm, of a loop of 88 mm; its coordinates are rounded to 0.1 mm.
+  // [Vega2023, figure 22]: filament in mm, of a loop of 88 mm; its coordinates are rounded to 0.1 mm.
   const double filament_mm[] = {0.0, 2.1294, 2.3729, 4.5023, 4.7459};
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_NEAR(rows[i].filament_mm, filament_mm[i], 2e-3) << i;
   EXPECT_EQ(rows.front().point, rows.back().point);

@@ -19,13 +19,13 @@ std::string filled(const std::string& text, const std::vector<std::vector<Point2
   return withDrops(parseDropProgram(text, {}), added, {});
 }
 
-TEST(DropInsertion, OfNoDropGivesTheProgramByteForByte) {  // T17
+TEST(DropInsertion, OfNoDropGivesTheProgramByteForByte) {
   const std::string text = squareProgram({kNoneMissing, {4, 4}});
   EXPECT_EQ(filled(text, {}), text);
   EXPECT_EQ(filled(text, {{}, {}}), text);
 }
 
-TEST(DropInsertion, PutsExactlyItsLinesBehindTheLastDropOfTheLayer) {  // T17 and T18
+TEST(DropInsertion, PutsExactlyItsLinesBehindTheLastDropOfTheLayer) {
   const std::string text = squareProgram({kNoneMissing, {4, 4}, kNoneMissing});
   const std::string before = text.substr(0, text.find("M117 layer 1 done"));
   EXPECT_EQ(filled(text, {{}, {{14, 24}}, {}}),
@@ -125,7 +125,7 @@ std::string withoutBlocks(const std::string& text, const DropProgram& program,
   return rest + text.substr(at);
 }
 
-TEST(DropInsertion, KeepsEveryByteOfAnyProgram) {  // T17
+TEST(DropInsertion, KeepsEveryByteOfAnyProgram) {
   EXPECT_TRUE(rc::check("random programs", [](std::uint64_t seed) {
     Random random(seed);
     const DropProgram program = parseDropProgram(randomProgram(random), {});

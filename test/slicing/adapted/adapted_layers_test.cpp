@@ -43,7 +43,7 @@ bool isOnEdge(const Point3& point) {
   return std::abs(std::remainder(std::atan2(point.y(), point.x()), 2.0 * kDegree)) < 1e-9;
 }
 
-/// The case A17: 45 degrees at phi = 0, vertical at 180.
+/// A wall that leans one way: 45 degrees at phi = 0, vertical at 180.
 Mesh leaningOneWay(double height_mm) {
   return test::loftedSolid({0.0, height_mm}, 360,
                            [](double phi, double z) { return 20.0 + z * (1.0 + std::cos(phi)) / 2.0; });

@@ -30,7 +30,7 @@ double besideMovedPlanes(const Point3& p, double offset) {
   return std::min(p.z(), slope) - offset;
 }
 
-// T2
+// The tetradecahedron of [Guacheta2021, table 5-3]; listing A.7 takes 15 shells.
 TEST(CurvedLayers, OfTheOctagonSolidHaveFifteenShellsASideAndTwentyLevelLayers) {
   const CurvedLayers layers = curved(test::octagonSolid());
   EXPECT_EQ(layers.scheme, CurvedScheme::BothSides);
@@ -84,7 +84,7 @@ TEST(CurvedLayers, AreSeenFromTheNozzleAndGrowUpwards) {
             boundingBox(layers.upper.back().middle).high.z());
 }
 
-// T3
+// The sphere of [Guacheta2021, table 5-3]
 TEST(CurvedLayers, OfASphereAreThirtyFiveShellsAHalf) {
   const CurvedLayers layers = curved(makePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}}));
   ASSERT_EQ(layers.lower.size(), 35U);
@@ -101,7 +101,7 @@ TEST(CurvedLayers, OfASphereAreThirtyFiveShellsAHalf) {
   EXPECT_NEAR(layers.lower_ends.front().offset_mm, 7.0, 0.05);
 }
 
-// T1
+// The orthohedron of [Guacheta2021, table 5-3]
 TEST(CurvedLayers, OfABoxAreLevelLayers) {
   const CurvedLayers layers = curved(makePart("box", {{"x_mm", "20"}, {"y_mm", "40"}, {"z_mm", "20"}}));
   EXPECT_TRUE(layers.lower.empty());
@@ -209,7 +209,7 @@ TEST(CurvedLayers, InLittleRoomLevelLayersAreOneOrTwo) {
   EXPECT_EQ(middleSlabs(1.0, 1.25, 0.2).size(), 1U);
   EXPECT_EQ(middleSlabs(1.0, 1.35, 0.2).size(), 2U);
   EXPECT_NEAR(middleSlabs(1.0, 1.35, 0.2).back().cut(), 1.2625, 1e-12);
-  // The source would take two of 0.39 mm for this plate, and five of 0.2475 mm for the next.
+  // [Guacheta2021, listing A.7] would take two of 0.39 mm for this plate, and five of 0.2475 mm for the next.
   for (const double room : {0.59, 0.79, 1.19}) {
     const std::vector<LayerSlab> slabs = middleSlabs(0.0, room, 0.2);
     EXPECT_NEAR(slabs.front().bottom_mm, 0.0, 1e-12);

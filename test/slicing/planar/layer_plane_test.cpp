@@ -20,7 +20,8 @@ PlaneSettings plane(double angle_deg, double axis_heading_deg) {
 }
 
 TEST(LayerPlane, TurnsAsTheDocumentedRotation) {
-  // The table of the specification: a point at (10, 20, 30) turned by +45 deg about x, y and -45 deg about x.
+  // By [Garcia2024, eq. 4.1 to 4.3]: a point at (10, 20, 30) turned by +45 deg about x, y and -45 deg about
+  // x.
   const Point3 point(10, 20, 30);
   EXPECT_TRUE((partFromLayers(plane(45, 0)) * point).isApprox(Point3(10, -5 * M_SQRT2, 25 * M_SQRT2)));
   EXPECT_TRUE((partFromLayers(plane(45, 90)) * point).isApprox(Point3(20 * M_SQRT2, 20, 10 * M_SQRT2)));

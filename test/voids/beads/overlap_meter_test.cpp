@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-TEST(OverlapMeter, OfDropsInAllPoresOfASquareLatticeIsThatOfTheSpecification) {
+TEST(OverlapMeter, OfDropsInAllPoresOfASquareLatticeIsThatOfTheirDiscs) {
   std::vector<Point2> pores;
   for (int y = -4; y < 4; ++y)
     for (int x = -4; x < 4; ++x) pores.emplace_back(x + 0.5, y + 0.5);

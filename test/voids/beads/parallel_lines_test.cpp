@@ -39,7 +39,7 @@ double overFill(const ToolpathLayer& layer) {
   return findVoids({{rectangle(-1, -1, kSide + 1, kSide + 1), {}}}, layer, {}).overfill_mm2;
 }
 
-// Case T9 of optimal-curved-paths.md: a horizontal face of 10 x 10 mm, lines 0.4 mm wide.
+// A horizontal face of 10 x 10 mm, lines 0.4 mm wide.
 
 TEST(T9ParallelLines, EveryHalfMillimetreLeaveAFifthOpen) {
   const ToolpathLayer layer = lines(0.4, 0.5);

@@ -175,7 +175,7 @@ TEST(VoidMap, OfDropsIsWhatTheirDiscsLeave) {
   for (int i = 0; i < 10; ++i)
     for (int k = 0; k < 10; ++k) drops.points.emplace_back(i + 0.5, k + 0.5, kHeight);
   const LayerVoids voids = findVoids(kSquare, layerOf({drops}), {});
-  EXPECT_NEAR(voids.uncovered_mm2, 21.46, 0.2);  // droplet-infill.md, square raster
+  EXPECT_NEAR(voids.uncovered_mm2, 21.46, 0.2);  // 1 - pi / 4 of a square raster
   EXPECT_NEAR(voids.overfill_mm2, 0.0, 0.05);
 }
 

@@ -21,20 +21,20 @@ std::vector<VoidPoint> voronoi(const std::vector<Point2>& drops, double least_di
   return findVoidPoints(VoidDetector::Voronoi, drops, {1.0, least_distance});
 }
 
-TEST(VoronoiPoints, OfASquareLatticeAreTheMiddlesOfItsCells) {  // T2
+TEST(VoronoiPoints, OfASquareLatticeAreTheMiddlesOfItsCells) {
   const std::vector<VoidPoint> points = voronoi(squareLattice(9), 0.0);
   EXPECT_EQ(points.size(), 64U);
   for (const VoidPoint& point : points) EXPECT_NEAR(point.clearance_mm, std::sqrt(0.5), 1e-9);
   EXPECT_TRUE(voronoi(squareLattice(9), 0.71).empty());
 }
 
-TEST(VoronoiPoints, OfAHexagonalLatticeAreEquallyClear) {  // T3
+TEST(VoronoiPoints, OfAHexagonalLatticeAreEquallyClear) {
   const std::vector<VoidPoint> points = inside({rectangle(-5, -5, 5, 5)}, voronoi(hexLattice(7.0), 0.0));
   EXPECT_GT(points.size(), 150U);
   for (const VoidPoint& point : points) EXPECT_NEAR(point.clearance_mm, 1.0 / std::sqrt(3.0), 1e-9);
 }
 
-TEST(VoronoiPoints, OfAMissingTriangleHaveTheirGreatestClearanceInItsMiddle) {  // T7
+TEST(VoronoiPoints, OfAMissingTriangleHaveTheirGreatestClearanceInItsMiddle) {
   const std::vector<Point2> removed = {hexSite(0, 0), hexSite(1, 0), hexSite(0, 1)};
   double greatest = 0.0;
   for (const VoidPoint& point :
@@ -56,7 +56,7 @@ TEST(VoronoiPoints, AreAsFarFromTheNearestDropAsTheySay) {
   }));
 }
 
-TEST(VoronoiPoints, InAWedgeOfContoursAreAsClearAsItsAngleSays) {  // T13
+TEST(VoronoiPoints, InAWedgeOfContoursAreAsClearAsItsAngleSays) {
   // Two contours a diameter apart as nearly continuous lines: the inner one's tip is 1 / sin(half the angle)
   // further in.
   const double angles_deg[] = {60.0, 40.0, 28.96, 20.0};
@@ -90,7 +90,7 @@ TEST(NeighbourPoints, MarkAMissingDropFromAllItsNeighbours) {
 
 class EitherDetector : public testing::TestWithParam<VoidDetector> {};
 
-TEST_P(EitherDetector, TakesDegenerateClouds) {  // T22
+TEST_P(EitherDetector, TakesDegenerateClouds) {
   const std::vector<Point2> line = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {5, 0}};
   const std::vector<Point2> twice = {{0, 0}, {0, 0}, {1, 0}, {1, 0}, {0, 1}, {0, 1}};
   for (const std::vector<Point2>& drops :

@@ -18,12 +18,12 @@ using test::without;
 
 const std::vector<Polygon> kMiddle = {rectangle(-3, -3, 3, 3)};
 
-TEST(DiscCoverage, FindsTheLargestVoidOfAHexagonalLattice) {  // T8
+TEST(DiscCoverage, FindsTheLargestVoidOfAHexagonalLattice) {
   EXPECT_NEAR(discCoverage(without(hexLattice(6.0), {{0, 0}}), 1.0, kMiddle).largest_mm2, 1.0273, 0.01);
   EXPECT_NEAR(discCoverage(hexLattice(6.0), 1.0, kMiddle).largest_mm2, 0.0403, 0.004);
 }
 
-TEST(DiscCoverage, FindsTheLargestVoidOfASquareLattice) {  // T8
+TEST(DiscCoverage, FindsTheLargestVoidOfASquareLattice) {
   EXPECT_NEAR(discCoverage(without(squareLattice(9), {{0, 0}}), 1.0, kMiddle).largest_mm2, 1.6438, 0.015);
   EXPECT_NEAR(discCoverage(squareLattice(9), 1.0, kMiddle).largest_mm2, 0.2146, 0.005);
 }

@@ -52,16 +52,16 @@ void expectDropsAt(const std::vector<Point2>& drops, const std::vector<Point2>& 
     })) << place.transpose();
 }
 
-TEST(DropFilling, LeavesASoundSquareLatticeAloneUpToItsPores) {  // T2
+TEST(DropFilling, LeavesASoundSquareLatticeAloneUpToItsPores) {
   EXPECT_EQ(addedTo(squareWithout({}), 0.29), 0U);
   EXPECT_EQ(addedTo(squareWithout({}), 0.30), 64U);
 }
 
-TEST(DropFilling, LeavesASoundHexagonalLatticeAlone) {  // T3
+TEST(DropFilling, LeavesASoundHexagonalLatticeAlone) {
   for (const double overlap : {0.0, 0.2, 0.42}) EXPECT_EQ(addedTo(hexWithout({}), overlap), 0U);
 }
 
-TEST(DropFilling, PutsAMissingDropBackExactly) {  // T4
+TEST(DropFilling, PutsAMissingDropBackExactly) {
   for (const double overlap : {0.0, 0.2, 0.29}) {
     const DropLayer layer = squareWithout({{1, 1}});
     const std::vector<DropVoid> voids = fillDropVoids(layer, allowing(overlap));
@@ -71,7 +71,7 @@ TEST(DropFilling, PutsAMissingDropBackExactly) {  // T4
   }
 }
 
-TEST(DropFilling, PutsMissingDropsOfAHexagonalLatticeBack) {  // T5 and T7
+TEST(DropFilling, PutsMissingDropsOfAHexagonalLatticeBack) {
   const std::vector<std::vector<Point2>> cases = {
       {hexSite(0, 0)},
       {hexSite(0, 0), hexSite(1, 0)},
@@ -86,7 +86,7 @@ TEST(DropFilling, PutsMissingDropsOfAHexagonalLatticeBack) {  // T5 and T7
     }
 }
 
-TEST(DropFilling, FillsVoidsApartFromEachOther) {  // T6
+TEST(DropFilling, FillsVoidsApartFromEachOther) {
   const std::vector<DropVoid> voids =
       fillDropVoids(hexWithout({hexSite(-2, 0), hexSite(2, 0)}), allowing(0.2));
   ASSERT_EQ(voids.size(), 2U);
@@ -94,7 +94,7 @@ TEST(DropFilling, FillsVoidsApartFromEachOther) {  // T6
   expectDropsAt(voids[1].drops, {hexSite(2, 0)});
 }
 
-TEST(DropFilling, TellsHowMuchOfAVoidItCovered) {  // T8, for single voids
+TEST(DropFilling, TellsHowMuchOfAVoidItCovered) {
   const std::vector<DropVoid> hex = fillDropVoids(hexWithout({{0, 0}}), allowing(0.0));
   ASSERT_EQ(hex.size(), 1U);
   EXPECT_NEAR(hex[0].uncovered_before_mm2, 1.0273, 0.02);
@@ -117,7 +117,7 @@ DropLayer twoRows(double height, double shift) {
   return layer;
 }
 
-TEST(DropFilling, FillsBetweenAlignedRowsFromACertainDistance) {  // T9
+TEST(DropFilling, FillsBetweenAlignedRowsFromACertainDistance) {
   const double overlaps[] = {0.0, 0.1, 0.2};
   const double heights[] = {1.7321, 1.4967, 1.2490};
   for (int i = 0; i < 3; ++i) {
@@ -129,7 +129,7 @@ TEST(DropFilling, FillsBetweenAlignedRowsFromACertainDistance) {  // T9
   }
 }
 
-TEST(DropFilling, FillsBetweenStaggeredRowsFromACertainDistance) {  // T10
+TEST(DropFilling, FillsBetweenStaggeredRowsFromACertainDistance) {
   const double overlaps[] = {0.0, 0.1, 0.2};
   const double heights[] = {1.8660, 1.6483, 1.4245};
   for (int i = 0; i < 3; ++i) {
@@ -140,7 +140,7 @@ TEST(DropFilling, FillsBetweenStaggeredRowsFromACertainDistance) {  // T10
   }
 }
 
-TEST(DropFilling, FillsASlitAsWideAsItsOverlapAllows) {  // T11
+TEST(DropFilling, FillsASlitAsWideAsItsOverlapAllows) {
   // Contours as nearly continuous lines, w + 1 apart: a slit of free width w.
   const auto slit = [](double free_width) {
     DropLayer layer;
@@ -161,7 +161,7 @@ TEST(DropFilling, FillsASlitAsWideAsItsOverlapAllows) {  // T11
   }
 }
 
-TEST(DropFilling, PutsOneDropBetweenTheTipsOfContours) {  // T13
+TEST(DropFilling, PutsOneDropBetweenTheTipsOfContours) {
   // Two contours a diameter apart as nearly continuous lines, their tips at 60 degrees 2 diameters apart.
   // The place clear of both is 1 / (1 + sin 30) from the tip of the outer one's legs and of the inner tip.
   constexpr double kClearance = 2.0 / 3.0;
@@ -194,7 +194,7 @@ TEST(DropFilling, PutsOneDropBetweenTheTipsOfContours) {  // T13
   EXPECT_NEAR(drops[0].y(), 0.0, 0.01);
 }
 
-TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {  // T12
+TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {
   struct Case {
     double side;
     double overlap;
@@ -210,7 +210,7 @@ TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {  // T12
   }
 }
 
-TEST(DropFilling, OverlapsMoreAndMoreAboveThePoresOfASquareLattice) {  // T15
+TEST(DropFilling, OverlapsMoreAndMoreAboveThePoresOfASquareLattice) {
   const DropLayer layer = filledLayer("drops_contour", {{rectangle(0, 0, 10.6, 10.6), {}}}, 1.0);
   const double per_drop[] = {0.0, 0.0, 0.0077, 0.2546, 0.2548};
   for (int i = 0; i < 5; ++i) {
@@ -221,7 +221,7 @@ TEST(DropFilling, OverlapsMoreAndMoreAboveThePoresOfASquareLattice) {  // T15
   }
 }
 
-TEST(DropFilling, DoesNotDependOnSizePlaceAndDirection) {  // T19
+TEST(DropFilling, DoesNotDependOnSizePlaceAndDirection) {
   const double angle = 17.0 * M_PI / 180.0;
   Eigen::Matrix2d turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
@@ -246,7 +246,7 @@ TEST(DropFilling, DoesNotDependOnSizePlaceAndDirection) {  // T19
   }
 }
 
-TEST(DropFilling, ByNeighboursGivesTheDropsOfTheVoronoiDiagram) {  // T21
+TEST(DropFilling, ByNeighboursGivesTheDropsOfTheVoronoiDiagram) {
   const std::vector<DropLayer> layers = {squareWithout({{0, 0}}),
                                          hexWithout({}),
                                          hexWithout({hexSite(0, 0)}),
@@ -261,7 +261,7 @@ TEST(DropFilling, ByNeighboursGivesTheDropsOfTheVoronoiDiagram) {  // T21
     }
 }
 
-TEST(DropFilling, ByNeighboursMissesTheMiddleOfARowInOnePass) {  // T21
+TEST(DropFilling, ByNeighboursMissesTheMiddleOfARowInOnePass) {
   const DropLayer layer = hexWithout({hexSite(-1, 0), hexSite(0, 0), hexSite(1, 0)});
   DropVoidSettings settings = allowing(0.2, VoidDetector::Neighbours);
   EXPECT_EQ(newDrops(fillDropVoids(layer, settings)).size(), 2U);
@@ -273,7 +273,7 @@ TEST(DropFilling, ByNeighboursMissesTheMiddleOfARowInOnePass) {  // T21
   EXPECT_EQ(voids.size(), 2U) << "the second pass works on a void of the first";
 }
 
-TEST(DropFilling, LaysNothingWithoutAContour) {  // T22
+TEST(DropFilling, LaysNothingWithoutAContour) {
   DropLayer layer;
   layer.diameter_mm = 1.0;
   EXPECT_TRUE(fillDropVoids(layer, {}).empty());
@@ -284,7 +284,7 @@ TEST(DropFilling, LaysNothingWithoutAContour) {  // T22
   EXPECT_TRUE(fillDropVoids(layer, {}).empty()) << "two drops enclose nothing";
 }
 
-TEST(DropFilling, LaysNothingIntoContoursThatEncloseNothing) {  // T22
+TEST(DropFilling, LaysNothingIntoContoursThatEncloseNothing) {
   const std::vector<std::vector<Point2>> contours = {
       {{1, 1}},                              // one drop
       {{1, 1}, {4, 5}},                      // two
@@ -305,7 +305,7 @@ TEST(DropFilling, LaysNothingIntoContoursThatEncloseNothing) {  // T22
       }
 }
 
-TEST(DropFilling, FillsALatticeWhoseDropsAreDoubledAsIfTheyWereNot) {  // T22
+TEST(DropFilling, FillsALatticeWhoseDropsAreDoubledAsIfTheyWereNot) {
   DropLayer layer = squareWithout({{1, 1}});
   layer.drops.insert(layer.drops.end(), layer.drops.begin(), layer.drops.end());
   layer.chains.push_back({DropRole::Infill, layer.drops.size() / 2, layer.drops.size()});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// T14 and T16: what filling keeps, whatever the part, the strategy and the allowed overlap.
+// What filling keeps, whatever the part, the strategy and the allowed overlap.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-TEST(DropOverlap, HasTheValuesOfBothDefinitions) {  // T1
+TEST(DropOverlap, HasTheValuesOfBothDefinitions) {
   const double distance[] = {1.0, 0.9, 0.8, 0.5, 0.0};
   const double linear[] = {0.0, 0.1, 0.2, 0.5, 1.0};
   const double area[] = {0.0, 0.03739, 0.10409, 0.39100, 1.0};
@@ -24,7 +24,7 @@ TEST(DropOverlap, OfDropsApartIsNone) {
   EXPECT_EQ(overlapAt(1.7, OverlapDefinition::Area), 0.0);
 }
 
-TEST(DistanceOfOverlap, HasTheValuesOfBothDefinitions) {  // section 3.1
+TEST(DistanceOfOverlap, HasTheValuesOfBothDefinitions) {
   const double overlap[] = {0.0, 0.05, 0.1, 0.2, 0.3, 0.5};
   const double linear[] = {1.0, 0.95, 0.9, 0.8, 0.7, 0.5};
   const double area[] = {1.0, 0.8783, 0.8054, 0.6870, 0.5851, 0.4040};

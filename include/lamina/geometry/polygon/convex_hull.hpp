@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The convex hull (Andrew 1979), counter-clockwise, corners only; empty if all points lie on one line.
+/// The convex hull [Andrew1979], counter-clockwise, corners only; empty if all points lie on one line.
 Polygon convexHull(std::vector<Point2> points);
 
 }  // namespace lamina

@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The outline with fewer points, all of them its own (Douglas and Peucker 1973): every point left out lies
+/// The outline with fewer points, all of them its own [Douglas1973]: every point left out lies
 /// within `tolerance_mm` [mm] of the edge that replaces it. Stays closed and keeps its winding.
 ///
 /// @return fewer than three points, hence no outline, only if all of it lies within the tolerance of one

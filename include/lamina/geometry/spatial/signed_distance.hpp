@@ -15,8 +15,8 @@ struct SignedPlace {
   NearestPlace nearest;
 };
 
-/// Signed distances to a closed mesh that faces outwards, by the pseudonormal of the nearest place (Bærentzen
-/// and Aanæs 2005): of the face, the sum of both faces on an edge, weighted by angles at a vertex. Exact up
+/// Signed distances to a closed mesh that faces outwards, by the pseudonormal of the nearest place
+/// [Baerentzen2005]: of the face, the sum of both faces on an edge, weighted by angles at a vertex. Exact up
 /// to rounding; where the mesh is open or passes through itself the sign is that of the nearest face.
 class SignedDistance {
  public:

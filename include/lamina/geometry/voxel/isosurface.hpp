@@ -14,7 +14,7 @@ namespace lamina {
 using DepthInside = std::function<double(int i, int j, int k)>;
 
 /// The closed surface between the lattice points that are inside and those that are not, by marching cubes
-/// (Lorensen and Cline 1987). Lattice points are the centres of the voxels; `inside` is solid where they are
+/// [Lorensen1987]. Lattice points are the centres of the voxels; `inside` is solid where they are
 /// inside, and everything beyond its frame is outside. Where the corners of a face of a cube are inside
 /// crosswise, the two are kept apart, on both sides of the face alike. So the surface is closed, free of
 /// edges with more than two triangles, and faces outwards.

@@ -9,7 +9,7 @@ namespace lamina {
 /// How each perimeter follows from the one outside of it.
 enum class PerimeterOffset {
   Robust,   ///< the outline offset as an area: loops part, join and vanish as it does
-  Normals,  ///< each point moved along its normal, as documented for metal deposition; may cross itself
+  Normals,  ///< each point moved along its normal [Flores2018, section 6.2.1]; may cross itself
 };
 
 /// In which order perimeters are laid.

@@ -9,7 +9,7 @@ namespace lamina {
 /// Where the lines inside the perimeter run.
 enum class HybridLines {
   Fitted,      ///< strips that divide what the perimeter leaves evenly, filled to their ends
-  Documented,  ///< rows of grid nodes, adapted to the perimeter as documented for metal deposition
+  Documented,  ///< rows of grid nodes, adapted to the perimeter as in [Flores2018, section 6.1.2]
 };
 
 /// How documented lines are brought to the right distance from the perimeter at their ends.

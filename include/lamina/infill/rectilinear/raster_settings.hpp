@@ -8,7 +8,7 @@ namespace lamina {
 
 /// In which order sections of a raster are laid.
 enum class SectionOrder {
-  Midpoints,  ///< greedy, by the midpoints of first and last lines, as documented for metal deposition
+  Midpoints,  ///< greedy, by the midpoints of first and last lines [Flores2018, figures 52 and 53]
   Ends,       ///< greedy, by the end points of first and last lines
   Optimised,  ///< improved from there
 };

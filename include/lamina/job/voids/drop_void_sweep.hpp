@@ -23,7 +23,7 @@ struct DropSweepStep {
 };
 
 /// Tries allowed overlaps from 0 to 0.4 by 0.05, so that a degree can be chosen before anything is printed
-/// (droplet-infill.md section 6); all other settings stay.
+/// [Sobreviela2014, section 6.1]; all other settings stay.
 /// @throws InvalidProgram as `reportDropVoids`; Cancelled
 std::vector<DropSweepStep> sweepDropVoids(const DropProgram& program, const DropVoidSettings& settings,
                                           Progress& progress);

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Where an arm wants jets to lean that a table turns for it (metal-deposition-paths.md 2.13: the work object
+/// Where an arm wants jets to lean that a table turns for it ([Flores2018, section 6.1.2]: the work object
 /// keeps a fixed relation to the head's best heading).
 struct TableHeading {
   /// In which direction jets go, about the table's axis, from the direction in which the table stands seen

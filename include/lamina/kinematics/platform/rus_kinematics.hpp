@@ -16,8 +16,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// @param ball    [mm, base frame]
 std::optional<double> crankAngle(const RusLeg& leg, const Point3& ball, CrankBranch branch);
 
-/// Inverse kinematics: the cranks' angles, each leg in the branch it is built in (optimal-curved-paths.md
-/// 2.15).
+/// Inverse kinematics: the cranks' angles, each leg in the branch it is built in. The platform is that of
+/// [Guacheta2021, section 1.2.4], which gives no equations.
 /// @param pose  base_from_platform [mm]
 /// @throws Unreachable naming every leg that does not reach, its distance and what it reaches
 CrankAngles crankAngles(const RusPlatform& platform, const Eigen::Isometry3d& pose);
@@ -60,8 +60,8 @@ struct SingularityMargins {
 SingularityMargins singularityMargins(const RusPlatform& platform, const Eigen::Isometry3d& pose,
                                       const CrankAngles& cranks);
 
-/// Turns of the platform as in the source: alpha about x, then beta about the fixed y, which tilt its -z to
-/// R_y(beta) R_x(alpha) (0, 0, -1); before both, gamma about its own z.
+/// Turns of the platform as in [Guacheta2021, listing A.18]: alpha about x, then beta about the fixed y,
+/// which tilt its -z to R_y(beta) R_x(alpha) (0, 0, -1); before both, gamma about its own z.
 struct PlatformAngles {
   double alpha = 0.0;  ///< -pi/2 to pi/2
   double beta = 0.0;   ///< -pi to pi

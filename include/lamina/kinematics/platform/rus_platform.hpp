@@ -55,7 +55,7 @@ struct RusPlatform {
   Eigen::Isometry3d home = Eigen::Isometry3d::Identity();  ///< base_from_platform [mm]
 };
 
-/// Dimensions of the Hunt platform (optimal-curved-paths.md 2.15, Table 1-1), and what the source does not
+/// Dimensions of the Hunt platform [Guacheta2021, table 1-1], and what the thesis does not
 /// tell (docs/platform.md has the reasons): the motors' directions, the branch, the home pose and the joints'
 /// ranges.
 struct HuntDimensions {
@@ -65,11 +65,11 @@ struct HuntDimensions {
   double mobile_short_mm = 50.0;
   double crank_mm = 150.0;
   double coupler_mm = 340.0;
-  double home_drop_mm = 260.0;  ///< not in the source: of the platform beneath the base
-  double crank_low = -1.2;      ///< not in the source [rad]
+  double home_drop_mm = 260.0;  ///< not published: of the platform beneath the base
+  double crank_low = -1.2;      ///< not published [rad]
   double crank_high = 1.4;
-  double greatest_lean = 1.05;   ///< not in the source: of the universal joints [rad]
-  double greatest_swing = 1.31;  ///< not in the source: of the spherical joints [rad]
+  double greatest_lean = 1.05;   ///< not published: of the universal joints [rad]
+  double greatest_swing = 1.31;  ///< not published: of the spherical joints [rad]
 };
 
 /// Distance of a hexagon's corners from its middle, if its edges are in turn `long_mm` and `short_mm` long.

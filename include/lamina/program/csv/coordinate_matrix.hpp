@@ -18,7 +18,7 @@ enum class CoordinateFlag : std::int8_t {
   Continue = 1,  ///< extruding
 };
 
-/// A row of the coordinate matrix of DECODE (Vega Rodriguez, section 3.2.3): a point of a trajectory.
+/// A row of the coordinate matrix of DECODE [Vega2023, section 3.2.3]: a point of a trajectory.
 struct CoordinateRow {
   Point3 point = Point3::Zero();  ///< nozzle tip [mm]
   CoordinateFlag flag = CoordinateFlag::Start;
@@ -42,8 +42,8 @@ std::string toCsv(const std::vector<CoordinateRow>& rows);
 std::size_t trajectoryCount(const std::vector<CoordinateRow>& rows);
 
 /// Extrusion width [mm] of the stadium laid when `filament_mm` is pushed forth over `length_mm` in a layer of
-/// `height_mm` (Fig 3 and 20): h + (E pi (D/2)²/L - pi h²/4) / h, and the upright stadium where that would be
-/// less than the height.
+/// `height_mm` [Vega2023, figures 3 and 20]: h + (E pi (D/2)²/L - pi h²/4) / h, and the upright stadium where
+/// that would be less than the height.
 /// @throws InvalidInput if length, height or diameter is not positive, or the filament is negative
 double extrusionWidth(double filament_mm, double length_mm, double height_mm, double filament_diameter_mm);
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// The words of programs for drops. No sample of the source's programs is left (droplet-infill.md
-/// section 1.1), so that each of them is a setting.
+/// The words of programs for drops. [Sobreviela2014, section 4.2] describes its programs, but its sample
+/// of one is not at hand, so that each word is a setting.
 struct DropDialect {
   std::string discharge = "M780";     ///< lets one drop go; parameters may follow it
   std::string layer_mark = "LAYER:";  ///< comment that opens a layer

@@ -9,11 +9,11 @@
 
 namespace lamina {
 
-/// Writes the toolpath as G-code in the dialect of FullControl GCode Designer (deposition-and-scaffolds.md
-/// section 2.1): a `;FLAVOR:` line and the start code, `;END OF THE START GCODE`, motions in mm with relative
-/// extrusion (G0 travels, G1 deposits) and no comments, `;START OF THE END GCODE` and the end code. Of
-/// coordinates and feeds only those that change are written, to 3 decimals; extrusion has 5, and the rounding
-/// of each E is carried on to the next. Nothing is retracted: the dialect has no word for it.
+/// Writes the toolpath as G-code in the dialect of FullControl GCode Designer ([Gleadall2021]; [Vega2023,
+/// section 3.2.6]): a `;FLAVOR:` line and the start code, `;END OF THE START GCODE`, motions in mm with
+/// relative extrusion (G0 travels, G1 deposits) and no comments, `;START OF THE END GCODE` and the end code.
+/// Of coordinates and feeds only those that change are written, to 3 decimals; extrusion has 5, and the
+/// rounding of each E is carried on to the next. Nothing is retracted: the dialect has no word for it.
 ///
 /// The nozzle goes over the first waypoint before it comes down to it.
 ///

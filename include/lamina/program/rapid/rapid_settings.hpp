@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What is deposited by how many axes (metal-deposition-paths.md section 2.13).
+/// What is deposited by how many axes [Flores2018, section 6.1.3].
 enum class RapidVariant : std::uint8_t { Powder3Axes, Powder5Axes, Wire3Axes };
 
 /// "powder_3_axes", "powder_5_axes", "wire_3_axes".
@@ -25,8 +25,8 @@ enum class RapidLoading : std::uint8_t {
   InTurn,    ///< main loads each from the controller's home folder, runs it and unloads it
 };
 
-/// How a toolpath is written as RAPID, the language of ABB's robots. Names are those of the documented
-/// listings; lengths [mm], orientations w x y z.
+/// How a toolpath is written as RAPID, the language of ABB's robots. Names are those of the listings in
+/// [Flores2018, figures 66 to 71]; lengths [mm], orientations w x y z.
 struct RapidSettings {
   RapidVariant variant = RapidVariant::Powder5Axes;
   std::string module;                    ///< empty for that of the file, or Lamina
@@ -53,7 +53,7 @@ struct RapidSettings {
   RapidConfiguration configuration = RapidConfiguration::Fixed;
   std::vector<double> fixed_configuration = {-1, 0, 0, 2};  ///< cf1, cf4, cf6, cfx
   double external_axis = 0.0;         ///< value of the first external axis [mm, deg] where no joint tells it
-  bool is_thesis_compatible = false;  ///< five external axes, as printed in the source; RAPID has six
+  bool is_thesis_compatible = false;  ///< five external axes, as printed in [Flores2018]; RAPID has six
 
   std::string laser_on = "Haz_ON";  ///< procedures of the powder variants
   std::string laser_off = "Haz_OFF";

@@ -35,8 +35,8 @@ struct AdaptedLayers {
   std::size_t completing = 0;        ///< layers from the first on in which not every wall has a closed curve
 };
 
-/// Layers of single walls that grow along the tool by the layer height (metal-deposition-paths.md section
-/// 2.12): a bead along a wall that leans rises less than the layer is high, so flat layers of that height
+/// Layers of single walls that grow along the tool by the layer height [Flores2018, section 6.2.3]:
+/// a bead along a wall that leans rises less than the layer is high, so flat layers of that height
 /// would be too far apart along the wall. Each curve is a flat contour drawn down the wall until it is at
 /// most a layer's height from the curve beneath; where walls lean alike all round, layers stay plane. What is
 /// left between the last of them and the top of the part is completed by open curves.

@@ -12,9 +12,9 @@ namespace lamina {
 
 /// The surfaces that adapted curves span, so that what is inside the walls can be filled: for each layer the
 /// area its curves enclose seen from above, at heights that satisfy Laplace's equation between the curves'
-/// own. The source knows walls only. The border's tips lie on the curves; its points are those of the curves
-/// and those that had to be put between. Thickness is the distance to the surface beneath, of the lowest
-/// layer that to the level bottom of the part.
+/// own. [Flores2018] knows walls only. The border's tips lie on the curves; its points are those of the
+/// curves and those that had to be put between. Thickness is the distance to the surface beneath, of the
+/// lowest layer that to the level bottom of the part.
 ///
 /// @param bottom_mm  height of the part's bottom
 /// @param step_mm    distance of the points inside

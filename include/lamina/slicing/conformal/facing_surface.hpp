@@ -18,7 +18,7 @@ using TriangleNumbers = std::vector<std::uint32_t>;
 
 /// The triangles that face down (n_z < -limit) or up (n_z > limit) in patches that hang together across
 /// common vertices, the patch with the lowest (highest) place of them all first, the others in the order of
-/// their first triangles. Triangles without area belong to none. (optimal-curved-paths.md section 2.3, with
+/// their first triangles. Triangles without area belong to none. ([Guacheta2021, listing A.5], with
 /// the signed rule.) Empty if nothing faces that way.
 std::vector<TriangleNumbers> facingPatches(const Mesh& mesh, Facing facing, double normal_limit);
 

@@ -54,7 +54,7 @@ struct CurvedLayers {
   LayerCoverage coverage;
 };
 
-/// Lower and upper shells with level layers between them (optimal-curved-paths.md section 2.5). Where the
+/// Lower and upper shells with level layers between them [Guacheta2021, algorithm 2-3]. Where the
 /// lower surface ends below the upper one's beginning, both are propagated inwards, kept below and above
 /// those heights, and level layers fill what is between. Where they overlap in height, shells of everything
 /// that faces down go up to the upper surface; if those do not fill the part, both surfaces' shells meet half
@@ -68,9 +68,9 @@ struct CurvedLayers {
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
                           double layer_height_mm, Progress& progress);
 
-/// Level layers between two heights, cut at low + h/2, ..., high - h/2 in equal steps (section 2.5) if these
-/// are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best. None in less than
-/// half a height.
+/// Level layers between two heights, cut at low + h/2, ..., high - h/2 in equal steps [Guacheta2021,
+/// listing A.7] if these are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best.
+/// None in less than half a height.
 std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm);
 
 }  // namespace lamina

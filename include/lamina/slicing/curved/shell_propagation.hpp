@@ -34,9 +34,9 @@ struct ShellEnd {
   Point3 where = Point3::Zero();  ///< the place of the surface that goes farthest [mm]
 };
 
-/// Equidistant shells of an open surface, on the side that its triangles face (optimal-curved-paths.md
-/// section 2.4). Each shell is propagated from the surface itself by its whole offset, so that errors do not
-/// add up from shell to shell.
+/// Equidistant shells of an open surface, on the side that its triangles face [Guacheta2021,
+/// algorithm 2-2]. Each shell is propagated from the surface itself by its whole offset, so that errors do
+/// not add up from shell to shell.
 class ShellPropagation {
  public:
   /// @param source           its surface faces where its shells are to be

@@ -38,7 +38,7 @@ struct VertexMotion {
 };
 
 /// Motions by which every triangle's plane moves forward by the distance propagated, where that can be solved
-/// (optimal-curved-paths.md section 2.4): the shortest solution of N s = 1 over the normals of the triangles
+/// [Guacheta2021, listing A.6]: the shortest solution of N s = 1 over the normals of the triangles
 /// at a vertex, weighted by their angles. Directions in which the normals differ by less than a tenth of what
 /// they have in common (about 12 degrees between two faces) do not bend the path; no path is longer than four
 /// times the distance. As far as that can be solved too, a vertex on the bound's plane moves within it (spec

@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// The turn by +angle about the axis (right-handed), as the G-code transform turns a program
-/// (inclined-45-gcode.md section 2.4): layers are level in the frame it comes from, their normal in the part
+/// [Garcia2024, eq. 4.1 to 4.3]: layers are level in the frame it comes from, their normal in the part
 /// is R z. About x by a: (0, -sin a, cos a), so that layers follow each other towards -y. Identity to the
 /// last bit for an angle of 0.
 Eigen::Quaterniond partFromLayers(const PlaneSettings& plane);

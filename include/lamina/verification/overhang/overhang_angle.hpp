@@ -22,7 +22,7 @@ struct WallLean {
 };
 
 /// Layers that grow all one way, as level or inclined ones. Linear in the number of triangles.
-/// (metal-deposition-paths.md, A21)
+/// A wall must not lean by more than a bead a layer [Flores2018, section 4.3.3].
 /// @param growth  unit vector, the layers' normal [frame of the mesh]
 /// @param bead    width, and height of the layers [mm]
 WallLean wallLean(const Mesh& mesh, const Point3& growth, const Bead& bead);

@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Overlap that new drops bring into a layer or part. The source names no denominator of its "total overlap":
-/// both readings are given (droplet-infill.md section 3.1).
+/// Overlap that new drops bring into a layer or part. [Sobreviela2014, section 5.1] names no denominator
+/// of its "total overlap": both readings are given.
 struct OverlapReading {
   double greatest_linear = 0.0;  ///< of a pair with a new drop
   double greatest_area = 0.0;    ///< of a pair with a new drop

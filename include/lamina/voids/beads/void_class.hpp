@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Where in a layer a void lies, by the limits of the fill that left it (droplet-infill.md section 2).
+/// Where in a layer a void lies, by the limits of the fill that left it [Sobreviela2014, chapter 3].
 enum class VoidClass : std::uint8_t {
   RasterBorder = 0,  ///< R1: between the lines of a raster and the contour or wall around them
   DenseBorder = 1,   ///< D1: between a dense packing and the contour or wall around it

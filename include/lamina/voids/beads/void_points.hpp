@@ -14,7 +14,7 @@ struct VoidPoint {
   double clearance_mm = 0.0;         ///< distance to the nearest drop's centre
 };
 
-/// How void points are found (droplet-infill.md sections 3.2 and 3.3).
+/// How void points are found [Sobreviela2014, section 4.1].
 enum class VoidDetector {
   Voronoi,     ///< the vertices of the Voronoi diagram of all drops: equally far from three of them or more
   Neighbours,  ///< beside drops whose neighbours leave a gap of more than 95 degrees, in the middle of it

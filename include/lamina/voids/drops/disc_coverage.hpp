@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// What drops, as discs, leave uncovered inside an outline: the software's counterpart of measuring voids
-/// under the microscope (droplet-infill.md section 3.5).
+/// under the microscope [Sobreviela2014, section 5.3].
 struct DiscCoverage {
   std::size_t voids = 0;  ///< uncovered areas that do not hang together, pores between touching drops too
   double uncovered_mm2 = 0.0;

@@ -20,7 +20,7 @@ struct DropVoid {
   double uncovered_after_mm2 = 0.0;   ///< of that, left by the new drops of all voids
 };
 
-/// Finds the voids of a layer and fills each by itself (droplet-infill.md section 3.4): the points of a void
+/// Finds the voids of a layer and fills each by itself [Sobreviela2014, section 4.1]: the points of a void
 /// are ordered into a line, starting at the one farthest from their middle and going on to the nearest, and
 /// along it a drop is laid wherever it keeps its distance to all others. A layer without a contour has no
 /// inside and gets none.

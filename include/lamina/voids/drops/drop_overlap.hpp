@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// What the overlap of two drops of one diameter is a share of (droplet-infill.md section 3.1).
+/// What the overlap of two drops of one diameter is a share of [Sobreviela2014, section 4.1].
 enum class OverlapDefinition {
   Linear,  ///< of the diameter: 1 - distance / diameter
   Area,    ///< of the disc: the lens in which both lie

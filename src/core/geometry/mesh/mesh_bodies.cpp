@@ -16,7 +16,7 @@ double sixVolumes(const Mesh& mesh, const Triangle& t, const Point3& origin) {
       .dot((mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
 }
 
-/// The angle under which a triangle is seen (van Oosterom and Strackee 1983), positive from its inside.
+/// The angle under which a triangle is seen [VanOosterom1983], positive from its inside.
 double solidAngle(const Point3& a, const Point3& b, const Point3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   const double divisor = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;

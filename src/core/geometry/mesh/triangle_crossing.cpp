@@ -10,7 +10,7 @@ namespace lamina {
 namespace {
 
 /// On which side of the plane through a, b, c the point d lies: 1 below (a, b, c seen clockwise from d), -1
-/// above, 0 if rounding leaves it open. The bound is Shewchuk's for this expression (1997).
+/// above, 0 if rounding leaves it open. The bound is that of [Shewchuk1997] for this expression.
 int sideOf(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   constexpr double kRelativeError = 7.8e-16;
   const Point3 x = a - d, y = b - d, z = c - d;

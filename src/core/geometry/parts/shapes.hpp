@@ -35,7 +35,7 @@ struct Tetradecahedron {
 };
 
 /// A cube without its upper and lower edges: seen from any side its outline is a regular octagon, seen from
-/// above a square (optimal-curved-paths.md 4.1, the source's tetradecahedron).
+/// above a square (the tetradecahedron of [Guacheta2021, table 5-3]).
 struct BevelledCube {
   double size_mm = 10.0;
 };

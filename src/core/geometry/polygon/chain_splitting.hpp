@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// The points of a chain that stay when it is simplified (Douglas and Peucker 1973): its ends, and those at
+/// The points of a chain that stay when it is simplified [Douglas1973]: its ends, and those at
 /// which it and its parts are split. Keeps its own stack: recursion would go as deep as the chain is long.
 /// @param split  (from, to): an index between them, or `from` where nothing in between has to stay
 /// @return ascending indices from first to last, both included

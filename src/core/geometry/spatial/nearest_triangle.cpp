@@ -108,7 +108,8 @@ std::optional<NearestPlace> NearestTriangle::nearest(const Point3& point, double
   return search.place;
 }
 
-// The plane is divided into the regions nearest to a corner, a side or the inside (Ericson 2005, 5.1.5).
+// The plane is divided into the regions nearest to a corner, a side or the inside [Ericson2005,
+// section 5.1.5].
 Point3 nearestInTriangle(const Point3& point, const Point3& a, const Point3& b, const Point3& c) {
   const Point3 ab = b - a;
   const Point3 ac = c - a;

@@ -8,7 +8,7 @@
 namespace lamina {
 
 /// The run with its corners, turns of 30 degrees and more, replaced by curves: what lies within half a window
-/// along the run to either side of a corner becomes a monotone cubic (Fritsch and Carlson 1980) between the
+/// along the run to either side of a corner becomes a monotone cubic [Fritsch1980] between the
 /// two ends of the window, the slopes there those of a curve through these and one more point of the run on
 /// each side. Windows of neighbouring corners share the way between them, and none reaches beyond an end of
 /// the run.

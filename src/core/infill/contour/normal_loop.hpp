@@ -13,13 +13,13 @@ struct NormalLoop {
 };
 
 /// The outline with the fewest points more, evenly between those it has, so that no two neighbours are
-/// farther apart than `longest_step_mm` (metal deposition paths, 2.2). The normal of its own points is the
+/// farther apart than `longest_step_mm` [Flores2018, figures 40 and 41]. The normal of its own points is the
 /// mean of those of both edges, of those in between it goes over from one to the other. Points nearer to the
 /// one before than 1e-9 mm are left out.
 NormalLoop withNormals(const Polygon& outline, double longest_step_mm);
 
-/// Each point moved along its normal, as documented for several perimeters (2.11). Crosses itself where the
-/// outline bends more sharply than that.
+/// Each point moved along its normal, as for several perimeters in [Flores2018, section 6.2.1]. Crosses
+/// itself where the outline bends more sharply than that.
 Polygon movedInwards(const NormalLoop& loop, double distance_mm);
 
 }  // namespace lamina

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// N perimeters side by side from the border inwards (metal deposition paths, 2.11), each a run that ends
+/// N perimeters side by side from the border inwards [Flores2018, section 6.2.1], each a run that ends
 /// short of its start. A perimeter is laid where nearly its whole bead has room. With as many as fit of a
 /// solid fill, beads along the medial axis fill what is too narrow.
 /// @throws InvalidInput if the spacing is not positive, or so small that there would be more than 100000

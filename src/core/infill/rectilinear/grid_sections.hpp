@@ -9,7 +9,8 @@
 
 namespace lamina {
 
-/// A section of the documented zigzag in the raster frame: passes along x, from left to right, from below.
+/// A section of the zigzag of [Flores2018] in the raster frame: passes along x, from left to right, from
+/// below.
 struct GridSection {
   std::vector<Polyline> passes;    ///< of two points, or one; curves have more
   std::optional<Point2> below;     ///< one point more before the first pass, or after it
@@ -18,10 +19,10 @@ struct GridSection {
   bool is_bordered_above = false;
 };
 
-/// The zigzag of metal deposition (2.1 and 2.7): of the nodes of a square grid inside the perimeter those
-/// whose eight neighbours are inside too, row by row, each run of them one pass; passes that follow each
-/// other without a second one beside them make a section. Sections are in the documented order: those of the
-/// first crossings of their rows from below, then those of the second, and so on.
+/// The zigzag of metal deposition [Flores2018, figures 47 to 51]: of the nodes of a square grid inside the
+/// perimeter those whose eight neighbours are inside too, row by row, each run of them one pass; passes that
+/// follow each other without a second one beside them make a section. Sections are in the documented order:
+/// those of the first crossings of their rows from below, then those of the second, and so on.
 ///
 /// @param perimeter  outlines in the raster frame [mm]
 /// @param distance_mm  between nodes

@@ -22,7 +22,7 @@ int perimeterCount(const InfillRequest& request) {
   return every > 0 && (request.layer + 1) % static_cast<std::size_t>(every) == 0 ? 2 : 1;
 }
 
-/// Perimeters and zigzag as documented.
+/// Perimeters and zigzag as in [Flores2018, section 6.1.2].
 std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillRequest& request) {
   std::vector<FillPath> runs;
   Regions centre_lines = offset(regions, -0.5 * request.pitch_mm);

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Perimeters first, then a zigzag inside of them (metal deposition paths, 2.7 to 2.10).
+/// Perimeters first, then a zigzag inside of them [Flores2018, section 6.1.2].
 std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// The zigzag of metal deposition inside perimeters as documented (2.1, 2.7 to 2.9): gridSections, adapted
+/// The zigzag of metal deposition inside perimeters as in [Flores2018, section 6.1.2]: gridSections, adapted
 /// longitudinally and transversally; ordered by `raster.order`.
 ///
 /// @param perimeters  areas bounded by the centre lines of perimeters

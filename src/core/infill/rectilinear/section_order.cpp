@@ -20,7 +20,8 @@ Point2 midpointAt(const RasterSection& section, SectionEntry entry) {
   return 0.5 * (line[0] + line[1]);
 }
 
-/// The documented sense: a section begins at the left of its first line, or is the reverse of that.
+/// The sense of [Flores2018, figure 50]: a section begins at the left of its first line, or is the reverse of
+/// that.
 SectionEntry documentedEntry(const RasterSection& section, bool is_from_last) {
   return is_from_last ? exitOf(section, SectionEntry::FirstLeft) : SectionEntry::FirstLeft;
 }

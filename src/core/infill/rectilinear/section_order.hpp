@@ -41,9 +41,9 @@ double travelLength(const std::vector<RasterSection>& sections, const SectionTou
 /// The sections as given, each entered at the left end of its first line.
 SectionTour tourAsGiven(const std::vector<RasterSection>& sections);
 
-/// Greedy by midpoints (metal deposition paths, 2.8): starts with the first section given; from the midpoint
-/// of the line just laid it goes on to the section whose first or last line has the nearest midpoint, run
-/// backwards if that is its last. Quadratic time.
+/// Greedy by midpoints [Flores2018, figures 52 and 53]: starts with the first section given; from the
+/// midpoint of the line just laid it goes on to the section whose first or last line has the nearest
+/// midpoint, run backwards if that is its last. Quadratic time.
 SectionTour tourByMidpoints(const std::vector<RasterSection>& sections);
 
 /// Greedy by ends: goes on at whichever end of a first or last line is nearest, from `start` on. Quadratic

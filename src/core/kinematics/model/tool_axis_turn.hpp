@@ -25,7 +25,7 @@ struct JetTurn {
 
 using JetTurns = boost::container::static_vector<JetTurn, 2>;
 
-/// All angles that turn the jet to a direction (subproblems 1 and 2 of Paden and Kahan). Where the direction
+/// All angles that turn the jet to a direction (subproblems 1 and 2 of [Paden1986]). Where the direction
 /// lies on the first of two axes, that joint is free and keeps its value of `near`; both branches are the
 /// same there and at the rim of what can be reached.
 /// @param wanted  of unit length [bed frame]

@@ -19,7 +19,7 @@ namespace lamina {
 ///
 /// Which way round a cycle is run is chosen so that it ends near the cycle above. Cycles shorter than two
 /// pitches stay closed. Travels between layers are not made here. Distances are measured in space, so that
-/// layers need not be level (optimal-curved-paths.md section 2.12).
+/// layers need not be level [Guacheta2021, algorithm 3-3].
 /// @param anchor  where the first layer starts [mm]
 /// @param travel  makes those between the runs of a layer
 void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,

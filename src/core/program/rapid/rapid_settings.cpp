@@ -75,7 +75,7 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
   schema.number("rapid.external_axis", settings.external_axis, {-1e5, 1e5},
                 "Value of the first external axis [mm, deg] where no joint of the machine tells it.");
   schema.flag("rapid.thesis_compat", settings.is_thesis_compatible,
-              "Five external axes in targets, as printed in the source; RAPID has six.");
+              "Five external axes in targets, as printed in [Flores2018]; RAPID has six.");
 }
 
 void describeValues(SettingsSchema& schema, RapidSettings& settings) {

@@ -43,7 +43,7 @@ class Growth {
   std::size_t firstAbove(double z) const;
 
   /// The point of the layer on `beneath` that grows towards point `i` of the flat contour `level`
-  /// (metal-deposition-paths.md section 2.12). If that is no farther than `height_mm`, it is taken itself.
+  /// [Flores2018, figure 78]. If that is no farther than `height_mm`, it is taken itself.
   /// Otherwise the way there from the nearest place beneath is followed by that height, and the point put on
   /// the line between the two flat contours that enclose it, which lies along the wall, again at that height
   /// from the place beneath that is nearest then; of two such points the upper one. If the line is farther

@@ -20,7 +20,8 @@
 namespace lamina {
 namespace {
 
-// Part of a layer's height by which the source's level layers may lie in those beneath and above them.
+// Part of a layer's height by which the level layers of [Guacheta2021, listing A.7] may lie in those beneath
+// and above them.
 constexpr double kLargestOverlap = 0.05;
 
 constexpr double kAll = std::numeric_limits<double>::infinity();

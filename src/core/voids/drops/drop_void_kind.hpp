@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Tells the class of voids by the drops around them (droplet-infill.md section 2).
+/// Tells the class of voids by the drops around them [Sobreviela2014, chapter 3].
 class VoidKinds {
  public:
   VoidKinds(const DropLayer& layer, const std::vector<DropContour>& contours);

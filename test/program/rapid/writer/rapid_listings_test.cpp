@@ -9,7 +9,7 @@
 #include "support/rapid_programs.hpp"
 #include "support/toolpaths.hpp"
 
-// The lines that are printed in the source (metal-deposition-paths.md section 2.13, cases A3, A23, A24, A26),
+// The lines that are printed in [Flores2018, figures 66 to 71],
 // each after its number; between them stand as many points as their numbers ask for.
 namespace lamina {
 namespace {
@@ -91,7 +91,7 @@ TEST(RapidListings, OfPowderWithFiveAxesAreWrittenByteForByte) {
   expectListed("rapid_powder_5_axes.txt", toolpath, settings);
 }
 
-TEST(RapidListings, HaveSixExternalAxesUnlessTheSourceIsToBeMatched) {
+TEST(RapidListings, HaveSixExternalAxesUnlessTheThesisIsToBeMatched) {
   RapidSettings settings;
   const std::string line = test::pointLines(test::rapidModules(threeAxes(), settings))[0];
   EXPECT_NE(line.find(",[0.000,9e+09,9e+09,9e+09,9e+09,9e+09]],speed_aire,fine,"), std::string::npos) << line;

@@ -21,7 +21,7 @@ struct RobotMotion {
   const JointPath& joints;
 };
 
-/// A toolpath as a program in RAPID (metal-deposition-paths.md section 2.13): one module, or a main module
+/// A toolpath as a program in RAPID [Flores2018, section 6.1.3]: one module, or a main module
 /// and numbered ones with the points.
 ///
 /// Each point is a move line and a process line, which is empty where the process goes on, so that point k

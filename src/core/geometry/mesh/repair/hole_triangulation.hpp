@@ -16,7 +16,7 @@ struct Hole {
 };
 
 /// Triangles between the corners, two fewer than there are: always so that each edge of the line gets exactly
-/// one. Small holes get the triangulation whose sharpest fold is least and then whose area is (Liepa 2003,
+/// one. Small holes get the triangulation whose sharpest fold is least and then whose area is ([Liepa2003],
 /// cubic in the corners); large ones are clipped ear by ear in their mean plane.
 std::vector<Triangle> triangulate(const Hole& hole, const std::vector<Point3>& vertices);
 
