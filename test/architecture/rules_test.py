@@ -42,6 +42,15 @@ class IncludeRule(unittest.TestCase):
     def test_siblings_do_not_meet(self):
         self.assertEqual(len(faults({"src/core/slicing/a.cpp": '#include "lamina/toolpath/toolpath.hpp"\n'})), 1)
 
+    def test_nested_folders_keep_the_rule_of_the_folder_around_them(self):
+        nested = {"include/lamina/geometry/mesh/a.hpp": '#include "lamina/slicing/planar/layer.hpp"\n'}
+        self.assertEqual(len(faults(nested)), 1)
+        self.assertEqual(faults({"src/core/slicing/planar/a.cpp": '#include "lamina/geometry/mesh/mesh.hpp"\n'}), [])
+
+    def test_nested_folders_may_have_rules_of_their_own(self):
+        sibling = {"src/core/streaming/transport/a.cpp": '#include "lamina/streaming/client/streamer.hpp"\n'}
+        self.assertEqual(len(faults(sibling)), 1)
+
     def test_ros_headers_and_generated_messages_are_refused(self):
         for header in ("<ros/ros.h>", "<geometry_msgs/Point.h>", '"lamina/Toolpath.h"', "<tf2_ros/buffer.h>"):
             self.assertEqual(len(faults({"src/core/base/a.cpp": f"#include {header}\n"})), 1, header)
