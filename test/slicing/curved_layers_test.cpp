@@ -132,6 +132,14 @@ TEST(CurvedLayers, OfAConeFollowItsSlope) {
   const CurvedLayers layers = curved(makePart("cone", {{"segments", "32"}}), 0.5);
   EXPECT_TRUE(layers.lower.empty());
   EXPECT_EQ(layers.upper.size(), 18U);  // of 20 sin(atan(1/2)) = 8.94 mm
+  // Facets of 32 lie 10 cos(pi / 32) mm from the axis; corners stand out by 10 mm.
+  const double least_z = std::cos(M_PI / 32.0) / std::hypot(2.0, std::cos(M_PI / 32.0));
+  for (const LayerSurface& shell : layers.upper)
+    for (std::size_t i = 0; i < shell.normal.size(); ++i) {
+      if (shell.middle.vertices[i].head<2>().norm() < 1.0) continue;  // near the tip
+      EXPECT_GE(shell.normal[i].z(), least_z - 1e-6);
+      EXPECT_LE(shell.normal[i].z(), 1.0 / std::sqrt(5.0) + 0.01);
+    }
   EXPECT_LT(std::abs(layers.volumes.gap()), 0.002);
 }
 
