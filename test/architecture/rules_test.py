@@ -8,6 +8,7 @@ import unittest
 import budgets
 import docs_links
 import include_rule
+import live_properties
 import one_definition
 import references
 
@@ -114,6 +115,28 @@ class References(unittest.TestCase):
 
     def test_other_brackets_are_no_citations(self):
         self.assertEqual(self.found({"a.cpp": "double a[kCount]; // [mm], [0, 1000], [N m]\n"}), [])
+
+
+class LiveProperties(unittest.TestCase):
+    def test_a_dropped_result_is_found_by_its_line(self):
+        for source in ("TEST(A, B) {\n  rc::check([] {});\n}\n", "f();\nrc::check(\"a\", [] {});\n",
+                       "for (;;)\n  rc::check([] {});\n", "// why\n(void)rc::check([] {});\n", "{\n::rc::check(f); }\n",
+                       "R\"(\n)\"; rc::check(f);\n", "char quote = '\"';\nrc::check(f);\n", "case 1:\n  rc :: check (f);\n"):
+            self.assertEqual(list(live_properties.dropped(source)), [2], source)
+
+    def test_a_used_result_may_stand(self):
+        for source in ("EXPECT_TRUE(rc::check([] {}));", "ASSERT_TRUE(\n    rc::check(\"a\", f));", "return rc::check(f);",
+                       "const bool holds = rc::check(f);", "if (!rc::check(f)) fail();", "return is_quick ? true : rc::check(f);"):
+            self.assertEqual(list(live_properties.dropped(source)), [], source)
+
+    def test_comments_and_literals_are_no_calls(self):
+        for source in ("// rc::check(f);", "/* ;\nrc::check(f); */", 'text = "; rc::check(f);";', 'R"(; rc::check(f);)";'):
+            self.assertEqual(list(live_properties.dropped(source)), [], source)
+
+    def test_faults_name_file_and_line(self):
+        found = list(live_properties.faults(tree({"test/base/a_test.cpp": "void f() {\n  rc::check(g);\n}\n"})))
+        self.assertEqual(len(found), 1)
+        self.assertIn("test/base/a_test.cpp:2: ", found[0])
 
 
 class Budgets(unittest.TestCase):

@@ -169,7 +169,7 @@ TEST(PathFollower, FollowsReportsThatAreFarApartInLeaps) {
 }
 
 TEST(PathFollower, EndsAtTheEndForAnyWay) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const auto count = *rc::gen::inRange(2, 30);
     std::vector<Point3> points;
     Random random(static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000000)));
@@ -184,7 +184,7 @@ TEST(PathFollower, EndsAtTheEndForAnyWay) {
       before = wayTo(follower);
     }
     RC_ASSERT(follower.isAtEnd());
-  });
+  }));
 }
 
 }  // namespace

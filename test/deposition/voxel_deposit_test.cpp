@@ -316,7 +316,7 @@ std::vector<JetMotion> anyMotions(std::uint64_t seed) {
 }
 
 TEST(VoxelDeposit, NoMaterialIsLostWhateverTheMotions) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     DepositionSettings settings;
     settings.reach_mm = *rc::gen::element(0.3, 1.0, 10.0);
     const double voxel_mm = *rc::gen::element(0.08, 0.1, 0.17);
@@ -332,7 +332,7 @@ TEST(VoxelDeposit, NoMaterialIsLostWhateverTheMotions) {
     }
     expectBalance(laid);
     RC_ASSERT(again.grid().solidCount() == solid);
-  });
+  }));
 }
 
 }  // namespace

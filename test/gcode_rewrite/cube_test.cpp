@@ -15,6 +15,7 @@ using test::motionsOf;
 using test::transformed;
 
 const double kEdge = 350.0;
+const double kMiddle = 302.125;  // of the edge it stands on
 const double kHalf = std::sqrt(0.5);
 
 /// A cube of 350 mm that stands on an edge along x, sliced in layers of 1.5 mm.
@@ -25,8 +26,8 @@ std::string cubeOnAnEdge() {
   for (int k = 1; k <= 329; ++k) {
     const double z = 1.5 * k;
     const double half_width = z <= kEdge * kHalf ? z : kEdge / kHalf - z;
-    const double low = 302.125 - half_width;
-    const double high = 302.125 + half_width;
+    const double low = kMiddle - half_width;
+    const double high = kMiddle + half_width;
     program << ";LAYER:" << k - 1 << "\nG0 X475 Y" << low << " Z" << z << "\nG1 X825 E1\nG1 Y" << high
             << " E1\nG1 X475 E1\nG1 Y" << low << " E1\n";
   }
@@ -45,8 +46,8 @@ TEST(CubeOnAnEdge, ComesOutUprightAtItsSize) {
   settings.limits_mm.reset();
   const Box3 part = transformed(cubeOnAnEdge(), settings).report.part;
   EXPECT_NEAR(part.size().x(), kEdge, 1e-6);
-  EXPECT_NEAR(part.low.y(), -136.3654, 1e-4);
-  EXPECT_NEAR(part.high.y(), 213.6346, 1e-4);
+  EXPECT_NEAR(part.low.y(), kMiddle * kHalf - kEdge, 1e-4);
+  EXPECT_NEAR(part.high.y(), kMiddle * kHalf, 1e-4);
   EXPECT_NEAR(part.low.z(), 1.5, 1e-6);
   EXPECT_NEAR(part.high.z(), 351.5, 1e-4);
 }

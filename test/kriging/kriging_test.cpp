@@ -144,7 +144,7 @@ TEST(KrigingTest, IsThatOfTheTextbooksAtGivenRanges) {
 }
 
 TEST(KrigingTest, InterpolatesItsSamplesWhateverTheyAre) {
-  rc::check("interpolation", [] {
+  EXPECT_TRUE(rc::check("interpolation", [] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const auto count = *rc::gen::inRange<std::size_t>(3, 30);
     KrigingSettings settings;
@@ -156,7 +156,7 @@ TEST(KrigingTest, InterpolatesItsSamplesWhateverTheyAre) {
       RC_ASSERT(std::abs(surrogate->at(made.points[i]).value - made.values[i]) < 1e-6 * 50.0);
       RC_ASSERT(surrogate->at(made.points[i]).variance == 0.0);
     }
-  });
+  }));
 }
 
 TEST(KrigingTest, FittedRangesAreThoseOfGreatestLikelihood) {

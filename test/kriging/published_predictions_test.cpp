@@ -110,7 +110,6 @@ TEST(PublishedPredictionsTest, ScaffoldsEndAtTheBestFeasibleSample) {
 }
 
 TEST(PublishedPredictionsTest, MissingModuliComeNearTheirAuthorsOwn) {
-  // His come out of a polynomial of order 0: ours are 40 to 44 MPa lower than they, all six.
   const PublishedStudy study = sinusoidalScaffolds();
   const std::vector<Evaluation> design = study.table().design;
   KrigingSettings settings = sourceKriging();
@@ -118,9 +117,21 @@ TEST(PublishedPredictionsTest, MissingModuliComeNearTheirAuthorsOwn) {
   const ResponseSurrogates surrogates(study.space, study.response_names, design, krigingFit(settings));
   const std::vector<Evaluation> filled = withMissingPredicted(design, surrogates);
   const double published[] = {564.31, 644.57, 610.35, 496.53, 619.24, 409.47};
+  double our_mean = 0.0;
+  double their_mean = 0.0;
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_TRUE(std::isnan(design[18 + i].responses[0]));
-    EXPECT_NEAR(filled[18 + i].responses[0], published[i] - 42.0, 2.0);
+    our_mean += filled[18 + i].responses[0] / 6.0;
+    their_mean += published[i] / 6.0;
+  }
+  // The source does not tell the constant that its polynomial of order 0 is. One that is c greater raises
+  // each prediction by c (1 - r'R^-1 1). That is the same for all six, a whole block of the factorial design.
+  // So the levels may differ, by 12 % here, and the differences between rows may not: 3 MPa are 1.3 % of
+  // their range.
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double modulus = filled[18 + i].responses[0];
+    EXPECT_NEAR(modulus, published[i], 0.12 * published[i]) << "row " << 19 + i;
+    EXPECT_NEAR(modulus - our_mean, published[i] - their_mean, 3.0) << "row " << 19 + i;
   }
 }
 

@@ -34,7 +34,7 @@ TEST(LineSpans, GapsAndOverlapsOnALineAreMeasured) {
 
 TEST(Band, CutsALineWhereItIsNearItsMiddle) {
   // Whether a point lies within half the width of the middle line is asked point by point.
-  rc::check("a point of the line is in the span as it is near the middle line", [] {
+  EXPECT_TRUE(rc::check("a point of the line is in the span as it is near the middle line", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const auto point = [&] { return Point2(random.uniform(-2, 2), random.uniform(-2, 2)); };
     Band one = band(point(), point(), random.uniform(0.05, 1.0));
@@ -48,7 +48,7 @@ TEST(Band, CutsALineWhereItIsNearItsMiddle) {
     RC_PRE(std::abs(distance - one.radius) > 1e-9);
     const LineSpan span = spanAt(one, place.y());
     RC_ASSERT((span.from <= place.x() && place.x() <= span.to) == (distance < one.radius));
-  });
+  }));
 }
 
 /// Overfill of two joined bands of 2 mm on a wide face, the second turned from the first.

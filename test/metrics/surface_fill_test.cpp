@@ -220,7 +220,7 @@ Toolpath scribble(std::uint64_t seed) {
 Mesh box() { return makePart("box", {{"x_mm", "10"}, {"y_mm", "10"}, {"z_mm", "10"}}); }
 
 TEST(SurfaceFill, IsTheSameInAnyFrame) {
-  rc::check("turning and moving part and toolpath together changes nothing", [] {
+  EXPECT_TRUE(rc::check("turning and moving part and toolpath together changes nothing", [] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     Random random(seed);
     Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
@@ -234,11 +234,11 @@ TEST(SurfaceFill, IsTheSameInAnyFrame) {
     const SurfaceFill after = fill(placed(scribble(seed), moved), part, {}, moved.inverse());
     RC_ASSERT(std::abs(before.under_fill_mm2 - after.under_fill_mm2) < 1e-3);
     RC_ASSERT(std::abs(before.over_fill_mm2 - after.over_fill_mm2) < 1e-3);
-  });
+  }));
 }
 
 TEST(SurfaceFill, MoreBeadsNeverLeaveMoreOpen) {
-  rc::check("adding a run takes nothing from what is covered", [] {
+  EXPECT_TRUE(rc::check("adding a run takes nothing from what is covered", [] {
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     Toolpath more = scribble(seed);
     more.layers.push_back(scribble(seed + 1ULL).layers[0]);
@@ -250,7 +250,7 @@ TEST(SurfaceFill, MoreBeadsNeverLeaveMoreOpen) {
       RC_ASSERT(face.under_fill_mm2 >= -1e-9 && face.under_fill_mm2 <= face.area_mm2 + 1e-9);
       RC_ASSERT(face.over_fill_mm2 >= 0.0);
     }
-  });
+  }));
 }
 
 TEST(SurfaceFill, IsTheSameOnOneThread) {

@@ -80,13 +80,13 @@ TEST(DesignSpaceTest, RandomPointsLieWithinAndReachEveryChoice) {
 }
 
 TEST(DesignSpaceTest, TextsReadBackToTheSameValue) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const DesignSpace space = mixedSpace();
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const DesignPoint point = randomPoint(space, random);
     for (std::size_t i = 0; i < space.size(); ++i)
       RC_ASSERT(valueOf(space[i], textOf(space[i], point[i])) == point[i]);
-  });
+  }));
   EXPECT_EQ(textOf(mixedSpace()[3], 1.0), "average");
   EXPECT_EQ(textOf(mixedSpace()[0], 0.3), "0.3");
   EXPECT_THROW(valueOf(mixedSpace()[0], "0.3mm"), InvalidInput);

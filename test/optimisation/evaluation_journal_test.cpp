@@ -59,7 +59,7 @@ TEST_F(EvaluationJournalTest, TriesNoPointTwice) {
 }
 
 TEST_F(EvaluationJournalTest, ReadsBackWhatItWroteBitForBit) {
-  rc::check([this](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([this](std::uint64_t seed) {
     std::remove(path_.c_str());
     Random random(seed);
     std::vector<DesignPoint> points;
@@ -71,7 +71,7 @@ TEST_F(EvaluationJournalTest, ReadsBackWhatItWroteBitForBit) {
         JournalledEvaluator(untouched, mixedSpace(), settings()).evaluate(points, {}, progress_);
     RC_ASSERT(untouched.tried() == 0);
     RC_ASSERT(textOf(written) == textOf(read));
-  });
+  }));
 }
 
 TEST_F(EvaluationJournalTest, KeepsResponsesThatAreNoNumbers) {
@@ -189,7 +189,7 @@ TEST_F(EvaluationJournalTest, ReadsAnyBytesOrRefusesThem) {
   JournalledEvaluator(inner, mixedSpace(), settings())
       .evaluate({{0.5, 2.0, 0.2, 1.0}, {0.7, 1.0, 0.3, 0.0}}, {}, progress_);
   const std::string whole = readFile(path_);
-  rc::check([&](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
     Random random(seed);
     std::string broken = whole;
     for (std::uint64_t i = 0; i <= random.below(4); ++i) {
@@ -206,7 +206,7 @@ TEST_F(EvaluationJournalTest, ReadsAnyBytesOrRefusesThem) {
     } else {
       RC_ASSERT(readFile(path_) == broken);
     }
-  });
+  }));
 }
 
 TEST_F(EvaluationJournalTest, IsWrittenByOneRunAtATime) {

@@ -122,7 +122,7 @@ TEST(FractionalFactorialTest, RefusesMixedLevelsAndGeneratorsThatMakeNoSense) {
 }
 
 TEST(LatinHypercubeTest, EachPartOfEachRangeIsSampledOnce) {
-  rc::check("Latin hypercube", [] {
+  EXPECT_TRUE(rc::check("Latin hypercube", [] {
     const auto count = *rc::gen::inRange<std::size_t>(2, 40);
     const auto dimensions = *rc::gen::inRange<std::size_t>(1, 5);
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -136,7 +136,7 @@ TEST(LatinHypercubeTest, EachPartOfEachRangeIsSampledOnce) {
       RC_ASSERT(parts.size() == count);
       RC_ASSERT(*parts.begin() == 0 && *parts.rbegin() == static_cast<long>(count) - 1);
     }
-  });
+  }));
 }
 
 TEST(LatinHypercubeTest, ValuesOfDiscreteVariablesComeEquallyOften) {

@@ -17,9 +17,9 @@
 namespace lamina {
 namespace {
 
-// The distance of a single search varies by about 40 %, so the ratio of two medians of 15 to 25 by some 14 %.
-// Three times that is allowed.
-constexpr double kDistanceRatio = 1.4;
+// Ours may end a quarter farther from the true front than pagmo's. All seeds are fixed, so every run gives
+// the same figures and no margin for chance is added.
+constexpr double kDistanceRatio = 1.25;
 
 /// How good fronts are, in the middle of several seeds.
 struct Quality {
@@ -86,10 +86,8 @@ Quality pagmos(const Test& test, const Nsga2Settings& settings, int seeds) {
   return middleOf(searches);
 }
 
-// Seeds of the two are other numbers, so single searches differ: by a third of their distance, one from
-// another.
-
-/// Searches both ways from as many seeds.
+/// Searches both ways from as many seeds. The same seed gives other numbers to the two, and single searches
+/// differ by 40 % of their distance: of Dtlz2, medians of 9 differ by a third, those of 80 by 6 %.
 /// @param least_volume  hypervolume of ours, of pagmo's
 template <class Problem>
 void expectAsByPagmo(const Problem& problem, const Nsga2Settings& settings, int seeds, double least_volume) {
@@ -106,7 +104,7 @@ TEST(FrontConvergenceTest, Zdt1WithThirtyVariablesIsSolvedAsByPagmo) {
 }
 
 TEST(FrontConvergenceTest, Dtlz2WithThreeObjectivesIsSolvedAsByPagmo) {
-  expectAsByPagmo(pagmo::dtlz(2, 12, 3), settingsOf(Variation::Sbx, 60, 100), 80, 0.98);
+  expectAsByPagmo(pagmo::dtlz(2, 12, 3), settingsOf(Variation::Sbx, 100, 150), 80, 0.98);
 }
 
 TEST(FrontConvergenceTest, TheSourcesVariationSolvesZdt1WithFiveVariables) {

@@ -51,7 +51,7 @@ TEST_F(FrontCsvTest, IsReadableByPeople) {
 TEST_F(FrontCsvTest, ReadsBackWhatItWrote) {
   DesignSpace space = mixedSpace();
   space[3].choices = {"0,0,1", "average"};
-  rc::check([&](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
     Random random(seed);
     std::vector<Evaluation> front;
     for (int i = 0; i < 5; ++i)
@@ -65,7 +65,7 @@ TEST_F(FrontCsvTest, ReadsBackWhatItWrote) {
       for (std::size_t j = 0; j < space.size(); ++j)
         RC_ASSERT(valueOf(space[j], table.rows[i].values[j]) == front[i].point[j]);
     }
-  });
+  }));
 }
 
 TEST_F(FrontCsvTest, SaysWhatIsWrongWithAFile) {

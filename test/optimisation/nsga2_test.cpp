@@ -112,7 +112,7 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
   CountingEvaluator straight(2.0);
   const FrontSearch whole = search(straight, settings);
   const std::string path = ::testing::TempDir() + "lamina_resumed.jsonl";
-  rc::check([&](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
     std::remove(path.c_str());
     Random random(seed);
     CountingEvaluator inner(2.0);
@@ -132,7 +132,7 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
     RC_ASSERT(textOf(found.front) == textOf(whole.front));
     RC_ASSERT(textOf(found.evaluations) == textOf(whole.evaluations));
     RC_ASSERT(found.generations.back().hypervolume == whole.generations.back().hypervolume);
-  });
+  }));
   std::remove(path.c_str());
 }
 

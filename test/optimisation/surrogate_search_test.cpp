@@ -104,7 +104,15 @@ TEST(SurrogateSearchTest, AcceptsWhatWasPredictedWellAfterTheLeastNumberOfIterat
   EXPECT_NEAR(first.mape_percent, 100.0 * (10.09 - 9.955) / 10.09 / 2.0, 0.01);
   EXPECT_TRUE(first.is_accepted && first.is_feasible && !first.is_sample);
   EXPECT_NEAR(first.predicted_fitness, 9.955 / ((12.25 + 10.01 + 9.9) / 3.0), 1e-4);
-  EXPECT_TRUE(search.end == SurrogateEnd::Sampled || search.iterations.size() == 4U);
+  // Four proposals are asked for; the second one is where the first was tried.
+  EXPECT_EQ(search.end, SurrogateEnd::Sampled);
+  EXPECT_EQ(search.iterations.size(), 2U);
+  SurrogateSearchSettings one = settings();
+  one.iterations = 1;
+  const SurrogateSearch once = searched(
+      evaluator, one, {{{-1.0}, {12.25, 2.8}, ""}, {{0.6}, {10.01, 1.2}, ""}, {{1.0}, {9.9, 0.8}, ""}});
+  EXPECT_EQ(once.end, SurrogateEnd::Accepted);
+  EXPECT_EQ(once.iterations.size(), 1U);
 }
 
 TEST(SurrogateSearchTest, EndsAtAPointThatIsASampleAlready) {

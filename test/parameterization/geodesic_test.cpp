@@ -145,7 +145,9 @@ TEST(Geodesic, TrianglesWithoutAreaJoinWhatTheyLieBetween) {
 TEST(Geodesic, AWayDownEndsAtTheSource) {
   const Mesh plate = plateMesh(10, 10, 10.0, 10.0);
   const GeodesicDistances geodesics(plate);
-  const std::vector<std::uint32_t> way = geodesics.descend(geodesics.from(0), 120);
+  const std::vector<double> distance = geodesics.from(0);
+  const std::vector<std::uint32_t> way = geodesics.descend(distance, 120);
+  for (std::size_t i = 1; i < way.size(); ++i) EXPECT_LT(distance[way[i]], distance[way[i - 1]]);
   EXPECT_EQ(way.front(), 120U);
   EXPECT_EQ(way.back(), 0U);
 }

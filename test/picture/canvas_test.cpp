@@ -67,7 +67,18 @@ TEST(Canvas, RefusesSizesAndFoldersThatCannotBe) {
   EXPECT_THROW(Canvas(100, 100).writePng("/nonexistent/picture.png"), FileError);
 }
 
-TEST(Annotation, DrawsWithinThePicture) {
+/// Whether anything is drawn from one corner to the other, in pixels.
+bool hasInk(const test::PngImage& image, const Box2& area) {
+  const Colour paper = image.at(0, 0);
+  for (int row = int(area.low.y()); row < int(area.high.y()); ++row)
+    for (int column = int(area.low.x()); column < int(area.high.x()); ++column) {
+      const Colour dot = image.at(column, row);
+      if (dot.red != paper.red || dot.green != paper.green || dot.blue != paper.blue) return true;
+    }
+  return false;
+}
+
+TEST(Annotation, IsDrawnWhereItIsPut) {
   const test::ScratchFolder folder;
   Canvas canvas(600, 400);
   canvas.show(box(0, 0, 30, 20), box(40, 84, 560, 328));
@@ -75,7 +86,13 @@ TEST(Annotation, DrawsWithinThePicture) {
   drawScaleBar(canvas, {40, 370});
   drawLegend(canvas, {300, 374}, {{"one", kRed}});
   drawColourBar(canvas, box(480, 120, 500, 300), {ColourMap::Diverging, -1.0, 1.0, "error [mm]"});
-  EXPECT_NO_THROW(canvas.writePng(folder.file("annotation.png")));
+  canvas.writePng(folder.file("annotation.png"));
+  const test::PngImage image(folder.file("annotation.png"));
+  EXPECT_TRUE(hasInk(image, box(0, 0, 600, 84))) << "title";
+  EXPECT_TRUE(hasInk(image, box(40, 330, 290, 400))) << "scale bar";
+  EXPECT_TRUE(hasInk(image, box(300, 330, 470, 400))) << "legend";
+  EXPECT_TRUE(hasInk(image, box(480, 120, 500, 300))) << "colour bar";
+  EXPECT_FALSE(hasInk(image, box(40, 90, 440, 320))) << "nothing is shown yet";
 }
 
 TEST(Colour, MapsEndAndMiddle) {

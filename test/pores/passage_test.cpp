@@ -68,7 +68,7 @@ TEST(PassageTest, AWaySpreadsByOneVoxelALayerAndMayLeadNowhereBack) {
 }
 
 TEST(PassageTest, IsWhatItsDefinitionSaysOfAnyGridAlongAnyAxis) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelGrid pores = arbitraryGrid();
     for (int axis = 0; axis < 3; ++axis) {
       const auto forward = reachedOneByOne(pores, axis, 1);
@@ -88,7 +88,7 @@ TEST(PassageTest, IsWhatItsDefinitionSaysOfAnyGridAlongAnyAxis) {
           isNear(found.epci_backward_percent, to_percent * static_cast<double>(backward.front().size())));
       RC_ASSERT(isNear(found.mecsi_percent, to_percent * static_cast<double>(narrowest)));
     }
-  });
+  }));
 }
 
 }  // namespace

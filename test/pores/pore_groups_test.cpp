@@ -49,7 +49,7 @@ PoreGroups labelled(const VoxelGrid& pores) {
 }
 
 TEST(PoreGroupsTest, AreThoseOfFloodingWhateverTheThreads) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelGrid pores = arbitraryGrid();
     const std::map<Voxel, int> expected = flooded(pores);
     const PoreGroups found = labelled(pores);
@@ -65,11 +65,11 @@ TEST(PoreGroupsTest, AreThoseOfFloodingWhateverTheThreads) {
       RC_ASSERT(again.groups[g].voxels == found.groups[g].voxels);
       RC_ASSERT(again.groups[g].axes == found.groups[g].axes);
     }
-  });
+  }));
 }
 
 TEST(PoreGroupsTest, GiveBackTheVoxelsTheyWereMadeFrom) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelGrid pores = arbitraryGrid();
     const VoxelGrid back = voxelsOf(labelled(pores), [](const PoreGroup&) { return true; });
     const auto& count = pores.frame().count;
@@ -77,7 +77,7 @@ TEST(PoreGroupsTest, GiveBackTheVoxelsTheyWereMadeFrom) {
       for (int j = 0; j < count[1]; ++j)
         for (int w = 0; w < pores.wordCount(); ++w) RC_ASSERT(back.word(w, j, k) == pores.word(w, j, k));
     RC_ASSERT(inverted(pores).solidCount() == pores.frame().voxelCount() - pores.solidCount());
-  });
+  }));
 }
 
 TEST(PoreGroupsTest, TellWhichFacesTheyTouch) {

@@ -68,7 +68,7 @@ TEST(PoreReportTest, NothingOpenHasNoPores) {
 }
 
 TEST(PoreReportTest, ShareByShareOneIsPartOfTheOther) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const PoreReport report = reported(arbitraryGrid());
     RC_ASSERT(report.joining_opposite.voxels <= report.joining_two.voxels);
     RC_ASSERT(report.joining_two.voxels <= report.all.voxels);
@@ -80,7 +80,7 @@ TEST(PoreReportTest, ShareByShareOneIsPartOfTheOther) {
       RC_ASSERT(all.mecsi_percent <= all.epci_forward_percent + 1e-9);
       RC_ASSERT(all.mecsi_percent <= all.epci_backward_percent + 1e-9);
     }
-  });
+  }));
 }
 
 }  // namespace

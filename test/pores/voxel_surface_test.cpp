@@ -16,7 +16,7 @@ TEST(VoxelSurfaceTest, OfABlockIsThatOfABox) {
 }
 
 TEST(VoxelSurfaceTest, CountsEveryFaceBetweenSolidAndOpen) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelGrid grid = arbitraryGrid();
     const auto& count = grid.frame().count;
     int faces = 0;
@@ -28,7 +28,7 @@ TEST(VoxelSurfaceTest, CountsEveryFaceBetweenSolidAndOpen) {
                    int{here != grid.isSolid(i, j, k - 1)};
         }
     RC_ASSERT(std::abs(voxelFaceArea(grid) - 0.25 * faces) < 1e-9 * (1 + faces));
-  });
+  }));
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -15,15 +18,24 @@
 namespace lamina {
 namespace {
 
-/// Cancelled when it is asked for the second time or later.
-class SoonCancelled final : public Progress {
+/// Cancelled once a file holds a whole line.
+class CancelledByAFile final : public Progress {
  public:
+  explicit CancelledByAFile(std::string file) : file_(std::move(file)) {}
   void report(const std::string&, double) override {}
-  bool isCancelled() const override { return ++asked_ > 3; }
+  bool isCancelled() const override {
+    return std::filesystem::exists(file_) && readFile(file_).find('\n') != std::string::npos;
+  }
 
  private:
-  mutable std::atomic<int> asked_{0};
+  std::string file_;
 };
+
+/// What the program of a process id was called with; empty once it has ended.
+std::string callOf(const std::string& pid) {
+  std::ifstream file("/proc/" + pid + "/cmdline");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 Study studyOf(std::vector<std::string> arguments, const std::string& pointer = "/y") {
   Study study;
@@ -119,13 +131,16 @@ TEST(CommandMeasurement, EndsWhatRunsTooLong) {
 TEST(CommandMeasurement, EndsAllThatACommandStartedWhenItIsCancelled) {
   const test::ScratchFolder folder;
   const Study study = studyOf({"sh", "-c", "sleep 1000 & echo $! > " + folder.file("pid") + "; wait"});
-  SoonCancelled progress;
+  CancelledByAFile progress(folder.file("pid"));
   EXPECT_THROW(commandMeasurement(study)({1.0}, progress), Cancelled);
-  if (!std::filesystem::exists(folder.file("pid"))) return;
-  const std::string pid = readFile(folder.file("pid"));
-  if (pid.empty()) return;
-  const std::string status = "/proc/" + pid.substr(0, pid.size() - 1) + "/cmdline";
-  EXPECT_TRUE(!std::filesystem::exists(status) || readFile(status).find("sleep") == std::string::npos);
+  const std::string line = readFile(folder.file("pid"));
+  const std::string pid = line.substr(0, line.find('\n'));
+  ASSERT_GT(std::stoi(pid), 0);
+  // The kernel ends what was killed a moment later.
+  const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (callOf(pid).find("sleep") != std::string::npos && std::chrono::steady_clock::now() < last)
+    std::this_thread::yield();
+  EXPECT_EQ(callOf(pid).find("sleep"), std::string::npos) << "process " << pid << " goes on";
 }
 
 TEST(CommandMeasurement, DoesNotWaitForWhatACommandLeavesRunning) {

@@ -22,7 +22,7 @@ double bendingForce(const Toolpath& specimen, CornerStrategy corners) {
   return solveStiffness(voxelUnion(solids, 0.1, progress), stiffness, progress).force_n;
 }
 
-TEST(SweepBending, CornersMakeNoDifferenceToAnySpecimen) {
+TEST(SweepBending, CornersMakeNoDifferenceToTheFirstSpecimen) {
   const Toolpath specimen = makeScaffold("bending_specimen", scaffoldDefaults("bending_specimen"));
   std::vector<double> forces_n;
   for (const CornerStrategy corners :

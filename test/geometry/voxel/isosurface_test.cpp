@@ -23,7 +23,7 @@ bool isClosedManifold(const Mesh& mesh) {
 }
 
 TEST(Isosurface, OfAnyVoxelsIsAClosedManifold) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     VoxelGrid grid({Point3::Zero(), 1.0, {*rc::gen::inRange(1, 70), *rc::gen::inRange(1, 5), 3}});
     const auto& count = grid.frame().count;
     const int solid = *rc::gen::inRange(1, 120);
@@ -34,7 +34,7 @@ TEST(Isosurface, OfAnyVoxelsIsAClosedManifold) {
     RC_ASSERT(!mesh.triangles.empty());
     RC_ASSERT(isClosedManifold(mesh));
     RC_ASSERT(volume(mesh) > 0.0);
-  });
+  }));
 }
 
 TEST(Isosurface, AFullRowOfWordsIsClosedAtItsEnds) {

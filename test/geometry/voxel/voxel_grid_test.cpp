@@ -52,7 +52,7 @@ TEST(VoxelFrameTest, RefusesWhatItCannotCountAndNamesWhatFits) {
 }
 
 TEST(VoxelGridTest, HoldsWhatWasFilled) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelFrame frame =
         frameOf(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 20), *rc::gen::inRange(1, 20));
     VoxelGrid grid(frame);
@@ -73,11 +73,11 @@ TEST(VoxelGridTest, HoldsWhatWasFilled) {
       for (int j = -1; j <= frame.count[1]; ++j)
         for (int i = -1; i <= frame.count[0]; ++i)
           RC_ASSERT(grid.isSolid(i, j, k) == (filled.count({i, j, k}) != 0));
-  });
+  }));
 }
 
 TEST(VoxelGridTest, ACropIsTheSameVoxelsAtTheSamePlace) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     const VoxelFrame frame =
         frameOf(*rc::gen::inRange(1, 150), *rc::gen::inRange(1, 12), *rc::gen::inRange(1, 12));
     VoxelGrid grid(frame);
@@ -102,7 +102,7 @@ TEST(VoxelGridTest, ACropIsTheSameVoxelsAtTheSamePlace) {
                     grid.isSolid(i, j, k));
         }
     RC_ASSERT(crop.solidCount() == solid);
-  });
+  }));
 }
 
 TEST(VoxelGridTest, TellsTheRangeOfWhatIsSolid) {

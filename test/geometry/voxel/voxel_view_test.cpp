@@ -26,7 +26,7 @@ TEST(VoxelView, SurfaceOfABlockIsTheBlockLessItsInside) {
 }
 
 TEST(VoxelView, SurfaceVoxelsAreThoseWithAnOpenNeighbour) {
-  rc::check([] {
+  EXPECT_TRUE(rc::check([] {
     VoxelGrid grid({Point3::Zero(), 1.0, {70, 4, 4}});
     const int holes = *rc::gen::inRange(0, 60);
     for (int i = 0; i < 70; ++i)
@@ -43,7 +43,7 @@ TEST(VoxelView, SurfaceVoxelsAreThoseWithAnOpenNeighbour) {
           if (grid.isSolid(i, j, k) && !is_enclosed) expected.push_back(grid.frame().centre(i, j, k));
         }
     RC_ASSERT(surfaceVoxels(grid) == expected);
-  });
+  }));
 }
 
 TEST(VoxelView, CoarserCubesAreSolidWhereHalfOfTheirVoxelsAre) {

@@ -37,10 +37,14 @@ TEST(CurvedLayers, OfTheOctagonSolidHaveFifteenShellsASideAndTwentyLevelLayers) 
   ASSERT_EQ(layers.lower.size(), 15U);
   ASSERT_EQ(layers.upper.size(), 15U);
   ASSERT_EQ(layers.middle.size(), 20U);
-  EXPECT_NEAR(layers.middle.front().slab.cut(), 3.0289, 5e-5);
-  EXPECT_NEAR(layers.middle.back().slab.cut(), 6.9711, 5e-5);
-  EXPECT_NEAR(layers.middle[1].slab.cut() - layers.middle[0].slab.cut(), 0.2075, 5e-5);
-  EXPECT_NEAR(layers.volumes.part_mm3, 723.858, 0.001);
+  // From half a layer above the slopes to half a layer beneath the upper ones, evenly.
+  EXPECT_NEAR(layers.middle.front().slab.cut(), kRise + 0.1, 5e-5);
+  EXPECT_NEAR(layers.middle.back().slab.cut(), 10.0 - kRise - 0.1, 5e-5);
+  EXPECT_NEAR(layers.middle[1].slab.cut() - layers.middle[0].slab.cut(), (9.8 - 2.0 * kRise) / 19.0, 5e-5);
+  // A square prism and two frusta of pyramids.
+  const double base = 10.0 - 2.0 * kRise;
+  const double frustum = kRise / 3.0 * (100.0 + 10.0 * base + base * base);
+  EXPECT_NEAR(layers.volumes.part_mm3, 100.0 * base + 2.0 * frustum, 0.001);
   EXPECT_LT(std::abs(layers.volumes.gap()), 0.002);
 }
 
@@ -84,6 +88,20 @@ TEST(CurvedLayers, AreSeenFromTheNozzleAndGrowUpwards) {
             boundingBox(layers.upper.back().middle).high.z());
 }
 
+/// A sphere of so many meridians and half as many zones, between which it is a frustum of a pyramid.
+double volumeOfFacets(double radius, int meridians) {
+  const double section = 0.5 * meridians * std::sin(2.0 * M_PI / meridians);
+  double sum = 0.0;
+  for (int i = 0; i < meridians / 2; ++i) {
+    const double low = 2.0 * M_PI * i / meridians;
+    const double high = 2.0 * M_PI * (i + 1) / meridians;
+    const double a = std::sin(low);
+    const double b = std::sin(high);
+    sum += section * (std::cos(low) - std::cos(high)) / 3.0 * (a * a + a * b + b * b);
+  }
+  return sum * radius * radius * radius;
+}
+
 // The sphere of [Guacheta2021, table 5-3]
 TEST(CurvedLayers, OfASphereAreThirtyFiveShellsAHalf) {
   const CurvedLayers layers = curved(makePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}}));
@@ -96,7 +114,7 @@ TEST(CurvedLayers, OfASphereAreThirtyFiveShellsAHalf) {
     for (const Point3& p : layers.lower[i].middle.vertices)
       ASSERT_NEAR((p - Point3(0.0, 0.0, 7.0)).norm(), radius, 0.075);
   }
-  EXPECT_NEAR(layers.volumes.part_mm3, 1413.83, 0.01);
+  EXPECT_NEAR(layers.volumes.part_mm3, volumeOfFacets(7.0, 32), 0.01);
   EXPECT_LT(std::abs(layers.volumes.gap()), 0.001);
   EXPECT_NEAR(layers.lower_ends.front().offset_mm, 7.0, 0.05);
 }
@@ -114,6 +132,14 @@ TEST(CurvedLayers, OfAConeFollowItsSlope) {
   const CurvedLayers layers = curved(makePart("cone", {{"segments", "32"}}), 0.5);
   EXPECT_TRUE(layers.lower.empty());
   EXPECT_EQ(layers.upper.size(), 18U);  // of 20 sin(atan(1/2)) = 8.94 mm
+  // Facets of 32 lie 10 cos(pi / 32) mm from the axis; corners stand out by 10 mm.
+  const double least_z = std::cos(M_PI / 32.0) / std::hypot(2.0, std::cos(M_PI / 32.0));
+  for (const LayerSurface& shell : layers.upper)
+    for (std::size_t i = 0; i < shell.normal.size(); ++i) {
+      if (shell.middle.vertices[i].head<2>().norm() < 1.0) continue;  // near the tip
+      EXPECT_GE(shell.normal[i].z(), least_z - 1e-6);
+      EXPECT_LE(shell.normal[i].z(), 1.0 / std::sqrt(5.0) + 0.01);
+    }
   EXPECT_LT(std::abs(layers.volumes.gap()), 0.002);
 }
 

@@ -277,7 +277,10 @@ TEST(EmulatedMachine, RefusesToReplaceAFileByItsLink) {
 }
 
 TEST(EmulatedMachine, RemovesItsLink) {
-  { const RecordedMachine machine(0.0); }
+  {
+    const RecordedMachine machine(0.0);
+    ASSERT_EQ(::access(linkPath().c_str(), F_OK), 0);
+  }
   EXPECT_NE(::access(linkPath().c_str(), F_OK), 0);
 }
 

@@ -123,7 +123,7 @@ TEST(Streamer, TurnsHeatersOffThoughTheMachineHearsNothingWhileItHeats) {
   EXPECT_DOUBLE_EQ(link.firmware.nozzleTarget(), 0.0);
 }
 
-RC_GTEST_PROP(StreamerProperty, EveryAbortLeavesTheMachineCold, ()) {
+RC_GTEST_PROP(StreamerProperty, EveryConfirmedAbortLeavesTheMachineCold, ()) {
   const auto hot = program("M104 S200\nM140 S60\n" + test::spiralProgram(200));
   EmulatedSettings machine;
   machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);

@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/voids/beads/overlap_meter.hpp"
+#include "lamina/voids/drops/drop_overlap.hpp"
 #include "support/drop_lattices.hpp"
 #include "support/shapes.hpp"
 
@@ -118,23 +119,24 @@ DropLayer twoRows(double height, double shift) {
 }
 
 TEST(DropFilling, FillsBetweenAlignedRowsFromACertainDistance) {
-  const double overlaps[] = {0.0, 0.1, 0.2};
-  const double heights[] = {1.7321, 1.4967, 1.2490};
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(addedTo(twoRows(heights[i] - 1e-3, 0.0), overlaps[i]), 0U);
-    const DropLayer layer = twoRows(heights[i] + 1e-3, 0.0);
-    const std::vector<Point2> drops = newDrops(fillDropVoids(layer, allowing(overlaps[i])));
+  for (const double overlap : {0.0, 0.1, 0.2}) {
+    // The middle of a cell is half its diagonal from the four drops round it.
+    const double least = std::sqrt(4.0 * std::pow(1.0 - overlap, 2.0) - 1.0);
+    EXPECT_EQ(addedTo(twoRows(least - 1e-3, 0.0), overlap), 0U);
+    const DropLayer layer = twoRows(least + 1e-3, 0.0);
+    const std::vector<Point2> drops = newDrops(fillDropVoids(layer, allowing(overlap)));
     EXPECT_EQ(drops.size(), 20U);
-    for (const Point2& drop : drops) EXPECT_NEAR(drop.y(), 0.5 * (heights[i] + 1e-3), 1e-9);
+    for (const Point2& drop : drops) EXPECT_NEAR(drop.y(), 0.5 * (least + 1e-3), 1e-9);
   }
 }
 
 TEST(DropFilling, FillsBetweenStaggeredRowsFromACertainDistance) {
-  const double overlaps[] = {0.0, 0.1, 0.2};
-  const double heights[] = {1.8660, 1.6483, 1.4245};
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(addedTo(twoRows(heights[i] - 1e-3, 0.5), overlaps[i]), 0U);
-    const std::vector<DropVoid> voids = fillDropVoids(twoRows(heights[i] + 1e-3, 0.5), allowing(overlaps[i]));
+  for (const double overlap : {0.0, 0.1, 0.2}) {
+    // The radius of the circle through two drops of a row and the one between them of the other.
+    const double radius = 1.0 - overlap;
+    const double least = radius + std::sqrt(radius * radius - 0.25);
+    EXPECT_EQ(addedTo(twoRows(least - 1e-3, 0.5), overlap), 0U);
+    const std::vector<DropVoid> voids = fillDropVoids(twoRows(least + 1e-3, 0.5), allowing(overlap));
     EXPECT_EQ(voids.size(), 1U);
     EXPECT_EQ(newDrops(voids).size(), 20U);
   }
@@ -194,31 +196,53 @@ TEST(DropFilling, PutsOneDropBetweenTheTipsOfContours) {
   EXPECT_NEAR(drops[0].y(), 0.0, 0.01);
 }
 
-TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {
-  struct Case {
-    double side;
-    double overlap;
-    std::size_t added;
-  };
-  const Case cases[] = {{10.0, 0.0, 0}, {10.0, 0.1, 0}, {10.0, 0.2, 0}, {10.3, 0.0, 0},
-                        {10.3, 0.1, 1}, {10.3, 0.2, 1}, {10.6, 0.0, 1}, {10.6, 0.1, 1},
-                        {10.6, 0.2, 5}, {10.8, 0.0, 1}, {10.8, 0.1, 5}, {10.8, 0.2, 5},
-                        {12.6, 0.0, 1}, {12.6, 0.1, 1}, {12.6, 0.2, 5}, {10.0, 0.3, 81}};
-  for (const Case& c : cases) {
-    const DropLayer layer = filledLayer("drops_contour", {{rectangle(0, 0, c.side, c.side), {}}}, 1.0);
-    EXPECT_EQ(addedTo(layer, c.overlap), c.added) << c.side << " mm, overlap " << c.overlap;
+/// Room in a square of contours, each two diameters less wide than the one round it. The innermost one is
+/// four drops, the next one has three gaps a side.
+struct CoreRoom {
+  double middle;  ///< from the middle to the four drops
+  double beside;  ///< from four places between the two contours to two drops of either
+
+  explicit CoreRoom(double side) {
+    const double half = 0.5 * std::fmod(side - 1.0, 2.0);
+    const double half_gap = (half + 1.0) / 3.0;
+    // Equally far from (half, half) as from (half_gap, half + 1), on the axis of symmetry.
+    const double place = 0.5 * (half_gap * half_gap + (half + 1.0) * (half + 1.0)) - half * half;
+    middle = half * std::sqrt(2.0);
+    beside = std::hypot(half, place - half);
   }
+};
+
+TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {  // T12
+  const auto square = [](double side) {
+    return filledLayer("drops_contour", {{rectangle(0, 0, side, side), {}}}, 1.0);
+  };
+  for (const double side : {10.0, 10.3, 10.6, 10.8, 12.6})
+    for (const double overlap : {0.0, 0.1, 0.2}) {
+      const CoreRoom room(side);
+      const std::size_t added =
+          (room.middle > 1.0 - overlap ? 1U : 0U) + (room.beside > 1.0 - overlap ? 4U : 0U);
+      EXPECT_EQ(addedTo(square(side), overlap), added) << side << " mm, overlap " << overlap;
+    }
+  EXPECT_EQ(addedTo(square(10.0), 0.3), 9U * 9U) << "the pores of a lattice of 10 by 10";
 }
 
 TEST(DropFilling, OverlapsMoreAndMoreAboveThePoresOfASquareLattice) {
   const DropLayer layer = filledLayer("drops_contour", {{rectangle(0, 0, 10.6, 10.6), {}}}, 1.0);
-  const double per_drop[] = {0.0, 0.0, 0.0077, 0.2546, 0.2548};
-  for (int i = 0; i < 5; ++i) {
-    DropVoidSettings settings = allowing(0.1 * i);
+  const auto perDrop = [&layer](double overlap) {
+    DropVoidSettings settings = allowing(overlap);
     settings.passes = VoidPasses::UntilFull;
-    const std::vector<Point2> added = newDrops(fillDropVoids(layer, settings));
-    EXPECT_NEAR(measureOverlap(layer.drops, added, 1.0).perDrop(), per_drop[i], 5e-5) << 0.1 * i;
-  }
+    return measureOverlap(layer.drops, newDrops(fillDropVoids(layer, settings)), 1.0).perDrop();
+  };
+  // The one in the middle overlaps with none, the four beside it with four drops each.
+  const double shared = overlapAt(CoreRoom(10.6).beside, OverlapDefinition::Area);
+  EXPECT_NEAR(perDrop(0.0), 0.0, 1e-9);
+  EXPECT_NEAR(perDrop(0.1), 0.0, 1e-9);
+  EXPECT_NEAR(perDrop(0.2), 16.0 * shared / 105.0, 5e-5);
+  // Pores of 1 by 1 at corners, of 1 by 6/5 diameters at most: their middles are 0.71 to 0.78 from four
+  // drops, each of which shares 0.12 to 0.182. Some 80 of them share that with 100 drops.
+  EXPECT_GT(perDrop(0.3), 80.0 * 4.0 * 0.12 / 180.0);
+  EXPECT_LT(perDrop(0.3), 81.0 * 4.0 * 0.182 / 181.0);
+  EXPECT_GE(perDrop(0.4), perDrop(0.3));
 }
 
 TEST(DropFilling, DoesNotDependOnSizePlaceAndDirection) {
