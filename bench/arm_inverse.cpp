@@ -13,14 +13,14 @@ using namespace lamina;
 
 constexpr int kPoses = 1000;
 
-std::vector<JointValues> anyValues(const Mechanism& arm) {
+std::vector<JointValues> anyValues(const KinematicModel& arm) {
   Random random(1);
   std::vector<JointValues> values;
   while (values.size() < kPoses) values.push_back(test::anyJointValues(arm, random));
   return values;
 }
 
-void solve(benchmark::State& state, const Mechanism& arm) {
+void solve(benchmark::State& state, const KinematicModel& arm) {
   const std::vector<JointValues> near = anyValues(arm);
   std::vector<Eigen::Isometry3d> wanted;
   for (const JointValues& values : near) wanted.push_back(arm.bedFromNozzle(values));
@@ -35,12 +35,14 @@ void solve(benchmark::State& state, const Mechanism& arm) {
   state.counters["solutions"] = static_cast<double>(found) / runs;
 }
 
-void sphericalWrist(benchmark::State& state) { solve(state, *mechanismByName("irb_4600")); }
-void withTurntable(benchmark::State& state) { solve(state, *mechanismByName("irb_4600_turntable")); }
+void sphericalWrist(benchmark::State& state) { solve(state, *kinematicModelByName("irb_4600")); }
+void withTurntable(benchmark::State& state) { solve(state, *kinematicModelByName("irb_4600_turntable")); }
 void roundedDescription(benchmark::State& state) {
-  solve(state, *mechanismFromUrdf(test::roundedArm().urdf()));
+  solve(state, *kinematicModelFromUrdf(test::roundedArm().urdf()));
 }
-void offsetWrist(benchmark::State& state) { solve(state, *mechanismFromUrdf(test::offsetWristArm().urdf())); }
+void offsetWrist(benchmark::State& state) {
+  solve(state, *kinematicModelFromUrdf(test::offsetWristArm().urdf()));
+}
 
 BENCHMARK(sphericalWrist);
 BENCHMARK(withTurntable);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Fusing 90 000 measured points at 0.5 mm, against OctoMap's insertion of the same points; a profile of the
-// simulated sensor; and a layer of beads laid into a map.
+// simulated sensor; and a layer of beads deposited into a map.
 #include <benchmark/benchmark.h>
 #include <octomap/OcTree.h>
 

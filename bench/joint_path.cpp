@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Leading an arm along a spiral of steep walls: seconds over the number of waypoints, with 72 turns about the
-// jet at each; and the most memory that the process ever had.
+// tool axis at each; and the most memory that the process ever had.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using namespace lamina;
 
-/// A spiral of 60 mm radius, 0.5 mm from waypoint to waypoint, its jet inclined outwards by 20 deg.
+/// A spiral of 60 mm radius, 0.5 mm from waypoint to waypoint, its tool axis inclined outwards by 20 deg.
 Toolpath spiral(std::size_t waypoints) {
   constexpr double kRadius = 60.0;
   Path path;
@@ -42,13 +42,13 @@ double mostMemoryMb() {
 }
 
 void plan(benchmark::State& state, const std::string& name) {
-  const auto mechanism = mechanismByName(name);
+  const auto model = kinematicModelByName(name);
   const Toolpath toolpath = spiral(static_cast<std::size_t>(state.range(0)));
   NoProgress progress;
   std::size_t faults = 0;
   for (auto _ : state) {
     const JointPath path =
-        planJointPath(toolpath, Eigen::Isometry3d::Identity(), *mechanism, JointPathSettings(), progress);
+        planJointPath(toolpath, Eigen::Isometry3d::Identity(), *model, JointPathSettings(), progress);
     faults = path.faults.size();
     benchmark::DoNotOptimize(path.values.data());
   }

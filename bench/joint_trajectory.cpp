@@ -19,15 +19,15 @@ constexpr double kSpacing = 0.5;  // mm
 constexpr double kPitch = 2.0;    // mm
 
 /// Three linear axes with a rotary one in the middle of each, which do nothing to the tip.
-class SixJoints final : public test::HandMadeMechanism {
+class SixJoints final : public test::HandMadeModel {
  public:
   SixJoints()
-      : HandMadeMechanism({{"x", JointKind::Linear, -1e4, 1e4, 200.0},
-                           {"y", JointKind::Linear, -1e4, 1e4, 200.0},
-                           {"z", JointKind::Linear, -1e4, 1e4, 50.0},
-                           {"a", JointKind::Rotary, -9.0, 9.0, 3.0},
-                           {"b", JointKind::Rotary, -9.0, 9.0, 3.0},
-                           {"c", JointKind::Rotary, -9.0, 9.0, 3.0}}) {}
+      : HandMadeModel({{"x", JointKind::Linear, -1e4, 1e4, 200.0},
+                       {"y", JointKind::Linear, -1e4, 1e4, 200.0},
+                       {"z", JointKind::Linear, -1e4, 1e4, 50.0},
+                       {"a", JointKind::Rotary, -9.0, 9.0, 3.0},
+                       {"b", JointKind::Rotary, -9.0, 9.0, 3.0},
+                       {"c", JointKind::Rotary, -9.0, 9.0, 3.0}}) {}
   Eigen::Isometry3d bedFromNozzle(const JointValues& q) const override {
     Eigen::Isometry3d pose(nozzleDown());
     pose.translation() = q.head<3>();
@@ -54,7 +54,7 @@ Toolpath spiral(std::size_t waypoints) {
 }
 
 struct Job {
-  SixJoints mechanism;
+  SixJoints model;
   Toolpath toolpath;
   JointPath path;
   TimingSettings settings;
@@ -72,7 +72,7 @@ void time(benchmark::State& state) {
   Job job(static_cast<std::size_t>(state.range(0)));
   job.settings.trajectory.jerk_ramp_s = 1e-3 * static_cast<double>(state.range(1));
   double print_s = 0.0;
-  for (auto _ : state) print_s = TimedPath(job.toolpath, job.path, job.mechanism, job.settings).duration();
+  for (auto _ : state) print_s = TimedPath(job.toolpath, job.path, job.model, job.settings).duration();
   state.counters["print_s"] = print_s;
   state.SetComplexityN(state.range(0));
 }
@@ -80,7 +80,7 @@ void time(benchmark::State& state) {
 void sample(benchmark::State& state) {
   Job job(static_cast<std::size_t>(state.range(0)));
   job.settings.trajectory.jerk_ramp_s = 1e-3 * static_cast<double>(state.range(1));
-  const TimedPath timed(job.toolpath, job.path, job.mechanism, job.settings);
+  const TimedPath timed(job.toolpath, job.path, job.model, job.settings);
   double time_s = 0.0;
   for (auto _ : state) {
     benchmark::DoNotOptimize(timed.at(time_s).position.data());

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 

@@ -65,12 +65,12 @@ void Unite(benchmark::State& state) {
 }
 BENCHMARK(Unite)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
 
-void ShrinkDirectly(benchmark::State& state) {
+void EdgeCollapse(benchmark::State& state) {
   const Regions regions = unite(section(pointsOf(state)));
   for (auto _ : state) benchmark::DoNotOptimize(offset(regions, -0.2));
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(ShrinkDirectly)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
+BENCHMARK(EdgeCollapse)->RangeMultiplier(8)->Range(64, 32768)->Complexity();
 
 void ShrinkByClipping(benchmark::State& state) {
   const Regions regions = necked(pointsOf(state));

@@ -17,8 +17,8 @@
 #include <thread>
 #include <vector>
 
-#include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
+#include "lamina/streaming/emulator/emulated_machine.hpp"
 
 namespace lamina {
 namespace {

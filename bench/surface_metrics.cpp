@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Under- and overfill of a surface: a sphere of 10 000 faces with 100 000 segments right beneath its surface,
+// Under- and overfill of a surface: a sphere of 10 000 faces with 100 000 segments right below its surface,
 // and the six faces of a box of 20 x 40 x 20 mm that 200 m of path fill, layer by layer.
 #include <benchmark/benchmark.h>
 

@@ -103,9 +103,9 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   if (!arguments.machine.empty()) options.assignments.push_back("machine.name=" + arguments.machine);
   const JobSettings settings = jobSettingsFrom(options);
   validate(settings);
-  const auto mechanism = mechanismOf(settings.machine);
+  const auto model = kinematicModelOf(settings.machine);
   ToolpathInput input = readToolpath(arguments.input, settings);
-  // Programs tell where on the bed they stand.
+  // Programs report where on the bed they stand.
   const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
   if (is_toolpath && settings.placement == Placement::Centre)
     input.bed_from_part = placeDeposition(input.toolpath, machineOf(settings.machine));
@@ -113,16 +113,15 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   {
     TerminalProgress progress;
     const RunSettings run_settings = runSettings(settings);
-    MechanismRun run =
-        runOn(*mechanism, std::move(input.toolpath), input.bed_from_part, run_settings.joints, progress);
-    checked.check = checkRun(run, *mechanism, settings.clearance, progress);
+    KinematicModelRun run =
+        runOn(*model, std::move(input.toolpath), input.bed_from_part, run_settings.joints, progress);
+    checked.check = checkRun(run, *model, settings.clearance, progress);
     if (run.path.isRunnable())
-      checked.time_s = inTime(std::move(run), *mechanism, run_settings.timing).time.total_s;
+      checked.time_s = inTime(std::move(run), *model, run_settings.timing).time.total_s;
   }
   if (!arguments.report.empty()) writeReport(checked.check, arguments.report);
   if (!checked.check.isClear()) chosen.exit_code = kCannotRun;
-  chosen.format == OutputFormat::Json ? printJson(checked, mechanism->name())
-                                      : printText(checked, mechanism->name());
+  chosen.format == OutputFormat::Json ? printJson(checked, model->name()) : printText(checked, model->name());
 }
 
 }  // namespace
@@ -137,7 +136,7 @@ void addCheck(CLI::App& app, Chosen& chosen) {
                    "Toolpath (.csv), program (.gcode, .mod), mesh file or name of a part")
       ->required();
   subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
-      ->check(CLI::IsMember(mechanismNames()));
+      ->check(CLI::IsMember(kinematicModelNames()));
   subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
   addJsonFlag(*subcommand, chosen);

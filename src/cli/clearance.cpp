@@ -35,9 +35,9 @@ nlohmann::ordered_json toJson(const Collision& collision) {
                                  {"obstacle", toString(collision.obstacle)},
                                  {"at_mm", toJson(collision.place)}};
   if (collision.obstacle == Obstacle::Material)
-    json["laid"] = {{"layer", collision.laid.layer},
-                    {"path", collision.laid.path},
-                    {"waypoint", collision.laid.waypoint}};
+    json["deposited"] = {{"layer", collision.deposited.layer},
+                         {"path", collision.deposited.path},
+                         {"waypoint", collision.deposited.waypoint}};
   return json;
 }
 
@@ -58,9 +58,9 @@ void printFirst(const Collision& first) {
   if (first.obstacle == Obstacle::Bed)
     std::printf("the bed\n");
   else
-    std::printf("what was laid at layer %zu, path %zu, waypoint %zu, near (%.3f, %.3f, %.3f) mm\n",
-                first.laid.layer, first.laid.path, first.laid.waypoint, first.place.x(), first.place.y(),
-                first.place.z());
+    std::printf("what was deposited at layer %zu, path %zu, waypoint %zu, near (%.3f, %.3f, %.3f) mm\n",
+                first.deposited.layer, first.deposited.path, first.deposited.waypoint, first.place.x(),
+                first.place.y(), first.place.z());
 }
 
 void printText(const ClearanceReport& report, const std::string& machine) {
@@ -75,7 +75,7 @@ void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
   if (!arguments.machine.empty()) options.assignments.push_back("machine.name=" + arguments.machine);
   const JobSettings settings = jobSettingsFrom(options);
   validate(settings);
-  const Machine machine = machineOf(settings.machine);
+  const CartesianMachine machine = machineOf(settings.machine);
   const ToolpathInput input = readInclinedToolpath(arguments.input, settings);
   requireReachable(input.toolpath, input.bed_from_part, machine);
   ClearanceReport report;
@@ -91,7 +91,7 @@ void checkClearanceOf(const ClearanceArguments& arguments, Chosen& chosen) {
 
 void addClearance(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
-      "clearance", "Check a machine's head against bed and laid material; exits with 2 if it collides");
+      "clearance", "Check a machine's head against bed and deposited material; exits with 2 if it collides");
   const auto arguments = std::make_shared<ClearanceArguments>();
   subcommand
       ->add_option("input", arguments->input,

@@ -99,14 +99,14 @@ void coordinates(const CoordinatesArguments& arguments, OutputFormat format) {
 
 void addCoordinates(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
-      "coordinates", "Tell the trajectories that lay a part, as a matrix: x, y, z, flag, filament");
+      "coordinates", "Report the trajectories that lay a part, as a matrix: x, y, z, flag, filament");
   const auto arguments = std::make_shared<CoordinatesArguments>();
   subcommand
       ->add_option("input", arguments->input,
                    "Program (.gcode, .mod), toolpath (.csv), mesh file or name of a part")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Table to write (.csv)");
-  subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is laid")
+  subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is deposited")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading");

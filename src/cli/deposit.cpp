@@ -10,8 +10,8 @@
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
-#include "lamina/geometry/voxel/isosurface.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/voxel/isosurface.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/voxel_picture.hpp"
 #include "lamina/pores/voxel_surface.hpp"
@@ -129,9 +129,9 @@ void drawPictures(const std::vector<SheetPicture>& pictures, const VoxelGrid& gr
   }
 }
 
-/// Measures, draws and writes what was laid.
+/// Measures, draws and writes what was deposited.
 DepositFindings examineDeposit(ToolpathDeposit deposit, const DepositArguments& arguments,
-                 const std::vector<SheetPicture>& pictures) {
+                               const std::vector<SheetPicture>& pictures) {
   DepositFindings findings;
   findings.totals = deposit.totals;
   findings.highest_mm = deposit.highest_mm;
@@ -164,7 +164,7 @@ void printJson(const DepositFindings& findings, DepositClock::time_point start) 
   nlohmann::ordered_json json = {
       {"path_mm", totals.path_mm},
       {"extruded_mm3", totals.extruded_mm3},
-      {"model_mm3", totals.laid_mm3},
+      {"model_mm3", totals.deposited_mm3},
       {"excess_mm3", totals.excess_mm3},
       {"outside_mm3", totals.outside_mm3},
       {"voxel_mm", findings.frame.voxel_mm},
@@ -189,10 +189,10 @@ void printJson(const DepositFindings& findings, DepositClock::time_point start) 
 void printText(const DepositFindings& findings, DepositClock::time_point start) {
   const DepositTotals& totals = findings.totals;
   const Point3 size = findings.frame.box().size();
-  std::printf("path        %14.3f m, laid in %.3f s (%.1f m/s)\n", totals.path_mm / 1e3, findings.deposit_s,
-              totals.path_mm / 1e3 / findings.deposit_s);
+  std::printf("path        %14.3f m, deposited in %.3f s (%.1f m/s)\n", totals.path_mm / 1e3,
+              findings.deposit_s, totals.path_mm / 1e3 / findings.deposit_s);
   std::printf("extruded    %14.4f mm3\n", totals.extruded_mm3);
-  std::printf("model       %14.4f mm3\n", totals.laid_mm3);
+  std::printf("model       %14.4f mm3\n", totals.deposited_mm3);
   if (totals.excess_mm3 > 0.0)
     std::printf("excess      %14.4f mm3 found no room within deposition.reach_mm\n", totals.excess_mm3);
   std::printf("voxels      %14lld of %g mm\n", static_cast<long long>(findings.voxels),
@@ -220,9 +220,9 @@ void deposit(const DepositArguments& arguments, OutputFormat format) {
   const std::vector<SheetPicture> pictures = picturesOf(arguments, toolpath);
   const DepositClock::time_point laying = DepositClock::now();
   TerminalProgress progress;
-  ToolpathDeposit laid = depositedVoxels(toolpath, settings.deposition, progress);
+  ToolpathDeposit deposited = depositedVoxels(toolpath, settings.deposition, progress);
   const double deposit_s = secondsSince(laying);
-  DepositFindings findings = examineDeposit(std::move(laid), arguments, pictures);
+  DepositFindings findings = examineDeposit(std::move(deposited), arguments, pictures);
   findings.deposit_s = deposit_s;
   format == OutputFormat::Json ? printJson(findings, start) : printText(findings, start);
 }

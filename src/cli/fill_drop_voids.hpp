@@ -32,7 +32,7 @@ struct DropFillFiles {
   std::string sweep;
 };
 
-/// Fills the voids of a program of drops and tells what it did.
+/// Fills the voids of a program of drops and reports what it did.
 void fillDropVoids(const DropFillFiles& files, const JobSettings& settings, OutputFormat format);
 
 }  // namespace lamina::cli

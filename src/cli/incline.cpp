@@ -19,7 +19,7 @@ nlohmann::ordered_json toJson(const Box3& box) {
           {"high_mm", {box.high.x(), box.high.y(), box.high.z()}}};
 }
 
-void printJson(const TransformReport& report, const std::string& output, double seconds) {
+void printJson(const RewriteReport& report, const std::string& output, double seconds) {
   nlohmann::ordered_json json = {{"slicer", report.slicer},
                                  {"lines", report.lines},
                                  {"layers", report.layers},
@@ -33,7 +33,7 @@ void printJson(const TransformReport& report, const std::string& output, double 
                                  {"layer_height_mm", report.layer_height_mm},
                                  {"part", toJson(report.part)},
                                  {"stands_on_edge", standsOnEdge(report)},
-                                 {"jet_off_normal_deg", report.jet_off_normal_deg},
+                                 {"tool_axis_off_normal_deg", report.tool_axis_off_normal_deg},
                                  {"nozzle", toJson(report.nozzle)},
                                  {"seconds", seconds},
                                  {"lines_per_s", static_cast<double>(report.lines) / seconds},
@@ -47,7 +47,7 @@ void printBox(const char* name, const Box3& box) {
               box.low.y(), box.high.y(), box.low.z(), box.high.z());
 }
 
-void printText(const TransformReport& report, const std::string& output, double seconds) {
+void printText(const RewriteReport& report, const std::string& output, double seconds) {
   std::printf("program     %zu lines, %zu layers, of %s\n", report.lines, report.layers,
               report.slicer.empty() ? "an unnamed slicer" : report.slicer.c_str());
   std::printf("motions     %zu, %zu of them deposit; %zu arcs made chords, %zu deferred\n", report.motions,
@@ -66,9 +66,9 @@ void printText(const TransformReport& report, const std::string& output, double 
     std::printf(
         "notice      the part stands on an edge: was the mesh tilted by the opposite angle before "
         "slicing?\n");
-  if (isJetOffNormal(report))
+  if (isToolAxisOffNormal(report))
     std::printf("notice      the machine holds its nozzle at %.2f deg from the normal of the layers\n",
-                report.jet_off_normal_deg);
+                report.tool_axis_off_normal_deg);
   std::printf("computed in %.3f s, %.1f million lines per second\n", seconds,
               1e-6 * static_cast<double>(report.lines) / seconds);
   std::printf("written to  %s\n", output.c_str());
@@ -85,7 +85,7 @@ void incline(const InclineArguments& arguments, OutputFormat format) {
   if (job.output.empty()) job.output = inclinedName(job.program);
   requireApart({job.output},
                {arguments.program, arguments.settings.config, arguments.begin_code, arguments.end_code});
-  TransformReport report;
+  RewriteReport report;
   const auto begin = std::chrono::steady_clock::now();
   {
     TerminalProgress progress;

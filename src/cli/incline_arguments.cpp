@@ -34,7 +34,7 @@ std::vector<OptionGroup> optionGroups() {
             {"--layer-height", "incline.layer_height_mm"},
             {"--lift", "incline.lift"},
             {"--machine", "machine.name"},
-            {"--jet", "incline.jet"},
+            {"--tool-axis,--jet", "incline.tool_axis"},
             {"--limits", "incline.limits_mm"}}},
           {"Code",
            {{"--final-position", "incline.final_position_mm"},

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh/mesh_report.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "subcommand.hpp"
 #include "terminal_progress.hpp"
 
@@ -108,7 +108,7 @@ void printText(const MeshInfo& info) {
 
 void addInfo(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
-      "info", "Report on a mesh: size, volume, defects; of programs, preview --json tells");
+      "info", "Report on a mesh: size, volume, defects; of programs, preview --json reports");
   const auto arguments = std::make_shared<InfoArguments>();
   subcommand->add_option("mesh", arguments->path, "Mesh file (STL, OBJ, PLY, 3MF)")->required();
   subcommand->add_option("--unit", arguments->unit, "Unit of the file's numbers (3MF states its own)")

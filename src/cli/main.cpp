@@ -10,7 +10,7 @@
 namespace lamina::cli {
 namespace {
 
-/// Arguments that cannot be read leave nothing but themselves to tell the format.
+/// Arguments that cannot be read leave nothing but themselves to report the format.
 OutputFormat formatAskedFor(const std::vector<std::string>& arguments) {
   const bool wants_json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
   return wants_json ? OutputFormat::Json : OutputFormat::Text;
@@ -52,6 +52,7 @@ int runCommandLine(int argc, char** argv) {
   addPart(app, chosen);
   addPores(app, chosen);
   addPreview(app, chosen);
+  addRotate(app, chosen);
   addScaffold(app, chosen);
   addSlice(app, chosen);
   addStatistics(app, chosen);
@@ -59,7 +60,6 @@ int runCommandLine(int argc, char** argv) {
   addStream(app, chosen);
   addSweep(app, chosen);
   addTrack(app, chosen);
-  addTurn(app, chosen);
   addVoids(app, chosen);
   try {
     app.parse(argc, argv);

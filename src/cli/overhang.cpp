@@ -180,7 +180,7 @@ void overhang(const OverhangArguments& arguments, OutputFormat format) {
 
 void addOverhang(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand =
-      app.add_subcommand("overhang", "Tell what is laid with nothing beneath it along the jet");
+      app.add_subcommand("overhang", "Report what is deposited with nothing below it along the tool axis");
   const auto arguments = std::make_shared<OverhangArguments>();
   subcommand
       ->add_option(
@@ -190,7 +190,8 @@ void addOverhang(CLI::App& app, Chosen& chosen) {
       ->required();
   subcommand->add_option("--before", arguments->before, "What to compare with: program, toolpath or part");
   subcommand->add_option("--picture", arguments->picture, "Picture to write (.png) of what hangs in the air");
-  subcommand->add_option("--worst", arguments->worst, "How many of the longest stretches of a kind are told")
+  subcommand
+      ->add_option("--worst", arguments->worst, "How many of the longest stretches of a kind are reported")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");

@@ -164,11 +164,11 @@ void pores(const PoreArguments& arguments, OutputFormat format) {
 
 void addPores(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
-      "pores", "Tell what a print leaves open: porosity, interconnection, pore size, surface");
+      "pores", "Report what a print leaves open: porosity, interconnection, pore size, surface");
   const auto arguments = std::make_shared<PoreArguments>();
   subcommand
       ->add_option("input", arguments->input,
-                   "Program (.gcode, .mod) or toolpath (.csv), laid into voxels; mesh file or name of a "
+                   "Program (.gcode, .mod) or toolpath (.csv), deposited into voxels; mesh file or name of a "
                    "part, as drawn")
       ->required();
   subcommand->add_option("--voxel-mm", arguments->voxel_mm, "Side of a voxel; short for deposition.voxel_mm");

@@ -97,7 +97,7 @@ void addPreview(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--view", arguments->view, "Where the part is seen from")
       ->check(CLI::IsMember({"oblique", "top"}))
       ->capture_default_str();
-  subcommand->add_option("--colour", arguments->colour, "What the colours tell")
+  subcommand->add_option("--colour", arguments->colour, "What the colours report")
       ->check(CLI::IsMember({"role", "height"}))
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing and reading");

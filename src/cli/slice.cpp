@@ -51,8 +51,8 @@ void printFill(const SliceSummary& s) {
               100.0 * gap);
 }
 
-/// Walls that lean so far that a bead still lies on the one beneath need no word.
-void printLean(const WallLean& lean) {
+/// Walls that lean so far that a bead still lies on the one below need no word.
+void printLean(const OverhangAngle& lean) {
   if (lean.beyond_bead_mm2 <= 0.0) return;
   std::printf("overhang    %.1f %% of the surface puts a layer out by more than a bead",
               100.0 * lean.shareBeyondBead());
@@ -124,7 +124,7 @@ void printText(const SliceSummary& s, const std::string& output) {
   std::printf("travel      %.2f m\n", s.travel_mm / 1e3);
   if (s.unprinted_mm3 > 0.0)
     std::printf("unprinted   %.3f mm3, too small or too thin for the fill\n", s.unprinted_mm3);
-  if (s.empty_layers > 0) std::printf("in the air  %zu layers are empty beneath others\n", s.empty_layers);
+  if (s.empty_layers > 0) std::printf("in the air  %zu layers are empty below others\n", s.empty_layers);
   if (s.anchored.moved + s.anchored.in_air > 0)
     std::printf("anchored    %zu starts of runs moved onto bed or material, %zu remain in the air\n",
                 s.anchored.moved, s.anchored.in_air);

@@ -137,7 +137,7 @@ void statistics(const StatisticsArguments& arguments, OutputFormat format) {
 
 void addStatistics(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
-      "statistics", "Tell whether groups of a table differ: normality, ranks, analysis of variance");
+      "statistics", "Report whether groups of a table differ: normality, ranks, analysis of variance");
   const auto arguments = std::make_shared<StatisticsArguments>();
   subcommand->add_option("table", arguments->table, "Table (.csv) with a header")->required();
   subcommand->add_option("--response", arguments->response, "Column of the values")->required();

@@ -28,7 +28,7 @@ struct StiffnessArguments {
   std::string load;
   std::string axis;
   double voxel_mm = 0.0;    ///< 0 for that of the settings
-  bool is_printed = false;  ///< a part is sliced and laid rather than taken as drawn
+  bool is_printed = false;  ///< a part is sliced and deposited rather than taken as drawn
   SettingOptions settings;
 };
 
@@ -121,14 +121,15 @@ void stiffness(const StiffnessArguments& arguments, OutputFormat format) {
   const JobSettings settings = settingsFrom(arguments);
   StiffnessJob job;
   job.input = arguments.input;
-  job.solid = arguments.is_printed ? PartSolid::AsLaid : PartSolid::AsDrawn;
+  job.solid = arguments.is_printed ? PartSolid::AsDeposited : PartSolid::AsDrawn;
   job.output = arguments.output;
   job.deck = arguments.deck;
   job.settings = settings;
   TerminalProgress progress;
   const LoadedPart part = runStiffnessJob(job, progress);
-  format == OutputFormat::Json ? printJson(part.result, settings.stiffness, part.solve_s, solverSecondsSince(start))
-                               : printText(part.result, settings.stiffness, part.solve_s);
+  format == OutputFormat::Json
+      ? printJson(part.result, settings.stiffness, part.solve_s, solverSecondsSince(start))
+      : printText(part.result, settings.stiffness, part.solve_s);
 }
 
 }  // namespace
@@ -142,9 +143,9 @@ void addStiffness(CLI::App& app, Chosen& chosen) {
       ->add_option(
           "input", arguments->input,
           "Mesh file or name of a part, solid as drawn; or program (.gcode, .mod) or toolpath (.csv), "
-          "as it is laid")
+          "as it is deposited")
       ->required();
-  subcommand->add_flag("--printed", arguments->is_printed, "Slice a part and take it as it is laid");
+  subcommand->add_flag("--printed", arguments->is_printed, "Slice a part and take it as it is deposited");
   subcommand->add_option("-o,--output", arguments->output,
                          "Elements with displacement and stress to write (.vtk, for ParaView)");
   subcommand->add_option("--deck", arguments->deck, "The same problem for CalculiX to write (.inp)");

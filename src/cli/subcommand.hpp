@@ -13,19 +13,19 @@
 
 namespace lamina::cli {
 
-/// How a subcommand tells what it found.
+/// How a subcommand reports what it found.
 enum class OutputFormat { Text, Json };
 
 /// What was done so far, by names in JSON.
 using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// The subcommand chosen on the command line: what it does once the arguments are read, and how it tells the
-/// result. `run` throws on failure; `main` prints the error and chooses the exit code.
+/// The subcommand chosen on the command line: what it does once the arguments are read, and how it reports
+/// the result. `run` throws on failure; `main` prints the error and chooses the exit code.
 struct Chosen {
   std::function<void()> run;
   OutputFormat format = OutputFormat::Text;
   int exit_code = 0;  ///< of a run that does not fail
-  Counts counts;      ///< told beside the error if `run` fails
+  Counts counts;      ///< reported beside the error if `run` fails
 };
 
 /// No layer asked for has a greater index: more are in no program.
@@ -54,6 +54,7 @@ void addOverhang(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
 void addPores(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
+void addRotate(CLI::App& app, Chosen& chosen);
 void addScaffold(CLI::App& app, Chosen& chosen);
 void addSlice(CLI::App& app, Chosen& chosen);
 void addStatistics(CLI::App& app, Chosen& chosen);
@@ -61,7 +62,6 @@ void addStiffness(CLI::App& app, Chosen& chosen);
 void addStream(CLI::App& app, Chosen& chosen);
 void addSweep(CLI::App& app, Chosen& chosen);
 void addTrack(CLI::App& app, Chosen& chosen);
-void addTurn(CLI::App& app, Chosen& chosen);
 void addVoids(CLI::App& app, Chosen& chosen);
 
 }  // namespace lamina::cli

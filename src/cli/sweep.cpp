@@ -163,7 +163,7 @@ void addSweep(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("--abaqus", arguments->abaqus, "Script for Abaqus/CAE to write (.py)");
   subcommand->add_option("--deck", arguments->deck,
                          "The voxels of the union, loaded as stiffness.* says, for CalculiX to write (.inp)");
-  subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is laid")
+  subcommand->add_option("--density-g-cm3", arguments->density_g_cm3, "Density of what is deposited")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for reading and sweeping");

@@ -44,11 +44,11 @@ ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& 
   const Eigen::Quaterniond asked = partFromLayers(plane);
   if (!isInclined(read.toolpath)) {
     read.toolpath.part_from_layers = asked;
-    const bool is_normal = plane.jet == Jet::Normal;
+    const bool is_normal = plane.tool_axis == ToolAxis::Normal;
     read.toolpath = withNozzle(std::move(read.toolpath), is_normal ? asked * nozzleDown() : nozzleDown());
   } else if (read.toolpath.part_from_layers.angularDistance(asked) > kSamePlane) {
     throw InvalidInput("slicing.plane.angle_deg is " + std::to_string(plane.angle_deg) + ", but '" + input +
-                       "' tells of layers inclined by " + std::to_string(inclinationDeg(read.toolpath)) +
+                       "' reports of layers inclined by " + std::to_string(inclinationDeg(read.toolpath)) +
                        " deg another way; expected the same or none");
   }
   return read;

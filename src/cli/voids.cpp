@@ -138,7 +138,7 @@ void addVoids(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("program", arguments->program, "Program (.gcode, .mod)")->required();
   subcommand->add_option("--part", arguments->part,
                          "Mesh file or name of a parametric part; without it, what the outer walls enclose");
-  subcommand->add_option("--layer", arguments->layer, "Tell the voids of this layer; the first is 0")
+  subcommand->add_option("--layer", arguments->layer, "Report the voids of this layer; the first is 0")
       ->check(CLI::Range(0, kMostLayers));
   subcommand->add_option("-o,--output", arguments->output,
                          "File to write: a table with one line per layer (.csv), or all voids (.json)");

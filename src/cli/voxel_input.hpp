@@ -13,7 +13,7 @@
 
 namespace lamina::cli {
 
-/// What a subcommand looks at: voxels, and the layers they were laid in.
+/// What a subcommand looks at: voxels, and the layers they were deposited in.
 struct VoxelInput {
   VoxelGrid grid;
   std::vector<LayerBand> layers;

@@ -34,7 +34,7 @@ class MpiSession {
 /// order of the points, so they do not depend on the number of processes.
 ///
 /// Used in the leader, while the others are in `servePoints`. A point that is
-/// being measured when the search is cancelled is given up; those that were done have been told.
+/// being measured when the search is cancelled is given up; those that were done have been reported.
 class MpiEvaluator final : public Evaluator {
  public:
   /// @param measure  for a leader without others

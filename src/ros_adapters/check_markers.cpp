@@ -16,7 +16,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr double kDiameter = 2.0;    // mm
+constexpr double kDiameter = 2.0;         // mm
 constexpr double kCheckText = 6.0;        // mm: height of a letter
 constexpr double kCheckTextAbove = 12.0;  // mm
 
@@ -56,7 +56,8 @@ MarkerArray checkMarkers(const MachineCheck& check) {
   addSpheres(checkMarkerOf("faulty", Marker::SPHERE_LIST, 0.55F), check.faults, all);
   addSpheres(checkMarkerOf("colliding", Marker::SPHERE_LIST, 0.1F), check.collisions, all);
   if (!check.isClear())
-    all.markers.push_back(checkTextOf(check.faults.empty() ? check.collisions.front() : check.faults.front()));
+    all.markers.push_back(
+        checkTextOf(check.faults.empty() ? check.collisions.front() : check.faults.front()));
   return all;
 }
 

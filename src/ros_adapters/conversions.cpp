@@ -28,7 +28,7 @@ std::vector<Value> fromMessages(const std::vector<Message>& messages) {
   return values;
 }
 
-lamina_msgs::ToolpathPath toMessage(const Path& path) {
+lamina_msgs::ToolpathPath pathMessage(const Path& path) {
   lamina_msgs::ToolpathPath message;
   message.role = static_cast<std::uint8_t>(path.role);
   message.deposit = static_cast<std::uint8_t>(path.deposit);
@@ -69,12 +69,12 @@ Path fromMessage(const lamina_msgs::ToolpathPath& message) {
   return path;
 }
 
-lamina_msgs::ToolpathLayer toMessage(const ToolpathLayer& layer) {
+lamina_msgs::ToolpathLayer layerMessage(const ToolpathLayer& layer) {
   lamina_msgs::ToolpathLayer message;
   message.z = toMetres(layer.z_mm);
   message.height = toMetres(layer.height_mm);
   message.paths.reserve(layer.paths.size());
-  for (const Path& path : layer.paths) message.paths.push_back(toMessage(path));
+  for (const Path& path : layer.paths) message.paths.push_back(pathMessage(path));
   return message;
 }
 
@@ -173,7 +173,7 @@ lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   return message;
 }
 
-sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm) {
+sensor_msgs::JointState jointState(const CartesianMachine& machine, const AxisValues& values_mm) {
   sensor_msgs::JointState state;
   for (int i = 0; i < 3; ++i) {
     state.name.push_back(machine.axes[static_cast<std::size_t>(i)].name);
@@ -194,7 +194,7 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   message.part_from_layers = toMessage(placed.toolpath.part_from_layers);
   message.machine = placed.machine;
   message.layers.reserve(placed.toolpath.layers.size());
-  for (const ToolpathLayer& layer : placed.toolpath.layers) message.layers.push_back(toMessage(layer));
+  for (const ToolpathLayer& layer : placed.toolpath.layers) message.layers.push_back(layerMessage(layer));
   return message;
 }
 
@@ -203,7 +203,7 @@ void requirePlannedFor(const MachineToolpath& placed, const std::string& machine
     throw InvalidInput("toolpath is for machine '" + placed.machine + "'; this node has '" + machine + "'");
 }
 
-void requireRunsOn(const MachineToolpath& placed, const Machine& machine) {
+void requireRunsOn(const MachineToolpath& placed, const CartesianMachine& machine) {
   requirePlannedFor(placed, machine.name);
   requireReachable(placed.toolpath, placed.bed_from_part, machine);
 }

@@ -53,7 +53,7 @@ Bead fromMessage(const lamina_msgs::Bead& bead);
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary);
 
 /// Axis positions as a message [m], without stamp.
-sensor_msgs::JointState jointState(const Machine& machine, const AxisValues& values_mm);
+sensor_msgs::JointState jointState(const CartesianMachine& machine, const AxisValues& values_mm);
 
 /// A toolpath with its identity, and with where on which machine it is to be run: what travels as one
 /// message.
@@ -78,6 +78,6 @@ void requirePlannedFor(const MachineToolpath& placed, const std::string& machine
 
 /// @throws InvalidInput as `requirePlannedFor`
 /// @throws Unreachable naming the first waypoint out of reach
-void requireRunsOn(const MachineToolpath& placed, const Machine& machine);
+void requireRunsOn(const MachineToolpath& placed, const CartesianMachine& machine);
 
 }  // namespace lamina

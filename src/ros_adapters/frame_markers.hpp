@@ -14,9 +14,9 @@
 namespace lamina {
 
 /// How the nozzle is held, as RViz shows it: at the first waypoint of each deposition path and then about
-/// every so many millimetres a frame, its x blue, y red and z, the jet, green, in the namespaces `nozzle_x`,
-/// `nozzle_y` and `nozzle_z`. The first marker deletes those of an earlier toolpath.
-/// The colours are those of [Flores2018, figure 43].
+/// every so many millimetres a frame, its x blue, y red and z, the tool axis, green, in the namespaces
+/// `nozzle_x`, `nozzle_y` and `nozzle_z`. The first marker deletes those of an earlier toolpath. The colours
+/// are those of [Flores2018, figure 43].
 ///
 /// @param frame  that the markers are given in: the part frame
 visualization_msgs::MarkerArray frameMarkers(const Toolpath& toolpath, const FrameSettings& settings,

@@ -19,7 +19,7 @@ Marker emptyMarker(const std::string& frame, std::size_t layer, PathRole role) {
   const Colour drawn = roleColour(role);
   Marker marker;
   marker.header.frame_id = frame;
-  marker.ns = "laid";
+  marker.ns = "deposited";
   marker.id = static_cast<int>(layer) * kGrownRoles + static_cast<int>(role);
   marker.type = Marker::LINE_LIST;
   marker.pose.orientation.w = 1.0;
@@ -99,8 +99,8 @@ void GrowingPart::addMotion(const WaypointIndex& at) {
   Marker& marker = layer_.markers[static_cast<std::size_t>(path.role)];
   marker.scale.x = toMetres(bead.width_mm);
   for (const std::size_t w : {at.waypoint, path.motionEnd(at.waypoint)}) {
-    const Point3 jet = path.orientation.at(w) * Point3::UnitZ();
-    marker.points.push_back(toMessage(Point3(path.points[w] + 0.5 * bead.height_mm * jet)));
+    const Point3 tool_axis = path.orientation.at(w) * Point3::UnitZ();
+    marker.points.push_back(toMessage(Point3(path.points[w] + 0.5 * bead.height_mm * tool_axis)));
   }
   has_changed_ = true;
 }

@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// A part as RViz shows it while it is laid: lines as wide as the beads, coloured by role, a marker for each
-/// layer and role in namespace `laid`, so that only what changed is sent. The toolpath must outlive the
-/// value.
+/// A part as RViz shows it while it is deposited: lines as wide as the beads, coloured by role, a marker for
+/// each layer and role in namespace `deposited`, so that only what changed is sent. The toolpath must outlive
+/// the value.
 class GrowingPart {
  public:
   /// @param frame  that the markers are given in: the part frame
@@ -22,7 +22,7 @@ class GrowingPart {
   /// The markers that change until all motions before the one to this waypoint are done; going back to an
   /// earlier one begins anew. The first markers of all, and of a new beginning, delete what was shown.
   visualization_msgs::MarkerArray upTo(const WaypointIndex& heading_for);
-  /// The markers that change until everything is laid.
+  /// The markers that change until everything is deposited.
   visualization_msgs::MarkerArray whole();
 
  private:
@@ -35,8 +35,8 @@ class GrowingPart {
   const Toolpath& toolpath_;
   std::string frame_;
   bool has_begun_ = false;
-  WaypointIndex next_;                     ///< layer, path and motion that is not laid yet
-  visualization_msgs::MarkerArray layer_;  ///< of the layer being laid, by role
+  WaypointIndex next_;                     ///< layer, path and motion that is not deposited yet
+  visualization_msgs::MarkerArray layer_;  ///< of the layer being deposited, by role
   bool has_changed_ = false;
 };
 

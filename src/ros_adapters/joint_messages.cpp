@@ -60,9 +60,9 @@ JointValues valuesOf(const std::vector<double>& si, const std::vector<std::size_
 
 }  // namespace
 
-std::vector<std::string> jointNames(const Mechanism& mechanism) {
+std::vector<std::string> jointNames(const KinematicModel& model) {
   std::vector<std::string> names;
-  for (const DrivenJoint& joint : mechanism.joints()) names.push_back(joint.name);
+  for (const DrivenJoint& joint : model.joints()) names.push_back(joint.name);
   return names;
 }
 

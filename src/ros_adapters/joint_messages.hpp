@@ -14,14 +14,14 @@
 namespace lamina {
 
 /// Of the driven joints, in their order.
-std::vector<std::string> jointNames(const Mechanism& mechanism);
+std::vector<std::string> jointNames(const KinematicModel& model);
 
 /// Position, velocity and acceleration of the joints in SI; without time.
 trajectory_msgs::JointTrajectoryPoint toMessage(const JointState& state,
                                                 const std::vector<DrivenJoint>& joints);
 
 /// The joints of a point; without time, process and waypoint. Velocities and accelerations that the point
-/// does not tell are 0.
+/// does not report are 0.
 /// @param names  of the point's joints, in any order
 /// @throws InvalidInput if a joint is missing or unknown, a number is not finite, or there are not as many
 ///   numbers as names

@@ -24,7 +24,7 @@ class MachineTransforms {
 
   const std::string& rootLink() const { return root_; }
   /// Values of joints in SI; joints that move no link stay behind.
-  /// @param values  by name [mm, rad] (`Mechanism::urdfJoints`)
+  /// @param values  by name [mm, rad] (`KinematicModel::urdfJoints`)
   JointPositions positions(const std::map<std::string, double>& values) const;
   /// Of the links that never move against their parents.
   std::vector<geometry_msgs::TransformStamped> fixed(const ros::Time& stamp) const;

@@ -10,8 +10,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kRemembered = 30.0;   // s of transforms
-constexpr double kTurn = 0.02;         // s between looks at what is due
+constexpr double kRemembered = 30.0;         // s of transforms
+constexpr double kTurn = 0.02;               // s between looks at what is due
 constexpr std::size_t kNozzleBurst = 20000;  // messages, as `TransformIntake`
 
 }  // namespace
@@ -20,8 +20,8 @@ NozzleIntake::NozzleIntake(ros::NodeHandle node, Receiver receiver)
     : buffer_(ros::Duration(kRemembered)), transforms_(buffer_, node), receiver_(std::move(receiver)) {
   const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> onMessage =
       [this](const tf2_msgs::TFMessageConstPtr& message) { onTransforms(*message); };
-  subscriber_ =
-      node.subscribe<tf2_msgs::TFMessage>("/tf", kNozzleBurst, onMessage, {}, ros::TransportHints().tcpNoDelay());
+  subscriber_ = node.subscribe<tf2_msgs::TFMessage>("/tf", kNozzleBurst, onMessage, {},
+                                                    ros::TransportHints().tcpNoDelay());
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
 }
 

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Receives every pose of the nozzle over the bed that tf tells, in the order of their stamps: a look at tf
+/// Receives every pose of the nozzle over the bed that tf reports, in the order of their stamps: a look at tf
 /// now and then misses the corners of a machine in accelerated time. Poses at stamps of other transforms come
 /// in between.
 class NozzleIntake {

@@ -24,7 +24,8 @@ std_msgs::ColorRGBA overhangColour(float red, float green, float blue) {
   return message;
 }
 
-Marker overhangMarkerOf(const std::string& name, std::int32_t type, const std_msgs::ColorRGBA& overhangColour) {
+Marker overhangMarkerOf(const std::string& name, std::int32_t type,
+                        const std_msgs::ColorRGBA& overhangColour) {
   Marker marker;
   marker.ns = name;
   marker.type = type;
@@ -72,11 +73,12 @@ void addLine(MarkerSeries& series, const UnsupportedStretch& stretch) {
 }  // namespace
 
 MarkerArray overhangMarkers(const OverhangReport& report, const std::string& frame) {
-  MarkerSeries overhangs(
-      overhangMarkerOf(toString(StretchKind::Overhang), Marker::LINE_LIST, overhangColour(0.85F, 0.1F, 0.1F)));
+  MarkerSeries overhangs(overhangMarkerOf(toString(StretchKind::Overhang), Marker::LINE_LIST,
+                                          overhangColour(0.85F, 0.1F, 0.1F)));
   MarkerSeries bridges(
       overhangMarkerOf(toString(StretchKind::Bridge), Marker::LINE_LIST, overhangColour(0.95F, 0.75F, 0.1F)));
-  MarkerSeries starts(overhangMarkerOf("start_in_air", Marker::SPHERE_LIST, overhangColour(0.8F, 0.1F, 0.8F)));
+  MarkerSeries starts(
+      overhangMarkerOf("start_in_air", Marker::SPHERE_LIST, overhangColour(0.8F, 0.1F, 0.8F)));
   for (const UnsupportedStretch& stretch : report.stretches) {
     addLine(stretch.kind == StretchKind::Bridge ? bridges : overhangs, stretch);
     if (stretch.begins_run)

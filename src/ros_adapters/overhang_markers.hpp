@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What is laid with nothing beneath it, as RViz shows it: lines as wide as the beads in the namespaces
+/// What is deposited with nothing below it, as RViz shows it: lines as wide as the beads in the namespaces
 /// `overhang` (red) and `bridge` (yellow), and a sphere where a run begins in the air, in `start_in_air`
 /// (magenta). A marker holds some thousand segments. The first one deletes those of an earlier report; a
 /// report without stretches gives that alone.

@@ -77,9 +77,9 @@ std::vector<SettingText> settingsFromParameters(const ros::NodeHandle& node) {
 
 void applyParameters(SettingsSchema& schema, const ros::NodeHandle& node) {
   for (const auto& [setting, type] : parameters(node)) {
-    for (const Setting& known : schema.settings())
-      if (known.key == setting.key && !fits(known.type, type))
-        throw InvalidConfig(setting.key + " is '" + setting.text + "', which is no " + known.type);
+    const Setting* known = schema.find(setting.key);
+    if (known != nullptr && !fits(known->type, type))
+      throw InvalidConfig(setting.key + " is '" + setting.text + "', which is no " + known->type);
     schema.set(setting.key, setting.text);
   }
 }

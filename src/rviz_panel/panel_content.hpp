@@ -28,7 +28,7 @@ class PanelContent : public QWidget {
   ~PanelContent() override;
 
   InclineForm form() const;
-  /// Shows a form that was saved (`textsOf`), or tells why it cannot.
+  /// Shows a form that was saved (`textsOf`), or reports why it cannot.
   void load(const std::vector<SettingText>& texts);
 
   std::function<void()> changed;               ///< the form

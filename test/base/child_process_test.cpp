@@ -15,7 +15,7 @@ int exitCodeOf(std::vector<std::string> arguments) {
   return runProgram({std::move(arguments), "", 60.0}, NoProgress()).exit_code;
 }
 
-TEST(ChildProcessTest, TellsHowItEnded) {
+TEST(ChildProcessTest, ReportsHowItEnded) {
   EXPECT_EQ(exitCodeOf({"true"}), 0);
   EXPECT_EQ(exitCodeOf({"sh", "-c", "exit 7"}), 7);
   EXPECT_EQ(exitCodeOf({"sh", "-c", "kill -KILL $$"}), 128 + SIGKILL);

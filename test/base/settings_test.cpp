@@ -121,7 +121,7 @@ TEST_F(Settings, ComeBackFromTheirYaml) {
 }
 
 /// YAML 1.1, which rosparam reads, takes 1e-06 for text.
-TEST_F(Settings, TellSmallNumbersWithADotBeforeTheExponent) {
+TEST_F(Settings, ReportSmallNumbersWithADotBeforeTheExponent) {
   lamp_.power_w = 1e-6;
   EXPECT_NE(settingsToYaml(schema_).find("power_w: 1.0e-06\n"), std::string::npos) << settingsToYaml(schema_);
   lamp_.power_w = 2.5e-7;
@@ -175,6 +175,23 @@ TEST(SettingFromAssignment, SplitsAtTheFirstEquals) {
   EXPECT_EQ(settingFromAssignment("a=").text, "");
   EXPECT_THROW(settingFromAssignment("a.b"), InvalidConfig);
   EXPECT_THROW(settingFromAssignment("=3"), InvalidConfig);
+}
+
+TEST(SettingsSchema, TakesAFormerNameOfAKeyAndOfAChoice) {
+  enum class Way { Near, Far };
+  double width = 0.0;
+  Way way = Way::Near;
+  SettingsSchema schema;
+  schema.number("bead.width_mm", width, {0.0, 10.0}, "Width.");
+  schema.choice<Way>("bead.way", way, {{"near", Way::Near}, {"far", Way::Far}}, "Way.");
+  schema.renamed("bead.breadth_mm", "bead.width_mm");
+  schema.renamedChoice("bead.way", "distant", "far");
+  schema.set("bead.breadth_mm", "2.5");
+  schema.set("bead.way", "distant");
+  EXPECT_DOUBLE_EQ(width, 2.5);
+  EXPECT_EQ(way, Way::Far);
+  EXPECT_EQ(schema.settings().size(), 2U);
+  EXPECT_THROW(schema.set("bead.breadth_mm", "11"), InvalidConfig);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(StudentTest, HasTheProbabilitiesAndCriticalValuesOfTheTable) {
   EXPECT_NEAR(criticalT(0.99, 15), 2.602, 5e-4);
 }
 
-TEST(StudentTest, RefusesSamplesThatTellNothing) {
+TEST(StudentTest, RefusesSamplesThatReportNothing) {
   EXPECT_THROW(compareMeans({1.0, 0.1, 1}, {2.0, 0.1, 5}), InvalidInput);
   EXPECT_THROW(compareMeans({1.0, 0.0, 5}, {2.0, 0.0, 5}), InvalidInput);
   EXPECT_THROW(criticalT(1.0, 5), InvalidInput);

@@ -118,7 +118,7 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(drawn["deposition_mm"], told["deposition_mm"], delta=1.0)
         refused = run("slice", box, "--set", "slicing.plane.angle_deg=45", "-o", self.path("none.gcode"))
         self.assertNotEqual(refused.returncode, 0)
-        self.assertIn("slicing.plane.jet 'down'", refused.stderr)
+        self.assertIn("slicing.plane.tool axis 'down'", refused.stderr)
         self.assertFalse(os.path.exists(self.path("none.gcode")))
 
     def test_all_voids_of_a_program_are_listed_with_class_area_and_outline(self):
@@ -299,7 +299,7 @@ class CommandLine(unittest.TestCase):
     def test_a_nozzle_that_leans_the_other_way_is_refused(self):
         arguments = ["incline", self.tilted(), "--layer-height", "0.5", "--machine", "large_gantry_45_reverse"]
         self.assert_fails_with("Unreachable", *arguments)
-        self.assertEqual(run(*arguments, "--jet", "machine", "--table-position", "600,600").returncode, 0)
+        self.assertEqual(run(*arguments, "--tool-axis", "machine", "--table-position", "600,600").returncode, 0)
 
     def test_code_and_final_position_are_put_in(self):
         begin = self.write_program("begin.txt", "M117 on")
@@ -339,7 +339,7 @@ class CommandLine(unittest.TestCase):
 
     def test_a_mesh_is_turned_and_put_on_the_bed(self):
         for part in ("box", self.make_part("box")):
-            done = run("turn", part, "--angle-deg", "-45", "-o", self.path("turned.stl"), "--json")
+            done = run("rotate", part, "--angle-deg", "-45", "-o", self.path("turned.stl"), "--json")
             self.assertEqual(done.returncode, 0, done.stderr)
             size = json.loads(done.stdout)["size_mm"]  # a cube of 20 mm on an edge
             for side, expected in zip(size, (20.0, 20.0 * 2 ** 0.5, 20.0 * 2 ** 0.5)):
@@ -348,8 +348,8 @@ class CommandLine(unittest.TestCase):
             self.assertAlmostEqual(told["volume_mm3"], 8000.0, 1)
         mesh = self.path("box.stl")
         before = content(mesh)
-        self.assert_fails_with("InvalidInput", "turn", mesh, "-o", mesh)
-        self.assert_fails_with("InvalidConfig", "turn", mesh, "--axis", "w", "-o", self.path("w.stl"))
+        self.assert_fails_with("InvalidInput", "rotate", mesh, "-o", mesh)
+        self.assert_fails_with("InvalidConfig", "rotate", mesh, "--axis", "w", "-o", self.path("w.stl"))
         self.assertEqual(content(mesh), before)
 
     def test_a_part_is_written_as_stl_only(self):

@@ -91,12 +91,12 @@ class OverhangAndClearance(unittest.TestCase):
         self.assertIsNone(told["first"])
 
     def test_a_head_that_collides_exits_with_2_and_names_the_place(self):
-        held_down = ["box", "--set", "slicing.plane.angle_deg=75", "--set", "slicing.plane.jet=down", *COARSE]
+        held_down = ["box", "--set", "slicing.plane.angle_deg=75", "--set", "slicing.plane.tool_axis=down", *COARSE]
         told = self.told("clearance", *held_down, code=2)
         first = told["first"]
         self.assertGreater(told["colliding_waypoints"], 0)
         self.assertEqual(first["obstacle"], "material")
-        self.assertLessEqual((first["laid"]["layer"], first["laid"]["path"]), (first["layer"], first["path"]))
+        self.assertLessEqual((first["deposited"]["layer"], first["deposited"]["path"]), (first["layer"], first["path"]))
         text = run("clearance", *held_down).stdout
         self.assertIn("layer %d, path %d, waypoint %d" % (first["layer"], first["path"], first["waypoint"]), text)
         self.assertIn("link '%s'" % first["link"], text)

@@ -69,7 +69,7 @@ TEST(BeadDeposit, SideBySideBeadsFillAFlatLayerBelowTheNozzle) {
   }
 }
 
-TEST(BeadDeposit, ABeadBridgesAGapOfTheLayerBeneath) {
+TEST(BeadDeposit, ABeadBridgesAGapOfTheLayerBelow) {
   BeadDeposit deposit = flatBed();
   for (const double x : {5.0, 10.0, 15.0}) deposit.lay(motion({x, 5, 0.2}, {x, 15, 0.2}, {0.4, 0.2}));
   deposit.lay({{15, 15, 0.4}, {4, 10, 0.4}, 0.0});
@@ -101,9 +101,9 @@ TEST(BeadDeposit, ConservesVolumeOverFlatGround) {
         double extruded = 0.0;
         for (int i = 0; i < 12; ++i) {
           const Point3 next(random.uniform(8, 22), random.uniform(8, 22), 0.2);
-          const DepositedMotion laid = motion(nozzle, next, {random.uniform(0.2, 0.8), 0.2});
-          deposit.lay(laid);
-          extruded += laid.volume_mm3;
+          const DepositedMotion deposited = motion(nozzle, next, {random.uniform(0.2, 0.8), 0.2});
+          deposit.lay(deposited);
+          extruded += deposited.volume_mm3;
           nozzle = next;
         }
         const double gained = volumeUnder(deposit.surface());

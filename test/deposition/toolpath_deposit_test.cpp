@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-/// Where a block stands and what it is laid with.
+/// Where a block stands and what it is deposited with.
 struct Block {
   double side_mm = 10.0;
   Bead bead{0.48, 0.3};
@@ -60,7 +60,7 @@ DepositionSettings voxels(double voxel_mm) {
   return settings;
 }
 
-ToolpathDeposit laid(const Toolpath& toolpath, const DepositionSettings& settings) {
+ToolpathDeposit deposited(const Toolpath& toolpath, const DepositionSettings& settings) {
   NoProgress progress;
   return depositedVoxels(toolpath, settings, progress);
 }
@@ -79,7 +79,7 @@ TEST(ToolpathDeposit, ModelsHoldWhatIsExtrudedInBlocks) {  // within 0.01 %
     for (const double voxel_mm : {0.1, 0.15, 0.2}) {
       const Block block{10.0, bead, bead.height_mm, static_cast<int>(10.0 / bead.height_mm)};
       const Toolpath toolpath = blockOf(block);
-      const ToolpathDeposit deposit = laid(toolpath, voxels(voxel_mm));
+      const ToolpathDeposit deposit = deposited(toolpath, voxels(voxel_mm));
       const double extruded = totals(toolpath).deposited_mm3;
       EXPECT_NEAR(deposit.totals.extruded_mm3, extruded, 1e-9 * extruded);
       EXPECT_NEAR(deposit.grid.solidVolume(), extruded, 1e-4 * extruded) << bead.width_mm << ' ' << voxel_mm;
@@ -98,7 +98,7 @@ TEST(ToolpathDeposit, ModelsAreAsHighAsTheNozzleWas) {  // [Vega2023, table 10]
        {Case{{2.0, {0.48, 0.3}, 0.35, 23}, 6.95}, Case{{2.0, {0.48, 0.3}, 0.3, 7}, 2.1},
         Case{{2.0, {0.48, 0.15}, 0.15, 13}, 1.95}})
     for (const double voxel_mm : {0.05, 0.1}) {
-      const ToolpathDeposit deposit = laid(blockOf(expected.block), voxels(voxel_mm));
+      const ToolpathDeposit deposit = deposited(blockOf(expected.block), voxels(voxel_mm));
       EXPECT_NEAR(deposit.highest_mm, expected.height_mm, 1e-9);
       const VoxelRange range = deposit.grid.solidRange();
       EXPECT_NEAR((range.high[2] - range.low[2]) * voxel_mm, expected.height_mm, 0.501 * voxel_mm);
@@ -108,14 +108,14 @@ TEST(ToolpathDeposit, ModelsAreAsHighAsTheNozzleWas) {  // [Vega2023, table 10]
 TEST(ToolpathDeposit, MotionByMotionIsTheSameAsAtOnceWhateverTheThreads) {
   const Toolpath toolpath = blockOf({3.0, {0.48, 0.3}, 0.3, 5});
   const DepositionSettings settings = voxels(0.1);
-  const ToolpathDeposit deposit = laid(toolpath, settings);
+  const ToolpathDeposit deposit = deposited(toolpath, settings);
   VoxelDeposit behind(deposit.grid.frame(), settings, TopHeights::Kept);
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
-      for (const JetMotion& motion : jetMotions(path)) behind.lay(motion);
+      for (const ToolAxisMotion& motion : toolAxisMotions(path)) behind.lay(motion);
   EXPECT_TRUE(isSame(behind.grid(), deposit.grid));
   const ThreadLimit one(1);
-  EXPECT_TRUE(isSame(laid(toolpath, settings).grid, deposit.grid));
+  EXPECT_TRUE(isSame(deposited(toolpath, settings).grid, deposit.grid));
 }
 
 TEST(ToolpathDeposit, BeadsMayVaryAlongThePath) {
@@ -127,7 +127,7 @@ TEST(ToolpathDeposit, BeadsMayVaryAlongThePath) {
   path.bead = AlongPath<Bead>({{}, {0.48, 0.3}, {0.96, 0.3}});
   layer.paths.push_back(path);
   toolpath.layers.push_back(layer);
-  const ToolpathDeposit deposit = laid(toolpath, voxels(0.04));
+  const ToolpathDeposit deposit = deposited(toolpath, voxels(0.04));
   const VoxelFrame& frame = deposit.grid.frame();
   const auto widthAt = [&](double x) {
     const int i = static_cast<int>(std::floor((x - frame.corner.x()) / frame.voxel_mm));
@@ -140,7 +140,7 @@ TEST(ToolpathDeposit, BeadsMayVaryAlongThePath) {
   EXPECT_NEAR(deposit.grid.solidVolume(), depositedVolume(path), frame.voxelVolume());
 }
 
-TEST(ToolpathDeposit, DropsAreLaidAtTheirWaypoints) {
+TEST(ToolpathDeposit, DropsAreDepositedAtTheirWaypoints) {
   Toolpath toolpath;
   ToolpathLayer layer;
   layer.z_mm = layer.height_mm = 0.4;
@@ -148,7 +148,7 @@ TEST(ToolpathDeposit, DropsAreLaidAtTheirWaypoints) {
   path.deposit = Deposit::Drops;
   layer.paths.push_back(path);
   toolpath.layers.push_back(layer);
-  const ToolpathDeposit deposit = laid(toolpath, voxels(0.05));
+  const ToolpathDeposit deposit = deposited(toolpath, voxels(0.05));
   EXPECT_NEAR(deposit.totals.extruded_mm3, 2.0 * 0.25 * M_PI * 0.64 * 0.4, 1e-9);
   EXPECT_NEAR(deposit.grid.solidVolume(), deposit.totals.extruded_mm3,
               1.01 * deposit.grid.frame().voxelVolume());
@@ -171,11 +171,11 @@ TEST(ToolpathDeposit, TravelsLayNothingAndSkirtsOnlyIfAsked) {
   travel.role = PathRole::Travel;
   toolpath.layers[0].paths.push_back(skirt);
   toolpath.layers[0].paths.push_back(travel);
-  EXPECT_NEAR(laid(toolpath, voxels(0.1)).totals.extruded_mm3, part, 1e-9);
+  EXPECT_NEAR(deposited(toolpath, voxels(0.1)).totals.extruded_mm3, part, 1e-9);
   DepositionSettings with_skirt = voxels(0.1);
-  with_skirt.is_skirt_laid = true;
-  EXPECT_NEAR(laid(toolpath, with_skirt).totals.extruded_mm3, part + depositedVolume(skirt), 1e-9);
-  EXPECT_THROW(laid(Toolpath(), voxels(0.1)), InvalidInput);
+  with_skirt.is_skirt_deposited = true;
+  EXPECT_NEAR(deposited(toolpath, with_skirt).totals.extruded_mm3, part + depositedVolume(skirt), 1e-9);
+  EXPECT_THROW(deposited(Toolpath(), voxels(0.1)), InvalidInput);
 }
 
 TEST(ToolpathDeposit, AGridTooLargeIsRefusedWithTheVoxelThatFits) {
@@ -184,7 +184,7 @@ TEST(ToolpathDeposit, AGridTooLargeIsRefusedWithTheVoxelThatFits) {
   settings.memory_limit_mb = 0.1;
   std::string message;
   try {
-    laid(toolpath, settings);
+    deposited(toolpath, settings);
   } catch (const InvalidInput& error) {
     message = error.what();
   }
@@ -193,18 +193,18 @@ TEST(ToolpathDeposit, AGridTooLargeIsRefusedWithTheVoxelThatFits) {
   ASSERT_NE(at, std::string::npos) << message;
   settings.voxel_mm = std::stod(message.substr(at + before.size()));
   EXPECT_GT(settings.voxel_mm, 0.02);
-  const ToolpathDeposit deposit = laid(toolpath, settings);
+  const ToolpathDeposit deposit = deposited(toolpath, settings);
   EXPECT_LE(deposit.grid.bytes(), 100000U);
   settings.voxel_mm *= 0.8;
-  EXPECT_THROW(laid(toolpath, settings), InvalidInput);
+  EXPECT_THROW(deposited(toolpath, settings), InvalidInput);
   settings.voxel_mm = 0.001;  // too many bricks even to be counted
-  EXPECT_THROW(laid(toolpath, settings), InvalidInput);
+  EXPECT_THROW(deposited(toolpath, settings), InvalidInput);
 }
 
 TEST(ToolpathDeposit, MemoryIsForetoldAndSmall) {
   const Toolpath toolpath = blockOf({10.0, {0.48, 0.3}, 0.3, 33});
   for (const double voxel_mm : {0.05, 0.1}) {
-    const ToolpathDeposit deposit = laid(toolpath, voxels(voxel_mm));
+    const ToolpathDeposit deposit = deposited(toolpath, voxels(voxel_mm));
     const double bytes = static_cast<double>(deposit.grid.bytes());
     EXPECT_GE(depositBytes(toolpath, voxels(voxel_mm)), 0.95 * bytes);
     EXPECT_LE(depositBytes(toolpath, voxels(voxel_mm)), 1.4 * bytes);

@@ -19,8 +19,8 @@ namespace {
 const Bead kBead{0.48, 0.3};
 constexpr double kNoBed = -1000.0;
 
-JetMotion strand(const Point3& start, const Point3& end, const Bead& bead = kBead) {
-  JetMotion motion;
+ToolAxisMotion strand(const Point3& start, const Point3& end, const Bead& bead = kBead) {
+  ToolAxisMotion motion;
   motion.start = start;
   motion.end = end;
   motion.volume_mm3 = crossSection(bead) * (end - start).norm();
@@ -28,11 +28,11 @@ JetMotion strand(const Point3& start, const Point3& end, const Bead& bead = kBea
   return motion;
 }
 
-JetMotion turned(JetMotion motion, const Eigen::Quaterniond& turn) {
-  for (Eigen::Vector3d* vector : {&motion.start, &motion.end, &motion.start_jet, &motion.end_jet})
+ToolAxisMotion turned(ToolAxisMotion motion, const Eigen::Quaterniond& turn) {
+  for (Eigen::Vector3d* vector : {&motion.start, &motion.end, &motion.start_tool_axis, &motion.end_tool_axis})
     *vector = turn * *vector;
-  motion.start_jet.normalize();
-  motion.end_jet.normalize();
+  motion.start_tool_axis.normalize();
+  motion.end_tool_axis.normalize();
   return motion;
 }
 
@@ -77,28 +77,28 @@ double radiusBetween(double middle, double top, double area) {
 
 void expectBalance(const VoxelDeposit& deposit) {
   const DepositTotals totals = deposit.totals();
-  EXPECT_NEAR(totals.laid_mm3 + totals.held_mm3 + totals.excess_mm3 + totals.outside_mm3, totals.extruded_mm3,
-              1e-9 * std::max(1.0, totals.extruded_mm3));
-  EXPECT_NEAR(totals.laid_mm3, deposit.grid().solidVolume(), 1e-9 * std::max(1.0, totals.laid_mm3));
+  EXPECT_NEAR(totals.deposited_mm3 + totals.held_mm3 + totals.excess_mm3 + totals.outside_mm3,
+              totals.extruded_mm3, 1e-9 * std::max(1.0, totals.extruded_mm3));
+  EXPECT_NEAR(totals.deposited_mm3, deposit.grid().solidVolume(), 1e-9 * std::max(1.0, totals.deposited_mm3));
   EXPECT_LT(totals.held_mm3, deposit.grid().frame().voxelVolume());
 }
 
 TEST(VoxelDeposit, LaysWhatIsExtrudedButForLessThanAVoxel) {
-  VoxelDeposit laid = deposit({-2, -2, 0}, {12, 2, 1}, 0.05);
-  laid.lay(strand({0, 0, 0.3}, {10, 0, 0.3}));
-  EXPECT_NEAR(laid.totals().extruded_mm3, 1.24686, 1e-5);
-  EXPECT_NEAR(laid.totals().path_mm, 10.0, 1e-12);
-  EXPECT_EQ(laid.totals().excess_mm3 + laid.totals().outside_mm3, 0.0);
-  expectBalance(laid);
+  VoxelDeposit deposited = deposit({-2, -2, 0}, {12, 2, 1}, 0.05);
+  deposited.lay(strand({0, 0, 0.3}, {10, 0, 0.3}));
+  EXPECT_NEAR(deposited.totals().extruded_mm3, 1.24686, 1e-5);
+  EXPECT_NEAR(deposited.totals().path_mm, 10.0, 1e-12);
+  EXPECT_EQ(deposited.totals().excess_mm3 + deposited.totals().outside_mm3, 0.0);
+  expectBalance(deposited);
 }
 
 TEST(VoxelDeposit, ABeadOnTheBedIsADiscBetweenBedAndNozzle) {
   constexpr double kVoxel = 0.02;
-  VoxelDeposit laid = deposit({-1, -1, 0}, {5, 1, 1}, kVoxel);
-  laid.lay(strand({0, 0, 0.3}, {4, 0, 0.3}));
+  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 1}, kVoxel);
+  deposited.lay(strand({0, 0, 0.3}, {4, 0, 0.3}));
   const double middle = 0.3 - strandRadius(crossSection(kBead));
   const double radius = radiusBetween(middle, 0.3, crossSection(kBead));
-  const Box2 section = sectionBox(laid.grid(), 2.0);
+  const Box2 section = sectionBox(deposited.grid(), 2.0);
   EXPECT_NEAR(section.size().x(), 2.0 * radius, 2.01 * kVoxel);
   EXPECT_NEAR(section.centre().x(), 0.0, 0.51 * kVoxel);
   EXPECT_NEAR(section.low.y(), 0.0, 1e-9);
@@ -107,10 +107,10 @@ TEST(VoxelDeposit, ABeadOnTheBedIsADiscBetweenBedAndNozzle) {
 
 TEST(VoxelDeposit, AStrandInTheAirIsRoundAndTouchesTheNozzlesPlane) {
   constexpr double kVoxel = 0.02;
-  VoxelDeposit laid = deposit({-1, -1, 0}, {5, 1, 3}, kVoxel);
-  laid.lay(strand({0, 0, 2.0}, {4, 0, 2.0}));
+  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 3}, kVoxel);
+  deposited.lay(strand({0, 0, 2.0}, {4, 0, 2.0}));
   const double diameter = 2.0 * strandRadius(crossSection(kBead));
-  const Box2 section = sectionBox(laid.grid(), 2.0);
+  const Box2 section = sectionBox(deposited.grid(), 2.0);
   EXPECT_NEAR(section.size().x(), diameter, 2.01 * kVoxel);
   EXPECT_NEAR(section.size().y(), diameter, 2.01 * kVoxel);
   EXPECT_LE(section.high.y(), 2.0 + 1e-9);
@@ -172,143 +172,143 @@ void expectCovered(const VoxelGrid& grid, const VoxelGrid& by, const Eigen::Quat
 }
 
 /// Two crossing pairs of strands and a strand along which the nozzle turns, about the origin.
-std::vector<JetMotion> fiveAxisMotions() {
-  std::vector<JetMotion> motions{strand({-1.5, -0.2, 0.0}, {1.5, -0.2, 0.0}),
-                                 strand({-1.5, 0.2, 0.0}, {1.5, 0.2, 0.0}),
-                                 strand({0, -1.5, 0.3}, {0, 1.5, 0.3})};
-  JetMotion turning = strand({-1.0, 1.0, 0.8}, {1.0, 1.0, 0.8});
-  turning.start_jet = Eigen::Vector3d(0.3, 0.0, -1.0).normalized();
-  turning.end_jet = Eigen::Vector3d(-0.3, 0.2, -1.0).normalized();
+std::vector<ToolAxisMotion> fiveAxisMotions() {
+  std::vector<ToolAxisMotion> motions{strand({-1.5, -0.2, 0.0}, {1.5, -0.2, 0.0}),
+                                      strand({-1.5, 0.2, 0.0}, {1.5, 0.2, 0.0}),
+                                      strand({0, -1.5, 0.3}, {0, 1.5, 0.3})};
+  ToolAxisMotion turning = strand({-1.0, 1.0, 0.8}, {1.0, 1.0, 0.8});
+  turning.start_tool_axis = Eigen::Vector3d(0.3, 0.0, -1.0).normalized();
+  turning.end_tool_axis = Eigen::Vector3d(-0.3, 0.2, -1.0).normalized();
   motions.push_back(turning);
   return motions;
 }
 
-TEST(VoxelDeposit, AnInclinedJetLaysTheSameTurned) {
+TEST(VoxelDeposit, AnInclinedToolAxisLaysTheSameTurned) {
   const Point3 corner(3, 3, 3);
   VoxelDeposit level = deposit(-corner, corner, 0.04, kNoBed);
-  for (const JetMotion& motion : fiveAxisMotions()) level.lay(motion);
+  for (const ToolAxisMotion& motion : fiveAxisMotions()) level.lay(motion);
   for (const Eigen::Vector3d& axis :
        {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 2, -1)}) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(M_PI / 4.0, axis.normalized()));
     VoxelDeposit inclined = deposit(-corner, corner, 0.04, kNoBed);
-    for (const JetMotion& motion : fiveAxisMotions()) inclined.lay(turned(motion, turn));
+    for (const ToolAxisMotion& motion : fiveAxisMotions()) inclined.lay(turned(motion, turn));
     EXPECT_EQ(inclined.grid().solidCount(), level.grid().solidCount());
     expectCovered(level.grid(), inclined.grid(), turn);
     expectCovered(inclined.grid(), level.grid(), turn.conjugate());
   }
 }
 
-TEST(VoxelDeposit, AJetUpsideDownLaysAboveItsPlane) {
-  VoxelDeposit laid = deposit({-1, -1, -1}, {5, 1, 2}, 0.05, kNoBed);
-  JetMotion motion = strand({0, 0, 0.5}, {4, 0, 0.5});
-  motion.start_jet = motion.end_jet = {0, 0, 1};
-  laid.lay(motion);
-  EXPECT_NEAR(sectionBox(laid.grid(), 2.0).low.y(), 0.5, 1e-9);
-  expectBalance(laid);
+TEST(VoxelDeposit, AToolAxisUpsideDownLaysAboveItsPlane) {
+  VoxelDeposit deposited = deposit({-1, -1, -1}, {5, 1, 2}, 0.05, kNoBed);
+  ToolAxisMotion motion = strand({0, 0, 0.5}, {4, 0, 0.5});
+  motion.start_tool_axis = motion.end_tool_axis = {0, 0, 1};
+  deposited.lay(motion);
+  EXPECT_NEAR(sectionBox(deposited.grid(), 2.0).low.y(), 0.5, 1e-9);
+  expectBalance(deposited);
 }
 
 TEST(VoxelDeposit, ADropIsABallFlattenedByTheBed) {
-  VoxelDeposit laid = deposit({-2, -2, 0}, {2, 2, 4}, 0.04);
-  JetMotion drop;
+  VoxelDeposit deposited = deposit({-2, -2, 0}, {2, 2, 4}, 0.04);
+  ToolAxisMotion drop;
   drop.start = drop.end = {0, 0, 3.0};
   drop.volume_mm3 = 4.0 / 3.0 * M_PI * 0.125;  // radius 0.5
-  laid.lay(drop);
-  const VoxelRange range = laid.grid().solidRange();
+  deposited.lay(drop);
+  const VoxelRange range = deposited.grid().solidRange();
   for (std::size_t axis = 0; axis < 3; ++axis)
     EXPECT_NEAR((range.high[axis] - range.low[axis]) * 0.04, 1.0, 0.09);
   drop.start = drop.end = {0, 0, 0.4};
-  laid.lay(drop);
-  expectBalance(laid);
-  EXPECT_EQ(laid.grid().solidRange().low[2], 0);
-  EXPECT_NEAR(laid.grid().solidVolume(), 2.0 * drop.volume_mm3, 2e-4);
+  deposited.lay(drop);
+  expectBalance(deposited);
+  EXPECT_EQ(deposited.grid().solidRange().low[2], 0);
+  EXPECT_NEAR(deposited.grid().solidVolume(), 2.0 * drop.volume_mm3, 2e-4);
 }
 
 TEST(VoxelDeposit, TheTopIsKnownFinerThanTheVoxelsWhereTheNozzleIronedIt) {
-  VoxelDeposit laid = deposit({-1, -1, 0}, {5, 1, 2}, 0.08);
-  laid.lay(strand({0, 0, 0.3}, {4, 0, 0.3}));
-  EXPECT_NEAR(laid.surfaceHeight(2.0, 0.01), 0.3, 1e-6);
-  EXPECT_NEAR(laid.highest(), 0.3, 1e-12);
-  EXPECT_EQ(laid.surfaceHeight(2.0, 0.9), 0.0);
-  EXPECT_EQ(laid.surfaceHeight(200.0, 0.9), 0.0);
-  laid.lay(strand({0, 0, 0.57}, {4, 0, 0.57}));
-  EXPECT_NEAR(laid.surfaceHeight(2.0, 0.01), 0.57, 1e-6);
-  EXPECT_NEAR(laid.highest(), 0.57, 1e-12);
+  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 2}, 0.08);
+  deposited.lay(strand({0, 0, 0.3}, {4, 0, 0.3}));
+  EXPECT_NEAR(deposited.surfaceHeight(2.0, 0.01), 0.3, 1e-6);
+  EXPECT_NEAR(deposited.highest(), 0.3, 1e-12);
+  EXPECT_EQ(deposited.surfaceHeight(2.0, 0.9), 0.0);
+  EXPECT_EQ(deposited.surfaceHeight(200.0, 0.9), 0.0);
+  deposited.lay(strand({0, 0, 0.57}, {4, 0, 0.57}));
+  EXPECT_NEAR(deposited.surfaceHeight(2.0, 0.01), 0.57, 1e-6);
+  EXPECT_NEAR(deposited.highest(), 0.57, 1e-12);
 }
 
-TEST(VoxelDeposit, NothingIsLaidBeneathTheBed) {
-  VoxelDeposit laid = deposit({-1, -1, -1}, {5, 1, 2}, 0.08, 0.1);
-  laid.lay(strand({0, 0, 0.2}, {4, 0, 0.2}));
-  const VoxelFrame& frame = laid.grid().frame();
-  const int lowest = laid.grid().solidRange().low[2];
+TEST(VoxelDeposit, NothingIsDepositedBelowTheBed) {
+  VoxelDeposit deposited = deposit({-1, -1, -1}, {5, 1, 2}, 0.08, 0.1);
+  deposited.lay(strand({0, 0, 0.2}, {4, 0, 0.2}));
+  const VoxelFrame& frame = deposited.grid().frame();
+  const int lowest = deposited.grid().solidRange().low[2];
   EXPECT_GE(frame.centre(0, 0, lowest).z(), 0.1 - 1e-6);
   EXPECT_LT(frame.centre(0, 0, lowest).z(), 0.18);
-  expectBalance(laid);
+  expectBalance(deposited);
 }
 
 TEST(VoxelDeposit, WhatFindsNoRoomWithinReachIsExcess) {
   DepositionSettings settings;
   settings.reach_mm = 0.5;
-  VoxelDeposit laid(voxelFrame({Point3(-2, -2, 0), Point3(2, 2, 4)}, 0.02), settings);
-  JetMotion blob;
+  VoxelDeposit deposited(voxelFrame({Point3(-2, -2, 0), Point3(2, 2, 4)}, 0.02), settings);
+  ToolAxisMotion blob;
   blob.start = blob.end = {0, 0, 2.0};
   blob.volume_mm3 = 1.0;
   blob.radius_mm = 0.2;
-  laid.lay(blob);
+  deposited.lay(blob);
   // A ball of 0.5 mm without the cap of 0.3 mm that lies above the nozzle.
   const double room = 4.0 / 3.0 * M_PI * 0.125 - M_PI * 0.09 * (1.5 - 0.3) / 3.0;
-  EXPECT_NEAR(laid.totals().laid_mm3, room, 0.02 * room);
-  EXPECT_NEAR(laid.totals().excess_mm3, 1.0 - laid.totals().laid_mm3, 1e-5);
-  expectBalance(laid);
-  laid.lay(blob);  // the place is full
-  EXPECT_NEAR(laid.totals().laid_mm3, room, 0.02 * room);
-  expectBalance(laid);
+  EXPECT_NEAR(deposited.totals().deposited_mm3, room, 0.02 * room);
+  EXPECT_NEAR(deposited.totals().excess_mm3, 1.0 - deposited.totals().deposited_mm3, 1e-5);
+  expectBalance(deposited);
+  deposited.lay(blob);  // the place is full
+  EXPECT_NEAR(deposited.totals().deposited_mm3, room, 0.02 * room);
+  expectBalance(deposited);
   blob.start = blob.end = {0, 0, 2.1};  // room again, above
-  laid.lay(blob);
-  EXPECT_GT(laid.totals().laid_mm3, 1.05 * room);
+  deposited.lay(blob);
+  EXPECT_GT(deposited.totals().deposited_mm3, 1.05 * room);
 }
 
 TEST(VoxelDeposit, WhatComesOutBeyondTheFrameIsOutside) {
-  VoxelDeposit laid = deposit({0, 0, 0}, {2, 2, 2}, 0.1);
-  laid.lay(strand({10, 0, 0.3}, {20, 0, 0.3}));
-  EXPECT_EQ(laid.grid().solidCount(), 0);
-  EXPECT_NEAR(laid.totals().outside_mm3, 10.0 * crossSection(kBead), 0.001);
-  EXPECT_EQ(laid.highest(), 0.0);
-  expectBalance(laid);
+  VoxelDeposit deposited = deposit({0, 0, 0}, {2, 2, 2}, 0.1);
+  deposited.lay(strand({10, 0, 0.3}, {20, 0, 0.3}));
+  EXPECT_EQ(deposited.grid().solidCount(), 0);
+  EXPECT_NEAR(deposited.totals().outside_mm3, 10.0 * crossSection(kBead), 0.001);
+  EXPECT_EQ(deposited.highest(), 0.0);
+  expectBalance(deposited);
 }
 
-TEST(VoxelDeposit, RefusesWhatCannotBeLaid) {
-  VoxelDeposit laid = deposit({0, 0, 0}, {2, 2, 2}, 0.1);
-  JetMotion motion = strand({0, 0, 0.3}, {1, 0, 0.3});
+TEST(VoxelDeposit, RefusesWhatCannotBeDeposited) {
+  VoxelDeposit deposited = deposit({0, 0, 0}, {2, 2, 2}, 0.1);
+  ToolAxisMotion motion = strand({0, 0, 0.3}, {1, 0, 0.3});
   const auto refused = [&](auto change) {
-    JetMotion wrong = motion;
+    ToolAxisMotion wrong = motion;
     change(wrong);
-    EXPECT_THROW(laid.lay(wrong), InvalidInput);
+    EXPECT_THROW(deposited.lay(wrong), InvalidInput);
   };
-  refused([](JetMotion& m) { m.end.x() = NAN; });
-  refused([](JetMotion& m) { m.end.x() = 2e6; });
-  refused([](JetMotion& m) { m.volume_mm3 = -1.0; });
-  refused([](JetMotion& m) { m.radius_mm = 21.0; });
-  refused([](JetMotion& m) { m.end_jet = {0, 0, -2}; });
-  EXPECT_EQ(laid.totals().extruded_mm3, 0.0);
+  refused([](ToolAxisMotion& m) { m.end.x() = NAN; });
+  refused([](ToolAxisMotion& m) { m.end.x() = 2e6; });
+  refused([](ToolAxisMotion& m) { m.volume_mm3 = -1.0; });
+  refused([](ToolAxisMotion& m) { m.radius_mm = 21.0; });
+  refused([](ToolAxisMotion& m) { m.end_tool_axis = {0, 0, -2}; });
+  EXPECT_EQ(deposited.totals().extruded_mm3, 0.0);
   DepositionSettings far;
   far.reach_mm = 1000.0;
   EXPECT_THROW(VoxelDeposit(voxelFrame({Point3(0, 0, 0), Point3(1, 1, 1)}, 0.001), far), InvalidInput);
 }
 
-/// Motions anywhere in and around a box of 4 mm, the jet up to 60 degrees from the vertical.
-std::vector<JetMotion> anyMotions(std::uint64_t seed) {
+/// Motions anywhere in and around a box of 4 mm, the tool axis up to 60 degrees from the vertical.
+std::vector<ToolAxisMotion> anyMotions(std::uint64_t seed) {
   Random random(seed);
-  std::vector<JetMotion> motions;
+  std::vector<ToolAxisMotion> motions;
   for (int m = 0; m < 12; ++m) {
     const auto point = [&] {
       return Point3(random.uniform(-1, 5), random.uniform(-1, 5), random.uniform(0, 3));
     };
-    const auto jet = [&] {
+    const auto tool_axis = [&] {
       return Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), -1.0).normalized();
     };
-    JetMotion motion{point(), point(), jet(), jet(), 0.0, 0.0};
+    ToolAxisMotion motion{point(), point(), tool_axis(), tool_axis(), 0.0, 0.0};
     if (m % 4 == 0) motion.end = motion.start;
-    if (m % 3 == 0) motion.start_jet = motion.end_jet = {0, 0, -1};
+    if (m % 3 == 0) motion.start_tool_axis = motion.end_tool_axis = {0, 0, -1};
     motion.volume_mm3 = random.uniform(0.0, 0.6);
     motions.push_back(motion);
   }
@@ -320,17 +320,17 @@ TEST(VoxelDeposit, NoMaterialIsLostWhateverTheMotions) {
     DepositionSettings settings;
     settings.reach_mm = *rc::gen::element(0.3, 1.0, 10.0);
     const double voxel_mm = *rc::gen::element(0.08, 0.1, 0.17);
-    VoxelDeposit laid(voxelFrame({Point3(0, 0, 0), Point3(4, 4, 3)}, voxel_mm), settings);
+    VoxelDeposit deposited(voxelFrame({Point3(0, 0, 0), Point3(4, 4, 3)}, voxel_mm), settings);
     VoxelDeposit again(voxelFrame({Point3(0, 0, 0), Point3(4, 4, 3)}, voxel_mm), settings);
     const auto motions = anyMotions(*rc::gen::arbitrary<std::uint32_t>());
     std::int64_t solid = 0;
-    for (const JetMotion& motion : motions) {
-      laid.lay(motion);
+    for (const ToolAxisMotion& motion : motions) {
+      deposited.lay(motion);
       again.lay(motion);
-      RC_ASSERT(laid.grid().solidCount() >= solid);
-      solid = laid.grid().solidCount();
+      RC_ASSERT(deposited.grid().solidCount() >= solid);
+      solid = deposited.grid().solidCount();
     }
-    expectBalance(laid);
+    expectBalance(deposited);
     RC_ASSERT(again.grid().solidCount() == solid);
   }));
 }

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 
 namespace {
 

@@ -13,8 +13,8 @@
 
 namespace {
 
-lamina::TransformSettings settingsFrom(std::uint8_t choices) {
-  lamina::TransformSettings settings;
+lamina::RewriteSettings settingsFrom(std::uint8_t choices) {
+  lamina::RewriteSettings settings;
   settings.layer_height_mm = 0.3;
   settings.offset_mm.z() = 1e6;  // over the bed, whatever there is
   if ((choices & 1U) != 0) settings.mode = lamina::RewriteMode::Listing;
@@ -38,8 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   lamina::NoProgress progress;
   ::unlink(files[1].c_str());
   try {
-    const lamina::TransformSettings settings = settingsFrom(bytes[0]);
-    transformProgram({files[0], files[1]}, {map}, settings, progress);
+    const lamina::RewriteSettings settings = settingsFrom(bytes[0]);
+    rewriteProgram({files[0], files[1]}, {map}, settings, progress);
   } catch (const lamina::InvalidInput&) {
     if (::access(files[1].c_str(), F_OK) == 0) std::abort();
   } catch (const lamina::Unreachable&) {

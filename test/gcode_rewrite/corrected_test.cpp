@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -36,7 +36,7 @@ TEST(Corrected, ThePublishedExampleLiesOnTheBed) {
 }
 
 TEST(Corrected, DecimalsCanBeChosen) {
-  TransformSettings settings = withHeight(1.5);
+  RewriteSettings settings = withHeight(1.5);
   settings.decimals = 2;
   const std::string text = transformed(test::publishedExample(), settings).text;
   EXPECT_TRUE(contains(text, "G0 F18000 X474.33 Y210.40 Z3.62\n")) << text;
@@ -47,7 +47,7 @@ TEST(Corrected, EveryHomingIsAnnulledUnlessKept) {
   const std::string program = "G28 X0 Y0\nG28 ;Home\nG28\n" + layer("G1 X1 E1\n");
   EXPECT_EQ(transformed(program, withHeight(0.2)).text.substr(0, 60),
             ";Anulada: G28 X0 Y0\n;Anulada: G28 ;Home\n;Anulada: G28\nM83\n;L");
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.homing = Homing::Kept;
   EXPECT_EQ(transformed(program, settings).text.substr(0, 30), "G28 X0 Y0\nG28 ;Home\nG28\nM83\n;L");
 }
@@ -101,7 +101,7 @@ TEST(Corrected, ARisingSpiralKeepsItsRise) {
   for (int i = 0; i < 200; ++i)
     program += "G1 X" + std::to_string(10.0 * std::cos(0.1 * i)) + " Y" +
                std::to_string(10.0 * std::sin(0.1 * i)) + " Z" + std::to_string(0.3 + 0.01 * i) + " E0.1\n";
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.offset_mm.z() = 50.0;
   settings.decimals = 6;
   const auto motions = motionsOf(transformed(program, settings).text);
@@ -122,7 +122,7 @@ TEST(Corrected, TheLayerHeightIsReadFromTheSlicersComments) {
 
 TEST(Corrected, ThePartComesWhereItIsWanted) {
   const std::string program = layer("G1 X10 E1\nG1 Y10 E1\n");
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.table_position_mm = Point2(100.0, 200.0);
   const Box3 centred = transformed(program, settings).report.part;
   EXPECT_NEAR(centred.centre().x(), 100.0, 1e-9);
@@ -149,7 +149,7 @@ TEST(Corrected, LengthsFilamentAndFeedsStay) {
     }
     program += "G1 X5 E1\nG1 X9 E1\n";
     const AffineMap turn = rotation({coordinate() + 1000.0, coordinate(), coordinate()}, coordinate());
-    TransformSettings settings = withHeight(0.2);
+    RewriteSettings settings = withHeight(0.2);
     settings.decimals = 6;
     const auto before = motionsOf(program);
     const auto after = motionsOf(transformed(program, settings, turn).text);
@@ -167,10 +167,10 @@ TEST(Corrected, TheInverseBringsTheProgramBack) {
   const std::string program =
       "M83\n;LAYER:0\nG0 F9000 X1.250 Y-2.000 Z0.200\nG1 X17.125 Y3.000 Z0.200 E1.5\n"
       "G1 X17.125 Y300.000 Z0.300 E12 ;c\nG0 X0.000 Y0.000 Z99.000\nG1 X1.000 Y0.000 Z99.000 E1\n";
-  TransformSettings there = test::asSliced();
+  RewriteSettings there = test::asSliced();
   there.decimals = 6;
   there.offset_mm.z() = 100.0;
-  TransformSettings back = test::asSliced();
+  RewriteSettings back = test::asSliced();
   const AffineMap turn = rotation({1.0, 2.0, 3.0}, 33.0);
   Eigen::Affine3d undo = turn.matrix().inverse() * Eigen::Translation3d(0.0, 0.0, -100.0);
   EXPECT_EQ(transformed(transformed(program, there, turn).text, back, AffineMap(undo)).text, program);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -34,15 +34,15 @@ std::string cubeOnAnEdge() {
   return program.str();
 }
 
-TransformSettings onTheLargeGantry() {
-  TransformSettings settings;
+RewriteSettings onTheLargeGantry() {
+  RewriteSettings settings;
   settings.limits_mm = Box3{Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)};
   settings.decimals = 6;
   return settings;
 }
 
 TEST(CubeOnAnEdge, ComesOutUprightAtItsSize) {
-  TransformSettings settings = onTheLargeGantry();
+  RewriteSettings settings = onTheLargeGantry();
   settings.limits_mm.reset();
   const Box3 part = transformed(cubeOnAnEdge(), settings).report.part;
   EXPECT_NEAR(part.size().x(), kEdge, 1e-6);
@@ -65,7 +65,7 @@ TEST(CubeOnAnEdge, StandsOnThatEdgeWhereItIsNotTurned) {
 }
 
 TEST(CubeOnAnEdge, MustBeMovedOntoTheBed) {
-  TransformSettings settings = onTheLargeGantry();
+  RewriteSettings settings = onTheLargeGantry();
   try {
     transformed(cubeOnAnEdge(), settings);
     FAIL();
@@ -81,7 +81,7 @@ TEST(CubeOnAnEdge, MustBeMovedOntoTheBed) {
 }
 
 TEST(CubeOnAnEdge, KeepsItsLayersOnPlanesAtTheAngle) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.decimals = 6;
   const auto sliced = motionsOf(cubeOnAnEdge());
   const auto inclined = motionsOf(transformed(cubeOnAnEdge(), settings).text);
@@ -92,7 +92,7 @@ TEST(CubeOnAnEdge, KeepsItsLayersOnPlanesAtTheAngle) {
 
 TEST(CubeOnAnEdge, KeepsThePitchOfItsLayersAlongEachAxis) {
   // Layers of 1.5 mm at 45 deg are 2.1213 mm apart straight up, and as much along y.
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.decimals = 6;
   const std::string layers = "M83\n;LAYER:0\nG0 X0 Y0 Z1.5\nG1 X5 E1\n;LAYER:1\nG0 X0 Y0 Z3\nG1 X5 E1\n";
   const auto motions = motionsOf(transformed(layers, settings).text);
@@ -109,7 +109,7 @@ TEST(CubeOnAnEdge, HopsAlongTheNormalOfItsLayers) {
 }
 
 TEST(CubeOnAnEdge, KeepsEverySegmentsLengthWithinTheRounding) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.decimals = 2;
   const auto sliced = motionsOf(cubeOnAnEdge());
   const auto inclined = motionsOf(transformed(cubeOnAnEdge(), settings).text);
@@ -120,7 +120,7 @@ TEST(CubeOnAnEdge, KeepsEverySegmentsLengthWithinTheRounding) {
 }
 
 TEST(CubeOnAnEdge, IsCompletedByTheIdentity) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.decimals = 6;
   const auto done = transformed(cubeOnAnEdge(), settings, rotation(Point3::UnitX(), 0.0));
   const auto sliced = motionsOf(cubeOnAnEdge());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -15,7 +15,7 @@ const std::string kRotated =
     ";LAYER:0\nG0 X0.000 Y0.000 Z0.200\nG1 X1.000 Y0.000 Z0.200 E1\n; end of the part\n";
 
 TEST(InsertedCode, StandsAfterTheHeadAndAtTheEnd) {
-  TransformSettings settings = test::withHeight(0.2);
+  RewriteSettings settings = test::withHeight(0.2);
   settings.begin_code = "M117 begin\nG28";
   settings.end_code = "M117 end\n";
   EXPECT_EQ(
@@ -24,13 +24,13 @@ TEST(InsertedCode, StandsAfterTheHeadAndAtTheEnd) {
 }
 
 TEST(InsertedCode, StandsBeforeThePartIfThereIsNoStartCode) {
-  TransformSettings settings = test::withHeight(0.2);
+  RewriteSettings settings = test::withHeight(0.2);
   settings.begin_code = "M83\n";
   EXPECT_EQ(transformed(";head\n" + kPart, settings).text, ";head\nM83\n" + kRotated);
 }
 
 TEST(InsertedCode, CountsForTheModesOfThePart) {
-  TransformSettings settings = test::withHeight(0.2);
+  RewriteSettings settings = test::withHeight(0.2);
   settings.begin_code = "M83\nG91\n";
   EXPECT_THROW(transformed(kPart, settings), InvalidProgram);
   settings.begin_code = "G92 X0\n";
@@ -40,7 +40,7 @@ TEST(InsertedCode, CountsForTheModesOfThePart) {
 }
 
 TEST(InsertedCode, TheFinalMoveGoesOverThePartWhileMotorsHold) {
-  TransformSettings settings = test::withHeight(0.2);
+  RewriteSettings settings = test::withHeight(0.2);
   settings.final_position_mm = Point3(10.0, 20.0, 0.1);
   settings.final_feed_mm_min = 1200.0;
   settings.end_code = "M117 end";
@@ -50,7 +50,7 @@ TEST(InsertedCode, TheFinalMoveGoesOverThePartWhileMotorsHold) {
 }
 
 TEST(InsertedCode, TheFinalMoveIsInMillimetresAndAbsoluteWhateverTheEndCodeSays) {
-  TransformSettings settings = test::withHeight(0.2);
+  RewriteSettings settings = test::withHeight(0.2);
   settings.final_position_mm = Point3(10.0, 20.0, 300.0);
   EXPECT_EQ(
       transformed("M83\n" + kPart + "G91\nG20\n", settings).text,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -11,8 +11,8 @@ namespace {
 using test::contains;
 using test::transformed;
 
-TransformSettings asListing(double layer_height_mm) {
-  TransformSettings settings = test::withHeight(layer_height_mm);
+RewriteSettings asListing(double layer_height_mm) {
+  RewriteSettings settings = test::withHeight(layer_height_mm);
   settings.mode = RewriteMode::Listing;
   return settings;
 }

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -28,7 +28,7 @@ TEST(Maps, AScaledPartIsFilledByItsVolume) {
 }
 
 TEST(Maps, BeadsKeepTheirSectionIfExtrusionFollowsLength) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.extrusion_rule = ExtrusionRule::ByLength;
   const auto motions = motionsOf(transformed(kLayer, settings, scaling({2.0, 1.0, 3.0})).text);
   ASSERT_EQ(motions.size(), 4U);
@@ -68,7 +68,7 @@ TEST(Maps, ABeltGoesOnFromLayerToLayer) {
     EXPECT_TRUE(contains(text, place)) << place << " in\n" << text;
 }
 
-TEST(Maps, AFeedThatIsToldAgainIsScaledAgain) {
+TEST(Maps, AFeedThatIsReportedAgainIsScaledAgain) {
   const std::string text =
       transformed("M83\n;LAYER:0\nG0 X0 Y0 Z0 F600\nG1 X1 E1 F600\nG1 X2 E1 F600\nG1 X3 E1\n",
                   test::asSliced(), scaling({2.0, 2.0, 2.0}))
@@ -101,7 +101,7 @@ TEST(Maps, WhatComesFurtherThanCanBeWrittenNamesItsLine) {
 }
 
 TEST(Maps, ABeltPrintersFinalPositionIsNotGuessed) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.final_position_mm = Point3(1.0, 2.0, 3.0);
   const AffineMap belt = beltAxes(45.0);
   EXPECT_THROW(transformed(kLayer, settings, test::aboutX45(), &belt), InvalidConfig);
@@ -118,7 +118,7 @@ class Hill final : public SpaceMap {
 };
 
 TEST(Maps, ALineThatAMapBendsIsFollowedWithinTheTolerance) {
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.decimals = 6;
   const auto motions =
       motionsOf(transformed("M82\n;LAYER:0\nG0 X-50 Y0 Z0 F600\nG1 X50 E10 F600\n", settings, Hill()).text);

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -56,13 +56,13 @@ TEST(Refusal, ADepositionFromAnUnknownPlaceIsNotGuessed) {
 TEST(Refusal, RelativeExtrusionThatIsNotSaidIsNotTakenForAbsolute) {
   const std::string program = test::publishedExample().substr(4);
   EXPECT_THROW(transformed(program, withHeight(1.5)), InvalidProgram);
-  TransformSettings settings = withHeight(1.5);
+  RewriteSettings settings = withHeight(1.5);
   settings.initial_extrusion = ExtrusionMode::Relative;
   EXPECT_EQ("M83\n" + transformed("G90\n" + program, settings).text.substr(4),
             transformed(test::publishedExample(), withHeight(1.5)).text);
 }
 
-Unreachable unreachable(const std::string& program, const TransformSettings& settings) {
+Unreachable unreachable(const std::string& program, const RewriteSettings& settings) {
   try {
     transformed(program, settings);
   } catch (const Unreachable& error) {
@@ -73,7 +73,7 @@ Unreachable unreachable(const std::string& program, const TransformSettings& set
 
 TEST(Refusal, WhatLeavesTheMachineNamesLineAxisAndValue) {
   // (1300, 2500, 1000) comes to (1300, 1060.66, 2474.87).
-  TransformSettings settings = test::asSliced();
+  RewriteSettings settings = test::asSliced();
   settings.limits_mm = Box3{Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)};
   const std::string what = unreachable("M83\n;LAYER:0\nG0 X1300 Y2400 Z1000\nG1 Y2500 E1\n", settings).what();
   EXPECT_EQ(what.substr(0, 49), "line 4: the nozzle would be at z = 2474.874 mm; m") << what;
@@ -82,7 +82,7 @@ TEST(Refusal, WhatLeavesTheMachineNamesLineAxisAndValue) {
 }
 
 TEST(Refusal, AFinalPositionOutOfTheMachineIsRefused) {
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.limits_mm = Box3{Point3::Zero(), Point3::Constant(100.0)};
   settings.final_position_mm = Point3(0.0, 0.0, 101.0);
   const std::string what = unreachable("M83\n;LAYER:0\nG0 X1 Y1 Z0\nG1 X2 E1\n", settings).what();
@@ -90,7 +90,7 @@ TEST(Refusal, AFinalPositionOutOfTheMachineIsRefused) {
 }
 
 TEST(Refusal, SettingsOutOfBoundsAreNamed) {
-  TransformSettings settings;
+  RewriteSettings settings;
   settings.decimals = 7;
   EXPECT_THROW(validate(settings), InvalidConfig);
   settings = withHeight(0.0);
@@ -107,7 +107,7 @@ class RefusedFile : public testing::Test {
   void SetUp() override { writeFile(input(), kProgram); }
   std::string input() const { return folder_.file("part.gcode"); }
   void run(const std::string& output, Progress& progress) {
-    transformProgram({input(), output}, {map_}, withHeight(0.2), progress);
+    rewriteProgram({input(), output}, {map_}, withHeight(0.2), progress);
   }
   void expectSourceOnly() const {
     EXPECT_EQ(readFile(input()), kProgram);
@@ -131,8 +131,8 @@ TEST_F(RefusedFile, LeavesNothingWhereNothingCanBeWritten) {
 }
 
 TEST_F(RefusedFile, MustBeThere) {
-  EXPECT_THROW(transformProgram({folder_.file("none.gcode"), folder_.file("out.gcode")}, {map_},
-                                withHeight(0.2), progress_),
+  EXPECT_THROW(rewriteProgram({folder_.file("none.gcode"), folder_.file("out.gcode")}, {map_},
+                              withHeight(0.2), progress_),
                FileError);
   expectSourceOnly();
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/transformed.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -76,7 +76,7 @@ TEST(Section, OfSlic3rBeginsWithAMotionAndEndsAtTheFilamentsCode) {
 
 TEST(Section, BeginsWithTheFirstLayerOfARaft) {
   const auto done = transformed("M83\n;LAYER:-2\nG0 X0 Y-9 Z0\nG1 X5 E1\n;LAYER:0\n" + kMotions, [] {
-    TransformSettings settings = withHeight(0.2);
+    RewriteSettings settings = withHeight(0.2);
     settings.build_aids = BuildAids::Dropped;
     return settings;
   }());
@@ -140,7 +140,7 @@ const std::string kWithSkirt =
     "Y10\nG1 E4\nG1 X5 E5\n";
 
 TEST(BuildAids, OfAllSlicersAreKnown) {
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.build_aids = BuildAids::Dropped;
   for (const char* name : {"SUPPORT-INTERFACE", "PRIME-TOWER", "Support material interface", "Wipe tower",
                            "Support", "Support interface", "Prime tower", "Brim"}) {
@@ -167,7 +167,7 @@ TEST(BuildAids, ATypeThatIsNotKnownIsNotTakenForThePart) {
   }
 }
 
-TEST(BuildAids, BeneathTheBedAreRefusedAndDoNotLiftThePart) {
+TEST(BuildAids, BelowTheBedAreRefusedAndDoNotLiftThePart) {
   try {
     transformed(kWithSkirt, withHeight(0.2));
     FAIL();
@@ -178,7 +178,7 @@ TEST(BuildAids, BeneathTheBedAreRefusedAndDoNotLiftThePart) {
 }
 
 TEST(BuildAids, AreDroppedWithTheFilamentCounted) {
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.build_aids = BuildAids::Dropped;
   const auto done = transformed(kWithSkirt, settings);
   EXPECT_EQ(done.text,
@@ -188,7 +188,7 @@ TEST(BuildAids, AreDroppedWithTheFilamentCounted) {
 }
 
 TEST(BuildAids, ThePlaceIsRestoredWhereThePartGoesOnAtOnce) {
-  TransformSettings settings = withHeight(0.2);
+  RewriteSettings settings = withHeight(0.2);
   settings.build_aids = BuildAids::Dropped;
   const std::string text =
       transformed("M83\n;LAYER:0\n" + kMotions + ";TYPE:SUPPORT\nG1 X9 E1\n;TYPE:SKIN\nG1 X7 E1\n", settings)

@@ -83,7 +83,7 @@ TEST(SpaceMap, ProductsApplyTheRightOneFirst) {
   expectNear(both.map({0.0, -3.0, 1.0}), {6.0, 0.0, 1.0}, 1e-12);
 }
 
-TEST(SpaceMap, KindAndVolumeTellWhatIsKept) {
+TEST(SpaceMap, KindAndVolumeReportWhatIsKept) {
   EXPECT_EQ(shear(1, 2, 0.5).kind(), MapKind::Affine);
   EXPECT_NEAR(shear(1, 2, 0.5).volumeRatio({1.0, 2.0, 3.0}), 1.0, 1e-12);
   EXPECT_NEAR(scaling({2.0, 3.0, 4.0}).volumeRatio({}), 24.0, 1e-12);

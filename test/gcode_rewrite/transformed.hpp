@@ -6,23 +6,23 @@
 #include <string>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/gcode_rewrite/gcode_rewrite.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/program/program_frame.hpp"
-#include "lamina/gcode_rewrite/gcode_rewrite.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina::test {
 
 /// A program after a transform.
 struct Transformed {
-  std::string text;  ///< without the comments that tell the frame
-  ToldFrame frame;
-  TransformReport report;
+  std::string text;  ///< without the comments that report the frame
+  StatedFrame frame;
+  RewriteReport report;
 };
 
-/// Takes the comments that tell the frame out of a program.
-inline ToldFrame takeFrame(std::string& program) {
-  ToldFrame frame;
+/// Takes the comments that report the frame out of a program.
+inline StatedFrame takeFrame(std::string& program) {
+  StatedFrame frame;
   std::string rest;
   for (std::size_t begin = 0; begin < program.size();) {
     const std::size_t end = std::min(program.find('\n', begin), program.size() - 1) + 1;
@@ -36,27 +36,27 @@ inline ToldFrame takeFrame(std::string& program) {
 
 inline AffineMap aboutX45() { return rotation(Point3::UnitX(), 45.0); }
 
-inline Transformed transformed(const std::string& program, const TransformSettings& settings,
+inline Transformed transformed(const std::string& program, const RewriteSettings& settings,
                                const SpaceMap& map = aboutX45(), const SpaceMap* axes = nullptr) {
   const ScratchFolder folder;
   writeFile(folder.file("in.gcode"), program);
   NoProgress progress;
   Transformed result;
   result.report =
-      transformProgram({folder.file("in.gcode"), folder.file("out.gcode")}, {map, axes}, settings, progress);
+      rewriteProgram({folder.file("in.gcode"), folder.file("out.gcode")}, {map, axes}, settings, progress);
   result.text = readFile(folder.file("out.gcode"));
   result.frame = takeFrame(result.text);
   return result;
 }
 
-inline TransformSettings withHeight(double layer_height_mm) {
-  TransformSettings settings;
+inline RewriteSettings withHeight(double layer_height_mm) {
+  RewriteSettings settings;
   settings.layer_height_mm = layer_height_mm;
   return settings;
 }
 
-inline TransformSettings asSliced() {
-  TransformSettings settings;
+inline RewriteSettings asSliced() {
+  RewriteSettings settings;
   settings.lift = Lift::None;
   return settings;
 }

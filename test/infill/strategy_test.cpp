@@ -28,7 +28,7 @@ bool isInside(const std::vector<Polygon>& borders, const Point2& point, const In
   return contains(borders, point) || test::distanceToOutline(borders, point) < tolerance;
 }
 
-/// Points of a bead no farther apart than `step` [mm], or the drops: between those nothing is laid.
+/// Points of a bead no farther apart than `step` [mm], or the drops: between those nothing is deposited.
 std::vector<Point2> sampled(const FillPath& path, double step) {
   if (path.deposit == Deposit::Drops) return path.points;
   std::vector<Point2> points;

@@ -29,11 +29,11 @@ class CancelledAt final : public Progress {
 
 DepositJob job(const std::string& output) { return {test::twoLayers(), output, "", {}}; }
 
-TEST(DepositJobTest, TellsVolumesPorosityAndSurfaceAndWritesTheSurface) {
+TEST(DepositJobTest, ReportsVolumesPorosityAndSurfaceAndWritesTheSurface) {
   const test::ScratchFolder folder;
   NoProgress nobody;
-  const DepositedPart laid = runDepositJob(job(folder.file("square.stl")), nobody);
-  const DepositSummary& summary = laid.summary;
+  const DepositedPart deposited = runDepositJob(job(folder.file("square.stl")), nobody);
+  const DepositSummary& summary = deposited.summary;
   const double extruded = totals(test::twoLayers()).deposited_mm3;
   const double voxel = 1e-3;  // mm3
   EXPECT_NEAR(summary.totals.extruded_mm3, extruded, 1e-9);
@@ -72,7 +72,7 @@ TEST(DepositJobTest, RefusesWhatDoesNotFitIntoMemory) {
   large.settings.memory_limit_mb = 1.0;
   try {
     runDepositJob(large, nobody);
-    FAIL() << "laid";
+    FAIL() << "deposited";
   } catch (const InvalidInput& error) {
     EXPECT_NE(std::string(error.what()).find("fit"), std::string::npos) << error.what();
   }

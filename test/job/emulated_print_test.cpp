@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From mesh to measured heights without a machine in between: what the toolpath says is laid into a map or
-// into voxels, a simulated sensor looks at it during the scan passes, and the monitor compares.
+// From mesh to measured heights without a machine in between: what the toolpath says is deposited into a map
+// or into voxels, a simulated sensor looks at it during the scan passes, and the monitor compares.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -142,7 +142,7 @@ class EmulatedPrint {
 
   double flow_;
   SlicedPart part_;
-  Machine machine_ = machineByName("cartesian_gantry");
+  CartesianMachine machine_ = machineByName("cartesian_gantry");
   HeightMonitor monitor_;
   ProfileSensor sensor_{sensorSettings()};
   std::unique_ptr<Bed> bed_;

@@ -24,7 +24,7 @@ TEST(InclineSettings, RotateBy45DegreesAboutXInTheRoomOfTheLargeGantryByDefault)
   EXPECT_EQ(job.axes, nullptr);
   ASSERT_TRUE(job.settings.limits_mm);
   EXPECT_EQ(job.settings.limits_mm->high, Point3(1300, 2500, 1000));
-  EXPECT_FALSE(job.settings.jet);
+  EXPECT_FALSE(job.settings.tool_axis);
   EXPECT_FALSE(job.settings.decimals);
   EXPECT_FALSE(job.settings.layer_height_mm);
   EXPECT_FALSE(job.settings.initial_extrusion);
@@ -60,8 +60,8 @@ TEST(InclineSettings, RefuseWhatIsForAnotherMap) {
 
 TEST(InclineSettings, TakeLimitsHeadAndAxesOfTheMachine) {
   const InclineJob gantry = jobOf({{"machine.name", "large_gantry_45_reverse"}});
-  ASSERT_TRUE(gantry.settings.jet);
-  EXPECT_LT((*gantry.settings.jet - Point3(0, -M_SQRT1_2, -M_SQRT1_2)).norm(), 1e-9);
+  ASSERT_TRUE(gantry.settings.tool_axis);
+  EXPECT_LT((*gantry.settings.tool_axis - Point3(0, -M_SQRT1_2, -M_SQRT1_2)).norm(), 1e-9);
   EXPECT_EQ(gantry.axes, nullptr);
   const InclineJob belt = jobOf({{"machine.name", "belt_45"}});
   ASSERT_TRUE(belt.axes);

@@ -26,7 +26,7 @@ constexpr double kSamePoint = 1e-9;  // mm
 SliceJob upright(const std::string& part, double angle_deg, double heading_deg) {
   SliceJob job;
   job.part = part;
-  job.settings.slicing.plane = {angle_deg, heading_deg, Jet::Down};
+  job.settings.slicing.plane = {angle_deg, heading_deg, ToolAxis::Down};
   return job;
 }
 
@@ -160,9 +160,9 @@ TEST(InclinedJob, TheFirstWaypointIsALayerHeightOverTheEdgeAlongTheNormal) {
 TEST(InclinedJob, RunsBeginOnBedOrMaterialWhereTheyCan) {
   SliceJob job = upright("tube", 60.0, 0.0);
   job.settings.planning.anchoring.strategy = Anchoring::None;
-  const AnchoredStarts as_laid = run(job).summary.anchored;
-  EXPECT_EQ(as_laid.moved, 0U);
-  EXPECT_GT(as_laid.in_air, 10U);
+  const AnchoredStarts as_deposited = run(job).summary.anchored;
+  EXPECT_EQ(as_deposited.moved, 0U);
+  EXPECT_GT(as_deposited.in_air, 10U);
   job.settings.planning.anchoring.strategy = Anchoring::SupportedStart;
   // The last sliver at the rim lies farther out than the layer before it.
   EXPECT_LE(run(job).summary.anchored.in_air, 1U);
@@ -175,12 +175,12 @@ TEST(InclinedJob, AHeadAt45DegreesLaysItsOwnLayersAndNoOthers) {
   job.settings.slicing.plane.angle_deg = 45.0;
   EXPECT_NO_THROW(run(job));
   job.settings.slicing.plane.angle_deg = 30.0;
-  EXPECT_EQ(
-      failureOf<Unreachable>(job),
-      "slicing.plane of 30 deg about 0 deg needs the jet along (0.000, 0.500, -0.866); the head of gantry_45 "
-      "holds it along (0.000, 0.707, -0.707), for slicing.plane.angle_deg 45 and "
-      "slicing.plane.axis_heading_deg 0");
-  job.settings.slicing.plane = {45.0, 180.0, Jet::Normal};
+  EXPECT_EQ(failureOf<Unreachable>(job),
+            "slicing.plane of 30 deg about 0 deg needs the tool axis along (0.000, 0.500, -0.866); the head "
+            "of gantry_45 "
+            "holds it along (0.000, 0.707, -0.707), for slicing.plane.angle_deg 45 and "
+            "slicing.plane.axis_heading_deg 0");
+  job.settings.slicing.plane = {45.0, 180.0, ToolAxis::Normal};
   EXPECT_NE(failureOf<Unreachable>(job), "");
   job.settings.machine.name = "large_gantry_45_reverse";
   EXPECT_NO_THROW(run(job));
@@ -189,8 +189,8 @@ TEST(InclinedJob, AHeadAt45DegreesLaysItsOwnLayersAndNoOthers) {
 TEST(InclinedJob, AnUprightHeadLaysInclinedLayersIfTheNozzleStaysUpright) {
   SliceJob job = upright("box", 20.0, 0.0);
   EXPECT_NO_THROW(run(job));
-  job.settings.slicing.plane.jet = Jet::Normal;
-  EXPECT_NE(failureOf<Unreachable>(job).find("slicing.plane.jet 'down'"), std::string::npos);
+  job.settings.slicing.plane.tool_axis = ToolAxis::Normal;
+  EXPECT_NE(failureOf<Unreachable>(job).find("slicing.plane.tool axis 'down'"), std::string::npos);
 }
 
 TEST(InclinedJob, RefusesWhatNeedsLevelLayers) {
@@ -213,7 +213,7 @@ TEST(InclinedJob, ABeltPrintsPartsOfAnyLengthFromItsStart) {
   job.settings.planning.bead.width_mm = 6.0;
   writeStl(job.part, test::boxBetween({0, 0, 0}, {50, 20000, 40}));
   const SlicedPart sliced = run(job);
-  const Machine machine = machineByName("belt_45");
+  const CartesianMachine machine = machineByName("belt_45");
   double start = 1e9;
   double end = 0.0;
   for (const ToolpathLayer& layer : sliced.toolpath.layers)
@@ -248,7 +248,7 @@ TEST(InclinedJob, ABeltAtAnotherAngleIsDescribedByAFileAndLeavesTheBedAlone) {
     job.settings.machine.urdf = folder.file("belt.urdf");
     job.settings.slicing.plane.angle_deg = angle;
     const SlicedPart sliced = run(job);
-    const Machine machine = machineOf(job.settings.machine);
+    const CartesianMachine machine = machineOf(job.settings.machine);
     // The nozzle never comes nearer to the belt than half a layer's foot along the incline.
     const double nearest = 0.1 / std::tan(angle * kRadians) - 0.01;
     for (const ToolpathLayer& layer : sliced.toolpath.layers)

@@ -40,7 +40,7 @@ TEST(JobSettings, TheShippedFileHoldsEveryKeyAndTheDefaults) {
   EXPECT_EQ(textsOf(loadJobSettings(path, {})), textsOf({}));
 }
 
-TEST(JobSettings, RefusesToFillVoidsBetweenDropsWhereBeadsAreLaid) {
+TEST(JobSettings, RefusesToFillVoidsBetweenDropsWhereBeadsAreDeposited) {
   JobSettings settings;
   settings.drop_voids.is_on = true;
   EXPECT_THROW(validate(settings), InvalidConfig);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Programs that tell joints, from part to file and read back.
+// Programs that report joints, from part to file and read back.
 #include "job/joint_program.hpp"
 
 #include <gtest/gtest.h>
@@ -21,16 +21,16 @@
 namespace lamina {
 namespace {
 
-double jetAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const Point3 jet = a * Point3::UnitZ();
+double toolAxisAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Point3 tool_axis = a * Point3::UnitZ();
   const Point3 other = b * Point3::UnitZ();
-  return std::atan2(jet.cross(other).norm(), jet.dot(other));
+  return std::atan2(tool_axis.cross(other).norm(), tool_axis.dot(other));
 }
 
 /// A small box whose nozzle leans by 10 deg.
-class LedProgramTest : public testing::Test {
+class JointProgramTest : public testing::Test {
  protected:
-  LedProgramTest() {
+  JointProgramTest() {
     job_.part = folder_.file("box.stl");
     job_.settings.slicing.layer_height_mm = 0.5;
     job_.settings.slicing.first_layer_height_mm = 0.5;
@@ -51,29 +51,29 @@ class LedProgramTest : public testing::Test {
 
   Toolpath readBack() const { return readProgram(job_.output, job_.settings.program, job_.settings.machine); }
 
-  /// The file tells the very places that were led to, and the waypoints asked for are among them.
+  /// The file reports the very places that were led to, and the waypoints asked for are among them.
   void expectSame(const Toolpath& read, const SlicedPart& sliced, double within_mm) {
-    const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
-    ASSERT_TRUE(led);
+    const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    ASSERT_TRUE(joint_program);
     ASSERT_EQ(read.layers.size(), sliced.toolpath.layers.size());
     for (std::size_t l = 0; l < read.layers.size(); ++l) {
-      const auto& paths = led->toolpath.layers[l].paths;
+      const auto& paths = joint_program->toolpath.layers[l].paths;
       ASSERT_EQ(read.layers[l].paths.size(), paths.size());
       for (std::size_t p = 0; p < paths.size(); ++p) {
         expectSame(read.layers[l].paths[p], paths[p], within_mm);
         for (const Eigen::Quaterniond& turn : read.layers[l].paths[p].orientation.values())
-          EXPECT_LT(jetAngle(turn, sliced.toolpath.layers[l].paths[p].orientation.at(0)), 1e-6);
+          EXPECT_LT(toolAxisAngle(turn, sliced.toolpath.layers[l].paths[p].orientation.at(0)), 1e-6);
       }
     }
     EXPECT_NEAR(totals(read).deposition_mm, totals(sliced.toolpath).deposition_mm, 0.01);
   }
 
-  void expectSame(const Path& read, const Path& led, double within_mm) const {
-    ASSERT_EQ(read.points.size(), led.points.size());
-    EXPECT_EQ(read.role, led.role);
-    for (std::size_t i = 0; i < led.points.size(); ++i) {
-      EXPECT_LT((read.points[i] - bed_from_part_ * led.points[i]).norm(), within_mm);
-      EXPECT_LT(jetAngle(read.orientation.at(i), led.orientation.at(i)), 1e-6);
+  void expectSame(const Path& read, const Path& joint_program, double within_mm) const {
+    ASSERT_EQ(read.points.size(), joint_program.points.size());
+    EXPECT_EQ(read.role, joint_program.role);
+    for (std::size_t i = 0; i < joint_program.points.size(); ++i) {
+      EXPECT_LT((read.points[i] - bed_from_part_ * joint_program.points[i]).norm(), within_mm);
+      EXPECT_LT(toolAxisAngle(read.orientation.at(i), joint_program.orientation.at(i)), 1e-6);
     }
   }
 
@@ -94,7 +94,7 @@ class LedProgramTest : public testing::Test {
   Eigen::Isometry3d bed_from_part_ = Eigen::Isometry3d::Identity();
 };
 
-TEST_F(LedProgramTest, FiveAxisGcodeOfATiltedToolpathTellsItsPoses) {
+TEST_F(JointProgramTest, FiveAxisGcodeOfATiltedToolpathReportsItsPoses) {
   lean();
   for (const char* machine : {"five_axis_head_table", "five_axis_head_ac", "five_axis_table_ac"})
     for (const auto coordinates : {FiveAxisCoordinates::ToolTip, FiveAxisCoordinates::Joints}) {
@@ -106,7 +106,7 @@ TEST_F(LedProgramTest, FiveAxisGcodeOfATiltedToolpathTellsItsPoses) {
     }
 }
 
-TEST_F(LedProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
+TEST_F(JointProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
   slice("five_axis_head_table", "level.gcode");
   EXPECT_EQ(readFile(job_.output).find(";FIVE_AXIS:"), std::string::npos);
   job_.settings.program.five_axis.use = FiveAxisUse::Always;
@@ -116,7 +116,7 @@ TEST_F(LedProgramTest, ALevelToolpathKeepsThePlainProgramUnlessAsked) {
   expectSame(readBack(), sliced, 1e-4);
 }
 
-TEST_F(LedProgramTest, WhatAMachineCannotRunLeavesNoFile) {
+TEST_F(JointProgramTest, WhatAMachineCannotRunLeavesNoFile) {
   lean();
   EXPECT_NE(refusal("cartesian_gantry", "box.gcode").find("deg"), std::string::npos);
   EXPECT_NE(refusal("irb_4600", "box.gcode").find("is a robot"), std::string::npos);
@@ -128,7 +128,7 @@ TEST_F(LedProgramTest, WhatAMachineCannotRunLeavesNoFile) {
   EXPECT_FALSE(hasWritten());
 }
 
-TEST_F(LedProgramTest, AnotherMachineDoesNotReadTheProgram) {
+TEST_F(JointProgramTest, AnotherMachineDoesNotReadTheProgram) {
   lean();
   slice("five_axis_head_ac", "box.gcode");
   for (const char* machine : {"five_axis_table_bc", "cartesian_gantry", "irb_4600"}) {
@@ -163,7 +163,7 @@ std::vector<Target> targetsOf(const std::string& text) {
 }
 
 /// Whether a target and its configuration give an arm these joints, but for whole turns.
-bool leadsTo(const JointValues& joints, const Target& target, const Mechanism& arm) {
+bool leadsTo(const JointValues& joints, const Target& target, const KinematicModel& arm) {
   for (const InverseSolution& solution : arm.solutions(target.bed_from_nozzle, joints)) {
     if (abbConfiguration(arm, solution.values).cfx != target.configuration.cfx) continue;
     for (Eigen::Index j = 0; j < joints.size(); ++j)
@@ -175,40 +175,40 @@ bool leadsTo(const JointValues& joints, const Target& target, const Mechanism& a
   return false;
 }
 
-TEST_F(LedProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
+TEST_F(JointProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
   lean();
   job_.settings.program.rapid.configuration = RapidConfiguration::Joints;
   for (const char* machine : {"irb_4600", "irb_4600_turntable"}) {
     const SlicedPart sliced = slice(machine, "box.mod");
     bed_from_part_ = sliced.bed_from_part;
     expectSame(readBack(), sliced, 1e-4);
-    const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
     std::size_t station = 0;  // a path that begins where the one before ended begins without a target
     for (const Target& target : targetsOf(readFile(job_.output))) {
-      while (station < led->joints.values.size() &&
-             !leadsTo(led->joints.values[station], target, *led->mechanism))
+      while (station < joint_program->joints.values.size() &&
+             !leadsTo(joint_program->joints.values[station], target, *joint_program->model))
         ++station;
-      ASSERT_LT(station, led->joints.values.size()) << machine;
+      ASSERT_LT(station, joint_program->joints.values.size()) << machine;
     }
-    EXPECT_EQ(station + 1, led->joints.values.size());
+    EXPECT_EQ(station + 1, joint_program->joints.values.size());
   }
 }
 
-TEST_F(LedProgramTest, ATurntableThatFollowsIsToldAtEachTarget) {
+TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {
   lean();
   job_.settings.joints.external = ExternalChoice::Follow;
   const SlicedPart sliced = slice("irb_4600_turntable", "box.mod");
-  const auto led = leadProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
-  ASSERT_TRUE(led);
+  const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+  ASSERT_TRUE(joint_program);
   const std::vector<Target> targets = targetsOf(readFile(job_.output));
-  EXPECT_NEAR(targets.front().external, led->joints.values.front()[6] * 180.0 / M_PI, 6e-4);
-  EXPECT_NEAR(targets.back().external, led->joints.values.back()[6] * 180.0 / M_PI, 6e-4);
+  EXPECT_NEAR(targets.front().external, joint_program->joints.values.front()[6] * 180.0 / M_PI, 6e-4);
+  EXPECT_NEAR(targets.back().external, joint_program->joints.values.back()[6] * 180.0 / M_PI, 6e-4);
   job_.settings.program.rapid.variant = RapidVariant::Powder3Axes;
   EXPECT_NE(refusal("irb_4600_turntable", "offsets.mod").find("external"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(job_.output));
 }
 
-TEST_F(LedProgramTest, AnArmThatTellsNoJointsGetsTheTargetsOfTheToolpath) {
+TEST_F(JointProgramTest, AnArmThatReportsNoJointsGetsTheTargetsOfTheToolpath) {
   const SlicedPart sliced = slice("irb_4600", "box.mod");
   const Toolpath read = readBack();
   ASSERT_EQ(totals(read).waypoints, totals(sliced.toolpath).waypoints);

@@ -15,14 +15,14 @@ using Eigen::Isometry3d;
 /// A bead of 100 mm over the bed of a head with axes A and C.
 Toolpath longBead() { return {"bead", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {100, 0, 0.2})}}}}; }
 
-MechanismRun runOver(const Mechanism& mechanism, const Point3& place) {
+KinematicModelRun runOver(const KinematicModel& model, const Point3& place) {
   NoProgress nobody;
-  return runOn(mechanism, longBead(), Isometry3d(Eigen::Translation3d(place)), {}, nobody);
+  return runOn(model, longBead(), Isometry3d(Eigen::Translation3d(place)), {}, nobody);
 }
 
-TEST(MechanismRun, HasJointsThatBringTheNozzleToEveryStepOfTheDividedToolpath) {
-  const auto machine = mechanismByName("five_axis_head_ac");
-  const MechanismRun run = runOver(*machine, {100, 100, 0});
+TEST(KinematicModelRun, HasJointsThatBringTheNozzleToEveryStepOfTheDividedToolpath) {
+  const auto machine = kinematicModelByName("five_axis_head_ac");
+  const KinematicModelRun run = runOver(*machine, {100, 100, 0});
   ASSERT_TRUE(run.path.isRunnable());
   // Steps of 5 mm, and the start.
   ASSERT_EQ(run.path.at.size(), 21U);
@@ -32,8 +32,8 @@ TEST(MechanismRun, HasJointsThatBringTheNozzleToEveryStepOfTheDividedToolpath) {
   }
 }
 
-TEST(MechanismRun, TakesTheTimeOfItsMotionFromRestToRest) {
-  const auto machine = mechanismByName("five_axis_head_ac");
+TEST(KinematicModelRun, TakesTheTimeOfItsMotionFromRestToRest) {
+  const auto machine = kinematicModelByName("five_axis_head_ac");
   TimingSettings settings;
   settings.motion.acceleration_mm_s2 = 300.0;
   settings.trajectory.joint_ramp_s = 0.01;  // joints are brisker than the path
@@ -43,9 +43,9 @@ TEST(MechanismRun, TakesTheTimeOfItsMotionFromRestToRest) {
   EXPECT_NEAR(timed.trajectory->duration(), timed.time.total_s, 1e-12);
 }
 
-TEST(MechanismRun, IsRefusedByTheFirstWaypointOutOfReach) {
-  const auto machine = mechanismByName("five_axis_head_ac");
-  const MechanismRun run = runOver(*machine, {1e5, 100, 0});
+TEST(KinematicModelRun, IsRefusedByTheFirstWaypointOutOfReach) {
+  const auto machine = kinematicModelByName("five_axis_head_ac");
+  const KinematicModelRun run = runOver(*machine, {1e5, 100, 0});
   EXPECT_FALSE(run.path.isRunnable());
   try {
     inTime(run, *machine, {});

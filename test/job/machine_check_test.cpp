@@ -13,10 +13,10 @@ namespace {
 using Eigen::Isometry3d;
 
 MachineCheck checkOn(const std::string& machine, const Toolpath& toolpath, const Point3& place) {
-  const auto mechanism = mechanismByName(machine);
+  const auto model = kinematicModelByName(machine);
   NoProgress nobody;
-  const MechanismRun run = runOn(*mechanism, toolpath, Isometry3d(Eigen::Translation3d(place)), {}, nobody);
-  return checkRun(run, *mechanism, {}, nobody);
+  const KinematicModelRun run = runOn(*model, toolpath, Isometry3d(Eigen::Translation3d(place)), {}, nobody);
+  return checkRun(run, *model, {}, nobody);
 }
 
 /// A closed square of 100 mm, whose sides are divided into steps.
@@ -37,7 +37,7 @@ Toolpath travelDownTo(double height) {
 
 std::string refusal(const MachineCheck& check, const std::string& machine) {
   try {
-    requireClear(check, *mechanismByName(machine));
+    requireClear(check, *kinematicModelByName(machine));
   } catch (const Unreachable& error) {
     return error.what();
   }

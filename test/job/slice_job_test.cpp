@@ -169,7 +169,7 @@ TEST_F(SliceJobTest, PrintsAFinThatIsNarrowerThanABead) {
   EXPECT_EQ(sliced.summary.unprinted_mm3, 0.0);
 }
 
-TEST_F(SliceJobTest, TellsWhatAFillLeavesOutWhole) {
+TEST_F(SliceJobTest, ReportsWhatAFillLeavesOutWhole) {
   // A drop of 1 mm fits the one box, and not the other: 0.5 x 20 x 1 mm.
   const Mesh wide = test::boxBetween({0, 0, 0}, {10, 10, 1});
   writeStl(job_.part, test::joined(wide, test::boxBetween({15, 0, 0}, {15.5, 20, 1})));
@@ -182,7 +182,7 @@ TEST_F(SliceJobTest, TellsWhatAFillLeavesOutWhole) {
   EXPECT_NEAR(run().summary.unprinted_mm3, 0.5 * 20.0 * 1.0, 1e-6);
 }
 
-TEST_F(SliceJobTest, CountsEmptyLayersBeneathOthers) {
+TEST_F(SliceJobTest, CountsEmptyLayersBelowOthers) {
   // Nothing fits the neck, 0.05 mm thick, from 1 to 2 mm: 5 layers of 0.2 mm.
   const Mesh foot = test::boxBetween({0, 0, 0}, {10, 10, 1});
   const Mesh neck = test::boxBetween({5, 5, 1}, {5.05, 5.05, 2});

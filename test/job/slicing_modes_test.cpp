@@ -51,8 +51,8 @@ double greatestTiltDeg(const Toolpath& toolpath) {
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
       for (std::size_t w = 0; w < path.points.size(); ++w) {
-        const Point3 jet = path.orientation.at(w) * Point3::UnitZ();
-        greatest = std::max(greatest, std::atan2(jet.head<2>().norm(), -jet.z()) * 180.0 / M_PI);
+        const Point3 tool_axis = path.orientation.at(w) * Point3::UnitZ();
+        greatest = std::max(greatest, std::atan2(tool_axis.head<2>().norm(), -tool_axis.z()) * 180.0 / M_PI);
       }
   return greatest;
 }
@@ -152,7 +152,7 @@ TEST_F(SlicingModes, ARefusalShowsTheRegionOnThePart) {
   }
 }
 
-TEST_F(SlicingModes, AutoTellsWhatItChoseAndWhy) {
+TEST_F(SlicingModes, AutoReportsWhatItChoseAndWhy) {
   usePart("box", {});
   SlicedPart sliced = slice(SlicingMode::Auto);
   EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
@@ -172,7 +172,7 @@ TEST_F(SlicingModes, AutoTellsWhatItChoseAndWhy) {
   EXPECT_NE(sliced.summary.mode_reason.find("begin in the air"), std::string::npos);
 }
 
-TEST_F(SlicingModes, AutoTellsWhyItDidNotTakeTheBetterMode) {
+TEST_F(SlicingModes, AutoReportsWhyItDidNotTakeTheBetterMode) {
   job_.output = folder_.file("poses.csv");
   usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "26"}, {"height_mm", "3"}});
   job_.settings.planning.infill.density = 0.0;
@@ -210,7 +210,7 @@ TEST_F(SlicingModes, AutoTakesNoModeThatOtherSettingsContradict) {
   EXPECT_NE(sliced.summary.mode_reason.find("scan.every_layers"), std::string::npos);
 }
 
-TEST_F(SlicingModes, ShellsThatBeginInTheAirAreTold) {
+TEST_F(SlicingModes, ShellsThatBeginInTheAirAreReported) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
   const auto isTold = [](const SliceSummary& summary) {
     return std::any_of(summary.notes.begin(), summary.notes.end(),

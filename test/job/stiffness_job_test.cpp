@@ -31,7 +31,7 @@ TEST(StiffnessJob, ABoxAsDrawnIsAsStiffAsItsMaterial) {
   EXPECT_TRUE(std::filesystem::exists(job.deck));
 }
 
-TEST(StiffnessJob, APartAsLaidIsTheProgramThatLaysIt) {
+TEST(StiffnessJob, APartAsDepositedIsTheProgramThatLaysIt) {
   const test::ScratchFolder folder;
   StiffnessJob job = boxJob();
   job.settings.deposition.voxel_mm = 0.5;
@@ -40,7 +40,7 @@ TEST(StiffnessJob, APartAsLaidIsTheProgramThatLaysIt) {
   job.settings.slicing.first_layer_height_mm = 0.8;
   NoProgress nobody;
   runSliceJob({"box", folder.file("box.gcode"), job.settings}, nobody);
-  job.solid = PartSolid::AsLaid;
+  job.solid = PartSolid::AsDeposited;
   const double sliced_mpa = runStiffnessJob(job, nobody).result.modulus_mpa;
   job.input = folder.file("box.gcode");
   const double read_mpa = runStiffnessJob(job, nobody).result.modulus_mpa;

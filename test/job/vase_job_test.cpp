@@ -78,7 +78,7 @@ TEST(VaseVoids, OfItsProgramAreWhatIsHollow) {
     const LayerVoids& layer = report.layers[l];
     const double open = l < 3 ? 0.0 : inside * inside;
     EXPECT_NEAR(layer.uncovered_mm2, open, 0.01 * layer.area_mm2);
-    // The last turn lies on the one beneath it, from all of its height down to none.
+    // The last turn lies on the one below it, from all of its height down to none.
     if (l + 1 < report.layers.size()) {
       EXPECT_LT(layer.overfill_mm2, 0.01 * layer.area_mm2);
     }

@@ -52,8 +52,8 @@ std::vector<double> bestSoFar(double greatest_distance2, Proposal proposal, cons
   return best;
 }
 
-/// Whether expected improvement reaches the optimum where the loop of [Vega2023, chapter 6] does not come so near
-/// in as many evaluations, from each of some seeds.
+/// Whether expected improvement reaches the optimum where the loop of [Vega2023, chapter 6] does not come so
+/// near in as many evaluations, from each of some seeds.
 void expectNearerThanTheLoop(double greatest_distance2) {
   constexpr double kLeast = 0.397887;  // at (pi, 2.275), within the constraint too
   constexpr std::size_t kEvaluations = kDesign + kProposed;

@@ -124,7 +124,7 @@ TEST(PublishedPredictionsTest, MissingModuliComeNearTheirAuthorsOwn) {
     our_mean += filled[18 + i].responses[0] / 6.0;
     their_mean += published[i] / 6.0;
   }
-  // The source does not tell the constant that its polynomial of order 0 is. One that is c greater raises
+  // The source does not report the constant that its polynomial of order 0 is. One that is c greater raises
   // each prediction by c (1 - r'R^-1 1). That is the same for all six, a whole block of the factorial design.
   // So the levels may differ, by 12 % here, and the differences between rows may not: 3 MPa are 1.3 % of
   // their range.

@@ -42,7 +42,8 @@ TEST(StraightBeads, WhatGoesOnStraightIsOnePiece) {
 TEST(StraightBeads, AManySidedCircleIsNotStraight) {
   std::vector<Point3> points;
   for (int i = 0; i <= 200000; ++i)
-    points.emplace_back(std::cos(2e-5 * i), std::sin(2e-5 * i), 1.0);  // each step turns less than is told
+    points.emplace_back(std::cos(2e-5 * i), std::sin(2e-5 * i),
+                        1.0);  // each step turns less than is reported
   const auto pieces = straightBeads(of({through(points)}));
   EXPECT_GT(pieces.size(), 1000U);
   for (const StraightBead& piece : pieces) EXPECT_NEAR(piece.start.head<2>().norm(), 1.0, 1e-9);

@@ -28,7 +28,7 @@ Mesh uprightFace() {
   return {{{0, 0, 0}, {kSide, 0, 0}, {kSide, 0, kSide}, {0, 0, kSide}}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-/// Lines along x from end to end of the level face, their beads 0.2 mm high right beneath it.
+/// Lines along x from end to end of the level face, their beads 0.2 mm high right below it.
 Toolpath linesEvery(double pitch_mm, double first_mm) {
   Toolpath toolpath{"lines", {{0.0, 0.2, {}}}};
   for (double y = first_mm; y < kSide; y += pitch_mm)
@@ -132,7 +132,7 @@ TEST(SurfaceFill, ABeadRoundACornerCoversTheUprightFacesToTheirEdges) {
 TEST(SurfaceFill, OnlyWhatLiesWithinTheDepthCounts) {
   Toolpath deep = linesEvery(0.4, 0.2);
   for (Path& path : deep.layers[0].paths)
-    for (Point3& point : path.points) point.z() = -0.16;  // its middle 0.26 mm beneath the face
+    for (Point3& point : path.points) point.z() = -0.16;  // its middle 0.26 mm below the face
   EXPECT_NEAR(fill(deep, levelFace(), byCode()).under_fill_mm2, kSide * kSide, 1e-9);
   EXPECT_FALSE(fill(deep, levelFace(), byCode()).faces[0].has_path);
   SurfaceFillSettings deeper = byCode();
@@ -207,7 +207,7 @@ TEST(SurfaceFill, SegmentsOfALineAreTheLine) {
   }
 }
 
-/// A run of beads at random places right beneath the upper face of a box.
+/// A run of beads at random places right below the upper face of a box.
 Toolpath scribble(std::uint64_t seed) {
   Random random(seed);
   Path path = test::straightPath({0, 0, 0}, {1, 0, 0});

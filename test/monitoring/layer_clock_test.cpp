@@ -22,7 +22,7 @@ std::optional<std::size_t> observeTwice(LayerClock& clock, double height) {
   return clock.observe(height);
 }
 
-TEST(LayerClock, TellsTheLayerFromItsScanHeight) {
+TEST(LayerClock, ReportsTheLayerFromItsScanHeight) {
   LayerClock clock = tenLayers();
   EXPECT_EQ(clock.observe(0.2), std::nullopt);
   EXPECT_EQ(observeTwice(clock, 1.3), 0u);

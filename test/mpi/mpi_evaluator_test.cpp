@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Run by mpirun with different numbers of processes; the exit code tells.
+// Run by mpirun with different numbers of processes; the exit code reports.
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -74,7 +74,7 @@ void lead(const MpiSession& session) {
   expect(throws<Cancelled>(
              evaluator, [&](const Evaluation&) { ++told; }, soon),
          "cancelling is passed on");
-  expect(told >= 1, "what was done before it was cancelled is told");
+  expect(told >= 1, "what was done before it was cancelled is reported");
   const auto refuse = [](const Evaluation&) { throw FileError("disk full"); };
   if (session.size() > 1)
     expect(throws<FileError>(evaluator, refuse, progress), "what the listener throws is passed on");

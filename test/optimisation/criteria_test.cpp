@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> kNames = {"under_fill_mm2", "material_mm", "volume_error_mm3"};
 
-TEST(CriteriaTest, UnderFillAndVolumeErrorWeighThreeUnlessToldOtherwise) {
+TEST(CriteriaTest, UnderFillAndVolumeErrorWeighThreeUnlessSetOtherwise) {
   const auto usual = criteriaOf(kNames, {}, {});
   EXPECT_EQ(usual[0].weight, 3.0);
   EXPECT_EQ(usual[1].weight, 1.0);

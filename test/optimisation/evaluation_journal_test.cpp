@@ -261,7 +261,7 @@ TEST_F(EvaluationJournalTest, SaysThatNoMoreCanBeWrittenAndCanBeReadAfterwards) 
   EXPECT_EQ(journal.evaluations().size(), 1U);
 }
 
-/// Answers each point by another nearby, tells nobody, and forgets some.
+/// Answers each point by another nearby, reports nobody, and forgets some.
 class CarelessEvaluator final : public Evaluator {
  public:
   explicit CarelessEvaluator(std::size_t forgotten) : forgotten_(forgotten) {}

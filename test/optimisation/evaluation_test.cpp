@@ -22,7 +22,7 @@ class CancelAfter final : public Progress {
   int most_;
 };
 
-TEST(ParallelEvaluatorTest, AnswersInTheOrderOfThePointsAndTellsEachOnce) {
+TEST(ParallelEvaluatorTest, AnswersInTheOrderOfThePointsAndReportsEachOnce) {
   ParallelEvaluator evaluator({"square"}, [](const DesignPoint& point, Progress&) {
     return std::vector<double>{point[0] * point[0]};
   });
@@ -66,7 +66,7 @@ TEST(ParallelEvaluatorTest, TakesNoFailureForSuccess) {
   EXPECT_EQ(evaluations[3].error, "3 responses were measured; expected 2");
 }
 
-TEST(ParallelEvaluatorTest, StopsWhenCancelledAndHasToldWhatWasDone) {
+TEST(ParallelEvaluatorTest, StopsWhenCancelledAndHasReportedWhatWasDone) {
   std::atomic<int> tried{0};
   ParallelEvaluator evaluator({"count"}, [&](const DesignPoint&, Progress& progress) {
     throwIfCancelled(progress, "evaluate");

@@ -82,7 +82,7 @@ TEST(FractionalFactorialTest, FourthVariableFollowsFromThree) {
     EXPECT_EQ(point[3], -point[0] * point[1] * point[2]);
 }
 
-TEST(FractionalFactorialTest, TellsTheResolutionOfTheTabulatedDesigns) {
+TEST(FractionalFactorialTest, ReportsTheResolutionOfTheTabulatedDesigns) {
   // Montgomery, Design and Analysis of Experiments, Table 8.14.
   EXPECT_EQ(fractionalFactorial(unitSpace(3), "c=ab").resolution, 3);
   EXPECT_EQ(fractionalFactorial(unitSpace(5), "e=abcd").resolution, 5);

@@ -70,7 +70,7 @@ TEST_F(FrontCsvTest, ReadsBackWhatItWrote) {
 
 TEST_F(FrontCsvTest, SaysWhatIsWrongWithAFile) {
   EXPECT_TRUE(std::isnan(read("a,b\n# variables 1\n1,\n").rows[0].responses[0]));
-  EXPECT_NE(refusal("a,b\n1,2\n").find("does not tell which columns are variables"), std::string::npos);
+  EXPECT_NE(refusal("a,b\n1,2\n").find("does not report which columns are variables"), std::string::npos);
   EXPECT_NE(refusal("# variables two\na,b\n1,2\n").find("'two' variables"), std::string::npos);
   EXPECT_NE(refusal("# variables 2\na,b\n1,2\n").find("below 2"), std::string::npos);
   EXPECT_NE(refusal("# variables 1\na,b\n").find("holds no point"), std::string::npos);

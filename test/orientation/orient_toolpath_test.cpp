@@ -25,8 +25,8 @@ OrientedToolpath oriented(const Toolpath& toolpath, const OrientationSettings& s
   return orientToolpath(toolpath, settings, part, progress);
 }
 
-/// A random toolpath with random jets along some of its runs.
-Toolpath withRandomJets(std::uint64_t seed, double max_tilt_deg) {
+/// A random toolpath with random tool axes along some of its runs.
+Toolpath withRandomToolAxes(std::uint64_t seed, double max_tilt_deg) {
   Toolpath toolpath = test::randomToolpath(seed);
   Random random(seed + 1);
   for (ToolpathLayer& layer : toolpath.layers) {
@@ -36,9 +36,9 @@ Toolpath withRandomJets(std::uint64_t seed, double max_tilt_deg) {
       while (frames.size() < path.points.size()) {
         const double tilt = random.uniform(0.0, max_tilt_deg) * M_PI / 180.0;
         const double heading = random.uniform(0.0, 2.0 * M_PI);
-        const Point3 jet(std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading),
-                         -std::cos(tilt));
-        frames.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), jet).normalized());
+        const Point3 tool_axis(std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading),
+                               -std::cos(tilt));
+        frames.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis).normalized());
       }
       path.orientation = AlongPath<Eigen::Quaterniond>(frames);
     }
@@ -68,17 +68,17 @@ TEST(OrientToolpath, PathsOfOneOrientationHoldItOnce) {
   settings.fixed = {30.0, 90.0};
   settings.heading_deg = 180.0;
   settings.smoothing_window = 5;
-  const OrientedToolpath result = oriented(withRandomJets(3, 50.0), settings);
+  const OrientedToolpath result = oriented(withRandomToolAxes(3, 50.0), settings);
   forEachWaypoint(result.toolpath, [](const Path& path, const Eigen::Quaterniond& at) {
     EXPECT_TRUE(path.orientation.isCommon());
-    EXPECT_LE((jetOf(at) - Point3(0, -0.5, -std::sqrt(0.75))).norm(), 1e-12);
+    EXPECT_LE((toolAxisOf(at) - Point3(0, -0.5, -std::sqrt(0.75))).norm(), 1e-12);
   });
   EXPECT_NEAR(result.report.tilt_deg.value, 30.0, 1e-9);
 }
 
-TEST(OrientToolpath, JetsStayFramesAreUnitAndSignsSteady) {
+TEST(OrientToolpath, ToolAxesStayFramesAreUnitAndSignsSteady) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
-    const Toolpath given = withRandomJets(seed, 80.0);
+    const Toolpath given = withRandomToolAxes(seed, 80.0);
     const Toolpath result = oriented(given, {}).toolpath;
     Eigen::Quaterniond before = result.layers[0].paths[0].orientation.at(0);
     for (std::size_t l = 0; l < given.layers.size(); ++l) {
@@ -90,7 +90,7 @@ TEST(OrientToolpath, JetsStayFramesAreUnitAndSignsSteady) {
           RC_ASSERT(at.dot(before) >= 0.0);
           before = at;
           if (path.role == PathRole::Travel) continue;
-          RC_ASSERT((jetOf(at) - jetOf(given.layers[l].paths[p].orientation.at(i))).norm() <= 1e-9);
+          RC_ASSERT((toolAxisOf(at) - toolAxisOf(given.layers[l].paths[p].orientation.at(i))).norm() <= 1e-9);
         }
         if (path.is_closed) before = path.orientation.at(0);
       }
@@ -103,15 +103,16 @@ TEST(OrientToolpath, LimitsAreRespectedAndReported) {
     OrientationSettings settings;
     settings.limits.max_tilt_deg = 40.0;
     settings.limits.max_turn_deg_per_mm = 2.0;
-    const Toolpath given = withRandomJets(seed, 80.0);
+    const Toolpath given = withRandomToolAxes(seed, 80.0);
     const OrientedToolpath result = oriented(given, settings);
     RC_ASSERT(result.report.tilt_deg.value <= 40.0 + 1e-9);
     for (const ToolpathLayer& layer : result.toolpath.layers) {
       for (const Path& path : layer.paths) {
         for (std::size_t m = 0; m < path.motionCount() && path.role != PathRole::Travel; ++m) {
           const std::size_t end = path.motionEnd(m);
-          RC_ASSERT(test::chordAngleDeg(jetOf(path.orientation.at(m)), jetOf(path.orientation.at(end))) <=
-                    2.0 * (path.points[end] - path.points[m]).norm() + 1e-6);
+          RC_ASSERT(
+              test::chordAngleDeg(toolAxisOf(path.orientation.at(m)), toolAxisOf(path.orientation.at(end))) <=
+              2.0 * (path.points[end] - path.points[m]).norm() + 1e-6);
         }
       }
     }
@@ -137,7 +138,7 @@ TEST(OrientToolpath, TravelsTurnInProportionToTheirLength) {
   const Path& turned = result.toolpath.layers[0].paths[1];
   const std::vector<double> expected_deg = {0.0, 6.0, 24.0, 30.0};
   for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_NEAR(test::chordAngleDeg(jetOf(turned.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
+    EXPECT_NEAR(test::chordAngleDeg(toolAxisOf(turned.orientation.at(i)), Point3(0, 0, -1)), expected_deg[i],
                 1e-9);
   EXPECT_NEAR(result.report.travel_deg_per_mm.value, 6.0, 1e-9);
   EXPECT_EQ(result.report.turn_deg_per_mm.value, 0.0);
@@ -159,7 +160,7 @@ TEST(OrientToolpath, OnlyWallsFollowTheWall) {
   const OrientedToolpath result = oriented(toolpath, settings, cone);
   forEachWaypoint(result.toolpath, [](const Path& path, const Eigen::Quaterniond& at) {
     if (path.role == PathRole::OuterWall) {
-      EXPECT_NEAR(std::acos(-jetOf(at).z()) * 180.0 / M_PI, 30.0, 0.05);
+      EXPECT_NEAR(std::acos(-toolAxisOf(at).z()) * 180.0 / M_PI, 30.0, 0.05);
     } else if (path.role == PathRole::Infill) {
       EXPECT_EQ(at.coeffs(), Eigen::Quaterniond(0, 0, 1, 0).coeffs());
     }
@@ -180,7 +181,7 @@ TEST(OrientToolpath, TheResultDoesNotDependOnThreads) {
   EXPECT_EQ(toolpathId(oriented(given, settings).toolpath), many);
 }
 
-TEST(OrientToolpath, AJetAcrossTheHeadingIsRefusedWithItsPlace) {
+TEST(OrientToolpath, AToolAxisAcrossTheHeadingIsRefusedWithItsPlace) {
   Toolpath toolpath = test::twoLayers();
   toolpath.layers[1].paths[0].orientation =
       Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), Point3::UnitY());

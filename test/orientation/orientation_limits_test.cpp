@@ -19,10 +19,10 @@ std::vector<double> anyLengths(std::size_t count) {
   return lengths;
 }
 
-void requireTurns(const std::vector<Point3>& jets, const std::vector<double>& lengths,
+void requireTurns(const std::vector<Point3>& tool_axes, const std::vector<double>& lengths,
                   double max_deg_per_mm) {
   for (std::size_t m = 0; m < lengths.size(); ++m)
-    RC_ASSERT(test::chordAngleDeg(jets[m], jets[(m + 1) % jets.size()]) <=
+    RC_ASSERT(test::chordAngleDeg(tool_axes[m], tool_axes[(m + 1) % tool_axes.size()]) <=
               max_deg_per_mm * lengths[m] + 1e-6);
 }
 
@@ -47,23 +47,23 @@ TEST(OrientationLimits, NoRunTurnsFasterThanItMay) {
     const bool is_closed = *rc::gen::arbitrary<bool>();
     const double tilt = test::anyNumber(0.0, 90.0);
     const double limit = test::anyNumber(0.1, 60.0);
-    const std::vector<Point3> wanted = test::anyJets(count, tilt);
+    const std::vector<Point3> wanted = test::anyToolAxes(count, tilt);
     const std::vector<double> lengths = anyLengths(is_closed ? count : count - 1);
-    const std::vector<Point3> jets = withTurnLimit(wanted, lengths, limit);
-    requireTurns(jets, lengths, limit);
-    for (const Point3& jet : jets) {
-      RC_ASSERT(std::abs(jet.norm() - 1.0) <= 1e-12);
-      RC_ASSERT(tiltDeg(jet) <= tilt + 1e-9);
+    const std::vector<Point3> tool_axes = withTurnLimit(wanted, lengths, limit);
+    requireTurns(tool_axes, lengths, limit);
+    for (const Point3& tool_axis : tool_axes) {
+      RC_ASSERT(std::abs(tool_axis.norm() - 1.0) <= 1e-12);
+      RC_ASSERT(tiltDeg(tool_axis) <= tilt + 1e-9);
     }
   }));
 }
 
-TEST(OrientationLimits, JetsThatTurnSlowlyEnoughStay) {
+TEST(OrientationLimits, ToolAxesThatTurnSlowlyEnoughStay) {
   std::vector<Point3> wanted;
   for (int i = 0; i < 20; ++i) wanted.emplace_back(std::sin(0.01 * i), 0.0, -std::cos(0.01 * i));
   const std::vector<double> lengths(19, 1.0);
-  const std::vector<Point3> jets = withTurnLimit(wanted, lengths, 0.6);
-  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE((jets[i] - wanted[i]).norm(), 1e-12);
+  const std::vector<Point3> tool_axes = withTurnLimit(wanted, lengths, 0.6);
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_LE((tool_axes[i] - wanted[i]).norm(), 1e-12);
 }
 
 TEST(OrientationLimits, ASuddenTurnIsSpreadOverBothSides) {
@@ -71,23 +71,23 @@ TEST(OrientationLimits, ASuddenTurnIsSpreadOverBothSides) {
   std::vector<Point3> wanted(20, Point3(0, 0, -1));
   const double turn = 20.0 * M_PI / 180.0;
   std::fill(wanted.begin() + 10, wanted.end(), Point3(std::sin(turn), 0.0, -std::cos(turn)));
-  const std::vector<Point3> jets = withTurnLimit(wanted, std::vector<double>(19, 1.0), 2.0);
+  const std::vector<Point3> tool_axes = withTurnLimit(wanted, std::vector<double>(19, 1.0), 2.0);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const double expected = std::clamp(10.0 + 2.0 * (static_cast<double>(i) - 9.5), 0.0, 20.0);
-    EXPECT_NEAR(tiltDeg(jets[i]), expected, 1.01);
+    EXPECT_NEAR(tiltDeg(tool_axes[i]), expected, 1.01);
   }
-  EXPECT_LE(tiltDeg(jets[3]), 1e-9);
-  EXPECT_NEAR(tiltDeg(jets[16]), 20.0, 1e-9);
+  EXPECT_LE(tiltDeg(tool_axes[3]), 1e-9);
+  EXPECT_NEAR(tiltDeg(tool_axes[16]), 20.0, 1e-9);
 }
 
 TEST(OrientationLimits, AClosedRunReturnsWithinItsLimit) {
   std::vector<Point3> wanted(40, Point3(0, 0, -1));
   std::fill(wanted.begin() + 15, wanted.begin() + 25, Point3(0.6, 0.0, -0.8));
-  const std::vector<Point3> jets = withTurnLimit(wanted, std::vector<double>(40, 1.0), 4.0);
-  EXPECT_LE((jets[0] - wanted[0]).norm(), 1e-12);
-  EXPECT_NEAR(tiltDeg(jets[19]), tiltDeg(jets[20]), 4.0);
+  const std::vector<Point3> tool_axes = withTurnLimit(wanted, std::vector<double>(40, 1.0), 4.0);
+  EXPECT_LE((tool_axes[0] - wanted[0]).norm(), 1e-12);
+  EXPECT_NEAR(tiltDeg(tool_axes[19]), tiltDeg(tool_axes[20]), 4.0);
   // The plateau of 10 motions lets the tool reach all but the last degrees.
-  EXPECT_GT(tiltDeg(jets[20]), 35.0);
+  EXPECT_GT(tiltDeg(tool_axes[20]), 35.0);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-TEST(ToolAngles, AVerticalJetHasNone) {
+TEST(ToolAngles, AVerticalToolAxisHasNone) {
   const ToolAngles angles = toolAngles(Point3(0, 0, -1));
   EXPECT_EQ(angles.alpha, 0.0);
   EXPECT_EQ(angles.beta, 0.0);
@@ -21,22 +21,22 @@ TEST(ToolAngles, AVerticalJetHasNone) {
 
 TEST(ToolAngles, AreThoseOfTheSource) {
   EXPECT_TRUE(rc::check([] {
-    const Point3 n = test::anyJet(89.0);
+    const Point3 n = test::anyToolAxis(89.0);
     const ToolAngles angles = toolAngles(n);
     RC_ASSERT(std::abs(angles.alpha - std::asin(n.y())) <= 1e-9);
     RC_ASSERT(std::abs(angles.beta - std::atan2(-n.x(), -n.z())) <= 1e-12);
   }));
 }
 
-TEST(ToolAngles, TheTwoTurnsMakeTheJet) {
+TEST(ToolAngles, TheTwoTurnsMakeTheToolAxis) {
   EXPECT_TRUE(rc::check([] {
-    const Point3 n = test::anyJet(180.0);
+    const Point3 n = test::anyToolAxis(180.0);
     const ToolAngles angles = toolAngles(n);
     const Eigen::Matrix3d turn =
         (Eigen::AngleAxisd(angles.beta, Point3::UnitY()) * Eigen::AngleAxisd(angles.alpha, Point3::UnitX()))
             .toRotationMatrix();
     RC_ASSERT((turn * Point3(0, 0, -1) - n).norm() <= 1e-12);
-    RC_ASSERT((jetOf(angles) - n).norm() <= 1e-12);
+    RC_ASSERT((toolAxisOf(angles) - n).norm() <= 1e-12);
   }));
 }
 

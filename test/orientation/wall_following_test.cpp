@@ -34,14 +34,14 @@ Path reversedPath(Path path) {
 }
 
 /// For [Flores2018, figure 42]: the wall leans outwards by `theta_deg`.
-void requireToolInTheWall(const Path& ring, const std::vector<Point3>& jets, double theta_deg) {
-  for (std::size_t i = 0; i < jets.size(); ++i) {
-    EXPECT_NEAR(std::acos(-jets[i].z()) * 180.0 / M_PI, theta_deg, 0.05);
-    EXPECT_LT(jets[i].z(), 0.0);
-    const Point3 along = (ring.points[(i + 1) % jets.size()] - ring.points[i]).normalized();
-    EXPECT_LE(std::abs(std::asin(jets[i].dot(along))) * 180.0 / M_PI, 0.5);
-    // Growing against the jet follows the wall outwards.
-    EXPECT_LE(jets[i].head<2>().dot(ring.points[i].head<2>()), 1e-9);
+void requireToolInTheWall(const Path& ring, const std::vector<Point3>& tool_axes, double theta_deg) {
+  for (std::size_t i = 0; i < tool_axes.size(); ++i) {
+    EXPECT_NEAR(std::acos(-tool_axes[i].z()) * 180.0 / M_PI, theta_deg, 0.05);
+    EXPECT_LT(tool_axes[i].z(), 0.0);
+    const Point3 along = (ring.points[(i + 1) % tool_axes.size()] - ring.points[i]).normalized();
+    EXPECT_LE(std::abs(std::asin(tool_axes[i].dot(along))) * 180.0 / M_PI, 0.5);
+    // Growing against the tool axis follows the wall outwards.
+    EXPECT_LE(tool_axes[i].head<2>().dot(ring.points[i].head<2>()), 1e-9);
   }
 }
 
@@ -53,9 +53,9 @@ TEST(WallFollowing, TheToolLiesInConesOfEveryLean) {
     const WallNormals walls(cone, Point3::UnitZ(), kMaxLean);
     const Path ring = ringAt(20.0 + slope * 6.0, 6.0);
     for (const Path& path : {ring, reversedPath(ring)}) {
-      const WallJets following = wallFollowingJets(path, walls);
+      const WallToolAxes following = wallFollowingToolAxes(path, walls);
       EXPECT_EQ(following.waypoints_without_wall, 0U);
-      requireToolInTheWall(path, following.jets, theta_deg);
+      requireToolInTheWall(path, following.tool_axes, theta_deg);
     }
   }
 }
@@ -66,9 +66,9 @@ TEST(WallFollowing, WhereThePathRunsIntoTheWallItsNeighbourIsTaken) {
   Path path;
   path.role = PathRole::OuterWall;
   path.points = {{0.1, 10, 2}, {2, 10, 2}, {10, 10, 2}};
-  const WallJets following = wallFollowingJets(path, walls);
+  const WallToolAxes following = wallFollowingToolAxes(path, walls);
   EXPECT_GE(following.waypoints_without_wall, 2U);
-  for (const Point3& jet : following.jets) EXPECT_EQ(jet, Point3(0, 0, -1));
+  for (const Point3& tool_axis : following.tool_axes) EXPECT_EQ(tool_axis, Point3(0, 0, -1));
 }
 
 }  // namespace

@@ -17,30 +17,30 @@ std::vector<Point2> projectionOf(const Mesh& mesh) {
   return plan;
 }
 
-TEST(RigidPlan, AnExactPlanHasNoEnergyAndStays) {
+TEST(Arap, AnExactPlanHasNoEnergyAndStays) {
   const Mesh plate = plateMesh(20, 10, 20.0, 10.0);
-  const RigidEnergy energy(plate);
+  const ArapEnergy energy(plate);
   const std::vector<Point2> plan = projectionOf(plate);
   EXPECT_NEAR(energy.pullOn(plan).energy, 0.0, 1e-20);
-  const std::vector<Point2> relaxed = relaxRigidly(energy, plan);
+  const std::vector<Point2> relaxed = relaxArap(energy, plan);
   for (std::size_t i = 0; i < plan.size(); ++i) EXPECT_LT((relaxed[i] - plan[i]).norm(), 1e-9);
 }
 
 // Twice as long in both directions, every side is off by its own length: with the cotangents of the angles
 // across them, the squares of a triangle's sides sum to four times its area.
-TEST(RigidPlan, TheEnergyOfAMagnifiedPlanIsFourTimesTheArea) {
+TEST(Arap, TheEnergyOfAMagnifiedPlanIsFourTimesTheArea) {
   const Mesh plate = plateMesh(20, 10, 20.0, 10.0);
   std::vector<Point2> plan = projectionOf(plate);
   for (Point2& place : plan) place *= 2.0;
-  EXPECT_NEAR(RigidEnergy(plate).pullOn(plan).energy, 800.0, 1e-9);
+  EXPECT_NEAR(ArapEnergy(plate).pullOn(plan).energy, 800.0, 1e-9);
 }
 
-TEST(RigidPlan, CoarseStepsComeNearTheLeastEnergy) {
+TEST(Arap, CoarseStepsComeNearTheLeastEnergy) {
   const Mesh dome = capMesh(90, 30, 20.0, 0.9);
-  const RigidEnergy energy(dome);
+  const ArapEnergy energy(dome);
   const std::vector<Point2> guess = projectionOf(dome);
   const double coarse = energy.pullOn(relaxCoarsely(energy, guess)).energy;
-  const double exact = energy.pullOn(relaxRigidly(energy, guess)).energy;
+  const double exact = energy.pullOn(relaxArap(energy, guess)).energy;
   EXPECT_LT(exact, 0.5 * energy.pullOn(guess).energy);
   EXPECT_LT(coarse, 1.2 * exact);
 }

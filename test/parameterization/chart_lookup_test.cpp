@@ -134,7 +134,7 @@ TEST(ChartLookup, DoesNotFollowALineThatLeavesItsChart) {
   EXPECT_EQ(lookup.at({15.0, 5.0}).in.chart, 1U);
 }
 
-TEST(ChartLookup, TellsAreasInSpaceByThoseOfThePlan) {
+TEST(ChartLookup, ReportsAreasInSpaceByThoseOfThePlan) {
   std::vector<LayerChart> charts = {levelChart(10.0, 1)};
   for (Point3& vertex : charts[0].surface.middle.vertices) vertex.z() = vertex.x();
   EXPECT_NEAR(ChartLookup(charts).areaRatio({0, 0}), std::sqrt(2.0), 1e-12);

@@ -20,33 +20,33 @@ std::vector<Point2> planOf(const Mesh& mesh, double x_factor, double y_factor) {
   return plan;
 }
 
-TEST(PlanDistortion, AnExactPlanHasNone) {
+TEST(Distortion, AnExactPlanHasNone) {
   const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
-  const PlanDistortion distortion = measureDistortion(plate, planOf(plate, 1.0, 1.0));
+  const Distortion distortion = measureDistortion(plate, planOf(plate, 1.0, 1.0));
   EXPECT_NEAR(distortion.index_sum, 0.0, 1e-12);
   EXPECT_NEAR(distortion.least_stretch, 1.0, 1e-12);
   EXPECT_NEAR(distortion.greatest_stretch, 1.0, 1e-12);
   EXPECT_EQ(distortion.flipped, 0U);
 }
 
-TEST(PlanDistortion, StretchTellsBothDirections) {
+TEST(Distortion, StretchReportsBothDirections) {
   const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
-  const PlanDistortion distortion = measureDistortion(plate, planOf(plate, 2.0, 0.8));
+  const Distortion distortion = measureDistortion(plate, planOf(plate, 2.0, 0.8));
   EXPECT_NEAR(distortion.least_stretch, 0.5, 1e-12);
   EXPECT_NEAR(distortion.greatest_stretch, 1.25, 1e-12);
 }
 
-TEST(PlanDistortion, TheIndexComparesPerimeters) {
+TEST(Distortion, TheIndexComparesPerimeters) {
   const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
-  const PlanDistortion twice = measureDistortion(plate, planOf(plate, 2.0, 2.0));
+  const Distortion twice = measureDistortion(plate, planOf(plate, 2.0, 2.0));
   EXPECT_NEAR(twice.index_mean, 1.0, 1e-12);
   EXPECT_NEAR(twice.index_sum, 24.0, 1e-12);
   // Sides of 1, 1 and sqrt(2) become 2, 1 and sqrt(5).
-  const PlanDistortion wide = measureDistortion(plate, planOf(plate, 2.0, 1.0));
+  const Distortion wide = measureDistortion(plate, planOf(plate, 2.0, 1.0));
   EXPECT_NEAR(wide.index_mean, (3.0 + std::sqrt(5.0)) / (2.0 + std::sqrt(2.0)) - 1.0, 1e-12);
 }
 
-TEST(PlanDistortion, MirroredTrianglesAreCounted) {
+TEST(Distortion, MirroredTrianglesAreCounted) {
   const Mesh plate = plateMesh(4, 3, 4.0, 3.0);
   EXPECT_EQ(measureDistortion(plate, planOf(plate, -1.0, 1.0)).flipped, 24U);
   std::vector<Point2> plan = planOf(plate, 1.0, 1.0);
@@ -54,21 +54,21 @@ TEST(PlanDistortion, MirroredTrianglesAreCounted) {
   EXPECT_GT(measureDistortion(plate, plan).flipped, 0U);
 }
 
-TEST(PlanDistortion, TrianglesThatVanishInThePlanStretchWithoutEnd) {
+TEST(Distortion, TrianglesThatVanishInThePlanStretchWithoutEnd) {
   const Mesh plate = plateMesh(1, 1, 1.0, 1.0);
   EXPECT_TRUE(std::isinf(measureDistortion(plate, planOf(plate, 1.0, 0.0)).greatest_stretch));
 }
 
-TEST(PlanDistortion, TrianglesWithoutAreaStretchAsLines) {
+TEST(Distortion, TrianglesWithoutAreaStretchAsLines) {
   Mesh line;
   line.vertices = {{0.0, 0.0, 0.0}, {2.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
   line.triangles = {{0, 1, 2}};
-  const PlanDistortion distortion = measureDistortion(line, {{0.0, 0.0}, {1.0, 0.0}, {0.5, -1e-12}});
+  const Distortion distortion = measureDistortion(line, {{0.0, 0.0}, {1.0, 0.0}, {0.5, -1e-12}});
   EXPECT_NEAR(distortion.greatest_stretch, 2.0, 1e-9);
   EXPECT_EQ(distortion.flipped, 0U);
 }
 
-TEST(PlanDistortion, APlanOfAnotherSurfaceIsRefused) {
+TEST(Distortion, APlanOfAnotherSurfaceIsRefused) {
   EXPECT_THROW(measureDistortion(plateMesh(1, 1, 1.0, 1.0), {}), InvalidInput);
 }
 

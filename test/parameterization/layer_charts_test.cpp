@@ -12,8 +12,8 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/geometry/parts/parts.hpp"
-#include "lamina/parameterization/distortion.hpp"
 #include "lamina/parameterization/chart_outline.hpp"
+#include "lamina/parameterization/distortion.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
 #include "support/surfaces.hpp"
 
@@ -37,7 +37,7 @@ double planAreaOf(const std::vector<LayerChart>& charts) {
 /// What every chart promises.
 bool keepPromises(const std::vector<LayerChart>& charts, double tolerance) {
   for (const LayerChart& chart : charts) {
-    const PlanDistortion distortion = measureDistortion(chart.surface.middle, chart.plan);
+    const Distortion distortion = measureDistortion(chart.surface.middle, chart.plan);
     if (distortion.flipped > 0 || !isInjective(chart.surface.middle, chart.plan)) return false;
     if (distortion.least_stretch < 1.0 - tolerance || distortion.greatest_stretch > 1.0 + tolerance)
       return false;

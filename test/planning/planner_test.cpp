@@ -62,7 +62,7 @@ TEST(Planner, KeepsLayersWhoseSectionIsEmpty) {
 
 TEST(Planner, RunsAtTheTopOfEachLayerWithABeadAsHighAsIt) {
   std::vector<Layer> layers = prism({rectangle(0, 0, 20, 20)}, 2);
-  layers[1].slab = {0.2, 0.5};
+  layers[1].bounds = {0.2, 0.5};
   const Toolpath toolpath = plan(layers, plainSettings());
   EXPECT_DOUBLE_EQ(toolpath.layers[1].z_mm, 0.5);
   const Path& last = toolpath.layers[1].paths.back();
@@ -71,8 +71,8 @@ TEST(Planner, RunsAtTheTopOfEachLayerWithABeadAsHighAsIt) {
 }
 
 TEST(Planner, IsTheSameForAnyNumberOfThreads) {
-  const std::vector<Polygon> ring = {circle({5, 5}, 10, 90), reversed(circle({5, 5}, 5, 60))};
-  const std::vector<Layer> layers = prism(ring, 40);
+  const std::vector<Polygon> loop = {circle({5, 5}, 10, 90), reversed(circle({5, 5}, 5, 60))};
+  const std::vector<Layer> layers = prism(loop, 40);
   std::vector<std::string> ids;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);

@@ -80,7 +80,7 @@ TEST(PoreGroupsTest, GiveBackTheVoxelsTheyWereMadeFrom) {
   }));
 }
 
-TEST(PoreGroupsTest, TellWhichFacesTheyTouch) {
+TEST(PoreGroupsTest, ReportWhichFacesTheyTouch) {
   VoxelGrid pores({Point3::Zero(), 1.0, {70, 5, 5}});
   for (int i = 0; i < 70; ++i) pores.fill(i, 2, 0);
   const PoreGroups found = labelled(pores);

@@ -34,8 +34,8 @@ TEST_P(PublishedScaffoldTest, HasThePublishedPores) {
   DepositionSettings deposition;
   deposition.voxel_mm = 0.05;
   NoProgress nobody;
-  const ToolpathDeposit laid = depositedVoxels(makeScaffold("sinusoidal", settings), deposition, nobody);
-  const VoxelGrid solid = cropped(laid.grid, laid.grid.solidRange());
+  const ToolpathDeposit deposited = depositedVoxels(makeScaffold("sinusoidal", settings), deposition, nobody);
+  const VoxelGrid solid = cropped(deposited.grid, deposited.grid.solidRange());
   const PoreReport pores = reportPores(solid, nobody);
   EXPECT_NEAR(pores.porosity_percent, published.porosity_percent, 1.2);
   EXPECT_NEAR(pores.joining_two.volume_percent, published.cvi_2_percent, 1.2);

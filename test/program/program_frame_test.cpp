@@ -124,7 +124,7 @@ TEST(ProgramFrame, AnUprightNozzleOverInclinedLayersIsReadBack) {
       (back.layers[0].paths[0].orientation.at(0) * Point3::UnitZ()).isApprox(-Point3::UnitZ(), 1e-12));
 }
 
-TEST(ProgramFrame, ACsvTellsInclinedLayers) {
+TEST(ProgramFrame, ACsvReportsInclinedLayers) {
   const Toolpath toolpath = turned(test::twoLayers(), aboutX(45));
   std::string text;
   writeCsv(toolpath, [&](std::string_view piece) { text += piece; });
@@ -145,7 +145,7 @@ TEST(ProgramFrame, DropsOnInclinedLayersAreWrittenAndNotReadBackAsLevel) {
 }
 
 TEST(ProgramFrame, RefusesFramesThatAreNone) {
-  ToldFrame told;
+  StatedFrame told;
   EXPECT_FALSE(readFrameComment("TYPE:infill", told));
   EXPECT_THROW(readFrameComment("LAYER_FRAME: 1 1 0 0", told), InvalidProgram);
   EXPECT_THROW(readFrameComment("NOZZLE_FRAME: 1 0", told), InvalidProgram);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The node deposition_simulator lays a toolpath behind machines that run it: played ones, with jets that lean
-// where they can, and an emulated one that is streamed to.
+// The node deposition_simulator lays a toolpath behind machines that run it: played ones, with tool axes that
+// lean where they can, and an emulated one that is streamed to.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -61,7 +61,7 @@ class Followed {
 };
 
 /// Without skirts.
-double laidVolume(const Toolpath& toolpath) {
+double depositedVolume(const Toolpath& toolpath) {
   double volume = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
@@ -69,7 +69,7 @@ double laidVolume(const Toolpath& toolpath) {
   return toCubicMetres(volume);
 }
 
-/// What was laid grew bit by bit to the whole.
+/// What was deposited grew bit by bit to the whole.
 void expectGrown(const Followed& followed, double volume) {
   const lamina_msgs::DepositionState& last = *followed.states.back();
   EXPECT_NEAR(last.planned_volume, volume, 1e-6 * volume);
@@ -92,7 +92,7 @@ class DepositionFollowing : public testing::TestWithParam<std::string> {};
 
 TEST_P(DepositionFollowing, LaysWhatAPlayedMachineHasPassed) {
   const std::string& name = GetParam();
-  const test::PlayedSquare played = test::squareOn(*mechanismByName(name));
+  const test::PlayedSquare played = test::squareOn(*kinematicModelByName(name));
   Followed followed(name, names::kDeposited);
   const std::vector<std::string> in_space = {"__ns:=/" + name, "/tf:=/" + name + "/tf",
                                              "/tf_static:=/" + name + "/tf_static", "_machine/name:=" + name};
@@ -104,7 +104,7 @@ TEST_P(DepositionFollowing, LaysWhatAPlayedMachineHasPassed) {
   ASSERT_TRUE(test::waitUntil([&] { return followed.isFollowing(played.placed.id); }));
   const test::NodeProcess publisher(LAMINA_NODE, in_space);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete() && !followed.clouds.empty(); }));
-  expectGrown(followed, laidVolume(played.placed.toolpath));
+  expectGrown(followed, depositedVolume(played.placed.toolpath));
   EXPECT_EQ(followed.clouds.back()->header.frame_id, names::kBedFrame);
   EXPECT_LT(followed.clouds.front()->width * followed.clouds.front()->height,
             followed.clouds.back()->width * followed.clouds.back()->height);
@@ -134,7 +134,7 @@ TEST(DepositionFollowingTest, LaysWhatAnEmulatedMachineHasPassed) {
   const auto program = StreamableProgram::fromText("box", readFile(job.output), 96);
   const StreamSession session(program, {}, {test::inRosHome("deposition_following_test"), 115200}, {});
   ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete(); }));
-  expectGrown(followed, laidVolume(placed.toolpath));
+  expectGrown(followed, depositedVolume(placed.toolpath));
 }
 
 }  // namespace

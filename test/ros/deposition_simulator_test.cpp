@@ -182,7 +182,7 @@ TEST_F(DepositionSimulator, RefusesVoxelsThatDoNotFitIntoMemoryAndNamesOnesThatD
   EXPECT_FALSE(std::filesystem::exists(fine.output));
 }
 
-TEST_F(DepositionSimulator, TellsHowFarItIsAndStopsWhenCancelled) {
+TEST_F(DepositionSimulator, ReportsHowFarItIsAndStopsWhenCancelled) {
   latch(placedBlock());
   Goal goal;
   goal.output = folder_.file("block.stl");

@@ -35,7 +35,7 @@ TEST(DrawnPart, HoldsTheLayersOfAForeignProgram) {
   EXPECT_GE(points, 4U);
 }
 
-TEST(DrawnPart, TellsWhyItIsNotDrawn) {
+TEST(DrawnPart, ReportsWhyItIsNotDrawn) {
   EXPECT_NE(drawnFile("/nowhere/part.gcode").failure.find("/nowhere/part.gcode"), std::string::npos);
   EXPECT_NE(drawn("M104 S200\n").failure.find("nothing to draw"), std::string::npos);
   EXPECT_NE(drawn("G1 Xx\n").failure, "");

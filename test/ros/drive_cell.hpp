@@ -34,7 +34,7 @@ class DriveCell {
   };
 
   DriveCell(const std::string& space, const std::string& machine)
-      : mechanism(mechanismByName(machine)), node_(space), client_(node_, names::kDriveToolpath, false) {
+      : model(kinematicModelByName(machine)), node_(space), client_(node_, names::kDriveToolpath, false) {
     const boost::function<void(const sensor_msgs::JointStateConstPtr&)> on_position =
         [this](const auto& message) { hear(*message); };
     const boost::function<void(const lamina_msgs::ProcessStateConstPtr&)> on_process =
@@ -62,7 +62,7 @@ class DriveCell {
     toolpath_.publish(toMessage(placed));
     ask(placed.id);
   }
-  void drive(Toolpath toolpath) { drive(std::move(toolpath), mechanism->name()); }
+  void drive(Toolpath toolpath) { drive(std::move(toolpath), model->name()); }
   void ask(const std::string& id) {
     waitUntil([&] { return client_.isServerConnected(); });
     lamina_msgs::DriveToolpathGoal goal;
@@ -86,7 +86,7 @@ class DriveCell {
     return process.flow == 0.0 && !process.laser && !process.wire && !process.powder && !process.gas;
   }
   Eigen::Vector3d tip(const Report& report) const {
-    return mechanism->bedFromNozzle(report.joints).translation();
+    return model->bedFromNozzle(report.joints).translation();
   }
   /// Whether joints are at rest and the process is off from now on, for a while.
   bool staysSafe() {
@@ -97,16 +97,16 @@ class DriveCell {
     return true;
   }
 
-  std::unique_ptr<const Mechanism> mechanism;
+  std::unique_ptr<const KinematicModel> model;
   std::vector<Report> reports;  ///< of machine and process
   std::string state;
   std::size_t findings = 0;  ///< markers
 
  private:
   void hear(const sensor_msgs::JointState& message) {
-    JointValues joints(static_cast<Eigen::Index>(mechanism->joints().size()));
-    for (std::size_t j = 0; j < mechanism->joints().size(); ++j) {
-      const DrivenJoint& joint = mechanism->joints()[j];
+    JointValues joints(static_cast<Eigen::Index>(model->joints().size()));
+    for (std::size_t j = 0; j < model->joints().size(); ++j) {
+      const DrivenJoint& joint = model->joints()[j];
       for (std::size_t i = 0; i < message.name.size(); ++i)
         if (message.name[i] == joint.name)
           joints[static_cast<Eigen::Index>(j)] =

@@ -104,7 +104,7 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   EXPECT_EQ(report.streaming.lines_acknowledged, commandLines(program));
   const std::vector<Point3> planned = motionEnds(program);
   EXPECT_GT(planned.size(), 10 * kLayers);
-  // The report is there before the last lift has been told.
+  // The report is there before the last lift has been reported.
   const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (firstMissing(planned, record.positions()) < planned.size() && ros::WallTime::now() < give_up) {
     ros::spinOnce();

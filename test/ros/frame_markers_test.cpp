@@ -25,7 +25,7 @@ TEST(FrameMarkers, AreNotShownUnlessAskedFor) {
   EXPECT_EQ(markers[0].action, Marker::DELETEALL + 0);
 }
 
-TEST(FrameMarkers, DrawXBlueYRedAndTheJetGreen) {
+TEST(FrameMarkers, DrawXBlueYRedAndTheToolAxisGreen) {
   lamina::FrameSettings settings;
   settings.every_mm = 5.0;
   settings.length_mm = 3.0;

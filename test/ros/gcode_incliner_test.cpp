@@ -94,13 +94,13 @@ TEST_F(GcodeIncliner, WritesTheProgramAndShowsItBeforeAndAfter) {
   EXPECT_EQ(source->markers.back().header.frame_id, lamina::names::kBedFrame);
 }
 
-TEST_F(GcodeIncliner, TellsTheMachineAndWhereItsHeadIsAnother) {
+TEST_F(GcodeIncliner, ReportsTheMachineAndWhereItsHeadIsAnother) {
   const auto made = call(program(tiltedWall(2)), {settingMessage("machine.name", "large_gantry_45")});
   EXPECT_EQ(made.status.message, "");
   EXPECT_EQ(latched<lamina_msgs::Toolpath>(lamina::names::kToolpath)->machine, "large_gantry_45");
   const auto reverse = settingMessage("machine.name", "large_gantry_45_reverse");
   EXPECT_EQ(call(program(tiltedWall(2)), {reverse}).status.code, Status::UNREACHABLE + 0);
-  const auto other = call(program(tiltedWall(2)), {reverse, settingMessage("incline.jet", "machine")});
+  const auto other = call(program(tiltedWall(2)), {reverse, settingMessage("incline.tool_axis", "machine")});
   EXPECT_EQ(other.status.code, Status::OK + 0);
   EXPECT_NE(other.status.message.find("90.0"), std::string::npos) << other.status.message;
 }
@@ -120,7 +120,7 @@ TEST_F(GcodeIncliner, TakesBeginAndEndCodeAsText) {
   EXPECT_NEAR(response.summary.part_high.y, 1.25, 1e-12);
 }
 
-TEST_F(GcodeIncliner, TellsWhatItRefusesAndLeavesNothing) {
+TEST_F(GcodeIncliner, ReportsWhatItRefusesAndLeavesNothing) {
   const std::string wall = program(tiltedWall(2));
   const auto expectRefused = [&](const InclineGcode::Response& response, std::uint8_t code) {
     EXPECT_EQ(response.status.code + 0, code + 0) << response.status.message;

@@ -197,7 +197,7 @@ TEST_F(GcodeStreamer, StopsSafelyWhenTheGoalIsCancelled) {
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
 }
 
-TEST_F(GcodeStreamer, TellsThatNoMachineIsThereAndLivesOn) {
+TEST_F(GcodeStreamer, ReportsThatNoMachineIsThereAndLivesOn) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     start(write(zigzag(10)));
     const auto given = result();
@@ -207,7 +207,7 @@ TEST_F(GcodeStreamer, TellsThatNoMachineIsThereAndLivesOn) {
   }
 }
 
-TEST_F(GcodeStreamer, TellsWhereTheLinkWasLost) {
+TEST_F(GcodeStreamer, ReportsWhereTheLinkWasLost) {
   const TestMachine machine(0.0, {"disconnect=50"});
   start(write(zigzag(100)));
   const auto given = result();

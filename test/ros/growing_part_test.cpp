@@ -71,7 +71,7 @@ TEST(GrowingPart, WholeHasAllThatIsDeposited) {
   EXPECT_EQ(segments(part.whole()), 10U);
 }
 
-TEST(GrowingPart, LiesHalfABeadBeneathTheTipAndGoesWithTheTable) {
+TEST(GrowingPart, LiesHalfABeadBelowTheTipAndGoesWithTheTable) {
   const Toolpath toolpath = twoLayers();
   GrowingPart part(toolpath, "part");
   for (const Marker& marker : part.whole().markers) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Inclined programs played on machines whose heads are made for them: every waypoint's tip and jet are
+// Inclined programs played on machines whose heads are made for them: every waypoint's tip and tool axis are
 // computed anew from tf alone, live and from a recording, and compared with the numbers in the program.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -24,14 +24,14 @@ namespace {
 
 using test::TfRecording;
 
-constexpr double kSameTip = 1e-3;  // mm: 1e-6 m
-constexpr double kSameJet = 1e-6;  // rad
+constexpr double kSameTip = 1e-3;       // mm: 1e-6 m
+constexpr double kSameToolAxis = 1e-6;  // rad
 
 /// A machine, and the inclined program that it plays.
 struct Case {
   std::string machine;
   double angle_deg = 45.0;  ///< about x
-  Point3 jet = Point3::Zero();
+  Point3 tool_axis = Point3::Zero();
   std::vector<Point3> tips;  ///< of the program [mm, bed frame]
 };
 
@@ -66,26 +66,26 @@ std::vector<Point3> tipsIn(const std::string& program, bool is_belt) {
   return tips;
 }
 
-/// Expects all tips in their order, each with the jet.
+/// Expects all tips in their order, each with the tool axis.
 void expectPlayed(const Case& played, const TfRecording& recording) {
   std::size_t reached = 0;
   for (const Eigen::Isometry3d& nozzle : recording.nozzles()) {
     if (reached == played.tips.size()) break;
     if ((nozzle.translation() - played.tips[reached]).norm() > kSameTip) continue;
     ++reached;
-    const Point3 jet = nozzle.linear().col(2);
-    const double turn = std::atan2(jet.cross(played.jet).norm(), jet.dot(played.jet));
-    EXPECT_LT(turn, kSameJet) << played.machine << ", waypoint " << reached;
+    const Point3 tool_axis = nozzle.linear().col(2);
+    const double turn = std::atan2(tool_axis.cross(played.tool_axis).norm(), tool_axis.dot(played.tool_axis));
+    EXPECT_LT(turn, kSameToolAxis) << played.machine << ", waypoint " << reached;
   }
   ASSERT_EQ(reached, played.tips.size())
       << played.machine << " never was at " << played.tips[reached].transpose();
 }
 
-/// Writes the inclined program, and tells what is to be seen of it.
+/// Writes the inclined program, and reports what is to be seen of it.
 Case prepare(const std::string& machine, double angle_deg, const std::string& folder) {
   Case made{machine, angle_deg, Point3(0.0, angle_deg > 0.0 ? 1.0 : -1.0, -1.0).normalized(), {}};
   writeFile(folder + "/level.gcode", tiltedSquares(angle_deg));
-  const Machine description = machineByName(machine);
+  const CartesianMachine description = machineByName(machine);
   const bool is_belt = isEndless(description.axes[2]);
   const Box3 room = machineRoom(description);
   const Point2 middle = is_belt ? Point2(room.centre().x(), -100.0) : Point2(room.centre().head<2>());
@@ -96,8 +96,8 @@ Case prepare(const std::string& machine, double angle_deg, const std::string& fo
                                                             {"incline.table_position_mm", place.str()}});
   NoProgress nobody;
   const std::string output = folder + "/" + machine + ".gcode";
-  const TransformReport report = runInclineJob(inclineJob(settings, folder + "/level.gcode", output), nobody);
-  EXPECT_FALSE(isJetOffNormal(report)) << machine;
+  const RewriteReport report = runInclineJob(inclineJob(settings, folder + "/level.gcode", output), nobody);
+  EXPECT_FALSE(isToolAxisOffNormal(report)) << machine;
   made.tips = tipsIn(readFile(output), is_belt);
   EXPECT_EQ(made.tips.size(), 16U) << machine;
   return made;
@@ -112,7 +112,7 @@ lamina_msgs::LoadProgram::Response load(const std::string& machine, const std::s
   return service.response;
 }
 
-TEST(InclinedPlayback, TfTellsEveryWaypointLiveAndFromARecording) {
+TEST(InclinedPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   const test::ScratchFolder folder;
   rosbag::Bag bag(folder.file("played.bag"), rosbag::bagmode::Write);
   std::vector<Case> cases;

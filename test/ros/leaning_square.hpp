@@ -12,7 +12,7 @@ namespace lamina::test {
 /// Where the nozzle is to be.
 struct PlayedWaypoint {
   Point3 tip;  ///< [mm, bed frame]
-  Point3 jet;
+  Point3 tool_axis;
 };
 
 /// A toolpath for a machine.
@@ -21,30 +21,31 @@ struct PlayedSquare {
   std::vector<PlayedWaypoint> waypoints;  ///< in the order of the motion
 };
 
-/// Off the middle of all joints, where no wrist is straight and no jet upright.
-inline JointValues offTheMiddle(const Mechanism& mechanism) {
+/// Off the middle of all joints, where no wrist is straight and no tool axis upright.
+inline JointValues offTheMiddle(const KinematicModel& model) {
   constexpr double kEndless = 1e5;  // mm, rad
-  JointValues values(static_cast<Eigen::Index>(mechanism.joints().size()));
-  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[j];
+  JointValues values(static_cast<Eigen::Index>(model.joints().size()));
+  for (std::size_t j = 0; j < model.joints().size(); ++j) {
+    const DrivenJoint& joint = model.joints()[j];
     const bool is_endless = joint.high - joint.low > kEndless;
     values[static_cast<Eigen::Index>(j)] = is_endless ? 100.0 : joint.low + 0.6 * (joint.high - joint.low);
   }
   return values;
 }
 
-inline bool canTilt(const Mechanism& mechanism) {
+inline bool canTilt(const KinematicModel& model) {
   std::size_t rotary = 0;
-  for (const DrivenJoint& joint : mechanism.joints()) rotary += joint.kind == JointKind::Rotary ? 1 : 0;
+  for (const DrivenJoint& joint : model.joints()) rotary += joint.kind == JointKind::Rotary ? 1 : 0;
   return rotary >= 2;
 }
 
-/// A square on two layers about where the nozzle is with its joints off the middle, the jet leaning in turn.
-inline PlayedSquare squareOn(const Mechanism& mechanism) {
+/// A square on two layers about where the nozzle is with its joints off the middle, the tool axis leaning in
+/// turn.
+inline PlayedSquare squareOn(const KinematicModel& model) {
   constexpr double kLean = 0.15;  // rad
-  const Eigen::Isometry3d nozzle = mechanism.bedFromNozzle(offTheMiddle(mechanism));
+  const Eigen::Isometry3d nozzle = model.bedFromNozzle(offTheMiddle(model));
   PlayedSquare made;
-  made.placed.machine = mechanism.name();
+  made.placed.machine = model.name();
   made.placed.bed_from_part = Eigen::Translation3d(nozzle.translation());
   made.placed.toolpath.part_name = "square";
   Eigen::Quaterniond upright(nozzle.linear());
@@ -64,7 +65,7 @@ inline PlayedSquare squareOn(const Mechanism& mechanism) {
       path->feed_mm_s = 40.0;
       std::vector<Eigen::Quaterniond> held;
       for (std::size_t i = 0; i < path->points.size(); ++i) {
-        const double lean = canTilt(mechanism) && path == &wall ? (i % 2 == 0 ? 0.0 : kLean) : 0.0;
+        const double lean = canTilt(model) && path == &wall ? (i % 2 == 0 ? 0.0 : kLean) : 0.0;
         held.emplace_back(upright * Eigen::AngleAxisd(lean, Point3(1, 1, 0).normalized()));
       }
       path->orientation = AlongPath<Eigen::Quaterniond>(held);

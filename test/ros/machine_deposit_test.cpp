@@ -64,24 +64,24 @@ INSTANTIATE_TEST_SUITE_P(All, MachineDepositModels,
                            return model.param == DepositModel::Voxels ? "Voxels" : "Heights";
                          });
 
-TEST(MachineDeposit, InVoxelsAStrandInTheAirLiesAlongTheJet) {
+TEST(MachineDeposit, InVoxelsAStrandInTheAirLiesAlongTheToolAxis) {
   const auto deposit = bareBedOf("gantry_45", DepositModel::Auto);
   const double radius = 0.3;
-  const Eigen::Vector3d jet = Eigen::Vector3d(0, 1, -1).normalized();
+  const Eigen::Vector3d tool_axis = Eigen::Vector3d(0, 1, -1).normalized();
   const Point3 start(100, 100, 10);
-  deposit->lay({start, start + Point3(10, 0, 0), jet, jet, 10.0 * M_PI * radius * radius});
+  deposit->lay({start, start + Point3(10, 0, 0), tool_axis, tool_axis, 10.0 * M_PI * radius * radius});
   const std::vector<Point3> points = deposit->points();
   ASSERT_GT(points.size(), 500U);
   Point3 middle = Point3::Zero();
   for (const Point3& point : points) middle += point / static_cast<double>(points.size());
-  EXPECT_LT((middle - (start + Point3(5, 0, 0) + radius * jet)).norm(), 0.1);
+  EXPECT_LT((middle - (start + Point3(5, 0, 0) + radius * tool_axis)).norm(), 0.1);
   for (const Point3& point : points) EXPECT_GT(point.z(), 9.0) << "nothing hangs down to the bed";
 }
 
 TEST(MachineDeposit, OnABeltAutoKeepsHeights) {
   const auto deposit = bareBedOf("belt_45", DepositModel::Auto);
-  const Eigen::Vector3d jet = Eigen::Vector3d(0, 1, -1).normalized();
-  deposit->lay({{100, 50, 0.35}, {110, 50, 0.35}, jet, jet, 1.0});
+  const Eigen::Vector3d tool_axis = Eigen::Vector3d(0, 1, -1).normalized();
+  deposit->lay({{100, 50, 0.35}, {110, 50, 0.35}, tool_axis, tool_axis, 1.0});
   const std::vector<Point3> points = deposit->points();
   ASSERT_FALSE(points.empty());
   const auto higher = [](const Point3& a, const Point3& b) { return a.z() < b.z(); };

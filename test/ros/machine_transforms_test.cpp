@@ -50,7 +50,7 @@ Transforms allOf(const MachineTransforms& machine) {
 
 TEST(MachineTransforms, OfEveryMachineBringTheNozzleToItsAxisValuesOverTheBed) {
   for (const std::string& name : lamina::machineNames()) {
-    const lamina::Machine described = lamina::machineByName(name);
+    const lamina::CartesianMachine described = lamina::machineByName(name);
     const Transforms all = allOf(MachineTransforms(described.urdf));
     const Eigen::Isometry3d bed_from_nozzle = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
     const Eigen::Vector3d expected_mm = lamina::bedFromNozzle(described, {10.0, 20.0, 30.0}).translation();
@@ -58,22 +58,22 @@ TEST(MachineTransforms, OfEveryMachineBringTheNozzleToItsAxisValuesOverTheBed) {
   }
 }
 
-TEST(MachineTransforms, OfEveryMechanismBringTheNozzleToWhereItsJointsDo) {
-  for (const std::string& name : lamina::mechanismNames()) {
-    const auto mechanism = lamina::mechanismByName(name);
-    const MachineTransforms machine(mechanism->urdf());
-    lamina::JointValues values = lamina::JointValues::Zero(static_cast<int>(mechanism->joints().size()));
+TEST(MachineTransforms, OfEveryKinematicModelBringTheNozzleToWhereItsJointsDo) {
+  for (const std::string& name : lamina::kinematicModelNames()) {
+    const auto model = lamina::kinematicModelByName(name);
+    const MachineTransforms machine(model->urdf());
+    lamina::JointValues values = lamina::JointValues::Zero(static_cast<int>(model->joints().size()));
     for (Eigen::Index j = 0; j < values.size(); ++j) {
-      const lamina::DrivenJoint& joint = mechanism->joints()[static_cast<std::size_t>(j)];
+      const lamina::DrivenJoint& joint = model->joints()[static_cast<std::size_t>(j)];
       const double wanted = joint.kind == lamina::JointKind::Linear ? 20.0 + 7.0 * j : 0.1 + 0.03 * j;
       values[j] = std::clamp(wanted, joint.low, joint.high);
     }
     Transforms all = machine.fixed(ros::Time());
-    const Transforms moving = machine.moving(machine.positions(mechanism->urdfJoints(values)), ros::Time());
+    const Transforms moving = machine.moving(machine.positions(model->urdfJoints(values)), ros::Time());
     all.insert(all.end(), moving.begin(), moving.end());
     Eigen::Isometry3d told = rootFrom("bed", all).inverse() * rootFrom("nozzle", all);
     told.translation() *= 1e3;
-    EXPECT_TRUE(told.isApprox(mechanism->bedFromNozzle(values), 1e-9)) << name;
+    EXPECT_TRUE(told.isApprox(model->bedFromNozzle(values), 1e-9)) << name;
   }
 }
 

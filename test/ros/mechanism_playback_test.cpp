@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A toolpath with leaning jets played on every machine and robot: tip and jet of each waypoint are computed
-// anew from tf alone, live and from a recording.
+// A toolpath with leaning tool axes played on every machine and robot: tip and tool axis of each waypoint are
+// computed anew from tf alone, live and from a recording.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
@@ -22,16 +22,17 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameTip = 1e-3;  // mm: 1e-6 m
-constexpr double kSameJet = 1e-6;  // rad
+constexpr double kSameTip = 1e-3;       // mm: 1e-6 m
+constexpr double kSameToolAxis = 1e-6;  // rad
 
 bool isAt(const Eigen::Isometry3d& nozzle, const test::PlayedWaypoint& waypoint) {
-  const Point3 jet = nozzle.linear().col(2);
-  const double turn = std::atan2(jet.cross(waypoint.jet).norm(), jet.dot(waypoint.jet));
-  return (nozzle.translation() - waypoint.tip).norm() <= kSameTip && turn <= kSameJet;
+  const Point3 tool_axis = nozzle.linear().col(2);
+  const double turn =
+      std::atan2(tool_axis.cross(waypoint.tool_axis).norm(), tool_axis.dot(waypoint.tool_axis));
+  return (nozzle.translation() - waypoint.tip).norm() <= kSameTip && turn <= kSameToolAxis;
 }
 
-/// Slowing down, the tip is within its tolerance of the end before the jet is.
+/// Slowing down, the tip is within its tolerance of the end before the tool axis is.
 bool hasEnded(const test::PlayedSquare& played, const test::TfRecording& recording) {
   const auto nozzle = recording.lastNozzle();
   return nozzle && isAt(*nozzle, played.waypoints.back());
@@ -45,12 +46,12 @@ void expectPlayed(const test::PlayedSquare& played, const test::TfRecording& rec
       << played.placed.machine << " never was at waypoint " << reached;
 }
 
-class MechanismPlayback : public testing::TestWithParam<std::string> {};
+class KinematicModelPlayback : public testing::TestWithParam<std::string> {};
 
-TEST_P(MechanismPlayback, TfTellsEveryWaypointLiveAndFromARecording) {
+TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   const std::string& name = GetParam();
-  const auto mechanism = mechanismByName(name);
-  const test::PlayedSquare played = test::squareOn(*mechanism);
+  const auto model = kinematicModelByName(name);
+  const test::PlayedSquare played = test::squareOn(*model);
   const test::TfRecording live(name);
   ros::NodeHandle node(name);
   ros::Publisher toolpath = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
@@ -74,7 +75,7 @@ TEST_P(MechanismPlayback, TfTellsEveryWaypointLiveAndFromARecording) {
   expectPlayed(played, replayed);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MechanismPlayback, testing::ValuesIn(mechanismNames()),
+INSTANTIATE_TEST_SUITE_P(All, KinematicModelPlayback, testing::ValuesIn(kinematicModelNames()),
                          [](const auto& machine) { return machine.param; });
 
 }  // namespace

@@ -58,7 +58,7 @@ class Optimiser : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(Optimiser, RunsAStudyAndTellsHowFarItIs) {
+TEST_F(Optimiser, RunsAStudyAndReportsHowFarItIs) {
   std::mutex mutex;
   lamina_msgs::OptimiseFeedback last;
   client_.sendGoal(goal(kFront), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),

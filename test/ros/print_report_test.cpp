@@ -26,7 +26,7 @@ TEST(HeightError, WeighsEachLayerByTheCellsSeen) {
 
 TEST(HeightError, OfNoLayerIsZero) { EXPECT_EQ(lamina::heightError({}).mean_mm, 0.0); }
 
-TEST(SummaryText, TellsLayersLinesResendsAndHeightError) {
+TEST(SummaryText, ReportsLayersLinesResendsAndHeightError) {
   lamina::PrintReport report;
   report.part = "blade";
   report.slicing.layers = 117;

@@ -26,13 +26,13 @@ int exitCodeOfNode(const lamina::NodeRun& run, const std::function<void()>& body
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(RunNode, OnlyTellsOfASignalIfAskedTo) {
+TEST(RunNode, OnlyReportsOfASignalIfAskedTo) {
   const int exit_code = exitCodeOfNode({"told", lamina::OnSignal::Tell}, [] {
     std::raise(SIGHUP);
     ros::WallDuration(0.1).sleep();
     ros::spinOnce();
     if (!lamina::isToldToStop() || !ros::ok())
-      throw lamina::DeviceError("told, and still there, was expected");
+      throw lamina::DeviceError("reported, and still there, was expected");
   });
   EXPECT_EQ(exit_code, 0);
 }

@@ -118,7 +118,7 @@ TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
 TEST_F(SlicingService, ShowsWhereTheHeadCollidesIfAskedTo) {
   const auto markers = [this] { return latchedMarkers(lamina::names::kCollisionMarkers); };
   const std::vector<lamina_msgs::Setting> steep = {settingMessage("slicing.plane.angle_deg", "75"),
-                                                   settingMessage("slicing.plane.jet", "down"),
+                                                   settingMessage("slicing.plane.tool_axis", "down"),
                                                    settingMessage("clearance.report", "true")};
   ASSERT_EQ(call("box", steep).status.code, Status::OK + 0);
   ASSERT_GT(markers().size(), 2U);
@@ -141,7 +141,7 @@ TEST_F(SlicingService, SlicesIntoCurvedLayersWithTheNozzleAlongThem) {
   const auto markers = latchedMarkers(lamina::names::kFrameMarkers);
   ASSERT_EQ(markers.size(), 4U);
   EXPECT_EQ(markers[3].ns, "nozzle_z");
-  // The jet of the uppermost layer's first frame points into the sphere.
+  // The tool axis of the uppermost layer's first frame points into the sphere.
   const auto& points = markers[3].points;
   const auto& tip = points[points.size() - 2];
   const auto& end = points[points.size() - 1];
@@ -195,7 +195,7 @@ TEST_F(SlicingService, RefusesAnOutputItCannotWrite) {
   EXPECT_EQ(call("box", {}, "/nowhere/box.gcode").status.code, Status::FILE_ERROR + 0);
 }
 
-TEST_F(SlicingService, TellsProgressAndGivesTheAnswerOfTheService) {
+TEST_F(SlicingService, ReportsProgressAndGivesTheAnswerOfTheService) {
   Client client(lamina::names::kSlice, true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   lamina_msgs::SliceGoal goal;

@@ -22,7 +22,7 @@ TEST(StartupMessages, HaveTheNumbersOfTheStates) {
   EXPECT_EQ(number(StartupState::Skipped), StartupStep::SKIPPED + 0);
 }
 
-TEST(StartupMessages, TellStateReasonAndWhatWasMeasured) {
+TEST(StartupMessages, ReportStateReasonAndWhatWasMeasured) {
   const StartupStatus hot{lamina::StartupStep::HeatBed,
                           StartupState::Running,
                           "the bed is at 71 degC",

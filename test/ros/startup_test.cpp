@@ -26,7 +26,7 @@ using lamina_msgs::StartupStep;
 using lamina_msgs::Status;
 using Client = actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction>;
 
-/// A streamer node and what it tells.
+/// A streamer node and what it reports.
 class Cell {
  public:
   explicit Cell(const std::string& name) : node_(name), client_(node_, lamina::names::kStreamProgram, true) {
@@ -159,7 +159,7 @@ TEST_F(StartupSequence, LetsAJobStartWhenEveryStepIsSatisfiedAndNoLongerWhenHomi
   EXPECT_NE(cell.step("heat_bed").reason.find("M140 S0"), std::string::npos) << cell.step("heat_bed").reason;
 }
 
-TEST_F(StartupSequence, TellsWhichZoneLeaks) {
+TEST_F(StartupSequence, ReportsWhichZoneLeaks) {
   Cell cell("leaky");
   EXPECT_EQ(cell.step("heat_bed").state, StartupStep::SKIPPED);
   cell.confirm("power_on");

@@ -41,7 +41,7 @@ TEST(Status, OfAnUnknownNumberIsRefused) {
   EXPECT_THROW(lamina::fromMessage(status), lamina::InvalidInput);
 }
 
-TEST(Status, ThrowsOnlyIfItTellsOfAFailure) {
+TEST(Status, ThrowsOnlyIfItReportsOfAFailure) {
   EXPECT_NO_THROW(lamina::throwIfFailed(Status()));
   Status status;
   status.code = Status::TIMED_OUT;

@@ -28,7 +28,7 @@ Path straight(PathRole role, const Point3& from, const Point3& to) {
   return path;
 }
 
-/// Two beads with the jet leaning, at a height, and the travel between them.
+/// Two beads with the tool axis leaning, at a height, and the travel between them.
 Toolpath twoBeads(double z = kHeight) {
   const Point3 ends[] = {{-kHalf, 5, z}, {kHalf, 5, z}, {kHalf, 35, z}, {-kHalf, 35, z}};
   return {"beads",
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(TrajectoryDriver, DrivenMachine,
                                          std::pair{"table", "five_axis_head_table"}),
                          [](const auto& machine) { return std::string(machine.param.first); });
 
-TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenToldToStop) {
+TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenAskedToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
     DriveCell cell("told", "five_axis_head_table");
     test::NodeProcess driver(LAMINA_NODE, {"__ns:=/told", "_machine/name:=five_axis_head_table",
@@ -179,16 +179,16 @@ TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenToldToStop) {
   }
 }
 
-/// A controller that does as it is told by the test.
+/// A controller that does as it is reported by the test.
 class FaultyController {
  public:
   using Server = actionlib::SimpleActionServer<follow::Action>;
 
-  explicit FaultyController(const Mechanism& mechanism)
+  explicit FaultyController(const KinematicModel& model)
       : node_("faulty"),
         states_(node_.advertise<sensor_msgs::JointState>(names::kJointStates, 10)),
         server_(node_, names::kFollowJointTrajectory, false) {
-    for (const DrivenJoint& joint : mechanism.joints()) {
+    for (const DrivenJoint& joint : model.joints()) {
       const bool is_linear = joint.kind == JointKind::Linear;
       const double at = is_linear ? 0.5 * (joint.low + joint.high) : std::clamp(0.0, joint.low, joint.high);
       state_.name.push_back(joint.name);
@@ -233,7 +233,7 @@ TEST(TrajectoryDriver, EndsInAbortedIfTheControllerFails) {
     return cell.result().status;
   };
   EXPECT_EQ(failure().code, Status::TIMED_OUT + 0) << "no controller";
-  FaultyController controller(*cell.mechanism);
+  FaultyController controller(*cell.model);
   const Status blind = failure();
   EXPECT_EQ(blind.code, Status::TIMED_OUT + 0);
   EXPECT_NE(blind.message.find("joint_states"), std::string::npos) << blind.message;

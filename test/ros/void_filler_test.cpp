@@ -131,7 +131,7 @@ double areaWithin(const std::vector<geometry_msgs::Point>& outline) {
   return 0.5 * doubled;
 }
 
-TEST_F(VoidFiller, TellsEachVoidBetweenBeads) {
+TEST_F(VoidFiller, ReportsEachVoidBetweenBeads) {
   const auto response = call(slicedBox(), "box");
   ASSERT_EQ(response.status.code, Status::OK + 0) << response.status.message;
   ASSERT_EQ(response.voids.size(), response.summary.voids);

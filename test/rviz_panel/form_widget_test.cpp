@@ -78,7 +78,7 @@ TEST_F(FormWindow, TurnsDialAndNumberTogether) {
   QTest::mouseClick(&dial, Qt::LeftButton, {}, onDial(90.0));
   EXPECT_DOUBLE_EQ(form_.form().angle_deg, 90.0);
   QTest::mouseClick(&dial, Qt::LeftButton, {}, hub + QPoint(-60, 8));
-  EXPECT_DOUBLE_EQ(form_.form().angle_deg, 0.0) << "beneath the flat end";
+  EXPECT_DOUBLE_EQ(form_.form().angle_deg, 0.0) << "below the flat end";
 }
 
 TEST_F(FormWindow, TakesAVectorAsAxis) {

@@ -112,7 +112,7 @@ TEST_F(Panel, DrawsTheSourceAnewIfItWasWrittenAnewBeforeTheRun) {
   EXPECT_TRUE(waitFor([&] { return shines(kGreen); }));
 }
 
-TEST_F(Panel, TellsInRedWhatTheNodeRefuses) {
+TEST_F(Panel, ReportsInRedWhatTheNodeRefuses) {
   typeSource(folder_.file("absent.gcode"));
   press("run");
   ASSERT_TRUE(waitFor([&] { return shines(kRed); })) << message();
@@ -120,13 +120,13 @@ TEST_F(Panel, TellsInRedWhatTheNodeRefuses) {
   EXPECT_EQ(folder_.fileCount(), 0U);
 }
 
-TEST_F(Panel, TellsInRedWhatIsMissingInTheForm) {
+TEST_F(Panel, ReportsInRedWhatIsMissingInTheForm) {
   press("run");
   EXPECT_TRUE(shines(kRed));
   EXPECT_NE(message().find("no program"), std::string::npos) << message();
 }
 
-TEST_F(Panel, TellsThatNoNodeIsThere) {
+TEST_F(Panel, ReportsThatNoNodeIsThere) {
   open("nobody_inclines");
   typeSource("part.gcode");
   press("run");
@@ -153,7 +153,7 @@ TEST_F(Panel, CancelsARunAndCountsItsTime) {
   EXPECT_TRUE(part<QPushButton>(*content_, "run").isEnabled());
 }
 
-TEST_F(Panel, TellsThatANodeGivesNoResult) {
+TEST_F(Panel, ReportsThatANodeGivesNoResult) {
   open("slow_incline");
   typeSource("odd.gcode");
   press("run");
@@ -190,7 +190,7 @@ TEST(RvizPanel, IsFoundByRvizAndKeepsItsFormInRvizsConfiguration) {
   EXPECT_EQ(part<QPlainTextEdit>(*panel, "end_code").toPlainText().toStdString(), "M104 S0\nM84");
 }
 
-TEST_F(Panel, TellsWhatIsWrongWithASavedForm) {
+TEST_F(Panel, ReportsWhatIsWrongWithASavedForm) {
   content_->load({{"source", "part.gcode"}, {"angle_deg", "steep"}});
   EXPECT_TRUE(shines(kRed));
   EXPECT_NE(message().find("steep"), std::string::npos) << message();
@@ -198,7 +198,7 @@ TEST_F(Panel, TellsWhatIsWrongWithASavedForm) {
 }
 
 /// Last, for the node is gone afterwards.
-TEST_F(Panel, TellsThatTheNodeDiedAmidTheRun) {
+TEST_F(Panel, ReportsThatTheNodeDiedAmidTheRun) {
   open("slow_incline");
   typeSource("die.gcode");
   press("run");

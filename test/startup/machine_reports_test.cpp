@@ -51,7 +51,7 @@ TEST_F(MachineReportsTest, TakeTheHeightsOfALevelingGrid) {
   EXPECT_EQ(reports_.heights()->points, 4U);
 }
 
-TEST_F(MachineReportsTest, TellHowFastTheBedHeats) {
+TEST_F(MachineReportsTest, ReportHowFastTheBedHeats) {
   reports_.watchBed();
   // 3 K/min for four minutes, then 6 K/min for two.
   for (int i = 0; i <= 36; ++i) {

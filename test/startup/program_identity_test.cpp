@@ -30,7 +30,7 @@ TEST(ProgramIdentity, OfAFileIsThatOfItsBytes) {
   EXPECT_THROW(identityOfFile(folder.file("none.gcode")), FileError);
 }
 
-TEST(ProgramIdentity, TellsAProgramThatDidNotComeWhole) {
+TEST(ProgramIdentity, ReportsAProgramThatDidNotComeWhole) {
   const ProgramIdentity arrived = identityOfText("part.gcode", "123456789");
   EXPECT_NO_THROW(requireWhole(arrived, 9, "cbf43926"));
   EXPECT_NO_THROW(requireWhole(arrived, 9, "CBF43926"));

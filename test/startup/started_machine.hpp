@@ -70,7 +70,7 @@ class StartedMachine {
       if (status.step == step) return status.reason;
     return "no such step";
   }
-  /// What a job is told; empty if it may start.
+  /// What a job is reported; empty if it may start.
   std::string refusal() const {
     try {
       startup.requireReadyFor(program);

@@ -174,7 +174,7 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
 }
 
-TEST_F(StartupSessionTest, TellsThatNoMachineIsThere) {
+TEST_F(StartupSessionTest, ReportsThatNoMachineIsThere) {
   startSession();
   run(Step::HeatBed);
   expectState(Step::HeatBed, State::Failed);

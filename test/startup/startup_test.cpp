@@ -61,7 +61,7 @@ TEST(Startup, RefusesStepsBeforeThoseThatTheyNeed) {
   EXPECT_EQ(machine.stateOf(Step::HomeX), State::Pending);
 }
 
-TEST(Startup, TellsByHandFromByMachine) {
+TEST(Startup, ReportsByHandFromByMachine) {
   StartedMachine machine;
   expectPart(refusalOf([&] { machine.startup.begin(Step::PowerOn, 0.0); }),
              "power_on is done by the operator");
@@ -224,7 +224,7 @@ TEST(Startup, LosesTheBedToAnotherTargetAndTheVacuumToItsOffCode) {
   expectPart(machine.reasonOf(Step::DrawVacuum), "M42 P3 S0 has closed a zone");
 }
 
-TEST(Startup, TellsTheZoneThatLeaksAtOnceAndLater) {
+TEST(Startup, ReportsTheZoneThatLeaksAtOnceAndLater) {
   StartedMachine machine;
   machine.perform(Step::PowerOn);
   for (const Step step : {Step::HeatBed, Step::HomeX, Step::HomeY, Step::HomeZ, Step::PlaceSheet})

@@ -6,8 +6,8 @@
 
 #include "lamina/base/error.hpp"
 #include "stiffness/conjugate_gradients.hpp"
-#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/lattice_transfer.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "support/voxel_shapes.hpp"
 
 namespace lamina {

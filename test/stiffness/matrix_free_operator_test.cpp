@@ -84,7 +84,7 @@ TEST(ElementStiffness, HasSixRigidMotionsAndNoOther) {
   EXPECT_GT(solver.eigenvalues()[6], 1.0);
 }
 
-TEST(ElementProduct, IsThatOfTheMatrixOfEachElement) {
+TEST(MatrixFreeOperator, IsThatOfTheMatrixOfEachElement) {
   const VoxelGrid grid = test::noise({150, 9, 11}, 0.6, 3);
   const ElementLattice lattice = latticeOf(grid);
   const NodeField<double> u = randomField(lattice);
@@ -96,7 +96,7 @@ TEST(ElementProduct, IsThatOfTheMatrixOfEachElement) {
       ASSERT_NEAR(force.along[axis][node], expected.along[axis][node], 1e-9);
 }
 
-TEST(ElementProduct, OfRigidMotionsIsNothing) {
+TEST(MatrixFreeOperator, OfRigidMotionsIsNothing) {
   const VoxelGrid grid = test::gyroid(24, 0.5);
   const ElementLattice lattice = latticeOf(grid);
   NodeField<double> u(lattice.nodeCount());
@@ -115,7 +115,7 @@ TEST(ElementProduct, OfRigidMotionsIsNothing) {
     for (const double value : component) ASSERT_NEAR(value, 0.0, 1e-9);
 }
 
-TEST(ElementProduct, TellsItsDiagonal) {
+TEST(MatrixFreeOperator, ReportsItsDiagonal) {
   EXPECT_NEAR(diagonalOfElement(kMaterial, 0.7), elementStiffness(kMaterial, 0.7)(4, 4), 1e-9);
 }
 

@@ -81,7 +81,7 @@ TEST(Stiffness, BendsAlongWhicheverAxesAreAsked) {
   EXPECT_NEAR(solved(test::solidBox({8, 6, 40}, 0.5), settings).modulus_mpa, upright, 1e-3 * upright);
 }
 
-TEST(Stiffness, TellsWhatItLeavesOut) {
+TEST(Stiffness, ReportsWhatItLeavesOut) {
   VoxelGrid grid({Point3::Zero(), 0.5, {20, 8, 10}});
   for (int k = 0; k < 10; ++k)
     for (int j = 0; j < 8; ++j)

@@ -96,7 +96,7 @@ TEST(CommandMeasurement, NeedsNoShell) {
   EXPECT_TRUE(folder.isEmpty());
 }
 
-TEST(CommandMeasurement, TellsWhatFailed) {
+TEST(CommandMeasurement, ReportsWhatFailed) {
   EXPECT_NE(refusalOf(studyOf({"sh", "-c", "echo broken >&2; exit 3"})).find("exit code 3: broken"),
             std::string::npos);
   EXPECT_NE(refusalOf(studyOf({"sh", "-c", "kill -9 $$"})).find("exit code 137"), std::string::npos);
@@ -108,7 +108,7 @@ TEST(CommandMeasurement, TellsWhatFailed) {
   EXPECT_NE(refusalOf(studyOf({"echo", R"({"y": null})"})).find("null"), std::string::npos);
 }
 
-TEST(CommandMeasurement, TellsTheEndOfWhatIsLongInWholeCharacters) {
+TEST(CommandMeasurement, ReportsTheEndOfWhatIsLongInWholeCharacters) {
   const std::string shifts[] = {"", "x", "xx"};
   for (const std::string& shift : shifts) {
     std::string characters;

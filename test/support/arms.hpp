@@ -59,10 +59,10 @@ inline ArmDescription roundedArm() {
 }
 
 /// Values in the ranges of the joints, and at most a turn.
-inline JointValues anyJointValues(const Mechanism& mechanism, Random& random) {
-  JointValues values(static_cast<Eigen::Index>(mechanism.joints().size()));
+inline JointValues anyJointValues(const KinematicModel& model, Random& random) {
+  JointValues values(static_cast<Eigen::Index>(model.joints().size()));
   for (Eigen::Index j = 0; j < values.size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[static_cast<std::size_t>(j)];
+    const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
     values[j] = random.uniform(std::max(joint.low, -M_PI), std::min(joint.high, M_PI));
   }
   return values;

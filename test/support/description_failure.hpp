@@ -12,7 +12,7 @@ namespace lamina::test {
 /// Why a description of a machine is refused; empty if it is not.
 inline std::string descriptionFailure(const std::string& urdf) {
   try {
-    mechanismFromUrdf(urdf);
+    kinematicModelFromUrdf(urdf);
     return "";
   } catch (const InvalidConfig& error) {
     return error.what();

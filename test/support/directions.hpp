@@ -18,16 +18,16 @@ inline double anyNumber(double low, double high) {
 }
 
 /// A direction whose angle from straight down is at most `max_tilt_deg`.
-inline Point3 anyJet(double max_tilt_deg) {
+inline Point3 anyToolAxis(double max_tilt_deg) {
   const double tilt = anyNumber(0.0, max_tilt_deg) * M_PI / 180.0;
   const double heading = anyNumber(0.0, 2.0 * M_PI);
   return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), -std::cos(tilt)};
 }
 
-inline std::vector<Point3> anyJets(std::size_t count, double max_tilt_deg) {
-  std::vector<Point3> jets;
-  while (jets.size() < count) jets.push_back(anyJet(max_tilt_deg));
-  return jets;
+inline std::vector<Point3> anyToolAxes(std::size_t count, double max_tilt_deg) {
+  std::vector<Point3> tool_axes;
+  while (tool_axes.size() < count) tool_axes.push_back(anyToolAxis(max_tilt_deg));
+  return tool_axes;
 }
 
 /// Angle between two unit vectors by their chord [deg].

@@ -12,17 +12,17 @@
 
 namespace lamina::test {
 
-/// A gantry x, y, z with a head that turns about z (joint c) and then tilts about x (joint a); if its jet's
-/// spin is given, a last joint (spin) turns the nozzle about its jet. The jet is vertical at a = 0, where c
-/// is free. The tip is `arm_mm` under the tilting axis.
-class GantryHead : public Mechanism {
+/// A gantry x, y, z with a head that turns about z (joint c) and then tilts about x (joint a); if its tool
+/// axis's spin is given, a last joint (spin) turns the nozzle about its tool axis. The tool axis is vertical
+/// at a = 0, where c is free. The tip is `arm_mm` under the tilting axis.
+class GantryHead : public KinematicModel {
  public:
-  explicit GantryHead(JetSpin spin, double c_limit_deg = 200.0, double arm_mm = 0.0)
+  explicit GantryHead(ToolAxisSpin spin, double c_limit_deg = 200.0, double arm_mm = 0.0)
       : spin_(spin), arm_mm_(arm_mm) {
     for (const char* name : {"x", "y", "z"}) joints_.push_back({name, JointKind::Linear, -1000, 1000, 500});
     joints_.push_back(rotary("c", c_limit_deg));
     joints_.push_back(rotary("a", 100.0));
-    if (spin == JetSpin::Given) joints_.push_back(rotary("spin", 400.0));
+    if (spin == ToolAxisSpin::Given) joints_.push_back(rotary("spin", 400.0));
   }
 
   std::vector<DrivenJoint>& changedJoints() { return joints_; }
@@ -30,15 +30,15 @@ class GantryHead : public Mechanism {
   const std::string& name() const override { return name_; }
   const std::string& urdf() const override { return name_; }
   const std::vector<DrivenJoint>& joints() const override { return joints_; }
-  JetSpin jetSpin() const override { return spin_; }
+  ToolAxisSpin toolAxisSpin() const override { return spin_; }
 
   Eigen::Isometry3d bedFromNozzle(const JointValues& q) const override {
     Eigen::Isometry3d bed_from_nozzle = Eigen::Isometry3d::Identity();
-    const double spin = spin_ == JetSpin::Given ? q[5] : 0.0;
+    const double spin = spin_ == ToolAxisSpin::Given ? q[5] : 0.0;
     bed_from_nozzle.linear() =
         (turn(q[3], 2) * turn(q[4], 0) * turn(spin, 2)) * nozzleDown().toRotationMatrix();
-    const Point3 jet = bed_from_nozzle.linear().col(2);
-    bed_from_nozzle.translation() = Point3(q[0], q[1], q[2] + arm_mm_) + arm_mm_ * jet;
+    const Point3 tool_axis = bed_from_nozzle.linear().col(2);
+    bed_from_nozzle.translation() = Point3(q[0], q[1], q[2] + arm_mm_) + arm_mm_ * tool_axis;
     return bed_from_nozzle;
   }
 
@@ -63,12 +63,12 @@ class GantryHead : public Mechanism {
     for (int branch = 0; branch < 2; ++branch) {
       const double sign = branch == 0 ? 1.0 : -1.0;
       JointValues q = JointValues::Zero(near.size());
-      const Point3 jet = bed_from_nozzle.linear().col(2);
-      q.head<3>() = bed_from_nozzle.translation() - arm_mm_ * jet - Point3(0, 0, arm_mm_);
+      const Point3 tool_axis = bed_from_nozzle.linear().col(2);
+      q.head<3>() = bed_from_nozzle.translation() - arm_mm_ * tool_axis - Point3(0, 0, arm_mm_);
       q[3] = sine < 1e-12 ? near[3] : std::atan2(sign * head(0, 2), -sign * head(1, 2));
       q[4] = std::atan2(sign * sine, head(2, 2));
       const Eigen::Matrix3d last = (turn(q[3], 2) * turn(q[4], 0)).transpose() * head;
-      if (spin_ == JetSpin::Given) q[5] = std::atan2(last(1, 0), last(0, 0));
+      if (spin_ == ToolAxisSpin::Given) q[5] = std::atan2(last(1, 0), last(0, 0));
       found.push_back({branch, q});
     }
     return found;
@@ -88,7 +88,7 @@ class GantryHead : public Mechanism {
   }
 
   std::string name_ = "gantry_head";
-  JetSpin spin_;
+  ToolAxisSpin spin_;
   double arm_mm_;
   std::vector<DrivenJoint> joints_;
 };

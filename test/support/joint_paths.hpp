@@ -13,14 +13,14 @@
 
 namespace lamina::test {
 
-/// A mechanism written down by hand, without inverse kinematics.
-class HandMadeMechanism : public Mechanism {
+/// A kinematic model written down by hand, without inverse kinematics.
+class HandMadeModel : public KinematicModel {
  public:
-  explicit HandMadeMechanism(std::vector<DrivenJoint> joints) : joints_(std::move(joints)) {}
+  explicit HandMadeModel(std::vector<DrivenJoint> joints) : joints_(std::move(joints)) {}
   const std::string& name() const override { return name_; }
   const std::string& urdf() const override { return name_; }
   const std::vector<DrivenJoint>& joints() const override { return joints_; }
-  JetSpin jetSpin() const override { return JetSpin::Free; }
+  ToolAxisSpin toolAxisSpin() const override { return ToolAxisSpin::Free; }
   InverseSolutions solutions(const Eigen::Isometry3d& /*pose*/, const JointValues& /*near*/) const override {
     return {};
   }
@@ -36,13 +36,13 @@ class HandMadeMechanism : public Mechanism {
 };
 
 /// Linear axes x, y, z [mm] and a head that tilts about x [rad], `tip_mm` above the tip.
-class TiltingGantry final : public HandMadeMechanism {
+class TiltingGantry final : public HandMadeModel {
  public:
   explicit TiltingGantry(double tip_mm = 100.0)
-      : HandMadeMechanism({{"x", JointKind::Linear, -1e3, 1e3, 200.0},
-                           {"y", JointKind::Linear, -1e3, 1e3, 150.0},
-                           {"z", JointKind::Linear, -1e3, 1e3, 50.0},
-                           {"a", JointKind::Rotary, -2.0, 2.0, 3.0}}),
+      : HandMadeModel({{"x", JointKind::Linear, -1e3, 1e3, 200.0},
+                       {"y", JointKind::Linear, -1e3, 1e3, 150.0},
+                       {"z", JointKind::Linear, -1e3, 1e3, 50.0},
+                       {"a", JointKind::Rotary, -2.0, 2.0, 3.0}}),
         tip_mm_(tip_mm) {}
   Eigen::Isometry3d bedFromNozzle(const JointValues& q) const override {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -70,12 +70,12 @@ class TiltingGantry final : public HandMadeMechanism {
 };
 
 /// Two arms of 200 mm that turn in the plane, and a linear z.
-class PlanarArm final : public HandMadeMechanism {
+class PlanarArm final : public HandMadeModel {
  public:
   PlanarArm()
-      : HandMadeMechanism({{"j1", JointKind::Rotary, -3.0, 3.0, 2.0},
-                           {"j2", JointKind::Rotary, -3.0, 3.0, 2.0},
-                           {"z", JointKind::Linear, -500, 500, 100.0}}) {}
+      : HandMadeModel({{"j1", JointKind::Rotary, -3.0, 3.0, 2.0},
+                       {"j2", JointKind::Rotary, -3.0, 3.0, 2.0},
+                       {"z", JointKind::Linear, -500, 500, 100.0}}) {}
   Eigen::Isometry3d bedFromNozzle(const JointValues& q) const override {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     pose.linear() =

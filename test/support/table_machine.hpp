@@ -15,12 +15,12 @@ namespace lamina::test {
 
 /// A machine whose table tilts about x and turns on that about z, under a nozzle that points straight down:
 /// the place of the nozzle is Rx(a) Rz(c) times that over the bed.
-class TableMachine : public Mechanism {
+class TableMachine : public KinematicModel {
  public:
   const std::string& name() const override { return name_; }
   const std::string& urdf() const override { return urdf_; }
   const std::vector<DrivenJoint>& joints() const override { return joints_; }
-  JetSpin jetSpin() const override { return JetSpin::Free; }
+  ToolAxisSpin toolAxisSpin() const override { return ToolAxisSpin::Free; }
 
   Eigen::Isometry3d bedFromNozzle(const JointValues& values) const override {
     Eigen::Isometry3d place(nozzleDown());
@@ -62,7 +62,7 @@ class TableMachine : public Mechanism {
 };
 
 /// The nearest joints at each waypoint, the table tilted one way.
-inline JointPath jointsAlong(const Toolpath& toolpath, const Mechanism& machine) {
+inline JointPath jointsAlong(const Toolpath& toolpath, const KinematicModel& machine) {
   JointPath joints;
   JointValues last = JointValues::Zero(static_cast<Eigen::Index>(machine.joints().size()));
   const auto add = [&](const Path& path, const WaypointIndex& at) {

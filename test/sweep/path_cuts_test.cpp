@@ -23,7 +23,7 @@ TEST(PathCuts, EndsHalfAWidthApartAreNotClosed) {
 /// Turns right at a maximum of x and, `between` points later, left at a minimum of x that lies `apart` of it.
 std::vector<Point2> turn(int between, double apart) {
   std::vector<Point2> points = {{0, 0}, {2, 1}, {4, 0}};
-  // Out and back beneath, without another peak of x.
+  // Out and back below, without another peak of x.
   for (int i = 1; i <= between; ++i) {
     const double part = double(i) / (between + 1);
     points.emplace_back(4 - part * apart, -4 * part * (1 - part));

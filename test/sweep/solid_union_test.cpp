@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh/mesh_report.hpp"
+#include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/scaffold/scaffold.hpp"
 #include "support/scratch_folder.hpp"

@@ -14,7 +14,7 @@ constexpr double kRounding = 1e-12;  // mm
 
 Eigen::Quaterniond tilt() { return Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 4, Point3::UnitX())); }
 
-TEST(LayerFrame, TurningKeepsLengthsAndTellsThePlanes) {
+TEST(LayerFrame, TurningKeepsLengthsAndReportsThePlanes) {
   const Toolpath level = test::twoLayers();
   const Toolpath inclined = turned(level, tilt());
   EXPECT_NO_THROW(validate(inclined));

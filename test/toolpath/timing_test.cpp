@@ -67,7 +67,7 @@ TEST(ToolpathPlayer, StandsAtTheWaypointsAtTheirTimes) {
   EXPECT_TRUE(player.isFinished());
 }
 
-TEST(ToolpathPlayer, TellsWhenTheNextWaypointIsReached) {
+TEST(ToolpathPlayer, ReportsWhenTheNextWaypointIsReached) {
   Toolpath toolpath = twoLayers();
   toolpath.layers.resize(1);
   ToolpathPlayer player(toolpath, almostStoppingAtCorners());

@@ -65,7 +65,7 @@ TEST(ToolpathId, IsSixteenHexadecimalDigits) {
   }
 }
 
-TEST(ToolpathId, TellsWhereALayerEnds) {
+TEST(ToolpathId, ReportsWhereALayerEnds) {
   Toolpath one = test::twoLayers();
   Toolpath other = one;
   // The same paths in the same order, the travel in the other layer.

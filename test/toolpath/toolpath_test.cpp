@@ -89,7 +89,7 @@ TEST(PathRole, GoesThroughItsName) {
   EXPECT_THROW(pathRoleFromString("outer wall"), InvalidInput);
 }
 
-TEST(NozzleDown, TurnsTheJetAgainstZAndKeepsX) {
+TEST(NozzleDown, TurnsTheToolAxisAgainstZAndKeepsX) {
   EXPECT_TRUE((nozzleDown() * Point3::UnitZ()).isApprox(-Point3::UnitZ()));
   EXPECT_TRUE((nozzleDown() * Point3::UnitX()).isApprox(Point3::UnitX()));
 }

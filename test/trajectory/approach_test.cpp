@@ -15,12 +15,12 @@ struct Ends {
   JointValues from, to;
 };
 
-/// Within the limits, wrists bent and jets tilted.
-Ends endsOn(const Mechanism& mechanism) {
-  const auto count = static_cast<Eigen::Index>(mechanism.joints().size());
+/// Within the limits, wrists bent and tool axes tilted.
+Ends endsOn(const KinematicModel& model) {
+  const auto count = static_cast<Eigen::Index>(model.joints().size());
   Ends ends{JointValues(count), JointValues(count)};
   for (Eigen::Index j = 0; j < count; ++j) {
-    const DrivenJoint& joint = mechanism.joints()[static_cast<std::size_t>(j)];
+    const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
     const bool is_endless = !std::isfinite(joint.high - joint.low);
     ends.from[j] = is_endless ? 0.0 : joint.low + 0.6 * (joint.high - joint.low);
     ends.to[j] = is_endless ? 1.0 : joint.low + 0.55 * (joint.high - joint.low);
@@ -31,10 +31,10 @@ Ends endsOn(const Mechanism& mechanism) {
 class ApproachOn : public testing::TestWithParam<const char*> {};
 
 TEST_P(ApproachOn, GoesFromRestToRestWithinItsSpeedsAndDepositsNothing) {
-  const auto mechanism = mechanismByName(GetParam());
-  const Ends ends = endsOn(*mechanism);
+  const auto model = kinematicModelByName(GetParam());
+  const Ends ends = endsOn(*model);
   const ApproachSettings settings;
-  const Approach way = approach(ends.from, ends.to, *mechanism, settings, {});
+  const Approach way = approach(ends.from, ends.to, *model, settings, {});
   EXPECT_EQ(way.stations.front(), ends.from);
   EXPECT_EQ(way.stations.back(), ends.to);
   const double end_s = way.motion->duration();
@@ -45,19 +45,17 @@ TEST_P(ApproachOn, GoesFromRestToRestWithinItsSpeedsAndDepositsNothing) {
   for (double t = 0.0; t < end_s; t += 0.01) {
     const JointState state = way.motion->at(t);
     ASSERT_EQ(state.process, safeSignals());
-    for (std::size_t j = 0; j < mechanism->joints().size(); ++j)
+    for (std::size_t j = 0; j < model->joints().size(); ++j)
       ASSERT_LE(std::abs(state.velocity[static_cast<Eigen::Index>(j)]),
-                mechanism->joints()[j].max_speed * (1.0 + 1e-9));
+                model->joints()[j].max_speed * (1.0 + 1e-9));
   }
 }
 
-TEST_P(ApproachOn, LiftsAgainstTheJetAndComesDownAlongIt) {
-  const auto mechanism = mechanismByName(GetParam());
-  const Ends ends = endsOn(*mechanism);
-  const Approach way = approach(ends.from, ends.to, *mechanism, {}, {});
-  const auto nozzle = [&](double time_s) {
-    return mechanism->bedFromNozzle(way.motion->at(time_s).position);
-  };
+TEST_P(ApproachOn, LiftsAgainstTheToolAxisAndComesDownAlongIt) {
+  const auto model = kinematicModelByName(GetParam());
+  const Ends ends = endsOn(*model);
+  const Approach way = approach(ends.from, ends.to, *model, {}, {});
+  const auto nozzle = [&](double time_s) { return model->bedFromNozzle(way.motion->at(time_s).position); };
   const auto off = [](const Eigen::Isometry3d& at, const Eigen::Isometry3d& end) {
     const Eigen::Vector3d along = end.linear().col(2);
     const Eigen::Vector3d way_left = end.translation() - at.translation();
@@ -76,13 +74,13 @@ INSTANTIATE_TEST_SUITE_P(Machines, ApproachOn,
                                          "rus_platform"));
 
 TEST(ApproachTest, RefusesEndsOutsideTheLimitsAndNoWayAtAll) {
-  const auto mechanism = mechanismByName("irb_4600");
-  Ends ends = endsOn(*mechanism);
-  EXPECT_THROW(approach(ends.from, ends.from, *mechanism, {}, {}), InvalidInput);
-  EXPECT_THROW(approach(JointValues::Zero(3), ends.to, *mechanism, {}, {}), InvalidInput);
-  ends.from[2] = mechanism->joints()[2].high + 0.1;
+  const auto model = kinematicModelByName("irb_4600");
+  Ends ends = endsOn(*model);
+  EXPECT_THROW(approach(ends.from, ends.from, *model, {}, {}), InvalidInput);
+  EXPECT_THROW(approach(JointValues::Zero(3), ends.to, *model, {}, {}), InvalidInput);
+  ends.from[2] = model->joints()[2].high + 0.1;
   try {
-    approach(ends.from, ends.to, *mechanism, {}, {});
+    approach(ends.from, ends.to, *model, {}, {});
     FAIL() << "expected Unreachable";
   } catch (const Unreachable& error) {
     EXPECT_NE(std::string(error.what()).find("joint_3"), std::string::npos) << error.what();

@@ -23,7 +23,8 @@ Eigen::Quaterniond leaning(double tilt, double heading) {
          nozzleDown();
 }
 
-/// A bead of 60 mm along x whose jet leans by `tilt` and goes around the vertical by 0.6 rad on the way.
+/// A bead of 60 mm along x whose tool axis leans by `tilt` and goes around the vertical by 0.6 rad on the
+/// way.
 Toolpath leaningLine(double tilt) {
   Path path = test::straightPath({-30, 5, 0.2}, {30, 5, 0.2});
   path.orientation = AlongPath<Eigen::Quaterniond>({leaning(tilt, 0.0), leaning(tilt, 0.6)});
@@ -31,7 +32,7 @@ Toolpath leaningLine(double tilt) {
 }
 
 void expectKept(const std::string& name, double tilt) {
-  const auto machine = mechanismByName(name);
+  const auto machine = kinematicModelByName(name);
   const Toolpath toolpath = leaningLine(tilt);
   JointPathSettings joints;
   joints.max_slowdown = 100.0;
@@ -64,7 +65,7 @@ class EveryMachine : public testing::TestWithParam<const char*> {};
 
 TEST_P(EveryMachine, KeepsItsLimitsAndTheLine) { expectKept(GetParam(), 0.35); }
 
-TEST_P(EveryMachine, PassesBesideTheSingularityOfAnUprightJet) { expectKept(GetParam(), 0.01); }
+TEST_P(EveryMachine, PassesBesideTheSingularityOfAnUprightToolAxis) { expectKept(GetParam(), 0.01); }
 
 INSTANTIATE_TEST_SUITE_P(Trajectory, EveryMachine,
                          testing::Values("five_axis_head_table", "five_axis_table_ac", "five_axis_table_bc",

@@ -28,18 +28,18 @@ struct Job {
   TiltingGantry gantry;
   ManualClock clock;
   TimedPath timed;
-  HandOver hand_over;
+  TrajectoryFeeder feeder;
   SimulatedController controller;
 
   Job(const Toolpath& toolpath, const ServoSettings& servo, const ControllerFaults& faults = {})
       : timed(toolpath, uprightPath(toolpath, gantry), gantry, {}),
-        hand_over(timed, {}),
+        feeder(timed, {}),
         controller(clock, gantry, servo, timed.at(0.0).position, faults) {}
 
   /// Hands over every 50 ms.
   void runTo(double time_s) {
     while (clock.now() < time_s) {
-      while (auto chunk = hand_over.next(clock.now())) controller.accept(*chunk);
+      while (auto chunk = feeder.next(clock.now())) controller.accept(*chunk);
       clock.moveTo(clock.now() + 0.05);
       controller.advance();
     }
@@ -123,7 +123,7 @@ TEST(SimulatedController, BrakesWhereThePointsEndInMotion) {
   servo.lag_s = 0.0;
   servo.brake_s = 0.4;
   Job job(line(), servo);
-  while (auto chunk = job.hand_over.next(0.0)) job.controller.accept(*chunk);
+  while (auto chunk = job.feeder.next(0.0)) job.controller.accept(*chunk);
   job.clock.moveTo(0.5);
   job.controller.advance();
   EXPECT_EQ(job.controller.report().starvations, 0U);
@@ -132,7 +132,7 @@ TEST(SimulatedController, BrakesWhereThePointsEndInMotion) {
   EXPECT_EQ(job.controller.process(), safeSignals());
 }
 
-TEST(SimulatedController, BrakesFromWhereItIsWhenToldTo) {
+TEST(SimulatedController, BrakesFromWhereItIsWhenAskedTo) {
   ServoSettings servo;
   servo.lag_s = 0.0;
   Job job(line(), servo);
@@ -160,8 +160,8 @@ TEST(SimulatedController, AnAbortReachesItWithTheNextCycle) {
   Job job(line(), {});
   job.runTo(1.0);
   EXPECT_TRUE(job.controller.process().flow_mm3_s > 0.0);
-  job.hand_over.abort(job.clock.now(), {10.0, 20.0}, job.gantry);
-  while (auto chunk = job.hand_over.next(job.clock.now())) job.controller.accept(*chunk);
+  job.feeder.abort(job.clock.now(), {10.0, 20.0}, job.gantry);
+  while (auto chunk = job.feeder.next(job.clock.now())) job.controller.accept(*chunk);
   job.clock.moveTo(job.clock.now() + 0.004);
   job.controller.advance();
   EXPECT_EQ(job.controller.process(), safeSignals());
@@ -175,13 +175,13 @@ TEST(SimulatedController, AnAbortReachesItWithTheNextCycle) {
 TEST(SimulatedController, IsPausedAndResumedWithoutStarving) {
   Job job(line(), {});
   job.runTo(1.0);
-  job.hand_over.pause(job.clock.now());
+  job.feeder.pause(job.clock.now());
   job.runTo(3.0);
   const JointValues paused = job.controller.position();
   EXPECT_LT(paused[0], 60.0);
-  EXPECT_NEAR((paused - job.hand_over.at(3.0).position).norm(), 0.0, 1e-6);
-  job.hand_over.resume(job.clock.now());
-  job.runTo(job.hand_over.restTime() + 1.0);
+  EXPECT_NEAR((paused - job.feeder.at(3.0).position).norm(), 0.0, 1e-6);
+  job.feeder.resume(job.clock.now());
+  job.runTo(job.feeder.restTime() + 1.0);
   EXPECT_NEAR(job.controller.position()[0], 90.0, 1e-6);
   EXPECT_EQ(job.controller.report().starvations, 0U);
   EXPECT_GT(job.controller.report().least_queue_s, 0.3);

@@ -37,10 +37,10 @@ double distanceToCorner(const Point3& p) {
   return std::min(on_first, on_second);
 }
 
-double mostDeviation(const TimedPath& timed, const Mechanism& mechanism) {
+double mostDeviation(const TimedPath& timed, const KinematicModel& model) {
   double most = 0.0;
   for (double t = 0.0; t < timed.duration(); t += 1e-3)
-    most = std::max(most, distanceToCorner(mechanism.bedFromNozzle(timed.at(t).position).translation()));
+    most = std::max(most, distanceToCorner(model.bedFromNozzle(timed.at(t).position).translation()));
   return most;
 }
 
@@ -140,7 +140,7 @@ TEST(TimedPath, AnArmKeepsTheTipOnItsLine) {
   EXPECT_NEAR(timed.at(0.5 * timed.duration()).tip_speed_mm_s, 30.0, 1e-6) << "no stop on the line";
 }
 
-/// What is laid, by the flow summed over time.
+/// What is deposited, by the flow summed over time.
 double volumeByFlow(const TimedPath& timed) {
   // Flow is linear in time within pieces shorter than this but for kinks; Simpson's rule is exact there.
   const double step_s = 2e-5;
@@ -186,9 +186,9 @@ struct Greatest {
   double stated = 0.0;  ///< difference of stated velocities and accelerations from those found [of the limit]
 };
 
-Greatest differentiated(const TimedPath& timed, const Mechanism& mechanism, const TimingSettings& settings) {
-  JointValues speed(mechanism.joints().size());
-  for (Eigen::Index j = 0; j < speed.size(); ++j) speed[j] = mechanism.joints()[j].max_speed;
+Greatest differentiated(const TimedPath& timed, const KinematicModel& model, const TimingSettings& settings) {
+  JointValues speed(model.joints().size());
+  for (Eigen::Index j = 0; j < speed.size(); ++j) speed[j] = model.joints()[j].max_speed;
   const JointValues acceleration = speed / settings.trajectory.joint_ramp_s;
   const double h = 5e-4;
   Greatest greatest;

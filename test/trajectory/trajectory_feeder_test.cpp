@@ -38,16 +38,16 @@ void expectSame(const JointState& a, const JointState& b) {
   EXPECT_EQ(a.acceleration, b.acceleration);
 }
 
-TEST(HandOver, ChunksJoinExactlyAndEndAtTheEnd) {
+TEST(TrajectoryFeeder, ChunksJoinExactlyAndEndAtTheEnd) {
   const TimedPath timed = timedGantry(test::twoLayers(), powderSettings());
-  HandOver hand_over(timed, {});
-  auto chunk = hand_over.next(0.0);
+  TrajectoryFeeder feeder(timed, {});
+  auto chunk = feeder.next(0.0);
   ASSERT_TRUE(chunk);
   EXPECT_EQ(chunk->points.size(), 51U);
   EXPECT_EQ(chunk->points.front().time_s, 0.0);
   JointState last = chunk->points.back();
-  for (double now_s = 0.0; hand_over.state() == HandOverState::Running; now_s += 0.1)
-    while ((chunk = hand_over.next(now_s))) {
+  for (double now_s = 0.0; feeder.state() == TrajectoryFeederState::Running; now_s += 0.1)
+    while ((chunk = feeder.next(now_s))) {
       expectSame(chunk->points.front(), last);
       last = chunk->points.back();
     }
@@ -57,24 +57,24 @@ TEST(HandOver, ChunksJoinExactlyAndEndAtTheEnd) {
   EXPECT_EQ(last.process, safeSignals());
 }
 
-TEST(HandOver, KeepsTheMotionAheadWaiting) {
+TEST(TrajectoryFeeder, KeepsTheMotionAheadWaiting) {
   const TimedPath timed = timedGantry(test::twoLayers(), powderSettings());
-  HandOverSettings settings;
+  TrajectoryFeederSettings settings;
   settings.points = 25;
   settings.ahead_s = 0.3;
-  HandOver hand_over(timed, settings);
+  TrajectoryFeeder feeder(timed, settings);
   double queued_until = 0.0;
   for (double now_s = 0.0; now_s < 1.0; now_s += 0.05) {
-    while (auto chunk = hand_over.next(now_s)) queued_until = chunk->points.back().time_s;
+    while (auto chunk = feeder.next(now_s)) queued_until = chunk->points.back().time_s;
     EXPECT_GE(queued_until - now_s, 0.3);
     EXPECT_LT(queued_until - now_s, 0.3 + 2 * 0.1 + 1e-9);
   }
 }
 
-TEST(HandOver, RefusesChunksWithoutPoints) {
+TEST(TrajectoryFeeder, RefusesChunksWithoutPoints) {
   const TimedPath timed = timedGantry(test::twoLayers(), powderSettings());
-  EXPECT_THROW(HandOver(timed, {0.0, 10, 0.5, 0.05}), InvalidConfig);
-  EXPECT_THROW(HandOver(timed, {250.0, 0, 0.5, 0.05}), InvalidConfig);
+  EXPECT_THROW(TrajectoryFeeder(timed, {0.0, 10, 0.5, 0.05}), InvalidConfig);
+  EXPECT_THROW(TrajectoryFeeder(timed, {250.0, 0, 0.5, 0.05}), InvalidConfig);
 }
 
 double distanceToToolpath(const Toolpath& toolpath, const Point3& tip) {
@@ -98,14 +98,14 @@ struct Outcome {
   bool is_laser_on_at_rest = false;
 };
 
-Outcome outcomeOf(const HandOver& hand_over, const Toolpath& toolpath, const TimingSettings& settings,
+Outcome outcomeOf(const TrajectoryFeeder& feeder, const Toolpath& toolpath, const TimingSettings& settings,
                   double until_s) {
   const TiltingGantry gantry;
   Outcome outcome;
-  JointState before = hand_over.at(0.0);
+  JointState before = feeder.at(0.0);
   for (double t = kStep; t < until_s; t += kStep) {
-    const JointState state = hand_over.at(t);
-    outcome.volume += kStep * hand_over.at(t - 0.5 * kStep).process.flow_mm3_s;
+    const JointState state = feeder.at(t);
+    outcome.volume += kStep * feeder.at(t - 0.5 * kStep).process.flow_mm3_s;
     outcome.farthest = std::max(
         outcome.farthest, distanceToToolpath(toolpath, gantry.bedFromNozzle(state.position).translation()));
     for (Eigen::Index j = 0; j < 4; ++j) {
@@ -118,13 +118,13 @@ Outcome outcomeOf(const HandOver& hand_over, const Toolpath& toolpath, const Tim
   return outcome;
 }
 
-bool isSafe(const HandOver& hand_over, double from_s, double to_s) {
+bool isSafe(const TrajectoryFeeder& feeder, double from_s, double to_s) {
   for (double t = from_s; t < to_s; t += kStep)
-    if (!(hand_over.at(t).process == safeSignals())) return false;
+    if (!(feeder.at(t).process == safeSignals())) return false;
   return true;
 }
 
-TEST(HandOver, PausesAnywhereAndLaysEverythingOnce) {
+TEST(TrajectoryFeeder, PausesAnywhereAndLaysEverythingOnce) {
   EXPECT_TRUE(rc::check("a job with pauses lays what it would without, on its path, within limits", [] {
     Toolpath toolpath = test::randomToolpath(*rc::gen::arbitrary<std::uint64_t>());
     toolpath.layers.resize(1);
@@ -132,24 +132,24 @@ TEST(HandOver, PausesAnywhereAndLaysEverythingOnce) {
     paths.resize(std::min<std::size_t>(paths.size(), 2));
     const TimingSettings settings = powderSettings(*rc::gen::element(0.0, 0.01));
     const TimedPath timed = timedGantry(toolpath, settings);
-    HandOver hand_over(timed, {});
+    TrajectoryFeeder feeder(timed, {});
     double now_s = 0.0;
     for (int pauses = 0; pauses < 3; ++pauses) {
       now_s += timed.duration() * 0.01 * *rc::gen::inRange(0, 40);
-      hand_over.pause(now_s);
-      const double rest_s = hand_over.restTime();
-      if (hand_over.state() != HandOverState::Paused) continue;
-      RC_ASSERT(hand_over.at(rest_s + 1e-9).velocity.norm() < 1e-9);
+      feeder.pause(now_s);
+      const double rest_s = feeder.restTime();
+      if (feeder.state() != TrajectoryFeederState::Paused) continue;
+      RC_ASSERT(feeder.at(rest_s + 1e-9).velocity.norm() < 1e-9);
       now_s = rest_s + 0.001 * *rc::gen::inRange(-20, 200);
-      hand_over.resume(now_s);
-      RC_ASSERT(hand_over.state() == HandOverState::Running);
-      RC_ASSERT(isSafe(hand_over, rest_s + 1e-9, now_s));
+      feeder.resume(now_s);
+      RC_ASSERT(feeder.state() == TrajectoryFeederState::Running);
+      RC_ASSERT(isSafe(feeder, rest_s + 1e-9, now_s));
     }
-    const Outcome outcome = outcomeOf(hand_over, toolpath, settings, hand_over.restTime());
+    const Outcome outcome = outcomeOf(feeder, toolpath, settings, feeder.restTime());
     RC_ASSERT(std::abs(outcome.volume / totals(toolpath).deposited_mm3 - 1.0) < kVolumeTolerance);
     RC_ASSERT(outcome.farthest < 0.05 + 1e-6);
     RC_ASSERT(outcome.acceleration < 1.0 + 1e-6);
-    const JointState end = hand_over.at(hand_over.restTime() + 1.0);
+    const JointState end = feeder.at(feeder.restTime() + 1.0);
     RC_ASSERT((end.position - timed.at(1e9).position).norm() < 1e-9);
   }));
 }
@@ -157,89 +157,89 @@ TEST(HandOver, PausesAnywhereAndLaysEverythingOnce) {
 /// A bead of 30 mm along x.
 Toolpath line() { return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}}; }
 
-TEST(HandOver, APauseBrakesAfterTheReaction) {
+TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
   TimingSettings settings = powderSettings();
   settings.motion.acceleration_mm_s2 = 300.0;
   const TimedPath timed = timedGantry(line(), settings);
-  HandOver hand_over(timed, {250.0, 50, 0.5, 0.1});
-  hand_over.pause(0.5);
+  TrajectoryFeeder feeder(timed, {250.0, 50, 0.5, 0.1});
+  feeder.pause(0.5);
   // 30 mm/s, reached after 0.1 s and 1.5 mm, until 0.6 s; braking takes the same again.
-  EXPECT_NEAR(hand_over.restTime(), 0.7, 1e-9);
-  EXPECT_NEAR(hand_over.at(0.6).velocity[0], 30.0, 1e-9);
-  EXPECT_NEAR(hand_over.at(0.7).position[0], 1.5 + 15.0 + 1.5, 1e-9);
-  EXPECT_TRUE(hand_over.at(0.69).process.is_laser_on);
-  EXPECT_EQ(hand_over.at(0.7).process, safeSignals());
-  hand_over.resume(2.0);
-  EXPECT_NEAR(hand_over.restTime(), 2.1 + 12.0 / 30.0 + 0.1, 1e-9);
-  EXPECT_FALSE(hand_over.at(2.0).process.is_powder_on);
-  EXPECT_TRUE(hand_over.at(2.15).process.is_powder_on);
+  EXPECT_NEAR(feeder.restTime(), 0.7, 1e-9);
+  EXPECT_NEAR(feeder.at(0.6).velocity[0], 30.0, 1e-9);
+  EXPECT_NEAR(feeder.at(0.7).position[0], 1.5 + 15.0 + 1.5, 1e-9);
+  EXPECT_TRUE(feeder.at(0.69).process.is_laser_on);
+  EXPECT_EQ(feeder.at(0.7).process, safeSignals());
+  feeder.resume(2.0);
+  EXPECT_NEAR(feeder.restTime(), 2.1 + 12.0 / 30.0 + 0.1, 1e-9);
+  EXPECT_FALSE(feeder.at(2.0).process.is_powder_on);
+  EXPECT_TRUE(feeder.at(2.15).process.is_powder_on);
 }
 
-TEST(HandOver, LaysEachMillimetreOnce) {
+TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
   const double area = crossSection({0.4, 0.2});
   for (const double jerk_ramp_s : {0.0, 0.01}) {
     const TimedPath timed = timedGantry(line(), powderSettings(jerk_ramp_s));
-    HandOver hand_over(timed, {});
+    TrajectoryFeeder feeder(timed, {});
     for (const double pause_s : {0.0, 0.3, 0.9, 1.6}) {
-      hand_over.pause(pause_s);
-      hand_over.resume(hand_over.restTime() + 0.1);
+      feeder.pause(pause_s);
+      feeder.resume(feeder.restTime() + 0.1);
     }
     const double step_s = 2e-5;
     double volume = 0.0;
-    for (std::size_t i = 0; static_cast<double>(i) * step_s < hand_over.restTime(); ++i) {
+    for (std::size_t i = 0; static_cast<double>(i) * step_s < feeder.restTime(); ++i) {
       const double middle_s = (static_cast<double>(i) + 0.5) * step_s;
-      volume += step_s * hand_over.at(middle_s).process.flow_mm3_s;
+      volume += step_s * feeder.at(middle_s).process.flow_mm3_s;
       if (i % 1000 != 0) continue;
-      const double x = hand_over.at(middle_s + 0.5 * step_s).position[0];
+      const double x = feeder.at(middle_s + 0.5 * step_s).position[0];
       ASSERT_NEAR(volume / area, x, 1e-5) << middle_s;
     }
     EXPECT_NEAR(volume / (30.0 * area), 1.0, 1e-6);
   }
 }
 
-TEST(HandOver, ReplacesWhatIsQueuedWhenPaused) {
+TEST(TrajectoryFeeder, ReplacesWhatIsQueuedWhenPaused) {
   // With jerk limited braking sets in steadily; without, at the first point that is replaced.
   const TimedPath timed = timedGantry(line(), powderSettings(0.01));
-  HandOver hand_over(timed, {});
-  while (hand_over.next(0.3)) continue;
-  hand_over.pause(0.3);
-  const auto chunk = hand_over.next(0.3);
+  TrajectoryFeeder feeder(timed, {});
+  while (feeder.next(0.3)) continue;
+  feeder.pause(0.3);
+  const auto chunk = feeder.next(0.3);
   ASSERT_TRUE(chunk);
   EXPECT_NEAR(chunk->points.front().time_s, 0.352, 1e-9) << "the first point after the reaction";
   expectSame(chunk->points.front(), timed.at(chunk->points.front().time_s));
-  while (hand_over.next(0.3)) continue;
-  hand_over.resume(5.0);
-  const auto resumed = hand_over.next(5.0);
+  while (feeder.next(0.3)) continue;
+  feeder.resume(5.0);
+  const auto resumed = feeder.next(5.0);
   ASSERT_TRUE(resumed);
   EXPECT_GT(resumed->points.front().time_s, 5.0);
   EXPECT_EQ(resumed->points.front().velocity.norm(), 0.0);
 }
 
-TEST(HandOver, AnAbortIsSafeAtOnceAndBrakesOnThePath) {
+TEST(TrajectoryFeeder, AnAbortIsSafeAtOnceAndBrakesOnThePath) {
   EXPECT_TRUE(rc::check("an abort anywhere", [] {
     const Toolpath toolpath = test::twoLayers();
     const TimingSettings settings = powderSettings(*rc::gen::element(0.0, 0.01));
     const TimedPath timed = timedGantry(toolpath, settings);
-    HandOver hand_over(timed, {});
+    TrajectoryFeeder feeder(timed, {});
     const double now_s = timed.duration() * 0.001 * *rc::gen::inRange(0, 1000);
-    while (hand_over.next(now_s)) continue;
-    hand_over.abort(now_s);
-    RC_ASSERT(hand_over.state() == HandOverState::Aborted);
-    RC_ASSERT(isSafe(hand_over, now_s, hand_over.restTime() + 1.0));
-    RC_ASSERT(hand_over.at(hand_over.restTime() + 1e-9).velocity.norm() < 1e-9);
-    const Outcome outcome = outcomeOf(hand_over, toolpath, settings, hand_over.restTime());
+    while (feeder.next(now_s)) continue;
+    feeder.abort(now_s);
+    RC_ASSERT(feeder.state() == TrajectoryFeederState::Aborted);
+    RC_ASSERT(isSafe(feeder, now_s, feeder.restTime() + 1.0));
+    RC_ASSERT(feeder.at(feeder.restTime() + 1e-9).velocity.norm() < 1e-9);
+    const Outcome outcome = outcomeOf(feeder, toolpath, settings, feeder.restTime());
     RC_ASSERT(outcome.farthest < 0.05 + 1e-6);
     RC_ASSERT(outcome.acceleration < 1.0 + 1e-6);
-    const auto chunk = hand_over.next(now_s);
+    const auto chunk = feeder.next(now_s);
     if (chunk) RC_ASSERT(chunk->points.front().time_s <= now_s + 1e-9);
-    hand_over.resume(now_s + 10.0);
-    RC_ASSERT(hand_over.state() == HandOverState::Aborted);
+    feeder.resume(now_s + 10.0);
+    RC_ASSERT(feeder.state() == TrajectoryFeederState::Aborted);
   }));
 }
 
-TEST(HandOver, AbortsWhilePausedAndBeforeTheStart) {
+TEST(TrajectoryFeeder, AbortsWhilePausedAndBeforeTheStart) {
   const TimedPath timed = timedGantry(line(), powderSettings());
-  HandOver paused(timed, {});
+  TrajectoryFeeder paused(timed, {});
   while (paused.next(0.3)) continue;
   paused.pause(0.3);
   const double rest_s = paused.restTime();
@@ -249,22 +249,22 @@ TEST(HandOver, AbortsWhilePausedAndBeforeTheStart) {
   const auto chunk = paused.next(0.31);
   ASSERT_TRUE(chunk);
   EXPECT_LE(chunk->points.front().time_s, 0.31) << "queued points are replaced by safe ones";
-  HandOver unstarted(timed, {250.0, 50, 0.5, 0.0});
+  TrajectoryFeeder unstarted(timed, {250.0, 50, 0.5, 0.0});
   unstarted.abort(0.0);
   EXPECT_TRUE(isSafe(unstarted, 0.0, 2.0));
   EXPECT_NEAR(unstarted.at(2.0).position[0], 0.0, 1e-12);
 }
 
-TEST(HandOver, DoesNothingAfterTheEnd) {
+TEST(TrajectoryFeeder, DoesNothingAfterTheEnd) {
   const TimedPath timed = timedGantry(line(), powderSettings());
-  HandOver hand_over(timed, {});
-  hand_over.pause(timed.duration() + 1.0);
-  hand_over.abort(timed.duration() + 1.0);
-  EXPECT_EQ(hand_over.state(), HandOverState::Running);
-  EXPECT_NEAR(hand_over.at(1e9).position[0], 30.0, 1e-12);
+  TrajectoryFeeder feeder(timed, {});
+  feeder.pause(timed.duration() + 1.0);
+  feeder.abort(timed.duration() + 1.0);
+  EXPECT_EQ(feeder.state(), TrajectoryFeederState::Running);
+  EXPECT_NEAR(feeder.at(1e9).position[0], 30.0, 1e-12);
 }
 
-TEST(HandOver, LiftsTheToolAgainstItsJetAfterAnAbort) {
+TEST(TrajectoryFeeder, LiftsTheToolAgainstItsToolAxisAfterAnAbort) {
   const Toolpath toolpath = line();
   const TiltingGantry gantry;
   const double tilt = 0.5;
@@ -272,23 +272,23 @@ TEST(HandOver, LiftsTheToolAgainstItsJetAfterAnAbort) {
       test::jointPathBy(toolpath, [&](const Point3& tip) { return gantry.valuesAt(tip, tilt); });
   const TimingSettings settings = powderSettings(0.01);
   const TimedPath timed(toolpath, path, gantry, settings);
-  HandOver hand_over(timed, {});
-  hand_over.abort(0.5, {20.0, 40.0}, gantry);
-  const JointState end = hand_over.at(hand_over.restTime());
+  TrajectoryFeeder feeder(timed, {});
+  feeder.abort(0.5, {20.0, 40.0}, gantry);
+  const JointState end = feeder.at(feeder.restTime());
   const Eigen::Isometry3d pose = gantry.bedFromNozzle(end.position);
   EXPECT_NEAR(pose.translation().z() - 0.2, 20.0 * std::cos(tilt), 1e-3);
   EXPECT_NEAR(pose.translation().y(), 20.0 * std::sin(tilt) * (pose.linear()(1, 2) > 0 ? -1 : 1), 1e-3);
   EXPECT_NEAR(end.position[3], tilt, 1e-4);
-  EXPECT_TRUE(isSafe(hand_over, 0.5, hand_over.restTime() + 1.0));
+  EXPECT_TRUE(isSafe(feeder, 0.5, feeder.restTime() + 1.0));
 }
 
-TEST(HandOver, ALiftOutOfReachLeavesTheAbortStanding) {
+TEST(TrajectoryFeeder, ALiftOutOfReachLeavesTheAbortStanding) {
   const TimedPath timed = timedGantry(line(), powderSettings());
-  HandOver hand_over(timed, {});
-  EXPECT_THROW(hand_over.abort(0.5, {5000.0, 40.0}, TiltingGantry()), Unreachable);
-  EXPECT_EQ(hand_over.state(), HandOverState::Aborted);
-  EXPECT_EQ(hand_over.at(0.51).process, safeSignals());
-  EXPECT_EQ(hand_over.at(hand_over.restTime() + 1.0).velocity.norm(), 0.0);
+  TrajectoryFeeder feeder(timed, {});
+  EXPECT_THROW(feeder.abort(0.5, {5000.0, 40.0}, TiltingGantry()), Unreachable);
+  EXPECT_EQ(feeder.state(), TrajectoryFeederState::Aborted);
+  EXPECT_EQ(feeder.at(0.51).process, safeSignals());
+  EXPECT_EQ(feeder.at(feeder.restTime() + 1.0).velocity.norm(), 0.0);
 }
 
 }  // namespace

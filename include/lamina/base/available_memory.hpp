@@ -4,11 +4,11 @@
 
 namespace lamina {
 
-/// Memory [bytes] that this process can still take without swapping, as the machine tells (MemAvailable) or
-/// its control group allows, whichever is less. Infinite if neither tells.
+/// Memory [bytes] that this process can still take without swapping, as the machine reports (MemAvailable) or
+/// its control group allows, whichever is less. Infinite if neither reports.
 double availableMemory();
 
-/// Most memory [bytes] that this process ever held resident; 0 if the machine does not tell.
+/// Most memory [bytes] that this process ever held resident; 0 if the machine does not report.
 double peakMemory();
 
 }  // namespace lamina

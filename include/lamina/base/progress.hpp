@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Port through which long work tells how far it is, and learns that it should stop.
+/// Port through which long work reports how far it is, and learns that it should stop.
 /// Both calls may come from any thread; `report` should return at once.
 class Progress {
  public:

@@ -46,7 +46,14 @@ class SettingsSchema {
   void choice(const std::string& key, Enum& field, const std::vector<std::pair<std::string, Enum>>& choices,
               const std::string& meaning);
 
+  /// A key, or one value of a choice, that had another name in the release before: that name is still taken.
+  void renamed(const std::string& former_key, const std::string& key);
+  void renamedChoice(const std::string& key, const std::string& former_name, const std::string& name);
+
   const std::vector<Setting>& settings() const { return settings_; }
+
+  /// The setting of a key or of a former name of it; null if there is none.
+  const Setting* find(const std::string& key) const;
 
   /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
   void set(const std::string& key, const std::string& text);
@@ -60,6 +67,7 @@ class SettingsSchema {
                  const std::function<void(std::size_t)>& choose, std::function<std::string()> get);
 
   std::vector<Setting> settings_;
+  std::vector<std::pair<std::string, std::string>> former_keys_;  ///< and what each is now
 };
 
 /// A key and its value as text.

@@ -23,7 +23,7 @@ struct DepositedMotion {
 /// flat ground the map gains exactly what was extruded. Where neighbours already fill the room, the bead
 /// becomes wider instead of higher. Too little material for a stadium gives a disc lying on the ground, lower
 /// than the nozzle. What lies deeper than the floor stays open: valleys between the beads of the layer
-/// beneath become pores, and gaps are bridged up to `kBridgedSpan`. The map holds one height per cell, so it
+/// below become pores, and gaps are bridged up to `kBridgedSpan`. The map holds one height per cell, so it
 /// does not show these voids and gains their volume too. Sagging, ooze and the pressure in the nozzle are not
 /// modelled. Edges are blurred by one cell.
 ///
@@ -66,9 +66,9 @@ class BeadDeposit {
 
   HeightMap surface_;
   double highest_;
-  std::vector<float> laid_at_;  ///< nozzle height at which each cell was last laid [mm]
-  std::vector<Cell> cells_;     ///< around the piece being laid
-  double layer_z_ = 0.0;        ///< nozzle height of the last piece [mm]
+  std::vector<float> deposited_at_;  ///< nozzle height at which each cell was last deposited [mm]
+  std::vector<Cell> cells_;          ///< around the piece being deposited
+  double layer_z_ = 0.0;             ///< nozzle height of the last piece [mm]
   double layer_gap_ = 0.0;  ///< from there down to the ground of the last supported bead; 0 before the first
   double unsupported_mm_ = 0.0;  ///< length of the bead since it left its support
   double excess_mm3_ = 0.0;

@@ -7,11 +7,12 @@
 
 namespace lamina {
 
-/// What a toolpath leaves behind, laid as the nozzle comes by (`PathFollower`, `VoxelDeposit`). Once the
-/// nozzle has been at the end, as much is laid as `depositedVoxels` lays, in portions that begin elsewhere.
+/// What a toolpath leaves behind, deposited as the nozzle comes by (`PathFollower`, `VoxelDeposit`). Once the
+/// nozzle has been at the end, as much is deposited as `depositedVoxels` lays, in portions that begin
+/// elsewhere.
 class FollowedDeposit {
  public:
-  static constexpr double kLeastPiece = 0.2;  ///< of a motion that is not at its end, laid at once [mm]
+  static constexpr double kLeastPiece = 0.2;  ///< of a motion that is not at its end, deposited at once [mm]
 
   /// @param toolpath  in coordinates of the bed
   /// @throws InvalidInput as `depositedVoxels`, `PathFollower`
@@ -35,7 +36,7 @@ class FollowedDeposit {
   DepositionSettings settings_;
   PathFollower follower_;
   VoxelDeposit deposit_;
-  PathPlace laid_;  ///< up to there
+  PathPlace deposited_;  ///< up to there
   double planned_mm3_ = 0.0;
 };
 

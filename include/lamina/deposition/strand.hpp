@@ -12,7 +12,7 @@ double strandRadius(double area_mm2);
 /// Radius [mm] of the ball of that volume.
 double ballRadius(double volume_mm3);
 
-/// What a model held that was laid with strands of one radius.
+/// What a model held that was deposited with strands of one radius.
 struct RadiusTrial {
   double radius_mm = 0.0;
   double volume_mm3 = 0.0;

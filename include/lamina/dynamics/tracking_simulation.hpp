@@ -46,7 +46,7 @@ struct TrackingFigures {
 class TrackingSimulation {
  public:
   /// Starts at rest.
-  /// @param tip_mm     the point whose error is told, such as the nozzle's tip [platform frame]
+  /// @param tip_mm     the point whose error is reported, such as the nozzle's tip [platform frame]
   /// @param reference  must outlive the simulation
   /// @throws InvalidConfig as `requireStable`, or if the step is not positive
   TrackingSimulation(const TrackingReference& reference, const RusPlatform& platform, const Point3& tip_mm,

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/gcode_rewrite/space_map.hpp"
 #include "lamina/gcode_rewrite/rewrite_report.hpp"
 #include "lamina/gcode_rewrite/rewrite_settings.hpp"
+#include "lamina/gcode_rewrite/space_map.hpp"
 
 namespace lamina {
 
@@ -23,15 +23,15 @@ struct Maps {
 };
 
 /// Maps the part a program prints, and leaves the rest of the program as it is. Two passes over the file in
-/// constant memory: the first measures and refuses, the second writes. docs/incline.md tells every rule.
+/// constant memory: the first measures and refuses, the second writes. docs/incline.md reports every rule.
 ///
 /// @throws InvalidConfig as `validate`
 /// @throws InvalidProgram naming the line of what cannot be transformed
-/// @throws Unreachable naming the line where the nozzle would leave the limits or deposit beneath the bed
+/// @throws Unreachable naming the line where the nozzle would leave the limits or deposit below the bed
 /// @throws FileError if a file cannot be read or written, or the input changes meanwhile
 /// @throws InvalidInput if the output is the input
 /// @throws Cancelled
-TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
-                                 const TransformSettings& settings, Progress& progress);
+RewriteReport rewriteProgram(const ProgramFiles& files, const Maps& maps, const RewriteSettings& settings,
+                             Progress& progress);
 
 }  // namespace lamina

@@ -17,8 +17,8 @@ enum class RewriteMode {
   Listing,
 };
 enum class Lift { ToFirstLayer, None };
-/// Which way the nozzle must point where the machine's jet is given.
-enum class JetRule {
+/// Which way the nozzle must point where the machine's tool axis is given.
+enum class ToolAxisRule {
   AlongNormal,  ///< into the layers, square to them; refused otherwise
   AsMachine,    ///< as the machine holds it
 };
@@ -34,10 +34,10 @@ enum class ExtrusionRule {
 enum class ExtrusionMode { Absolute, Relative };
 
 /// How a program is transformed. Lengths in mm, in the frame of the machine unless said otherwise.
-struct TransformSettings {
+struct RewriteSettings {
   RewriteMode mode = RewriteMode::Corrected;
   std::optional<int> decimals;  ///< of coordinates, 0 to 6; else 3, or 2 as the listing
-  /// Height at which the lowest deposition end is put; else as the slicer's comments tell.
+  /// Height at which the lowest deposition end is put; else as the slicer's comments report.
   std::optional<double> layer_height_mm;
   Lift lift = Lift::ToFirstLayer;
   Point3 offset_mm = Point3::Zero();  ///< moves the part after the lift
@@ -48,22 +48,22 @@ struct TransformSettings {
   std::string begin_code;                   ///< after the comments at the head
   std::string end_code;                     ///< after all else
   std::optional<Box3> limits_mm;            ///< of the nozzle
-  /// Direction of the machine's jet over the bed, which the comments of the program tell; else the nozzle
-  /// turns with the layers.
-  std::optional<Point3> jet;
-  JetRule jet_rule = JetRule::AlongNormal;
+  /// Direction of the machine's tool axis over the bed, which the comments of the program report; else the
+  /// nozzle turns with the layers.
+  std::optional<Point3> tool_axis;
+  ToolAxisRule tool_axis_rule = ToolAxisRule::AlongNormal;
   Homing homing = Homing::Annulled;
   BuildAids build_aids = BuildAids::Kept;
   ExtrusionRule extrusion_rule = ExtrusionRule::ByVolume;
-  /// Until M82 or M83 tells; not given, it is absolute, and refused if the program contradicts it.
+  /// Until M82 or M83 reports; not given, it is absolute, and refused if the program contradicts it.
   std::optional<ExtrusionMode> initial_extrusion;
   double chord_tolerance_mm = 0.01;  ///< how far chords may be off an arc, or off a line that a map bends
 };
 
 /// @throws InvalidConfig naming field, value and bound
-void validate(const TransformSettings& settings);
+void validate(const RewriteSettings& settings);
 
 /// Decimals of the coordinates: as set, else of the mode.
-int decimalsOf(const TransformSettings& settings);
+int decimalsOf(const RewriteSettings& settings);
 
 }  // namespace lamina

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "lamina/infill/contour/contour_settings.hpp"
+#include "lamina/infill/contour/perimeters_settings.hpp"
+#include "lamina/infill/contour/smoothing_settings.hpp"
+#include "lamina/infill/contour/vase_settings.hpp"
 #include "lamina/infill/drops/drop_settings.hpp"
 #include "lamina/infill/hilbert/hilbert_settings.hpp"
 #include "lamina/infill/rectilinear/hybrid_settings.hpp"
-#include "lamina/infill/contour/perimeters_settings.hpp"
 #include "lamina/infill/rectilinear/raster_settings.hpp"
-#include "lamina/infill/contour/smoothing_settings.hpp"
-#include "lamina/infill/contour/vase_settings.hpp"
 
 namespace lamina {
 

@@ -34,7 +34,7 @@ bool isSolid(const InfillRequest& request);
 using FillFunction =
     std::function<std::vector<FillPath>(const Regions& regions, const InfillRequest& request)>;
 
-/// Who decides in which order the runs of a fill are laid.
+/// Who decides in which order the runs of a fill are deposited.
 enum class RunOrder {
   Shortest,  ///< the planner, for short travels
   AsGiven,   ///< the strategy
@@ -43,7 +43,7 @@ enum class RunOrder {
 /// How the fills of one layer and the next hang together.
 enum class LayerLink {
   Travel,
-  Chained,  ///< the cycle of a layer is opened where that of the layer beneath ended, and joined to it
+  Chained,  ///< the cycle of a layer is opened where that of the layer below ended, and joined to it
   Rising,   ///< the loops of all layers become one that rises all the time
 };
 

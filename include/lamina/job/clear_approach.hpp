@@ -3,9 +3,9 @@
 #pragma once
 
 #include "lamina/base/progress.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/approach.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
 
@@ -20,7 +20,7 @@ struct ApproachDemands {
 /// that is clear of twice, four times, ... up to 64 times that and 1 m. Of material that is on the bed
 /// already it knows nothing.
 /// @throws Unreachable if there is none, telling what the first way runs into; as `approach`; Cancelled
-Approach clearApproach(const JointValues& from, const JointValues& to, const Mechanism& mechanism,
+Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress);
 
 }  // namespace lamina

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// A toolpath to be laid into voxels.
+/// A toolpath to be deposited into voxels.
 struct DepositJob {
   Toolpath toolpath;   ///< in coordinates of the bed
   std::string output;  ///< surface to write (.stl); empty for none
@@ -38,7 +38,7 @@ struct DepositedPart {
 /// Cost is proportional to the words of the grid.
 DepositSummary summaryOf(const VoxelGrid& grid, const DepositTotals& totals, double highest_mm);
 
-/// Lays the toolpath, tells its figures and writes its surface.
+/// Lays the toolpath, reports its figures and writes its surface.
 /// @throws InvalidInput as `depositedVoxels`; if the output is no .stl, or the source
 /// @throws Cancelled, FileError; then nothing is written
 DepositedPart runDepositJob(const DepositJob& job, Progress& progress);

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/gcode_rewrite/gcode_rewrite.hpp"
+#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
 
@@ -17,7 +17,7 @@ struct InclineJob {
   std::string output;  ///< empty for <program without .gcode>_rotate.gcode beside it
   std::shared_ptr<const SpaceMap> map;
   std::shared_ptr<const SpaceMap> axes;  ///< nullptr for a machine that takes places over the bed
-  TransformSettings settings;
+  RewriteSettings settings;
 };
 
 /// Where the output goes if the job does not say: part.gcode to part_rotate.gcode.
@@ -27,12 +27,12 @@ std::string inclinedName(const std::string& program);
 Box3 largeGantryRoom();
 
 /// Room of a machine's nozzle over its bed.
-Box3 machineRoom(const Machine& machine);
+Box3 machineRoom(const CartesianMachine& machine);
 
 /// Transforms the program.
 /// @throws InvalidInput if program or output do not end in .gcode, the output is the program, or there is no
 ///   map
-/// @throws as `transformProgram`
-TransformReport runInclineJob(const InclineJob& job, Progress& progress);
+/// @throws as `rewriteProgram`
+RewriteReport runInclineJob(const InclineJob& job, Progress& progress);
 
 }  // namespace lamina

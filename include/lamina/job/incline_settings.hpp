@@ -15,11 +15,11 @@ namespace lamina {
 /// Which map a program is inclined by.
 enum class InclineMap { Rotation, Shear, Scale, Matrix };
 
-/// What E is until M82 or M83 tells.
-enum class InclineExtrusion { AsTold, Absolute, Relative };
+/// What E is until M82 or M83 reports.
+enum class InclineExtrusion { AsStated, Absolute, Relative };
 
-/// How a program is inclined, as configuration, command line and ROS requests tell it. Lists are empty where
-/// nothing is given.
+/// How a program is inclined, as configuration, command line and ROS requests report it. Lists are empty
+/// where nothing is given.
 struct InclineSettings {
   MachineSettings machine{"none", ""};  ///< whose limits and axes hold
   InclineMap map = InclineMap::Rotation;
@@ -33,10 +33,10 @@ struct InclineSettings {
   std::vector<double> offset_mm;
   std::vector<double> final_position_mm;
   std::vector<double> limits_mm;  ///< of the nozzle: lowest x, y, z, highest x, y, z
-  double layer_height_mm = 0.0;   ///< 0 is as the program tells
+  double layer_height_mm = 0.0;   ///< 0 is as the program reports
   int decimals = -1;              ///< -1 is as the mode has it
-  InclineExtrusion extrusion = InclineExtrusion::AsTold;
-  TransformSettings transform;  ///< all else
+  InclineExtrusion extrusion = InclineExtrusion::AsStated;
+  RewriteSettings transform;  ///< all else
 };
 
 /// Adds the keys machine.name, machine.urdf and incline.*. The settings must outlive the schema.
@@ -49,9 +49,9 @@ InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vec
 
 /// The machine whose limits and axes hold; nothing if none is set.
 /// @throws as `machineOf`
-std::optional<Machine> machineOf(const InclineSettings& settings);
+std::optional<CartesianMachine> machineOf(const InclineSettings& settings);
 
-/// The job that the settings tell. Where neither machine nor limits are given, the corrected mode takes the
+/// The job that the settings report. Where neither machine nor limits are given, the corrected mode takes the
 /// room of the large gantry. Programs for machines whose axes stand askew speak the values of these axes.
 /// @param output  empty for that of `inclinedName`
 /// @throws InvalidConfig if settings do not go together, or there is no such machine; FileError

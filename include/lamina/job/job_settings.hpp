@@ -6,16 +6,15 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/deposition/deposition_settings.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
-#include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
+#include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/orientation/orientation_settings.hpp"
-#include "lamina/verification/overhang/overhang_settings.hpp"
+#include "lamina/parameterization/flattening_settings.hpp"
 #include "lamina/picture/frame_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
@@ -27,11 +26,12 @@
 #include "lamina/slicing/height_field/height_field_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/stiffness/stiffness_settings.hpp"
-#include "lamina/parameterization/flattening_settings.hpp"
 #include "lamina/sweep/sweep_settings.hpp"
 #include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/trajectory/process_settings.hpp"
 #include "lamina/trajectory/trajectory_settings.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
+#include "lamina/verification/overhang/overhang_settings.hpp"
 #include "lamina/voids/drops/drop_void_settings.hpp"
 
 namespace lamina {

@@ -16,7 +16,7 @@
 namespace lamina {
 
 /// A toolpath as the joints of a machine or robot run it.
-struct MechanismRun {
+struct KinematicModelRun {
   DividedToolpath divided;  ///< so finely that steady joints keep the nozzle on its motions
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
   JointPath path;                                                   ///< of the divided toolpath
@@ -24,24 +24,25 @@ struct MechanismRun {
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
 
-/// The joints that keep links out of each other, as far as `SelfCollisionGuard` tells. Where divisions do not
-/// keep the nozzle within the tolerances, `inTime` goes on dividing.
+/// The joints that keep links out of each other, as far as `SelfCollisionGuard` reports. Where divisions do
+/// not keep the nozzle within the tolerances, `inTime` goes on dividing.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`
-MechanismRun runOn(const Mechanism& mechanism, Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                   const JointPathSettings& settings, Progress& progress);
+KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress);
 
 /// @throws Unreachable if the path has faults: how many, and the first
-void requireRunnable(const MechanismRun& run, const Mechanism& mechanism);
+void requireRunnable(const KinematicModelRun& run, const KinematicModel& model);
 
 /// A run in time.
 struct TimedRun {
-  MechanismRun run;
+  KinematicModelRun run;
   std::unique_ptr<TimedPath> trajectory;
   ToolpathTime time;
 };
 
 /// @throws Unreachable as `requireRunnable`; as `TimedPath`
-TimedRun inTime(MechanismRun run, const Mechanism& mechanism, const TimingSettings& settings);
+TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const TimingSettings& settings);
 
 }  // namespace lamina

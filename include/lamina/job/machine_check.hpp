@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/toolpath/waypoint_index.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
 
@@ -37,10 +37,10 @@ struct MachineCheck {
 ///
 /// @param progress  stage "clearance"
 /// @throws as `checkJointClearance`
-MachineCheck checkRun(const MechanismRun& run, const Mechanism& mechanism, const ClearanceSettings& settings,
-                      Progress& progress);
+MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
+                      const ClearanceSettings& settings, Progress& progress);
 
 /// @throws Unreachable if it is not clear: how many waypoints, and the first of them
-void requireClear(const MachineCheck& check, const Mechanism& mechanism);
+void requireClear(const MachineCheck& check, const KinematicModel& model);
 
 }  // namespace lamina

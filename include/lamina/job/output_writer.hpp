@@ -17,17 +17,17 @@
 namespace lamina {
 
 /// A machine or robot and its joints at each waypoint of a toolpath.
-struct LedJoints {
-  const Mechanism& mechanism;
+struct ProgramJoints {
+  const KinematicModel& model;
   const JointPath& path;
 };
 
 /// What becomes a file: a toolpath, where its part stands, the axes that a program speaks of, and the joints
-/// that it tells.
+/// that it reports.
 struct PlacedToolpath {
   const Toolpath& toolpath;
   ProgramFrame frame;
-  std::optional<LedJoints> joints = std::nullopt;  ///< G-code then is five-axis G-code
+  std::optional<ProgramJoints> joints = std::nullopt;  ///< G-code then is five-axis G-code
 };
 
 /// Writes a toolpath in one format.

@@ -30,7 +30,7 @@ struct SlicedPart {
 /// Everything is checked before the output is touched.
 ///
 /// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle; an arm's program
-/// in RAPID is checked against its joints, and tells them where the settings ask for that.
+/// in RAPID is checked against its joints, and reports them where the settings ask for that.
 ///
 /// @param progress  stages "read", "slice", "plan", "joints" where joints are led, "write"
 /// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix, G-code for a
@@ -38,7 +38,7 @@ struct SlicedPart {
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
 /// The same on a given machine, whatever the settings name.
-SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& progress);
+SlicedPart runSliceJob(const SliceJob& job, const CartesianMachine& machine, Progress& progress);
 
 /// The part in level layers, for comparison: on the machine of the job with its head upright.
 /// @throws as `runSliceJob`

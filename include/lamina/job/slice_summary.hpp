@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "lamina/orientation/orientation_report.hpp"
-#include "lamina/verification/overhang/overhang_angle.hpp"
 #include "lamina/planning/order/anchoring.hpp"
-#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/planning/planner.hpp"
+#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/repositions.hpp"
+#include "lamina/verification/overhang/overhang_angle.hpp"
 
 namespace lamina {
 
@@ -21,7 +21,7 @@ struct SliceSummary {
   SlicingMode mode = SlicingMode::Planar;  ///< that the layers were made by; never `Auto`
   std::string mode_reason;                 ///< why it was chosen; empty if the settings name it
   std::vector<std::string> notes;          ///< what to know of the layers and the tool, a sentence each
-  WallLean lean;                           ///< of the part's walls over its layers
+  OverhangAngle lean;                      ///< of the part's walls over its layers
   OrientationReport orientation;           ///< all zero if the nozzle is held as the slicer gave it
   std::size_t triangles = 0;               ///< of the repaired mesh
   std::size_t layers = 0;
@@ -37,7 +37,7 @@ struct SliceSummary {
   double travel_mm = 0.0;
   double deposited_mm3 = 0.0;
   double unprinted_mm3 = 0.0;    ///< of what gets no bead or drop
-  std::size_t empty_layers = 0;  ///< in which nothing is laid, beneath others in which something is
+  std::size_t empty_layers = 0;  ///< in which nothing is deposited, below others in which something is
   Refilling refilling;
   double estimated_time_s = 0.0;
   std::vector<std::string> repairs;  ///< what was changed on the mesh and where

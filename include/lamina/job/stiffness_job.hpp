@@ -12,13 +12,13 @@ namespace lamina {
 
 /// What of a part bears the load.
 enum class PartSolid {
-  AsDrawn,  ///< all that its surface encloses
-  AsLaid,   ///< what its toolpath leaves behind: it is sliced first
+  AsDrawn,      ///< all that its surface encloses
+  AsDeposited,  ///< what its toolpath leaves behind: it is sliced first
 };
 
 /// A part to be put under load.
 struct StiffnessJob {
-  std::string input;  ///< mesh file or name of a part; or .gcode, .mod, .csv, which are taken as laid
+  std::string input;  ///< mesh file or name of a part; or .gcode, .mod, .csv, which are taken as deposited
   PartSolid solid = PartSolid::AsDrawn;  ///< of a mesh or named part
   std::string output;                    ///< elements with displacement and stress (.vtk); empty for none
   std::string deck;                      ///< the same problem for CalculiX (.inp); empty for none

@@ -17,7 +17,7 @@ enum class UncoveredFaces {
 
 /// The line of a bead that is followed.
 enum class BeadLine {
-  Middle,  ///< half its height behind the tip along the jet, where the paths of [Guacheta2021] are
+  Middle,  ///< half its height behind the tip along the tool axis, where the paths of [Guacheta2021] are
   Tip,     ///< of the nozzle, as [Guacheta2021] takes G-code
 };
 
@@ -25,13 +25,13 @@ enum class BeadLine {
 enum class SurfaceWidth {
   Code,  ///< 0.2 mm (1 + |n_z|): 0.2 to 0.4 mm, as in [Guacheta2021, listing A.16]
   Text,  ///< 0.2 mm + 0.15 mm |n_z|: 0.2 to 0.35 mm, as in [Guacheta2021, section 4.2.1]
-  Bead,  ///< of the bead itself: its height seen across the jet, the plan width it fills seen along it
+  Bead,  ///< of the bead itself: its height seen across the tool axis, the plan width it fills seen along it
 };
 
 /// Which pieces of the path a face is covered by.
 enum class FacePieces {
   Near,    ///< those that reach over it, also from beside it; faces of one plane count as one would
-  Within,  ///< what lies above or beneath it, with round ends where it is cut off, as in [Guacheta2021]
+  Within,  ///< what lies above or below it, with round ends where it is cut off, as in [Guacheta2021]
 };
 
 /// Which overlaps are overfill.
@@ -56,7 +56,7 @@ enum class StrandEnds {
 
 /// Of the surface metrics.
 struct SurfaceFillSettings {
-  /// Beneath a face within which a bead counts for it; 0.25 mm in [Guacheta2021]. 0: half of what
+  /// Below a face within which a bead counts for it; 0.25 mm in [Guacheta2021]. 0: half of what
   /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
   /// mm at an upright face.
   double depth_mm = 0.0;
@@ -78,7 +78,7 @@ struct VolumeErrorSettings {
 
 /// Of the simulated platform.
 struct PlatformRunSettings {
-  /// Where the middle of what is laid stands on the bed [mm]; empty leaves it where it is.
+  /// Where the middle of what is deposited stands on the bed [mm]; empty leaves it where it is.
   std::vector<double> middle_mm = {0.0, 0.0};
   TrackingSettings tracking;
 };

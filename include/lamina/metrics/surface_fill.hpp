@@ -27,9 +27,9 @@ struct SurfaceFill {
   double over_fill_mm2 = 0.0;
 };
 
-/// Measures how the beads just beneath each face cover it [Guacheta2021, algorithm 4-1].
+/// Measures how the beads just below each face cover it [Guacheta2021, algorithm 4-1].
 ///
-/// What of a bead's line lies within the prism beneath a face is projected onto the face and widened to a
+/// What of a bead's line lies within the prism below a face is projected onto the face and widened to a
 /// band with round ends; a drop to a disc. Underfill is what of the face no band covers, overfill what two or
 /// more cover. Areas are measured along parallel lines that lie askew to the face's edges.
 ///

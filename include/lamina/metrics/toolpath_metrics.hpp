@@ -17,12 +17,12 @@ namespace lamina {
 /// Nine numbers that say how good a toolpath is for a part, all to be small [Guacheta2021, table 4-2].
 /// What was not measured is not a number.
 struct ToolpathMetrics {
-  double print_time_s = 0.0;                                         ///< from rest to rest on every motion
-  double material_mm = 0.0;                                          ///< length along which material is laid
-  double travel_mm = 0.0;                                            ///< length along which none is
+  double print_time_s = 0.0;  ///< from rest to rest on every motion
+  double material_mm = 0.0;   ///< length along which material is deposited
+  double travel_mm = 0.0;     ///< length along which none is
   double under_fill_mm2 = std::numeric_limits<double>::quiet_NaN();  ///< surface that no bead covers
   double over_fill_mm2 = std::numeric_limits<double>::quiet_NaN();   ///< surface that is covered twice
-  double volume_error_mm3 = 0.0;  ///< between what is laid and what is asked for, whichever is more
+  double volume_error_mm3 = 0.0;  ///< between what is deposited and what is asked for, whichever is more
   double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();   ///< of the six-legged platform
   double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();       ///< of its nozzle's tip
   double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();  ///< of its turns

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Volume of what is laid for the part, skirts left out [mm³] (eq. 4.6 of [Guacheta2021]). Drops
+/// Volume of what is deposited for the part, skirts left out [mm³] (eq. 4.6 of [Guacheta2021]). Drops
 /// count by their own volume.
 double estimatedVolume(const Toolpath& toolpath, const VolumeErrorSettings& settings);
 

@@ -11,8 +11,8 @@
 
 namespace lamina {
 
-/// Tells from the heights the nozzle passes through which layer is being scanned. Only layers of the toolpath
-/// that have a scan pass count, each once and in ascending order.
+/// Reports from the heights the nozzle passes through which layer is being scanned. Only layers of the
+/// toolpath that have a scan pass count, each once and in ascending order.
 class LayerClock {
  public:
   /// @param bed_from_part  turned about z at most: layers stay level; translation [mm]

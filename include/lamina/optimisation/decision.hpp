@@ -25,7 +25,7 @@ struct Decision {
 ///
 /// Linmap measures from the ideal 0, where a cost has no negative value; otherwise (a response to be
 /// maximised, with its sign changed) from its least value. Topsis: the ideal is the least of each cost, the
-/// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere tells
+/// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere reports
 /// nothing.
 ///
 /// @param costs    by alternative; to be made small

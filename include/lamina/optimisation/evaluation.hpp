@@ -21,7 +21,7 @@ struct Evaluation {
 /// Whether the point could be tried.
 inline bool isEvaluated(const Evaluation& evaluation) { return evaluation.error.empty(); }
 
-/// Told of every evaluation as it is done: one at a time, in any order, from any thread.
+/// Reported of every evaluation as it is done: one at a time, in any order, from any thread.
 using EvaluationListener = std::function<void(const Evaluation&)>;
 
 /// Port through which a search tries points: by slicing, by a command, on other machines.
@@ -36,7 +36,7 @@ class Evaluator {
   /// @param done  hears of each; may be empty
   /// @return one evaluation a point, in the order of the points. A point that cannot be tried is recorded
   ///   with its error.
-  /// @throws Cancelled; then what was done has been told
+  /// @throws Cancelled; then what was done has been reported
   virtual std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points,
                                            const EvaluationListener& done, Progress& progress) = 0;
 };

@@ -42,7 +42,7 @@ class JournalledEvaluator final : public Evaluator {
 
   const std::vector<std::string>& responseNames() const override;
 
-  /// Evaluations from the journal are told to `done` too. A point that stands more than once is tried once.
+  /// Evaluations from the journal are asked to `done` too. A point that stands more than once is tried once.
   /// @throws InvalidInput if a point is outside the space; FileError if the journal cannot be written, now or
   ///   at an earlier call; Error if the inner evaluator answers another number of points; Cancelled
   std::vector<Evaluation> evaluate(const std::vector<DesignPoint>& points, const EvaluationListener& done,

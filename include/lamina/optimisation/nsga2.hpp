@@ -56,7 +56,7 @@ struct Generation {
   std::vector<Evaluation> front;  ///< feasible points of the population that no other dominates
 };
 
-/// Told of each generation when it is done.
+/// Reported of each generation when it is done.
 using GenerationListener = std::function<void(const Generation&)>;
 
 /// What a search found.

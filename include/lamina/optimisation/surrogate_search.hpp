@@ -69,7 +69,7 @@ struct SurrogateIteration {
   std::vector<std::string> surrogates;  ///< description for each response
 };
 
-/// Told of each iteration when it is done.
+/// Reported of each iteration when it is done.
 using SurrogateListener = std::function<void(const SurrogateIteration&)>;
 
 /// What a search learns from, and how.

@@ -9,26 +9,30 @@
 
 namespace lamina {
 
-/// The nozzle's frame about a jet that does not spin ([Flores2018, figures 44 to 46], for any
-/// heading): with the heading u = (cos a, sin a, 0) and v = z x u, the nozzle's x is perpendicular to the jet
-/// and to v, and points along u wherever the jet points down. It turns steadily with the jet, also past the
-/// horizontal. Heading 0 gives `nozzleDown()` for a vertical jet, 180 the w 0, x 0, y 1, z 0 of [Flores2018].
+/// The nozzle's frame about a tool axis that does not spin ([Flores2018, figures 44 to 46], for any
+/// heading): with the heading u = (cos a, sin a, 0) and v = z x u, the nozzle's x is perpendicular to the
+/// tool axis and to v, and points along u wherever the tool axis points down. It turns steadily with the tool
+/// axis, also past the horizontal. Heading 0 gives `nozzleDown()` for a vertical tool axis, 180 the w 0, x 0,
+/// y 1, z 0 of [Flores2018].
 ///
-/// @param jet  of unit length [part frame]
-/// @return part_from_nozzle, of unit length; its scalar product with that of a vertical jet is not negative
-/// @throws InvalidInput if the jet lies along v within 1e-6, where no such frame is
-Eigen::Quaterniond noSpinFrame(const Point3& jet, double heading_deg);
+/// @param tool axis  of unit length [part frame]
+/// @return part_from_nozzle, of unit length; its scalar product with that of a vertical tool axis is not
+/// negative
+/// @throws InvalidInput if the tool axis lies along v within 1e-6, where no such frame is
+Eigen::Quaterniond noSpinFrame(const Point3& tool_axis, double heading_deg);
 
-/// The frames along a run. Where the jet lies along v, the nozzle's x of the waypoint before is kept as far
-/// as it can, before the first other jet that of the waypoint after. No two that follow each other have a
-/// negative scalar product.
+/// The frames along a run. Where the tool axis lies along v, the nozzle's x of the waypoint before is kept as
+/// far as it can, before the first other tool axis that of the waypoint after. No two that follow each other
+/// have a negative scalar product.
 ///
-/// @param jets  one or more, of unit length
+/// @param tool axes  one or more, of unit length
 /// @throws InvalidInput if all of them lie along v
-std::vector<Eigen::Quaterniond> noSpinFrames(const std::vector<Point3>& jets, double heading_deg);
+std::vector<Eigen::Quaterniond> noSpinFrames(const std::vector<Point3>& tool_axes, double heading_deg);
 
-/// The direction of the jet: z of the nozzle.
-inline Point3 jetOf(const Eigen::Quaterniond& part_from_nozzle) { return part_from_nozzle * Point3::UnitZ(); }
+/// The direction of the tool axis: z of the nozzle.
+inline Point3 toolAxisOf(const Eigen::Quaterniond& part_from_nozzle) {
+  return part_from_nozzle * Point3::UnitZ();
+}
 
 /// The sign of a quaternion that is nearer to another one.
 inline Eigen::Quaterniond signedLike(const Eigen::Quaterniond& value, const Eigen::Quaterniond& other) {

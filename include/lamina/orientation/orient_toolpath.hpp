@@ -16,18 +16,18 @@ struct OrientedToolpath {
   OrientationReport report;
 };
 
-/// Holds the nozzle along a toolpath as the settings say: the jet by mode, lead and tilt, smoothing, limits
-/// on tilt and then on turn, and about each jet the frame that does not spin. Points, beads and feeds stay.
-/// Runs whose orientation is the same at all waypoints hold it once. Travels turn from the end of one run to
-/// the start of the next in proportion to their length, the shortest way; before the first run and after the
-/// last they hold what that has. From waypoint to waypoint, also from path to path, quaternions keep their
-/// sign.
+/// Holds the nozzle along a toolpath as the settings say: the tool axis by mode, lead and tilt, smoothing,
+/// limits on tilt and then on turn, and about each tool axis the frame that does not spin. Points, beads and
+/// feeds stay. Runs whose orientation is the same at all waypoints hold it once. Travels turn from the end of
+/// one run to the start of the next in proportion to their length, the shortest way; before the first run and
+/// after the last they hold what that has. From waypoint to waypoint, also from path to path, quaternions
+/// keep their sign.
 ///
-/// @param toolpath  with the orientations the slicer gave, jets against the layers' normals
+/// @param toolpath  with the orientations the slicer gave, tool axes against the layers' normals
 /// @param part      what it was sliced from [mm, part frame]; read in mode wall only
 /// @return the same for any number of threads
-/// @throws InvalidConfig as `validate`; InvalidInput if a whole run's jet lies across the heading, or a part
-/// has no walls to follow; Cancelled
+/// @throws InvalidConfig as `validate`; InvalidInput if a whole run's tool axis lies across the heading, or a
+/// part has no walls to follow; Cancelled
 OrientedToolpath orientToolpath(Toolpath toolpath, const OrientationSettings& settings, const Mesh& part,
                                 Progress& progress);
 

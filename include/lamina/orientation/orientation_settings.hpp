@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// Where the jet of a run points before lead, tilt, smoothing and limits.
+/// Where the tool axis of a run points before lead, tilt, smoothing and limits.
 enum class OrientationMode {
   LayerNormal,  ///< as the slicer gave it: against the layer's normal
   Fixed,        ///< one direction everywhere
@@ -26,10 +26,10 @@ struct WallFaces {
 
 /// Bounds on how the nozzle is held.
 struct OrientationLimits {
-  double max_tilt_deg = 180.0;       ///< of the jet from straight down; 180 is no limit
-  double max_turn_deg_per_mm = 0.0;  ///< of the jet along a run; 0 is no limit
+  double max_tilt_deg = 180.0;       ///< of the tool axis from straight down; 180 is no limit
+  double max_turn_deg_per_mm = 0.0;  ///< of the tool axis along a run; 0 is no limit
   double max_off_normal_deg =
-      60.0;  ///< of the jet from the layer's normal; a part that needs more is refused
+      60.0;  ///< of the tool axis from the layer's normal; a part that needs more is refused
 };
 
 /// How the nozzle is held along a toolpath.
@@ -49,7 +49,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings);
 
 /// Checks what bounds of single keys cannot say.
 /// @throws InvalidConfig if the smoothing window is even, or a turn limit goes with a tilt limit of more than
-/// 90 degrees (of two jets within such a limit the shortest way between them may leave it)
+/// 90 degrees (of two tool axes within such a limit the shortest way between them may leave it)
 void validate(const OrientationSettings& settings);
 
 }  // namespace lamina

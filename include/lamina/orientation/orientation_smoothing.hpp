@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// Moving average of the jets over `window` waypoints, made unit length again [Flores2018,
+/// Moving average of the tool axes over `window` waypoints, made unit length again [Flores2018,
 /// section 6.1.2]. Circular on a closed path; on an open one the window shrinks evenly towards the ends,
-/// whose jets stay. Where an average vanishes, as between opposite jets, the jet stays. Time is linear in the
-/// waypoints.
+/// whose tool axes stay. Where an average vanishes, as between opposite tool axes, the tool axis stays. Time
+/// is linear in the waypoints.
 ///
 /// @param window  odd; 1 changes nothing. On a closed path of fewer waypoints it runs round more than once.
 /// @throws InvalidConfig if it is even or not positive
-std::vector<Point3> smoothedJets(const std::vector<Point3>& jets, Course course, int window);
+std::vector<Point3> smoothedToolAxes(const std::vector<Point3>& tool_axes, Course course, int window);
 
 }  // namespace lamina

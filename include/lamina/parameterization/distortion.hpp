@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// How the lengths of a surface differ from those of its plan.
-struct PlanDistortion {
+struct Distortion {
   double index_sum = 0.0;         ///< over the triangles of |1 - perimeter in the plan / on the surface|
   double index_mean = 0.0;        ///< per triangle
   double least_stretch = 1.0;     ///< length on the surface / in the plan, over all triangles and directions
@@ -25,7 +25,7 @@ struct PlanDistortion {
 /// of their longest side. Those less than 0.005 mm high cannot be flipped. Linear time.
 /// @param plan  of each vertex [mm]
 /// @throws InvalidInput if there are not as many places as vertices
-PlanDistortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan);
+Distortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan);
 
 /// Whether no two triangles overlap in the plan. Tested at the borders: where no triangle is flipped, one
 /// border encloses the others and no border meets itself or another one, none can. Borders may touch,

@@ -8,14 +8,14 @@ namespace lamina {
 
 /// How a curved layer gets its plan.
 enum class FlatteningMethod {
-  Rigid,   ///< what unrolls is unrolled; otherwise triangles keep their shape as well as they can
+  Arap,    ///< what unrolls is unrolled; otherwise triangles keep their shape as well as they can
   Mds,     ///< classical multidimensional scaling of geodesic distances
   Stress,  ///< least error of the lengths of sides and of geodesic distances
 };
 
 /// How curved layers are laid out flat.
 struct FlatteningSettings {
-  FlatteningMethod method = FlatteningMethod::Rigid;
+  FlatteningMethod method = FlatteningMethod::Arap;
   int landmarks = 8;
   double tolerance = 0.15;
 };

@@ -8,12 +8,12 @@
 
 namespace lamina {
 
-/// A layer that need not be plane: an open mesh through the middle of what is laid. Its triangles wind
+/// A layer that need not be plane: an open mesh through the middle of what is deposited. Its triangles wind
 /// counter-clockwise seen from the nozzle. The vectors hold one value per vertex.
 struct LayerSurface {
   Mesh middle;                    ///< [mm, part frame]
   std::vector<Point3> tip;        ///< where the nozzle tip passes, at the top of the layer [mm, part frame]
-  std::vector<Point3> normal;     ///< against the jet, of unit length [part frame]
+  std::vector<Point3> normal;     ///< against the tool axis, of unit length [part frame]
   std::vector<double> height_mm;  ///< thickness of the layer along the normal
 };
 

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Title in the top left corner and a smaller line beneath it; together 70 px high, and 22 px more for each
+/// Title in the top left corner and a smaller line below it; together 70 px high, and 22 px more for each
 /// further line of the subtitle.
 void drawTitle(Canvas& canvas, const std::string& title, const std::string& subtitle);
 

@@ -12,7 +12,7 @@ struct Colour {
   double alpha = 1.0;
 };
 
-/// The colour made darker (factor beneath 1) or lighter (above 1); opacity stays.
+/// The colour made darker (factor below 1) or lighter (above 1); opacity stays.
 Colour shaded(const Colour& colour, double factor);
 
 enum class ColourMap {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "lamina/verification/overhang/overhang.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "lamina/verification/overhang/overhang.hpp"
 
 namespace lamina {
 

@@ -11,7 +11,7 @@ namespace lamina {
 /// A part and the region of its surface that stands in the way of something.
 struct RegionPicture {
   std::string title;
-  std::string reason;  ///< beneath the title, as many lines as it needs
+  std::string reason;  ///< below the title, as many lines as it needs
   const Mesh& part;
   const Mesh& region;
 };

@@ -29,7 +29,7 @@ struct ToolpathPictureSettings {
 Colour roleColour(PathRole role);
 
 /// Draws all that is deposited, with title, scale bar and legend, over a grid of 10 mm (50 mm for parts above
-/// 300 mm). Beads are as wide as they are; what lies beneath others is hidden by them.
+/// 300 mm). Beads are as wide as they are; what lies below others is hidden by them.
 /// @throws InvalidInput if nothing is deposited, or the size is out of bounds; FileError
 void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& settings,
                   const std::string& png_path);
@@ -39,7 +39,7 @@ struct LayerOverlay {
   Regions contour;                ///< that the layer should fill; its outline is drawn
   std::vector<Region> voids;      ///< filled with red
   std::vector<Region> overfills;  ///< filled with dark blue
-  std::string remark;             ///< stands beneath the title
+  std::string remark;             ///< stands below the title
 };
 
 /// Draws one layer from above: beads at their true width, drops as discs, travels as thin dashed lines, path

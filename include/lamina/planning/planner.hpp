@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/planning/order/anchoring.hpp"
-#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -39,15 +39,15 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 
 /// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
 /// bed, and with the starts of runs as `anchoring.strategy` says.
-/// @param bed  beneath the layers, in their frame
+/// @param bed  below the layers, in their frame
 /// @throws as `planToolpath`
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const BedPlane& bed, Progress& progress);
 
-/// The plan of a part whose layers are planned in a plan each, and lifted to where they are laid: without
-/// skirt; chained layers and travels between layers are joined in space (`lifting.md`). What the plan tells
-/// besides its toolpath is measured in the plans.
-/// @param layers  the plans; their slabs give the height that beads are planned with
+/// The plan of a part whose layers are planned in a plan each, and lifted to where they are deposited:
+/// without skirt; chained layers and travels between layers are joined in space (`lifting.md`). What the plan
+/// reports besides its toolpath is measured in the plans.
+/// @param layers  the plans; their layers give the height that beads are planned with
 /// @throws as `planToolpath`, and what `lift` throws; InvalidConfig for strategies that rise from layer to
 ///         layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,

@@ -29,7 +29,8 @@ struct ProgramSettings {
   DropDialect drops;
   FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints; keys of its own
   RapidSettings rapid;         ///< of programs for robots; keys of its own
-  std::string strategy;  ///< that filled the part; told in the header of drop programs, no setting of its own
+  std::string
+      strategy;  ///< that filled the part; reported in the header of drop programs, no setting of its own
 };
 
 /// Adds the keys program.* and drop_program.*.

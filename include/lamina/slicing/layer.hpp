@@ -9,7 +9,7 @@ namespace lamina {
 
 /// One layer of a part: where it lies and what the mesh looks like there. What planners start from.
 struct Layer {
-  LayerSlab slab;
+  LayerBounds bounds;
   Section section;
 };
 

@@ -26,7 +26,7 @@ const char* toString(SlicingMode mode);
 bool hasPlaneLayers(SlicingMode mode);
 
 /// How the nozzle is held over inclined layers.
-enum class Jet {
+enum class ToolAxis {
   Normal,  ///< along the layers' normal
   Down,    ///< straight down, by a head that cannot tilt
 };
@@ -35,7 +35,7 @@ enum class Jet {
 struct PlaneSettings {
   double angle_deg = 0.0;
   double axis_heading_deg = 0.0;  ///< of that axis, from x towards y: 0 is x, 90 is y
-  Jet jet = Jet::Normal;
+  ToolAxis tool_axis = ToolAxis::Normal;
 };
 
 /// How a part is cut into layers.

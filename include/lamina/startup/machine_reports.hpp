@@ -20,13 +20,13 @@ struct BedHeights {
   std::size_t points = 0;
 };
 
-/// A temperature and when it was told.
+/// A temperature and when it was reported.
 struct TimedTemperature {
   double time_s = 0.0;
   double value_c = 0.0;
 };
 
-/// What a machine has told last of what its start-up is about. Whatever was not told is nothing.
+/// What a machine has reported last of what its start-up is about. Whatever was not reported is nothing.
 ///
 /// Read are Marlin's temperatures, values after the labels of the settings, and the rows of numbers that
 /// follow a line with "Leveling Grid" (G29). Times are machine times [s] and never go back.

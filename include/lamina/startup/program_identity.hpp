@@ -8,11 +8,11 @@
 
 namespace lamina {
 
-/// What tells a program that came whole from one that did not, and from another.
+/// What reports a program that came whole from one that did not, and from another.
 struct ProgramIdentity {
   std::string name;  ///< path of a file, or id of a toolpath
   std::uint64_t bytes = 0;
-  std::uint32_t crc32 = 0;  ///< of ISO 3309 and zip, as `crc32` and `gzip -lv` tell it
+  std::uint32_t crc32 = 0;  ///< of ISO 3309 and zip, as `crc32` and `gzip -lv` report it
 
   friend bool operator==(const ProgramIdentity& a, const ProgramIdentity& b) {
     return a.name == b.name && a.bytes == b.bytes && a.crc32 == b.crc32;
@@ -25,7 +25,7 @@ ProgramIdentity identityOfText(const std::string& name, std::string_view text);
 /// @throws FileError if it cannot be read
 ProgramIdentity identityOfFile(const std::string& path);
 
-/// Checks a program that has arrived against what its sender tells.
+/// Checks a program that has arrived against what its sender reports.
 /// @param crc32  eight hexadecimal digits
 /// @throws InvalidInput if the checksum is none
 /// @throws InvalidProgram with both lengths or both checksums if they differ

@@ -18,11 +18,11 @@ namespace lamina {
 /// come out. Times are machine times [s] since any start and never go back.
 ///
 /// Life of a step: Pending; `begin` or `confirm`, refused unless all that must come before it is satisfied;
-/// Running, while `nextCode` is sent and `finished` told; Done or Failed. What is lost afterwards (a cold
+/// Running, while `nextCode` is sent and `finished` reported; Done or Failed. What is lost afterwards (a cold
 /// bed, motors that were switched off, a zone that leaks, pellets that are dry no more) makes it Pending
 /// again, and with it whatever rests on it.
 ///
-/// Nothing is believed for longer than it was told: a Startup begins with every step Pending.
+/// Nothing is believed for longer than it was reported: a Startup begins with every step Pending.
 class Startup {
  public:
   /// @throws InvalidConfig as `makeStartupSequence`

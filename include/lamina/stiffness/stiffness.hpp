@@ -49,7 +49,7 @@ struct StiffnessResult {
 /// Linear-elastic displacements and stresses of the solid voxels of a grid under a load, and the modulus that
 /// follows [Vega2023, section 7.2.2.7]: one element with eight nodes a voxel, small displacements, perfectly
 /// bonded. Solid that does not hang together, face by face, with all that holds and presses is left out and
-/// told. The result is the same whatever the number of threads.
+/// reported. The result is the same whatever the number of threads.
 ///
 /// @throws InvalidInput   if nothing bears the load, or the memory does not suffice (names the voxel that
 /// would

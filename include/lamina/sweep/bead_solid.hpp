@@ -18,7 +18,7 @@ struct Stretch {
 };
 
 /// A convex piece of a swept bead: a stadium prism between two planes, or the stadium revolved about its
-/// upright axis. Its middle is half a bead height beneath the nozzle's tip.
+/// upright axis. Its middle is half a bead height below the nozzle's tip.
 class BeadSolid {
  public:
   /// A plane that ends a prism.

@@ -72,7 +72,7 @@ struct ProcessFlags {
 
 /// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what
 /// feed on the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed
-/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then tells of that
+/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then reports of that
 /// return.
 struct Path {
   PathRole role = PathRole::Infill;
@@ -97,7 +97,7 @@ struct Path {
 /// deposited in between, a Travel path stands between them.
 struct ToolpathLayer {
   double z_mm = 0.0;       ///< height of the nozzle tip [frame of the layers]: the top of the layer
-  double height_mm = 0.0;  ///< from the layer beneath
+  double height_mm = 0.0;  ///< from the layer below
   std::vector<Path> paths;
 };
 
@@ -111,7 +111,7 @@ struct Toolpath {
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
 };
 
-/// Nozzle pointing straight down: its z (the jet) along -z of the part, its x along x of the part.
+/// Nozzle pointing straight down: its z (the tool axis) along -z of the part, its x along x of the part.
 Eigen::Quaterniond nozzleDown();
 
 /// Length of the path including the return of a closed one [mm].
@@ -127,7 +127,7 @@ double planWidth(const Bead& bead);
 /// The bead of that area [mm²] and height. An area of 0 gives a width of 0.
 Bead beadOfArea(double area_mm2, double height_mm);
 
-/// Material laid along the path [mm³].
+/// Material deposited along the path [mm³].
 double depositedVolume(const Path& path);
 
 /// Lengths and counts of a toolpath.

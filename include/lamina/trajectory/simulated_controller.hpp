@@ -50,9 +50,9 @@ struct TrackingReport {
 /// what has been accepted before `advance` reaches it.
 class SimulatedController {
  public:
-  /// Clock and mechanism must outlive it. It starts at the clock's time, at rest at `start`.
+  /// Clock and kinematic model must outlive it. It starts at the clock's time, at rest at `start`.
   /// @throws InvalidConfig naming key, value and bound
-  SimulatedController(const Clock& clock, const Mechanism& mechanism, const ServoSettings& settings,
+  SimulatedController(const Clock& clock, const KinematicModel& model, const ServoSettings& settings,
                       const JointValues& start, const ControllerFaults& faults = {});
 
   /// Takes points; those it has at or after the first of them are dropped.
@@ -87,7 +87,7 @@ class SimulatedController {
   void measure(const JointValues& asked);
 
   const Clock& clock_;
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   ServoSettings settings_;
   ControllerFaults faults_;
   std::deque<JointState> points_;  ///< the first is the last one passed

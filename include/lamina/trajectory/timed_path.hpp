@@ -34,9 +34,10 @@ class TimedPath final : public JointTrajectory {
   /// Nothing given is needed afterwards.
   /// @throws InvalidConfig as `validate`
   /// @throws Unreachable if the joint path has faults, or a bead cannot be followed between its waypoints
-  /// @throws InvalidInput if path, toolpath and mechanism do not fit each other, nothing moves, a feed is not
-  ///   positive, drops are laid, or a bead is too short for the leads of its process
-  TimedPath(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+  /// @throws InvalidInput if path, toolpath and kinematic model do not fit each other, nothing moves, a feed
+  /// is not
+  ///   positive, drops are deposited, or a bead is too short for the leads of its process
+  TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
             const TimingSettings& settings);
   /// A motion that was planned otherwise.
   explicit TimedPath(std::shared_ptr<const TimedMotion> motion);
@@ -69,7 +70,7 @@ ToolpathTime trajectoryTime(const JointTrajectory& trajectory, const JointPath& 
 /// The print time of a machine whose joints have limits, waits of the process included: what `estimateTime`
 /// of the tip alone is for machines with linear axes.
 /// @throws as `TimedPath`
-ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                                const TimingSettings& settings);
 
 }  // namespace lamina

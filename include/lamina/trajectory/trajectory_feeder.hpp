@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "lamina/trajectory/trajectory_feeder_settings.hpp"
 #include "lamina/trajectory/timed_path.hpp"
+#include "lamina/trajectory/trajectory_feeder_settings.hpp"
 
 namespace lamina {
 
@@ -17,7 +17,7 @@ struct TrajectoryChunk {
   std::vector<JointState> points;
 };
 
-enum class HandOverState : std::uint8_t {
+enum class TrajectoryFeederState : std::uint8_t {
   Running,
   Paused,    ///< on the way to rest, or at rest
   Aborted,   ///< the same for good, lifted if asked
@@ -26,21 +26,21 @@ enum class HandOverState : std::uint8_t {
 
 /// How the tool is lifted clear after an abort.
 struct ToolLift {
-  double height_mm = 0.0;  ///< against the jet
+  double height_mm = 0.0;  ///< against the tool axis
   double speed_mm_s = 0.0;
 };
 
 /// Hands a trajectory to a controller piece by piece. All times are of one clock that was 0 at the start of
 /// the job. Pausing brakes along the path as hard as the limits allow and stays on it; resuming goes on from
-/// there, so that everything is laid once. At rest after a pause, and at once after an abort, the process is
-/// safe: flow, laser, wire, powder and gas are off.
-class HandOver {
+/// there, so that everything is deposited once. At rest after a pause, and at once after an abort, the
+/// process is safe: flow, laser, wire, powder and gas are off.
+class TrajectoryFeeder {
  public:
   /// @throws InvalidConfig naming key, value and bound
-  HandOver(const TimedPath& path, const HandOverSettings& settings);
-  ~HandOver();
-  HandOver(HandOver&&) noexcept;
-  HandOver& operator=(HandOver&&) noexcept;
+  TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings);
+  ~TrajectoryFeeder();
+  TrajectoryFeeder(TrajectoryFeeder&&) noexcept;
+  TrajectoryFeeder& operator=(TrajectoryFeeder&&) noexcept;
 
   /// The next chunk, if the controller has less than the motion ahead and a chunk; nothing if it has enough
   /// or there is no more. To be called until it gives nothing, at least once per duration of a chunk.
@@ -54,9 +54,9 @@ class HandOver {
   void abort(double now_s);
   /// The same, with the tool lifted after it has come to rest.
   /// @throws Unreachable if a joint would leave its limits on the way; the abort stands without the lift
-  void abort(double now_s, const ToolLift& lift, const Mechanism& mechanism);
+  void abort(double now_s, const ToolLift& lift, const KinematicModel& model);
 
-  HandOverState state() const;
+  TrajectoryFeederState state() const;
   /// When the motion that is planned now is at rest [s].
   double restTime() const;
   /// Where the joints are to be; the process as it is to be.

@@ -7,7 +7,7 @@
 namespace lamina {
 
 /// How a trajectory is handed to a controller.
-struct HandOverSettings {
+struct TrajectoryFeederSettings {
   double rate_hz = 250.0;    ///< points of the trajectory per second
   int points = 50;           ///< per chunk
   double ahead_s = 0.5;      ///< of motion that the controller always has
@@ -15,6 +15,6 @@ struct HandOverSettings {
 };
 
 /// Adds the keys hand_over.*.
-void describe(SettingsSchema& schema, HandOverSettings& settings);
+void describe(SettingsSchema& schema, TrajectoryFeederSettings& settings);
 
 }  // namespace lamina

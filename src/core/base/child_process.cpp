@@ -110,7 +110,7 @@ class ProcessGroup {
   /// Whether the leader runs no more. Until `exitCode` its number belongs to nobody else, unless it is lost.
   bool hasEnded() const { return leaderNow() != Leader::Runs; }
 
-  /// Ends what is left, and tells how the leader ended.
+  /// Ends what is left, and reports how the leader ended.
   /// @throws FileError if that is not to be known
   int exitCode() {
     end();

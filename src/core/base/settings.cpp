@@ -166,11 +166,33 @@ void SettingsSchema::validate() const {
   for (const Setting& setting : settings_) setting.set(setting.get());
 }
 
+void SettingsSchema::renamed(const std::string& former_key, const std::string& key) {
+  former_keys_.emplace_back(former_key, key);
+}
+
+void SettingsSchema::renamedChoice(const std::string& key, const std::string& former_name,
+                                   const std::string& name) {
+  for (Setting& setting : settings_)
+    if (setting.key == key)
+      setting.set = [set = setting.set, former_name, name](const std::string& text) {
+        set(text == former_name ? name : text);
+      };
+}
+
+const Setting* SettingsSchema::find(const std::string& key) const {
+  std::string present = key;
+  for (const auto& [former, now] : former_keys_)
+    if (former == key) present = now;
+  for (const Setting& setting : settings_)
+    if (setting.key == present) return &setting;
+  return nullptr;
+}
+
 void SettingsSchema::set(const std::string& key, const std::string& text) {
+  if (const Setting* setting = find(key)) return setting->set(text);
   const Setting* nearest = nullptr;
   std::size_t nearest_distance = std::numeric_limits<std::size_t>::max();
   for (const Setting& setting : settings_) {
-    if (setting.key == key) return setting.set(text);
     const std::size_t distance = editDistance(setting.key, key);
     if (distance < nearest_distance) nearest = &setting, nearest_distance = distance;
   }

@@ -15,10 +15,10 @@ namespace lamina {
 namespace {
 
 constexpr double kPieceLength =
-    4.0;  // mm: long motions are laid piece by piece, so that each meets its own ground
-constexpr double kFarthestBead = 1e6;     // mm
-constexpr double kSameHeight = 0.01;  // mm: below any layer height, above the rounding of programs
-constexpr double kShortest = 1e-6;    // mm: a shorter motion is a blob on the spot
+    4.0;  // mm: long motions are deposited piece by piece, so that each meets its own ground
+constexpr double kFarthestBead = 1e6;  // mm
+constexpr double kSameHeight = 0.01;   // mm: below any layer height, above the rounding of programs
+constexpr double kShortest = 1e-6;     // mm: a shorter motion is a blob on the spot
 
 double crossSectionOf(const DepositedMotion& motion) {
   const double length = (motion.end - motion.start).norm();
@@ -41,7 +41,7 @@ void checkMotion(const DepositedMotion& motion) {
 BeadDeposit::BeadDeposit(HeightMap ground)
     : surface_(std::move(ground)),
       highest_(heightRange(surface_).high),
-      laid_at_(surface_.grid().cellCount(), -std::numeric_limits<float>::infinity()) {}
+      deposited_at_(surface_.grid().cellCount(), -std::numeric_limits<float>::infinity()) {}
 
 void BeadDeposit::lay(const DepositedMotion& motion) {
   checkMotion(motion);
@@ -87,12 +87,12 @@ double BeadDeposit::gapUnder(const DepositedMotion& piece, double disc_diameter)
   return gap > 0.0 ? gap : disc_diameter;
 }
 
-/// From the nozzle down to the highest ground that this layer has not laid itself; 0 if there is none.
+/// From the nozzle down to the highest ground that this layer has not deposited itself; 0 if there is none.
 double BeadDeposit::gapToSupport(const std::vector<Cell>& line, double ceiling) const {
   double highest = -std::numeric_limits<double>::infinity();
   for (const Cell& at : line) {
     const bool is_ground = at.index != HeightGrid::kNoCell && at.floor < ceiling - kSameHeight &&
-                           laid_at_[at.index] < ceiling - kSameHeight;
+                           deposited_at_[at.index] < ceiling - kSameHeight;
     if (is_ground) highest = std::max(highest, at.floor);
   }
   return std::isfinite(highest) ? ceiling - highest : 0.0;
@@ -151,7 +151,7 @@ void BeadDeposit::fill(double width, double height) {
     if (above <= 0.0 || top <= at.floor) continue;
     surface_.set(at.index, top);
     highest_ = std::max(highest_, top);
-    laid_at_[at.index] = static_cast<float>(at.ceiling);
+    deposited_at_[at.index] = static_cast<float>(at.ceiling);
   }
 }
 

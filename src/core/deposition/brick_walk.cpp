@@ -26,7 +26,7 @@ BrickWalk::BrickWalk(const VoxelFrame& frame) : frame_(frame) {
   if (bricks <= kMostBricks) is_met_.resize(static_cast<std::size_t>(bricks));
 }
 
-void BrickWalk::follow(const JetMotion& motion) {
+void BrickWalk::follow(const ToolAxisMotion& motion) {
   if (is_met_.empty()) return;
   const double length = (motion.end - motion.start).norm();
   const double stride_mm = std::max(kStride * frame_.voxel_mm, kStrideOfStrand * motion.radius_mm);
@@ -34,8 +34,9 @@ void BrickWalk::follow(const JetMotion& motion) {
   const double around = kAround * motion.radius_mm + frame_.voxel_mm;
   for (double stride = 0.0; stride <= strides; ++stride) {
     const double fraction = strides > 0.0 ? stride / strides : 0.0;
-    const Eigen::Vector3d jet = (1.0 - fraction) * motion.start_jet + fraction * motion.end_jet;
-    mark(motion.start + fraction * (motion.end - motion.start) + motion.radius_mm * jet, around);
+    const Eigen::Vector3d tool_axis =
+        (1.0 - fraction) * motion.start_tool_axis + fraction * motion.end_tool_axis;
+    mark(motion.start + fraction * (motion.end - motion.start) + motion.radius_mm * tool_axis, around);
   }
 }
 

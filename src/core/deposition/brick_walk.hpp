@@ -13,7 +13,7 @@ class BrickWalk {
  public:
   explicit BrickWalk(const VoxelFrame& frame);
 
-  void follow(const JetMotion& motion);
+  void follow(const ToolAxisMotion& motion);
   /// Memory of a grid with those bricks [bytes]; of one with all bricks where there are too many to mark.
   double bytes() const;
 

@@ -6,14 +6,14 @@ namespace lamina {
 
 void describe(SettingsSchema& schema, DepositionSettings& settings) {
   schema.number("deposition.voxel_mm", settings.voxel_mm, {0.001, 100.0, false},
-                "Side of the voxels into which a toolpath is laid.");
+                "Side of the voxels into which a toolpath is deposited.");
   schema.number("deposition.step", settings.step, {0.05, 2.0, false},
                 "Way of the nozzle from portion to portion of material, in radii of the strand.");
   schema.number("deposition.reach_mm", settings.reach_mm, {0.01, 1000.0, false},
                 "Farthest from the middle of the strand that material goes to find room.");
   schema.number("deposition.bed_z_mm", settings.bed_z_mm, {-1e6, 1e6, false},
-                "Height beneath which nothing is laid.");
-  schema.flag("deposition.skirt", settings.is_skirt_laid, "Whether skirts are laid too.");
+                "Height below which nothing is deposited.");
+  schema.flag("deposition.skirt", settings.is_skirt_deposited, "Whether skirts are deposited too.");
   schema.number("deposition.memory_limit_mb", settings.memory_limit_mb, {0.0, 1e9, false},
                 "Memory the voxels may take; 0 for what is free on the machine.");
 }

@@ -12,19 +12,19 @@ Eigen::Vector3d between(const Eigen::Vector3d& start, const Eigen::Vector3d& end
   return start + fraction * (end - start);
 }
 
-Eigen::Vector3d jetBetween(const JetMotion& motion, double fraction) {
-  if (motion.start_jet == motion.end_jet) return motion.start_jet;
-  const Eigen::Vector3d jet = between(motion.start_jet, motion.end_jet, fraction);
-  return jet.norm() > 1e-6 ? Eigen::Vector3d(jet.normalized()) : motion.start_jet;
+Eigen::Vector3d toolAxisBetween(const ToolAxisMotion& motion, double fraction) {
+  if (motion.start_tool_axis == motion.end_tool_axis) return motion.start_tool_axis;
+  const Eigen::Vector3d tool_axis = between(motion.start_tool_axis, motion.end_tool_axis, fraction);
+  return tool_axis.norm() > 1e-6 ? Eigen::Vector3d(tool_axis.normalized()) : motion.start_tool_axis;
 }
 
 /// A motion from one fraction of it to another.
-JetMotion partOf(const JetMotion& whole, double from, double until) {
-  JetMotion part = whole;
+ToolAxisMotion partOf(const ToolAxisMotion& whole, double from, double until) {
+  ToolAxisMotion part = whole;
   part.start = between(whole.start, whole.end, from);
   part.end = between(whole.start, whole.end, until);
-  part.start_jet = jetBetween(whole, from);
-  part.end_jet = jetBetween(whole, until);
+  part.start_tool_axis = toolAxisBetween(whole, from);
+  part.end_tool_axis = toolAxisBetween(whole, until);
   part.volume_mm3 = (until - from) * whole.volume_mm3;
   return part;
 }
@@ -38,38 +38,40 @@ FollowedDeposit::FollowedDeposit(Toolpath toolpath, const DepositionSettings& se
       follower_(toolpath_, following),
       deposit_(roomFor(toolpath_, settings)) {
   for (const Path* path : follower_.paths())
-    if (isLaid(*path, settings_))
-      for (const JetMotion& motion : jetMotions(*path)) planned_mm3_ += motion.volume_mm3;
+    if (isDeposited(*path, settings_))
+      for (const ToolAxisMotion& motion : toolAxisMotions(*path)) planned_mm3_ += motion.volume_mm3;
 }
 
 void FollowedDeposit::observe(const Point3& tip) { layUpTo(follower_.observe(tip)); }
 
 void FollowedDeposit::layUpTo(const PathPlace& place) {
   const std::vector<const Path*>& paths = follower_.paths();
-  while (std::tie(laid_.path, laid_.motion) < std::tie(place.path, place.motion)) {
-    const Path& path = *paths[laid_.path];
+  while (std::tie(deposited_.path, deposited_.motion) < std::tie(place.path, place.motion)) {
+    const Path& path = *paths[deposited_.path];
     layPart(path, 1.0);
-    laid_ = laid_.motion + 1 < path.motionCount() ? PathPlace{laid_.path, laid_.motion + 1, 0.0}
-                                                  : PathPlace{laid_.path + 1, 0, 0.0};
+    deposited_ = deposited_.motion + 1 < path.motionCount()
+                     ? PathPlace{deposited_.path, deposited_.motion + 1, 0.0}
+                     : PathPlace{deposited_.path + 1, 0, 0.0};
   }
   if (follower_.isAtEnd()) return;
-  const Path& path = *paths[laid_.path];
-  const double length = (path.points[path.motionEnd(laid_.motion)] - path.points[laid_.motion]).norm();
-  if ((place.fraction - laid_.fraction) * length < kLeastPiece) return;
+  const Path& path = *paths[deposited_.path];
+  const double length =
+      (path.points[path.motionEnd(deposited_.motion)] - path.points[deposited_.motion]).norm();
+  if ((place.fraction - deposited_.fraction) * length < kLeastPiece) return;
   layPart(path, place.fraction);
-  laid_.fraction = place.fraction;
+  deposited_.fraction = place.fraction;
 }
 
-/// Lays the motion that is being laid up to a fraction of it.
+/// Lays the motion that is being deposited up to a fraction of it.
 void FollowedDeposit::layPart(const Path& path, double until) {
-  if (!isLaid(path, settings_)) return;
+  if (!isDeposited(path, settings_)) return;
   if (path.deposit == Deposit::Bead) {
-    deposit_.lay(partOf(jetMotion(path, laid_.motion), laid_.fraction, until));
+    deposit_.lay(partOf(toolAxisMotion(path, deposited_.motion), deposited_.fraction, until));
     return;
   }
-  if (laid_.motion == 0 && laid_.fraction == 0.0) deposit_.lay(jetDrop(path, 0));
-  const bool leads_on = laid_.motion < path.motionCount() && path.motionEnd(laid_.motion) != 0;
-  if (until == 1.0 && leads_on) deposit_.lay(jetDrop(path, path.motionEnd(laid_.motion)));
+  if (deposited_.motion == 0 && deposited_.fraction == 0.0) deposit_.lay(toolAxisDrop(path, 0));
+  const bool leads_on = deposited_.motion < path.motionCount() && path.motionEnd(deposited_.motion) != 0;
+  if (until == 1.0 && leads_on) deposit_.lay(toolAxisDrop(path, path.motionEnd(deposited_.motion)));
 }
 
 }  // namespace lamina

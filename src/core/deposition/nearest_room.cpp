@@ -55,7 +55,8 @@ NearestRoom::NearestRoom(int lowest_k, double reach)
 /// A ball around the middle in which nothing is open, from what the last search left.
 std::int64_t NearestRoom::radiusKnownFull(const Search& search) const {
   const Outlet& outlet = search.outlet;
-  const bool is_behind = outlet.jet == last_.jet && outlet.jet.dot(outlet.tip - last_.tip) >= 0.0;
+  const bool is_behind =
+      outlet.tool_axis == last_.tool_axis && outlet.tool_axis.dot(outlet.tip - last_.tip) >= 0.0;
   if (!is_behind) return 0;
   std::int64_t square = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,10 +72,11 @@ void NearestRoom::collectRow(const Search& search, const Row& row, std::int64_t 
   const std::int64_t half = wholeRoot(outer * outer - row.across2 - 1);
   int low = std::max(0, firstFrom(middle - half));
   int high = std::min(search.grid.frame().count[0] - 1, lastUpTo(middle + half));
-  const double jet_x = search.outlet.jet.x();
-  if (std::abs(jet_x) >= kParallel) {
-    const double border = std::clamp(search.outlet.tip.x() - 0.5 - row.behind / jet_x, -2.0, kFarBorder);
-    if (jet_x > 0.0) {
+  const double tool_axis_x = search.outlet.tool_axis.x();
+  if (std::abs(tool_axis_x) >= kParallel) {
+    const double border =
+        std::clamp(search.outlet.tip.x() - 0.5 - row.behind / tool_axis_x, -2.0, kFarBorder);
+    if (tool_axis_x > 0.0) {
       low = std::max(low, static_cast<int>(std::ceil(border)));
     } else {
       high = std::min(high, static_cast<int>(std::floor(border)));
@@ -97,10 +99,11 @@ void NearestRoom::collectRow(const Search& search, const Row& row, std::int64_t 
 void NearestRoom::collect(const Search& search, std::int64_t inner, std::int64_t outer) {
   const VoxelFrame& frame = search.grid.frame();
   const Outlet& outlet = search.outlet;
-  const bool is_level = std::abs(outlet.jet.x()) < kParallel && std::abs(outlet.jet.y()) < kParallel;
+  const bool is_level =
+      std::abs(outlet.tool_axis.x()) < kParallel && std::abs(outlet.tool_axis.y()) < kParallel;
   const int last_k = std::min(frame.count[2] - 1, lastUpTo(search.middle[2] + outer));
   for (int k = std::max(lowest_k_, firstFrom(search.middle[2] - outer)); k <= last_k; ++k) {
-    const double behind = outlet.jet.z() * (k + 0.5 - outlet.tip.z()) + kOnPlane;
+    const double behind = outlet.tool_axis.z() * (k + 0.5 - outlet.tip.z()) + kOnPlane;
     if (is_level && behind < 0.0) continue;
     const std::int64_t dz = centreOf(k) - search.middle[2];
     const std::int64_t left = outer * outer - dz * dz;
@@ -109,8 +112,9 @@ void NearestRoom::collect(const Search& search, std::int64_t inner, std::int64_t
     const int last_j = std::min(frame.count[1] - 1, lastUpTo(search.middle[1] + half));
     for (int j = std::max(0, firstFrom(search.middle[1] - half)); j <= last_j; ++j) {
       const std::int64_t dy = centreOf(j) - search.middle[1];
-      const Row row{j, k, dy * dy + dz * dz, behind + outlet.jet.y() * (j + 0.5 - outlet.tip.y())};
-      if (row.behind >= 0.0 || std::abs(outlet.jet.x()) >= kParallel) collectRow(search, row, inner, outer);
+      const Row row{j, k, dy * dy + dz * dz, behind + outlet.tool_axis.y() * (j + 0.5 - outlet.tip.y())};
+      if (row.behind >= 0.0 || std::abs(outlet.tool_axis.x()) >= kParallel)
+        collectRow(search, row, inner, outer);
     }
   }
 }

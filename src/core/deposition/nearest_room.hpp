@@ -14,8 +14,8 @@ inline constexpr int kFine = 256;
 
 /// Where a portion of material comes out. Lengths are in voxels, from the corner of the frame.
 struct Outlet {
-  Point3 tip = Point3::Zero();  ///< the plane through it, square to the jet, is not passed
-  Eigen::Vector3d jet{0, 0, -1};
+  Point3 tip = Point3::Zero();  ///< the plane through it, square to the tool axis, is not passed
+  Eigen::Vector3d tool_axis{0, 0, -1};
   Point3 middle = Point3::Zero();  ///< what lies nearest is filled first
 };
 
@@ -31,7 +31,7 @@ struct OpenVoxel {
 /// looks only around it as long as the outlets follow each other: voxels only ever become solid.
 class NearestRoom {
  public:
-  /// @param lowest_k     voxels beneath are never room
+  /// @param lowest_k     voxels below are never room
   /// @param reach        farthest from the middle [voxels]
   NearestRoom(int lowest_k, double reach);
 

@@ -19,17 +19,17 @@ namespace {
 constexpr double kMargin = 5.0;  // radii of the strand
 constexpr double kMegabyte = 1e6;
 constexpr double kCoarser = 1.03;  // from one trial of a voxel size to the next
-constexpr double kDigit = 1e-3;    // of a voxel size that is told
+constexpr double kDigit = 1e-3;    // of a voxel size that is reported
 constexpr std::size_t kPathsPerReport = 64;
 
 void forEachPath(const Toolpath& toolpath, const DepositionSettings& settings,
                  const std::function<void(const Path&)>& visit) {
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
-      if (isLaid(path, settings)) visit(path);
+      if (isDeposited(path, settings)) visit(path);
 }
 
-Eigen::Vector3d jetOf(const Path& path, std::size_t waypoint) {
+Eigen::Vector3d toolAxisOf(const Path& path, std::size_t waypoint) {
   return (path.orientation.at(waypoint) * Eigen::Vector3d::UnitZ()).normalized();
 }
 
@@ -63,34 +63,34 @@ void requireMemory(const Toolpath& toolpath, const DepositionSettings& settings)
 
 }  // namespace
 
-bool isLaid(const Path& path, const DepositionSettings& settings) {
+bool isDeposited(const Path& path, const DepositionSettings& settings) {
   if (path.role == PathRole::Travel) return false;
-  return path.role != PathRole::Skirt || settings.is_skirt_laid;
+  return path.role != PathRole::Skirt || settings.is_skirt_deposited;
 }
 
-JetMotion jetMotion(const Path& path, std::size_t motion) {
+ToolAxisMotion toolAxisMotion(const Path& path, std::size_t motion) {
   const std::size_t end = path.motionEnd(motion);
   const double area = crossSection(path.bead.at(end));
   const double volume = area * (path.points[end] - path.points[motion]).norm();
-  return {path.points[motion], path.points[end], jetOf(path, motion),
-          jetOf(path, end),    volume,           strandRadius(area)};
+  return {path.points[motion],   path.points[end], toolAxisOf(path, motion),
+          toolAxisOf(path, end), volume,           strandRadius(area)};
 }
 
-JetMotion jetDrop(const Path& path, std::size_t waypoint) {
+ToolAxisMotion toolAxisDrop(const Path& path, std::size_t waypoint) {
   const Bead& bead = path.bead.at(waypoint);
   const double volume = 0.25 * M_PI * bead.width_mm * bead.width_mm * bead.height_mm;
-  const Eigen::Vector3d jet = jetOf(path, waypoint);
-  return {path.points[waypoint], path.points[waypoint], jet, jet, volume, ballRadius(volume)};
+  const Eigen::Vector3d tool_axis = toolAxisOf(path, waypoint);
+  return {path.points[waypoint], path.points[waypoint], tool_axis, tool_axis, volume, ballRadius(volume)};
 }
 
-std::vector<JetMotion> jetMotions(const Path& path) {
+std::vector<ToolAxisMotion> toolAxisMotions(const Path& path) {
   if (path.role == PathRole::Travel) return {};
   const bool is_drops = path.deposit == Deposit::Drops;
   const std::size_t count = is_drops ? path.points.size() : path.motionCount();
-  std::vector<JetMotion> motions;
+  std::vector<ToolAxisMotion> motions;
   motions.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const JetMotion motion = is_drops ? jetDrop(path, i) : jetMotion(path, i);
+    const ToolAxisMotion motion = is_drops ? toolAxisDrop(path, i) : toolAxisMotion(path, i);
     if (motion.volume_mm3 > 0.0) motions.push_back(motion);
   }
   return motions;
@@ -100,7 +100,7 @@ Box3 depositBox(const Toolpath& toolpath, const DepositionSettings& settings) {
   Box3 box;
   double thickest = 0.0;
   forEachPath(toolpath, settings, [&](const Path& path) {
-    for (const JetMotion& motion : jetMotions(path)) {
+    for (const ToolAxisMotion& motion : toolAxisMotions(path)) {
       box.include(motion.start);
       box.include(motion.end);
       thickest = std::max(thickest, motion.radius_mm);
@@ -119,7 +119,7 @@ double depositBytes(const Toolpath& toolpath, const DepositionSettings& settings
   if (box.isEmpty()) return 0.0;
   BrickWalk walk(voxelFrame(box, settings.voxel_mm));
   forEachPath(toolpath, settings, [&](const Path& path) {
-    for (const JetMotion& motion : jetMotions(path)) walk.follow(motion);
+    for (const ToolAxisMotion& motion : toolAxisMotions(path)) walk.follow(motion);
   });
   return walk.bytes();
 }
@@ -142,7 +142,7 @@ ToolpathDeposit depositedVoxels(const Toolpath& toolpath, const DepositionSettin
     if (done % kPathsPerReport == 0)
       progress.report(kStage, static_cast<double>(done) / static_cast<double>(paths));
     throwIfCancelled(progress, kStage);
-    for (const JetMotion& motion : jetMotions(path)) deposit.lay(motion);
+    for (const ToolAxisMotion& motion : toolAxisMotions(path)) deposit.lay(motion);
     ++done;
   });
   progress.report(kStage, 1.0);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -57,7 +57,7 @@ std::string wholeLines(std::string code) {
   return code;
 }
 
-ClosingCode::ClosingCode(const TransformSettings& settings, std::optional<double> clear_z, int decimals)
+ClosingCode::ClosingCode(const RewriteSettings& settings, std::optional<double> clear_z, int decimals)
     : clear_z_(clear_z), end_code_(wholeLines(settings.end_code)) {
   if (!clear_z) return;
   lift_ = "G0 Z";

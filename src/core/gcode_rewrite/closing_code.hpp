@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 #include "gcode_rewrite/program_tracker.hpp"
+#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 
 namespace lamina {
 
@@ -16,7 +16,7 @@ namespace lamina {
 class ClosingCode {
  public:
   /// @param clear_z  no lower than anything deposited [mm]; nothing where z is not up
-  ClosingCode(const TransformSettings& settings, std::optional<double> clear_z, int decimals);
+  ClosingCode(const RewriteSettings& settings, std::optional<double> clear_z, int decimals);
 
   /// Call where the part ends.
   /// @param z  of the nozzle there, over the bed [mm]

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// E and F of a motion where the map is no isometry, following what the machine was told before.
+/// E and F of a motion where the map is no isometry, following what the machine was reported before.
 class FilamentWords {
  public:
   FilamentWords(const PointTransform& transform, ExtrusionRule rule)
@@ -29,7 +29,8 @@ class FilamentWords {
   /// After G92.
   void setFilament(double value) { written_filament_ = value; }
 
-  /// F for a chord; nothing if the machine has that feed already, and the line is not the one that tells it.
+  /// F for a chord; nothing if the machine has that feed already, and the line is not the one that reports
+  /// it.
   std::optional<double> feed(const ProgramTracker& tracker, const Point3& from, const Point3& to);
   /// F where the feed is not scaled; likewise.
   std::optional<double> feedAlone(const ProgramTracker& tracker);

@@ -36,24 +36,24 @@ Eigen::Quaterniond unlessStraight(const Eigen::Quaterniond& frame) {
 
 }  // namespace
 
-ToldFrame transformedFrame(const ToldFrame& source, const PointTransform& transform,
-                           const std::optional<Point3>& jet) {
+StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& transform,
+                             const std::optional<Point3>& tool_axis) {
   if (!transform.keepsLines()) return {};
   const Eigen::Affine3d map = matrixOf([&](const Point3& point) { return transform.map.map(point); });
   const Point3 normal = source.bed_from_layers * Point3::UnitZ();
   const Eigen::Quaterniond turn = turnOf(map.linear(), normal);
-  ToldFrame told;
+  StatedFrame told;
   told.bed_from_layers = unlessStraight((turn * source.bed_from_layers).normalized());
-  const Point3 held = jet.value_or(turn * (source.bed_from_nozzle * Point3::UnitZ()));
+  const Point3 held = tool_axis.value_or(turn * (source.bed_from_nozzle * Point3::UnitZ()));
   told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), held) * nozzleDown();
   if (transform.axes != nullptr)
     told.bed_from_program = matrixOf([&](const Point3& point) { return transform.axes->inverse(point); });
   return told;
 }
 
-double jetOffNormalDeg(const ToldFrame& frame) {
-  const Point3 jet = frame.bed_from_nozzle * Point3::UnitZ();
-  return angleBetween(jet, -(frame.bed_from_layers * Point3::UnitZ())) * 180.0 / M_PI;
+double toolAxisOffNormalDeg(const StatedFrame& frame) {
+  const Point3 tool_axis = frame.bed_from_nozzle * Point3::UnitZ();
+  return angleBetween(tool_axis, -(frame.bed_from_layers * Point3::UnitZ())) * 180.0 / M_PI;
 }
 
 }  // namespace lamina

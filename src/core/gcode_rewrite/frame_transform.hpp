@@ -4,21 +4,21 @@
 
 #include <optional>
 
-#include "lamina/program/program_frame.hpp"
 #include "gcode_rewrite/point_transform.hpp"
+#include "lamina/program/program_frame.hpp"
 
 namespace lamina {
 
-/// What the transformed program is to tell of layers, nozzle and axes. Layers and nozzle turn with the map;
+/// What the transformed program is to report of layers, nozzle and axes. Layers and nozzle turn with the map;
 /// where it is no rotation, by the smallest turn that brings the normal of the layers to where the map brings
-/// the layers. The turn about normal and jet is free: none where these are straight. A map that bends layers
-/// leaves nothing to tell.
-/// @param source  what the program tells that is transformed
-/// @param jet     of a nozzle that is held some way by the machine
-ToldFrame transformedFrame(const ToldFrame& source, const PointTransform& transform,
-                           const std::optional<Point3>& jet);
+/// the layers. The turn about normal and tool axis is free: none where these are straight. A map that bends
+/// layers leaves nothing to report.
+/// @param source  what the program reports that is transformed
+/// @param tool axis     of a nozzle that is held some way by the machine
+StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& transform,
+                             const std::optional<Point3>& tool_axis);
 
 /// Angle between the nozzle's axis and the normal of the layers [deg], 0 to 180.
-double jetOffNormalDeg(const ToldFrame& frame);
+double toolAxisOffNormalDeg(const StatedFrame& frame);
 
 }  // namespace lamina

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {

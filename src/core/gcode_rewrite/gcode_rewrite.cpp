@@ -4,8 +4,6 @@
 
 #include <filesystem>
 
-#include "lamina/base/atomic_file.hpp"
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/closing_code.hpp"
 #include "gcode_rewrite/frame_transform.hpp"
 #include "gcode_rewrite/line_reader.hpp"
@@ -13,6 +11,8 @@
 #include "gcode_rewrite/part_placement.hpp"
 #include "gcode_rewrite/program_rewriter.hpp"
 #include "gcode_rewrite/survey.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -51,7 +51,7 @@ struct Measured {
 };
 
 std::filesystem::file_time_type lastWritten(const std::string& path) {
-  std::error_code missing;  // opening the file tells better
+  std::error_code missing;  // opening the file reports better
   return std::filesystem::last_write_time(path, missing);
 }
 
@@ -89,8 +89,8 @@ void rewrite(const ProgramFiles& files, const Measured& before, Reader& rewriter
   output.commit();
 }
 
-TransformReport reportOf(const Survey& survey, const Point3& shift, const TransformSettings& settings) {
-  TransformReport report;
+RewriteReport reportOf(const Survey& survey, const Point3& shift, const RewriteSettings& settings) {
+  RewriteReport report;
   report.slicer = survey.slicer;
   report.lines = survey.lines;
   report.layers = survey.totals.layers;
@@ -108,21 +108,23 @@ TransformReport reportOf(const Survey& survey, const Point3& shift, const Transf
   return report;
 }
 
-void requireJet(double off_normal_deg, const TransformSettings& settings) {
-  if (!settings.jet || settings.jet_rule == JetRule::AsMachine || off_normal_deg <= kJetToleranceDeg) return;
+void requireToolAxis(double off_normal_deg, const RewriteSettings& settings) {
+  if (!settings.tool_axis || settings.tool_axis_rule == ToolAxisRule::AsMachine ||
+      off_normal_deg <= kToolAxisToleranceDeg)
+    return;
   throw Unreachable(
       "the machine holds its nozzle at " + std::to_string(off_normal_deg) +
       " deg from the normal of the layers; expected 0 deg, another axis or angle of the map, or "
-      "the jet to be as the machine has it");
+      "the tool axis to be as the machine has it");
 }
 
-TransformReport transformCorrected(const ProgramFiles& files, PointTransform transform,
-                                   const TransformSettings& settings, Progress& progress) {
+RewriteReport rewriteCorrected(const ProgramFiles& files, PointTransform transform,
+                               const RewriteSettings& settings, Progress& progress) {
   Surveyor surveyor(transform, settings);
   const Measured measured = measure(files.input, surveyor, progress);
   const double off_normal_deg =
-      jetOffNormalDeg(transformedFrame(measured.survey.frame, transform, settings.jet));
-  requireJet(off_normal_deg, settings);
+      toolAxisOffNormalDeg(transformedFrame(measured.survey.frame, transform, settings.tool_axis));
+  requireToolAxis(off_normal_deg, settings);
   transform.shift = shiftOf(measured.survey, settings);
   requireReachable(measured.survey, transform.shift, settings);
   ProgramRewriter rewriter(transform, measured.survey, settings);
@@ -130,10 +132,10 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
     requireWithinLimits(rewriter.nozzle(), settings);
     rewriter.finish(out);
   });
-  TransformReport report = reportOf(measured.survey, transform.shift, settings);
+  RewriteReport report = reportOf(measured.survey, transform.shift, settings);
   report.nozzle = rewriter.nozzle().box;
   report.footprint = rewriter.footprint();
-  report.jet_off_normal_deg = off_normal_deg;
+  report.tool_axis_off_normal_deg = off_normal_deg;
   report.deferred = rewriter.counts().deferred;
   report.homings_annulled = rewriter.counts().homings_annulled;
   report.aids_dropped = rewriter.counts().aids_dropped;
@@ -141,8 +143,8 @@ TransformReport transformCorrected(const ProgramFiles& files, PointTransform tra
 }
 
 /// Refuses what the listing has no notion of.
-void requireOfListing(const TransformSettings& settings) {
-  const TransformSettings usual;
+void requireOfListing(const RewriteSettings& settings) {
+  const RewriteSettings usual;
   const std::pair<const char*, bool> given[] = {
       {"begin code", !settings.begin_code.empty()},
       {"end code", !settings.end_code.empty()},
@@ -159,8 +161,8 @@ void requireOfListing(const TransformSettings& settings) {
                           " is given, which the listing does not know; expected the corrected mode");
 }
 
-TransformReport transformAsListing(const ProgramFiles& files, PointTransform transform,
-                                   const TransformSettings& settings, Progress& progress) {
+RewriteReport rewriteAsListing(const ProgramFiles& files, PointTransform transform,
+                               const RewriteSettings& settings, Progress& progress) {
   requireOfListing(settings);
   ListingSurveyor surveyor(transform);
   const Measured measured = measure(files.input, surveyor, progress);
@@ -168,15 +170,15 @@ TransformReport transformAsListing(const ProgramFiles& files, PointTransform tra
   if (settings.limits_mm) requireReachable(measured.survey, transform.shift, settings);
   ListingRewriter rewriter(transform, decimalsOf(settings));
   rewrite(files, measured, rewriter, progress, [](std::string&) {});
-  TransformReport report = reportOf(measured.survey, transform.shift, settings);
+  RewriteReport report = reportOf(measured.survey, transform.shift, settings);
   report.homings_annulled = rewriter.homingsAnnulled();
   return report;
 }
 
 }  // namespace
 
-TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
-                                 const TransformSettings& settings, Progress& progress) {
+RewriteReport rewriteProgram(const ProgramFiles& files, const Maps& maps, const RewriteSettings& settings,
+                             Progress& progress) {
   validate(settings);
   std::error_code missing;
   if (std::filesystem::equivalent(files.input, files.output, missing))
@@ -193,8 +195,8 @@ TransformReport transformProgram(const ProgramFiles& files, const Maps& maps,
         "the listing writes coordinates of the bed; expected the corrected mode for other axes");
   if (as_listing && !transform.keepsLengths())
     throw InvalidConfig("the listing rotates only; expected the corrected mode for other maps");
-  return as_listing ? transformAsListing(files, transform, settings, progress)
-                    : transformCorrected(files, transform, settings, progress);
+  return as_listing ? rewriteAsListing(files, transform, settings, progress)
+                    : rewriteCorrected(files, transform, settings, progress);
 }
 
 }  // namespace lamina

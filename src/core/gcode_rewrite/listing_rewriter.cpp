@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gcode_rewrite/listing_rewriter.hpp"
 
+#include "gcode_rewrite/motion_text.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
-#include "gcode_rewrite/motion_text.hpp"
 
 namespace lamina {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 #include "gcode_rewrite/gcode_block.hpp"
 #include "gcode_rewrite/point_transform.hpp"
 #include "gcode_rewrite/section_marks.hpp"
 #include "gcode_rewrite/survey.hpp"
+#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 
 namespace lamina {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "lamina/geometry/vector.hpp"
 #include "gcode_rewrite/gcode_block.hpp"
+#include "lamina/geometry/vector.hpp"
 
 namespace lamina {
 

@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "lamina/base/error.hpp"
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kRounding = 1e-6;  // mm: beneath what programs resolve
+constexpr double kRounding = 1e-6;  // mm: below what programs resolve
 
 std::string shown(double value_mm) {
   std::string text;
@@ -45,7 +45,7 @@ void requireAboveBed(const Extremes& deposited, double shift_mm, const std::stri
   if (deposited.box.isEmpty() || deposited.box.low.z() + shift_mm >= -kRounding) return;
   throw Unreachable("line " + std::to_string(deposited.low_line[2]) + ": " + what +
                     " would be deposited at z = " + shown(deposited.box.low.z() + shift_mm) +
-                    ", beneath the bed; must be 0 mm or more");
+                    ", below the bed; must be 0 mm or more");
 }
 
 void requireFinalWithin(const Point3& position, const Box3& limits) {
@@ -57,7 +57,7 @@ void requireFinalWithin(const Point3& position, const Box3& limits) {
 
 }  // namespace
 
-Point3 shiftOf(const Survey& survey, const TransformSettings& settings) {
+Point3 shiftOf(const Survey& survey, const RewriteSettings& settings) {
   Point3 shift = settings.offset_mm;
   const Box3& part = survey.totals.part.box;
   if (settings.table_position_mm) shift.head<2>() = *settings.table_position_mm - part.centre().head<2>();
@@ -65,14 +65,14 @@ Point3 shiftOf(const Survey& survey, const TransformSettings& settings) {
   const auto height = settings.layer_height_mm ? settings.layer_height_mm : survey.layer_height_mm;
   if (!height)
     throw InvalidProgram(
-        "the program does not tell its layer height, at which the lowest deposition is put; expected it to "
+        "the program does not report its layer height, at which the lowest deposition is put; expected it to "
         "be "
         "given (layer_height_mm)");
   shift.z() += *height - part.low.z();
   return shift;
 }
 
-void requireReachable(const Survey& survey, const Point3& shift, const TransformSettings& settings) {
+void requireReachable(const Survey& survey, const Point3& shift, const RewriteSettings& settings) {
   const SurveyTotals& totals = survey.totals;
   requireAboveBed(totals.part, shift.z(), "the part");
   if (settings.build_aids == BuildAids::Kept)
@@ -87,7 +87,7 @@ void requireReachable(const Survey& survey, const Point3& shift, const Transform
   requirePartWithin(is_known ? totals.nozzle : totals.part, shift, *settings.limits_mm);
 }
 
-void requireWithinLimits(const Extremes& nozzle, const TransformSettings& settings) {
+void requireWithinLimits(const Extremes& nozzle, const RewriteSettings& settings) {
   if (settings.limits_mm) requirePartWithin(nozzle, Point3::Zero(), *settings.limits_mm);
 }
 

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kBeneathBed = -1e-6;  // mm
+constexpr double kBelowBed = -1e-6;  // mm
 
 std::optional<double> clearHeight(const Survey& survey, const PointTransform& transform) {
   if (transform.axes != nullptr) return std::nullopt;
@@ -27,8 +27,7 @@ double pathLength(const Point3& start, const std::vector<Point3>& ends) {
 }
 
 /// A layer above the lowest deposition.
-double footprintTop(const Survey& survey, const PointTransform& transform,
-                    const TransformSettings& settings) {
+double footprintTop(const Survey& survey, const PointTransform& transform, const RewriteSettings& settings) {
   constexpr double kRounding = 1e-6;  // mm
   const auto height = settings.layer_height_mm ? settings.layer_height_mm : survey.layer_height_mm;
   return survey.totals.part.box.low.z() + transform.shift.z() + height.value_or(0.0) + kRounding;
@@ -37,7 +36,7 @@ double footprintTop(const Survey& survey, const PointTransform& transform,
 }  // namespace
 
 ProgramRewriter::ProgramRewriter(const PointTransform& transform, const Survey& survey,
-                                 const TransformSettings& settings)
+                                 const RewriteSettings& settings)
     : transform_(transform),
       survey_(survey),
       settings_(settings),
@@ -45,7 +44,7 @@ ProgramRewriter::ProgramRewriter(const PointTransform& transform, const Survey& 
       tracker_(settings),
       filament_(transform, settings.extrusion_rule),
       closing_(settings, clearHeight(survey, transform), decimals_),
-      begin_code_(frameComments(transformedFrame(survey.frame, transform, settings.jet)) +
+      begin_code_(frameComments(transformedFrame(survey.frame, transform, settings.tool_axis)) +
                   wholeLines(settings.begin_code)),
       footprint_top_(footprintTop(survey, transform, settings)) {}
 
@@ -110,7 +109,7 @@ void ProgramRewriter::writeFilament(std::string& out) {
 void ProgramRewriter::defer(std::string& out) {
   ++counts_.deferred;
   appendWithoutCoordinates(out, tracker_.command());
-  if (filament_.scalesFeed()) filament_.feedAlone(tracker_);  // as the line tells it
+  if (filament_.scalesFeed()) filament_.feedAlone(tracker_);  // as the line reports it
   out.push_back('\n');
 }
 
@@ -200,7 +199,7 @@ bool ProgramRewriter::isDropped() const {
   if (settings_.build_aids != BuildAids::Dropped) return false;
   const TrackedMotion& motion = tracker_.motion();
   if (motion.deposits()) return tracker_.marks().isBuildAid();
-  return transform_.overBed(motion.end()).z() < kBeneathBed;
+  return transform_.overBed(motion.end()).z() < kBelowBed;
 }
 
 void ProgramRewriter::drop(std::string& out) {

@@ -24,7 +24,7 @@ struct RewriteCounts {
 class ProgramRewriter {
  public:
   /// @param transform  with its shift; all three must outlive this
-  ProgramRewriter(const PointTransform& transform, const Survey& survey, const TransformSettings& settings);
+  ProgramRewriter(const PointTransform& transform, const Survey& survey, const RewriteSettings& settings);
 
   void read(std::string_view line, std::size_t number, std::string& out);
   void finish(std::string& out);
@@ -61,7 +61,7 @@ class ProgramRewriter {
 
   const PointTransform& transform_;
   const Survey& survey_;
-  const TransformSettings& settings_;
+  const RewriteSettings& settings_;
   int decimals_;
   ProgramTracker tracker_;
   FilamentWords filament_;
@@ -73,7 +73,7 @@ class ProgramRewriter {
   Box3 footprint_;
   double footprint_top_;
   bool is_elsewhere_ = false;        ///< motions were dropped since the nozzle moved last
-  bool is_filament_behind_ = false;  ///< deposits were dropped since E was told last
+  bool is_filament_behind_ = false;  ///< deposits were dropped since E was reported last
 };
 
 }  // namespace lamina

@@ -31,7 +31,7 @@ bool TrackedMotion::deposits() const {
   return extrusion_mm > kNoFilament && (ends.size() > 1 || end() != start);
 }
 
-ProgramTracker::ProgramTracker(const TransformSettings& settings)
+ProgramTracker::ProgramTracker(const RewriteSettings& settings)
     : annuls_homing_(settings.homing == Homing::Annulled),
       chord_tolerance_mm_(settings.chord_tolerance_mm),
       extrusion_(settings.initial_extrusion) {
@@ -220,10 +220,10 @@ LineRole ProgramTracker::move() {
   moveTo(known_before);
   const bool is_known = allOf(known_);
   if (!is_known && (is_arc || motion_.extrusion_mm > kNoFilament))
-    refuse("deposits, or follows an arc, before X, Y and Z are all told within the part");
+    refuse("deposits, or follows an arc, before X, Y and Z are all reported within the part");
   if (!is_known) return LineRole::Deferred;
   if (!motion_.is_start_known && (is_arc || motion_.extrusion_mm > kNoFilament))
-    refuse("deposits, or follows an arc, from a place not told within the part");
+    refuse("deposits, or follows an arc, from a place not reported within the part");
   if (motion_.deposits() && !marks_.unknownType().empty())
     refuse("';TYPE:" + marks_.unknownType() +
            "' is not known, and so whether this is of the part or supports it; expected a name of Cura, "

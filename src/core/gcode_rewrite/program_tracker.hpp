@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 #include "gcode_rewrite/extrusion_mode.hpp"
 #include "gcode_rewrite/gcode_block.hpp"
 #include "gcode_rewrite/section_marks.hpp"
+#include "lamina/gcode_rewrite/rewrite_settings.hpp"
 
 namespace lamina {
 
@@ -42,7 +42,7 @@ struct TrackedMotion {
 class ProgramTracker {
  public:
   /// Reads the begin code first, for its modes hold in what follows.
-  explicit ProgramTracker(const TransformSettings& settings);
+  explicit ProgramTracker(const RewriteSettings& settings);
 
   /// @throws InvalidProgram naming the line: G91, G20, an origin moved by G92, a command that moves and is
   ///   none of G0 to G3, coordinates without a command, a deposition from an unknown place, E that firmwares
@@ -61,7 +61,7 @@ class ProgramTracker {
   bool isPositionRelative() const { return is_relative_; }
   bool isInInches() const { return unit_mm_ != 1.0; }
   double filament() const { return filament_; }  ///< value of E, where it is absolute
-  double feed() const { return feed_; }          ///< [mm/min], 0 until told
+  double feed() const { return feed_; }          ///< [mm/min], 0 until reported
 
  private:
   void readBeginCode(std::string_view code);

@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-bool standsOnEdge(const TransformReport& report) {
+bool standsOnEdge(const RewriteReport& report) {
   constexpr double kNarrow = 0.1;
   if (report.footprint.isEmpty()) return false;
   const Point3 base = report.footprint.size();
@@ -12,6 +12,8 @@ bool standsOnEdge(const TransformReport& report) {
   return base.x() < kNarrow * part.x() || base.y() < kNarrow * part.y();
 }
 
-bool isJetOffNormal(const TransformReport& report) { return report.jet_off_normal_deg > kJetToleranceDeg; }
+bool isToolAxisOffNormal(const RewriteReport& report) {
+  return report.tool_axis_off_normal_deg > kToolAxisToleranceDeg;
+}
 
 }  // namespace lamina

@@ -20,7 +20,7 @@ void requireWithin(const std::string& field, double value, double low, double hi
 
 }  // namespace
 
-void validate(const TransformSettings& settings) {
+void validate(const RewriteSettings& settings) {
   constexpr double kFurthest = 1e6;  // mm
   if (settings.decimals) requireWithin("decimals", *settings.decimals, 0.0, 6.0);
   if (settings.layer_height_mm && !(*settings.layer_height_mm > 0.0 && *settings.layer_height_mm <= 100.0))
@@ -39,13 +39,13 @@ void validate(const TransformSettings& settings) {
     if (settings.offset_mm.head<2>() != Point2::Zero())
       throw InvalidConfig("table_position_mm and offset_mm both say where the part comes; expected one");
   }
-  if (settings.jet && !(settings.jet->norm() > 1e-9 && settings.jet->allFinite()))
-    refuse("the length of jet", settings.jet->norm(), "more than 1e-9");
+  if (settings.tool_axis && !(settings.tool_axis->norm() > 1e-9 && settings.tool_axis->allFinite()))
+    refuse("the length of tool axis", settings.tool_axis->norm(), "more than 1e-9");
   requireWithin("final_feed_mm_min", settings.final_feed_mm_min, 1.0, 1e6);
   requireWithin("chord_tolerance_mm", settings.chord_tolerance_mm, 1e-4, 10.0);
 }
 
-int decimalsOf(const TransformSettings& settings) {
+int decimalsOf(const RewriteSettings& settings) {
   return settings.decimals.value_or(settings.mode == RewriteMode::Listing ? 2 : 3);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gcode_rewrite/section_marks.hpp"
 
-#include "lamina/base/text.hpp"
 #include "gcode_rewrite/decimal_number.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -27,7 +27,7 @@ bool endsPart(std::string_view comment) {
 
 bool isCustom(std::string_view comment) { return comment == "TYPE:Custom" || comment == "TYPE:CUSTOM"; }
 
-/// Simplify3D tells the kind of what follows in a comment of its own.
+/// Simplify3D reports the kind of what follows in a comment of its own.
 std::optional<PathRole> simplify3dRole(std::string_view comment) {
   constexpr std::string_view kAids[] = {"skirt",         "brim",         "raft",       "support",
                                         "dense support", "prime pillar", "ooze shield"};

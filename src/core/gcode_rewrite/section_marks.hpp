@@ -27,10 +27,10 @@ class SectionMarks {
 
   /// Whether what is deposited now is skirt, brim, raft, support or priming tower.
   bool isBuildAid() const;
-  /// Of a comment that tells the type of what follows by a name not known; empty if there is none.
+  /// Of a comment that reports the type of what follows by a name not known; empty if there is none.
   const std::string& unknownType() const { return unknown_type_; }
-  std::optional<double> layerHeight() const { return layer_height_mm_; }  ///< told first [mm]
-  const std::string& slicer() const { return slicer_; }                   ///< empty if not told
+  std::optional<double> layerHeight() const { return layer_height_mm_; }  ///< reported first [mm]
+  const std::string& slicer() const { return slicer_; }                   ///< empty if not reported
 
  private:
   void readHead(std::string_view comment);

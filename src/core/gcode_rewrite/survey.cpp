@@ -25,7 +25,7 @@ void Extremes::include(const Point3& point, std::size_t line) {
   }
 }
 
-Surveyor::Surveyor(const PointTransform& transform, const TransformSettings& settings)
+Surveyor::Surveyor(const PointTransform& transform, const RewriteSettings& settings)
     : transform_(transform),
       build_aids_(settings.build_aids),
       chord_tolerance_mm_(settings.chord_tolerance_mm),
@@ -122,13 +122,14 @@ Survey Surveyor::finish() {
   if (totals.depositions == 0)
     throw InvalidProgram("no motion of the part deposits; expected motions with E within layers");
   if (survey_.end_line == 0 && totals.motion_after_deposition != 0)
-    refuse(totals.motion_after_deposition,
-           "moves after the last deposition, and no comment tells whether this is of the part or of the end "
-           "code; expected '; end of the part' where the part ends");
+    refuse(
+        totals.motion_after_deposition,
+        "moves after the last deposition, and no comment reports whether this is of the part or of the end "
+        "code; expected '; end of the part' where the part ends");
   survey_.slicer = tracker_.marks().slicer();
   survey_.layer_height_mm = tracker_.marks().layerHeight();
   if (survey_.layer_height_mm.value_or(0.0) > kHighestLayer)
-    throw InvalidProgram("the comments tell layers of " + std::to_string(*survey_.layer_height_mm) +
+    throw InvalidProgram("the comments report layers of " + std::to_string(*survey_.layer_height_mm) +
                          " mm; expected at most " + std::to_string(kHighestLayer) + " mm");
   return std::move(survey_);
 }

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
-#include "lamina/program/program_frame.hpp"
 #include "gcode_rewrite/point_transform.hpp"
 #include "gcode_rewrite/program_tracker.hpp"
+#include "lamina/program/program_frame.hpp"
 
 namespace lamina {
 
@@ -43,15 +43,15 @@ struct Survey {
   std::size_t end_line = 0;  ///< first line of the end code; 0 if the part goes on to the end of the file
   std::size_t lines = 0;
   std::string slicer;
-  std::optional<double> layer_height_mm;  ///< as the comments tell
-  ToldFrame frame;                        ///< likewise
+  std::optional<double> layer_height_mm;  ///< as the comments report
+  StatedFrame frame;                      ///< likewise
 };
 
 /// First pass over a program: finds where its part ends and how far it reaches, and refuses what cannot be
 /// transformed.
 class Surveyor {
  public:
-  Surveyor(const PointTransform& transform, const TransformSettings& settings);
+  Surveyor(const PointTransform& transform, const RewriteSettings& settings);
 
   /// @throws InvalidProgram naming the line, as `ProgramTracker::read`
   void read(std::string_view line, std::size_t number);

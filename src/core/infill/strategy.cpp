@@ -6,15 +6,15 @@
 #include <map>
 
 #include "infill/contour/contour.hpp"
+#include "infill/contour/perimeters.hpp"
+#include "infill/contour/spiral.hpp"
+#include "infill/contour/vase.hpp"
 #include "infill/drops/drops_contour.hpp"
 #include "infill/drops/drops_dense.hpp"
 #include "infill/drops/drops_raster.hpp"
 #include "infill/hilbert/hilbert.hpp"
 #include "infill/hilbert/hilbert_quadtree.hpp"
 #include "infill/rectilinear/hybrid.hpp"
-#include "infill/contour/perimeters.hpp"
-#include "infill/contour/spiral.hpp"
-#include "infill/contour/vase.hpp"
 #include "infill/rectilinear/zigzag.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
@@ -22,7 +22,7 @@
 namespace lamina {
 namespace {
 
-/// Contours wind one way, by which a program's reader tells borders from holes: they must not be turned
+/// Contours wind one way, by which a program's reader reports borders from holes: they must not be turned
 /// round.
 InfillStrategy drops(const FillFunction& fill) {
   return {fill, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside, Deposit::Drops};

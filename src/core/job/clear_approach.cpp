@@ -15,7 +15,7 @@ constexpr int kDoublings = 6;
 constexpr double kHighest = 1000.0;  // mm
 
 /// What the way runs into first.
-std::optional<Collision> firstCollision(const Approach& approach, const Mechanism& mechanism,
+std::optional<Collision> firstCollision(const Approach& approach, const KinematicModel& model,
                                         const ClearanceSettings& settings, Progress& progress) {
   Path travel;
   travel.role = PathRole::Travel;
@@ -23,13 +23,12 @@ std::optional<Collision> firstCollision(const Approach& approach, const Mechanis
   for (const JointValues& values : approach.stations) {
     path.at.push_back({0, 0, travel.points.size()});
     path.values.push_back(values);
-    travel.points.emplace_back(mechanism.bedFromNozzle(values).translation());
+    travel.points.emplace_back(model.bedFromNozzle(values).translation());
   }
   Toolpath toolpath;
   toolpath.layers.push_back({0.0, 0.0, {travel}});
-  const JointClearanceReport report =
-      checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), mechanism, path},
-                          linkBodies(mechanism.urdf()), settings, progress);
+  const JointClearanceReport report = checkJointClearance(
+      {toolpath, Eigen::Isometry3d::Identity(), model, path}, linkBodies(model.urdf()), settings, progress);
   if (report.collisions.empty()) return std::nullopt;
   return report.collisions.front();
 }
@@ -41,18 +40,18 @@ std::string textOf(const Collision& collision) {
 
 }  // namespace
 
-Approach clearApproach(const JointValues& from, const JointValues& to, const Mechanism& mechanism,
+Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress) {
   ApproachSettings way = demands.way;
   std::optional<Collision> first;
   for (int i = 0; i <= kDoublings && way.lift_mm <= kHighest; ++i, way.lift_mm *= 2.0) {
-    Approach tried = approach(from, to, mechanism, way, demands.timing);
-    const std::optional<Collision> collision = firstCollision(tried, mechanism, demands.clearance, progress);
+    Approach tried = approach(from, to, model, way, demands.timing);
+    const std::optional<Collision> collision = firstCollision(tried, model, demands.clearance, progress);
     if (!collision) return tried;
     if (!first) first = collision;
   }
   throw Unreachable("on the way from where the machine stands to the start of the job " + textOf(*first) +
-                    ", and with higher lifts too; " + mechanism.name() + " must be moved clear before");
+                    ", and with higher lifts too; " + model.name() + " must be moved clear before");
 }
 
 }  // namespace lamina

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "lamina/geometry/voxel/isosurface.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/voxel/isosurface.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/pores/voxel_surface.hpp"
 

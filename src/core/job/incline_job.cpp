@@ -21,19 +21,19 @@ std::string inclinedName(const std::string& program) {
 
 Box3 largeGantryRoom() { return {Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)}; }
 
-Box3 machineRoom(const Machine& machine) {
+Box3 machineRoom(const CartesianMachine& machine) {
   Box3 room = workspace(machine);
-  room.low.z() = std::max(room.low.z(), 0.0);  // beneath is the bed, however far the axis goes
+  room.low.z() = std::max(room.low.z(), 0.0);  // below is the bed, however far the axis goes
   return room;
 }
 
-TransformReport runInclineJob(const InclineJob& job, Progress& progress) {
+RewriteReport runInclineJob(const InclineJob& job, Progress& progress) {
   if (!job.map) throw InvalidInput("no map of space is given; expected a rotation or another one");
   requireSuffix(job.program, {std::string(kSuffix)});
   const std::string output = job.output.empty() ? inclinedName(job.program) : job.output;
   requireSuffix(output, {std::string(kSuffix)});
   requireApart({output}, {job.program});
-  return transformProgram({job.program, output}, {*job.map, job.axes.get()}, job.settings, progress);
+  return rewriteProgram({job.program, output}, {*job.map, job.axes.get()}, job.settings, progress);
 }
 
 }  // namespace lamina

@@ -35,21 +35,22 @@ void describePlace(SettingsSchema& schema, InclineSettings& settings) {
                  "Where the middle of the part comes: x,y.");
   schema.numbers("incline.offset_mm", settings.offset_mm, 3, "Move the part by x,y,z after the lift.");
   schema.number("incline.layer_height_mm", settings.layer_height_mm, {0.0, 100.0},
-                "Height of the lowest deposition; 0 takes what the program tells.");
+                "Height of the lowest deposition; 0 takes what the program reports.");
   schema.choice<Lift>("incline.lift", settings.transform.lift,
                       {{"layer", Lift::ToFirstLayer}, {"none", Lift::None}},
                       "Put the lowest deposition one layer above the bed, or leave the height.");
-  schema.choice<JetRule>(
-      "incline.jet", settings.transform.jet_rule,
-      {{"normal", JetRule::AlongNormal}, {"machine", JetRule::AsMachine}},
+  schema.choice<ToolAxisRule>(
+      "incline.tool_axis", settings.transform.tool_axis_rule,
+      {{"normal", ToolAxisRule::AlongNormal}, {"machine", ToolAxisRule::AsMachine}},
       "Refuse a machine that does not hold its nozzle along the layers' normal, or take it as it is.");
+  schema.renamed("incline.jet", "incline.tool_axis");
   schema.numbers("incline.limits_mm", settings.limits_mm, 6,
                  "Of the nozzle: lowest x,y,z, highest x,y,z; empty takes those of the machine, or "
                  "0,0,0,1300,2500,1000.");
 }
 
 void describeCode(SettingsSchema& schema, InclineSettings& settings) {
-  TransformSettings& transform = settings.transform;
+  RewriteSettings& transform = settings.transform;
   schema.text("incline.begin_code", transform.begin_code, "G-code put after the comments at the head.");
   schema.text("incline.end_code", transform.end_code, "G-code put at the end.");
   schema.numbers("incline.final_position_mm", settings.final_position_mm, 3,
@@ -62,7 +63,7 @@ void describeCode(SettingsSchema& schema, InclineSettings& settings) {
 }
 
 void describeReading(SettingsSchema& schema, InclineSettings& settings) {
-  TransformSettings& transform = settings.transform;
+  RewriteSettings& transform = settings.transform;
   schema.choice<RewriteMode>("incline.mode", transform.mode,
                              {{"corrected", RewriteMode::Corrected}, {"listing", RewriteMode::Listing}},
                              "Corrected, or as the published listing.");
@@ -77,10 +78,11 @@ void describeReading(SettingsSchema& schema, InclineSettings& settings) {
                                 {"keep", ExtrusionRule::Kept}},
                                "What E follows where lengths change.");
   schema.choice<InclineExtrusion>("incline.extrusion", settings.extrusion,
-                                  {{"as_told", InclineExtrusion::AsTold},
+                                  {{"as_stated", InclineExtrusion::AsStated},
                                    {"absolute", InclineExtrusion::Absolute},
                                    {"relative", InclineExtrusion::Relative}},
-                                  "What E is until M82 or M83 tells.");
+                                  "What E is until M82 or M83 reports.");
+  schema.renamedChoice("incline.extrusion", "as_told", "as_stated");
 }
 
 /// Refuses what is set for another map, and expects what this one needs.
@@ -150,7 +152,7 @@ AffineMap mapOf(const InclineSettings& settings) {
 
 /// Of the machine or the belt, if coordinates of the bed are not what the machine takes.
 std::shared_ptr<const SpaceMap> axesOf(const InclineSettings& settings,
-                                       const std::optional<Machine>& machine) {
+                                       const std::optional<CartesianMachine>& machine) {
   const Eigen::Affine3d askew = machine ? programFromBed(*machine) : Eigen::Affine3d::Identity();
   const bool is_askew = askew.matrix() != Eigen::Matrix4d::Identity();
   if (is_askew && settings.belt_deg != 0.0)
@@ -165,7 +167,8 @@ std::shared_ptr<const SpaceMap> axesOf(const InclineSettings& settings,
 }
 
 /// In the listing nothing is checked against a machine unless one is named.
-std::optional<Box3> limitsOf(const InclineSettings& settings, const std::optional<Machine>& machine) {
+std::optional<Box3> limitsOf(const InclineSettings& settings,
+                             const std::optional<CartesianMachine>& machine) {
   const std::vector<double>& limits = settings.limits_mm;
   if (machine && !limits.empty())
     throw InvalidConfig("incline.limits_mm is set, and machine '" + machine->name +
@@ -198,30 +201,30 @@ InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vec
   return settings;
 }
 
-std::optional<Machine> machineOf(const InclineSettings& settings) {
+std::optional<CartesianMachine> machineOf(const InclineSettings& settings) {
   if (settings.machine.name == kNoMachine && settings.machine.urdf.empty()) return std::nullopt;
   return machineOf(settings.machine);
 }
 
 InclineJob inclineJob(const InclineSettings& settings, const std::string& program,
                       const std::string& output) {
-  const std::optional<Machine> machine = machineOf(settings);
+  const std::optional<CartesianMachine> machine = machineOf(settings);
   InclineJob job;
   job.program = program;
   job.output = output;
   job.map = std::make_shared<AffineMap>(mapOf(settings));
   job.axes = axesOf(settings, machine);
   job.settings = settings.transform;
-  TransformSettings& transform = job.settings;
+  RewriteSettings& transform = job.settings;
   transform.limits_mm = limitsOf(settings, machine);
-  if (machine) transform.jet = machine->bed_from_nozzle_at_zero.linear().col(2);
+  if (machine) transform.tool_axis = machine->bed_from_nozzle_at_zero.linear().col(2);
   if (settings.decimals >= 0) transform.decimals = settings.decimals;
   if (settings.layer_height_mm > 0.0) transform.layer_height_mm = settings.layer_height_mm;
   if (!settings.offset_mm.empty()) transform.offset_mm = pointOf(settings.offset_mm);
   if (!settings.table_position_mm.empty())
     transform.table_position_mm = Point2(settings.table_position_mm[0], settings.table_position_mm[1]);
   if (!settings.final_position_mm.empty()) transform.final_position_mm = pointOf(settings.final_position_mm);
-  if (settings.extrusion != InclineExtrusion::AsTold)
+  if (settings.extrusion != InclineExtrusion::AsStated)
     transform.initial_extrusion =
         settings.extrusion == InclineExtrusion::Absolute ? ExtrusionMode::Absolute : ExtrusionMode::Relative;
   return job;

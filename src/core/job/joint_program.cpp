@@ -15,75 +15,75 @@
 namespace lamina {
 namespace {
 
-constexpr double kHeldJet = 0.01 * M_PI / 180.0;  // rad: as a program of linear axes holds it
+constexpr double kHeldToolAxis = 0.01 * M_PI / 180.0;  // rad: as a program of linear axes holds it
 
 bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
 
-bool hasExternalAxis(const Mechanism& arm) { return arm.joints().size() > 6; }
+bool hasExternalAxis(const KinematicModel& arm) { return arm.joints().size() > 6; }
 
-bool tellsJoints(const RapidSettings& settings, const Mechanism& arm) {
+bool tellsJoints(const RapidSettings& settings, const KinematicModel& arm) {
   return settings.variant == RapidVariant::Powder5Axes &&
          (settings.configuration == RapidConfiguration::Joints || hasExternalAxis(arm));
 }
 
-/// Offsets from one point tell neither how the tool is turned nor where external axes stand.
-void requireTold(const JointPathSettings& joints, const RapidSettings& settings, const Mechanism& arm) {
+/// Offsets from one point report neither how the tool is turned nor where external axes stand.
+void requireTold(const JointPathSettings& joints, const RapidSettings& settings, const KinematicModel& arm) {
   if (settings.variant == RapidVariant::Powder5Axes || !hasExternalAxis(arm)) return;
   if (joints.external == ExternalChoice::Follow)
     throw InvalidConfig(std::string("joints.external is follow with rapid.variant ") +
-                        toString(settings.variant) + ", which tells external axes at one point only; " +
+                        toString(settings.variant) + ", which reports external axes at one point only; " +
                         "expected held, or powder_5_axes");
 }
 
-MechanismRun runnable(const Mechanism& mechanism, const SlicedPart& sliced, const JointPathSettings& settings,
-                      Progress& progress) {
-  MechanismRun run = runOn(mechanism, sliced.toolpath, sliced.bed_from_part, settings, progress);
-  requireRunnable(run, mechanism);
+KinematicModelRun runnable(const KinematicModel& model, const SlicedPart& sliced,
+                           const JointPathSettings& settings, Progress& progress) {
+  KinematicModelRun run = runOn(model, sliced.toolpath, sliced.bed_from_part, settings, progress);
+  requireRunnable(run, model);
   return run;
 }
 
-LedProgram leadMachine(std::unique_ptr<Mechanism> machine, const SliceJob& job, const SlicedPart& sliced,
-                       Progress& progress) {
-  MechanismRun run = runnable(*machine, sliced, job.settings.joints, progress);
+JointProgram planMachine(std::unique_ptr<KinematicModel> machine, const SliceJob& job,
+                         const SlicedPart& sliced, Progress& progress) {
+  KinematicModelRun run = runnable(*machine, sliced, job.settings.joints, progress);
   return {std::move(machine), std::move(run.divided.toolpath), std::move(run.path)};
 }
 
-std::optional<LedProgram> leadArm(std::unique_ptr<Mechanism> arm, const SliceJob& job,
-                                  const SlicedPart& sliced, Progress& progress) {
+std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const SliceJob& job,
+                                    const SlicedPart& sliced, Progress& progress) {
   const RapidSettings& rapid = job.settings.program.rapid;
   JointPathSettings settings = job.settings.joints;
   requireTold(settings, rapid, *arm);
   const bool is_told = tellsJoints(rapid, *arm);
   if (!is_told) settings.yaw = YawChoice::Held;
-  MechanismRun run = runnable(*arm, sliced, settings, progress);
+  KinematicModelRun run = runnable(*arm, sliced, settings, progress);
   if (!is_told) return std::nullopt;
   ToolpathAsRun as_run = toolpathAsRun(std::move(run), *arm);
-  return LedProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints)};
+  return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints)};
 }
 
 }  // namespace
 
-void requireProgramFor(const SliceJob& job, const Machine& machine) {
+void requireProgramFor(const SliceJob& job, const CartesianMachine& machine) {
   if (!isGcode(job) || machine.rotary_joints.empty()) return;
-  if (mechanismFromUrdf(machine.urdf)->jetSpin() == JetSpin::Given)
+  if (kinematicModelFromUrdf(machine.urdf)->toolAxisSpin() == ToolAxisSpin::Given)
     throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + machine.name +
                        "' is a robot without axes x, y and z; expected .mod or .csv");
 }
 
-bool writesFiveAxis(const SliceJob& job, const Machine& machine, const SlicedPart& sliced) {
+bool writesFiveAxis(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced) {
   if (!isGcode(job) || machine.rotary_joints.empty()) return false;
   return job.settings.program.five_axis.use == FiveAxisUse::Always ||
-         greatestJetTurn(sliced.toolpath, sliced.bed_from_part, machine) > kHeldJet;
+         greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, machine) > kHeldToolAxis;
 }
 
-std::optional<LedProgram> leadProgram(const SliceJob& job, const Machine& machine, const SlicedPart& sliced,
-                                      Progress& progress) {
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const CartesianMachine& machine,
+                                             const SlicedPart& sliced, Progress& progress) {
   if (writesFiveAxis(job, machine, sliced))
-    return leadMachine(mechanismFromUrdf(machine.urdf), job, sliced, progress);
+    return planMachine(kinematicModelFromUrdf(machine.urdf), job, sliced, progress);
   if (!isRapidFile(job.output) || machine.rotary_joints.empty()) return std::nullopt;
-  std::unique_ptr<Mechanism> mechanism = mechanismFromUrdf(machine.urdf);
-  if (!isSixAxisArm(*mechanism)) return std::nullopt;
-  return leadArm(std::move(mechanism), job, sliced, progress);
+  std::unique_ptr<KinematicModel> model = kinematicModelFromUrdf(machine.urdf);
+  if (!isSixAxisArm(*model)) return std::nullopt;
+  return planArm(std::move(model), job, sliced, progress);
 }
 
 }  // namespace lamina

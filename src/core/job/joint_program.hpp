@@ -7,35 +7,35 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
 
-/// A toolpath with the joints that run it, for programs that tell these.
-struct LedProgram {
-  std::unique_ptr<Mechanism> mechanism;
+/// A toolpath with the joints that run it, for programs that report these.
+struct JointProgram {
+  std::unique_ptr<KinematicModel> model;
   Toolpath toolpath;  ///< divided as `runOn` does; of an arm as in `toolpathAsRun`
   JointPath joints;   ///< of it
 };
 
 /// @throws InvalidInput if the job asks for G-code of a robot
-void requireProgramFor(const SliceJob& job, const Machine& machine);
+void requireProgramFor(const SliceJob& job, const CartesianMachine& machine);
 
 /// Whether the job writes five-axis G-code: the machine turns its nozzle or its table, and the toolpath tilts
 /// the nozzle off how the machine holds it, or `five_axis.use` says so.
-bool writesFiveAxis(const SliceJob& job, const Machine& machine, const SlicedPart& sliced);
+bool writesFiveAxis(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced);
 
 /// Leads the joints of a five-axis machine where it writes five-axis G-code, and those of an arm where it
-/// writes RAPID. An arm's program tells joints where `rapid.configuration` asks for them or the arm has
-/// external axes: its targets then turn about the jet as the joints do. Otherwise the arm is checked at the
-/// very targets of the toolpath, and nothing is led.
+/// writes RAPID. An arm's program reports joints where `rapid.configuration` asks for them or the arm has
+/// external axes: its targets then turn about the tool axis as the joints do. Otherwise the arm is checked at
+/// the very targets of the toolpath, and nothing is led.
 ///
 /// @param progress  stage "joints"
 /// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if
-///   `joints.external` is to follow, but the variant of the program cannot tell external axes
-std::optional<LedProgram> leadProgram(const SliceJob& job, const Machine& machine, const SlicedPart& sliced,
-                                      Progress& progress);
+///   `joints.external` is to follow, but the variant of the program cannot report external axes
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const CartesianMachine& machine,
+                                             const SlicedPart& sliced, Progress& progress);
 
 }  // namespace lamina

@@ -6,32 +6,33 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/verification/collision/self_collision_guard.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/verification/collision/self_collision_guard.hpp"
 
 namespace lamina {
 
-MechanismRun runOn(const Mechanism& mechanism, Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                   const JointPathSettings& settings, Progress& progress) {
-  const SelfCollisionGuard guard(mechanism, linkBodies(mechanism.urdf()));
+KinematicModelRun runOn(const KinematicModel& model, Toolpath toolpath,
+                        const Eigen::Isometry3d& bed_from_part, const JointPathSettings& settings,
+                        Progress& progress) {
+  const SelfCollisionGuard guard(model, linkBodies(model.urdf()));
   DividedJointPath planned =
-      planDividedJointPath(std::move(toolpath), bed_from_part, {mechanism, guard}, settings, progress);
+      planDividedJointPath(std::move(toolpath), bed_from_part, {model, guard}, settings, progress);
   return {std::move(planned.divided), bed_from_part, std::move(planned.joints)};
 }
 
-void requireRunnable(const MechanismRun& run, const Mechanism& mechanism) {
+void requireRunnable(const KinematicModelRun& run, const KinematicModel& model) {
   if (run.path.isRunnable()) return;
   const FaultyWaypoint& first = run.path.faults.front();
   throw Unreachable(toText(run.divided.originalOf(first.at)) + ": " + first.reason + " (" +
                     toString(first.fault) + ", the first of " + std::to_string(run.path.faults.size()) +
-                    " places that " + mechanism.name() + " cannot run)");
+                    " places that " + model.name() + " cannot run)");
 }
 
-TimedRun inTime(MechanismRun run, const Mechanism& mechanism, const TimingSettings& settings) {
-  requireRunnable(run, mechanism);
+TimedRun inTime(KinematicModelRun run, const KinematicModel& model, const TimingSettings& settings) {
+  requireRunnable(run, model);
   TimedRun timed;
-  timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, mechanism, settings);
+  timed.trajectory = std::make_unique<TimedPath>(run.toolpath(), run.path, model, settings);
   timed.time = trajectoryTime(*timed.trajectory, run.path, run.toolpath().layers.size());
   timed.run = std::move(run);
   return timed;

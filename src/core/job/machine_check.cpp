@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "lamina/verification/collision/joint_clearance.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
+#include "lamina/verification/collision/joint_clearance.hpp"
 
 namespace lamina {
 namespace {
@@ -20,7 +20,7 @@ std::string reasonOf(const Collision& collision, const DividedToolpath& divided)
   const std::string link = "link '" + collision.link + "' is in ";
   if (collision.obstacle == Obstacle::Bed) return link + "the bed";
   if (collision.obstacle == Obstacle::Machine) return link + "link '" + collision.other + "'";
-  return link + "what was laid at " + toText(divided.originalOf(collision.laid));
+  return link + "what was deposited at " + toText(divided.originalOf(collision.deposited));
 }
 
 /// Findings in the order of the motion. Those of one kind at one waypoint are one: its motion may have many
@@ -46,7 +46,7 @@ std::size_t waypointsAskedFor(const DividedToolpath& divided) {
   return count;
 }
 
-std::vector<Finding> faultsOf(const MechanismRun& run) {
+std::vector<Finding> faultsOf(const KinematicModelRun& run) {
   Findings findings;
   for (const FaultyWaypoint& faulty : run.path.faults) {
     const Path& path = run.toolpath().layers[faulty.at.layer].paths[faulty.at.path];
@@ -56,7 +56,7 @@ std::vector<Finding> faultsOf(const MechanismRun& run) {
   return findings.take();
 }
 
-std::vector<Finding> collisionsOf(const MechanismRun& run, const JointClearanceReport& clearance) {
+std::vector<Finding> collisionsOf(const KinematicModelRun& run, const JointClearanceReport& clearance) {
   Findings findings;
   const Eigen::Isometry3d part_from_bed = run.bed_from_part.inverse();
   for (const Collision& collision : clearance.collisions)
@@ -67,23 +67,23 @@ std::vector<Finding> collisionsOf(const MechanismRun& run, const JointClearanceR
 
 }  // namespace
 
-MachineCheck checkRun(const MechanismRun& run, const Mechanism& mechanism, const ClearanceSettings& settings,
-                      Progress& progress) {
+MachineCheck checkRun(const KinematicModelRun& run, const KinematicModel& model,
+                      const ClearanceSettings& settings, Progress& progress) {
   MachineCheck check;
   check.waypoints = waypointsAskedFor(run.divided);
   check.rewinds = run.path.rewinds;
   check.faults = faultsOf(run);
-  const LinkBodies bodies = linkBodies(mechanism.urdf());
-  check.collisions =
-      collisionsOf(run, checkJointClearance({run.toolpath(), run.bed_from_part, mechanism, run.path}, bodies,
-                                            settings, progress));
+  const LinkBodies bodies = linkBodies(model.urdf());
+  check.collisions = collisionsOf(
+      run,
+      checkJointClearance({run.toolpath(), run.bed_from_part, model, run.path}, bodies, settings, progress));
   return check;
 }
 
-void requireClear(const MachineCheck& check, const Mechanism& mechanism) {
+void requireClear(const MachineCheck& check, const KinematicModel& model) {
   if (check.isClear()) return;
   const Finding& first = check.faults.empty() ? check.collisions.front() : check.faults.front();
-  throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + mechanism.name() +
+  throw Unreachable(toText(first.at) + ": " + first.reason + " (" + first.what + "; " + model.name() +
                     " cannot run " + std::to_string(check.faults.size()) + " waypoints and collides at " +
                     std::to_string(check.collisions.size()) + ")");
 }

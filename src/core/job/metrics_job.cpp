@@ -52,8 +52,8 @@ std::vector<double> SliceMeasurement::measure(const std::vector<SettingText>& ov
                                               Progress& progress) const {
   const SliceJob job{job_.part, "", changed(job_.settings, overrides)};
   const MetricsSettings asked = onlyFor(metrics, job.settings.metrics);
-  const Machine machine = machineOf(job.settings.machine);
-  requireJetFor(job, machine);
+  const CartesianMachine machine = machineOf(job.settings.machine);
+  requireToolAxisFor(job, machine);
   const SlicedPart sliced = sliceSource(source_->part, job, machine, progress);
   const ToolpathMetrics measured =
       measureToolpath(sliced.toolpath, source_->part.mesh, sliced.bed_from_part, asked, progress);

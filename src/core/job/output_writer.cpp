@@ -18,7 +18,7 @@ namespace {
 
 void writeProgram(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
   if (!placed.joints) return writeGcode(placed.toolpath, placed.frame, settings, sink);
-  const FiveAxisMotion motion{placed.toolpath, placed.frame.bed_from_part, placed.joints->mechanism,
+  const FiveAxisMotion motion{placed.toolpath, placed.frame.bed_from_part, placed.joints->model,
                               placed.joints->path};
   writeFiveAxis(motion, settings.five_axis, settings, sink);
 }

@@ -10,14 +10,14 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
 #include "lamina/program/five_axis/five_axis_reader.hpp"
-#include "lamina/program/rapid/reader/rapid_reader.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
 
 namespace lamina {
 namespace {
 
-/// The comments that a program begins with: what tells of five axes stands there, and all the rest, which may
-/// be long, need not be held in memory to know.
+/// The comments that a program begins with: what reports of five axes stands there, and all the rest, which
+/// may be long, need not be held in memory to know.
 std::string headOf(const std::string& path) {
   std::ifstream file(path);
   std::string head;
@@ -30,7 +30,7 @@ Toolpath readFiveAxisFile(const std::string& path, const ProgramSettings& settin
                           const MachineSettings& machine) {
   const std::string name = std::filesystem::path(path).filename().string();
   try {
-    return readFiveAxis(readFile(path), *mechanismOf(machine), settings.five_axis, settings, name);
+    return readFiveAxis(readFile(path), *kinematicModelOf(machine), settings.five_axis, settings, name);
   } catch (const InvalidConfig& error) {
     throw InvalidProgram("'" + path + "' is five-axis G-code: " + error.what() +
                          "; expected machine.name to be the machine that it was written for");

@@ -16,13 +16,13 @@ namespace {
 void requireBedAxes(const ProgramFrame& frame) {
   if (!frame.program_from_bed.matrix().isIdentity(0.0))
     throw InvalidInput(
-        "the machine's axes stand askew to its bed; a program for a robot tells coordinates of the bed, "
+        "the machine's axes stand askew to its bed; a program for a robot reports coordinates of the bed, "
         "expected a machine whose axes are at right angles");
 }
 
 std::optional<RobotMotion> motionOf(const PlacedToolpath& placed) {
   if (!placed.joints) return std::nullopt;
-  return RobotMotion{placed.joints->mechanism, placed.joints->path};
+  return RobotMotion{placed.joints->model, placed.joints->path};
 }
 
 }  // namespace

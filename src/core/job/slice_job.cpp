@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "job/laps.hpp"
 #include "job/joint_program.hpp"
+#include "job/laps.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
@@ -24,15 +24,17 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-void write(const SliceJob& job, const Machine& machine, const SlicedPart& sliced,
-           const std::optional<LedProgram>& led) {
+void write(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced,
+           const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return;
   ProgramSettings program = job.settings.program;
   program.strategy = job.settings.planning.infill.strategy;
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = programFromBed(machine);
-  if (!led) return writeOutput(job.output, {sliced.toolpath, frame}, program);
-  writeOutput(job.output, {led->toolpath, frame, LedJoints{*led->mechanism, led->joints}}, program);
+  if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program);
+  writeOutput(job.output,
+              {joint_program->toolpath, frame, ProgramJoints{*joint_program->model, joint_program->joints}},
+              program);
 }
 
 }  // namespace
@@ -49,27 +51,27 @@ SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
   return runSliceJob(job, withUprightHead(machineOf(job.settings.machine)), progress);
 }
 
-SlicedPart runSliceJob(const SliceJob& job, const Machine& machine, Progress& progress) {
+SlicedPart runSliceJob(const SliceJob& job, const CartesianMachine& machine, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
   requireProgramFor(job, machine);
   requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
-  requireJetFor(job, machine);
+  requireToolAxisFor(job, machine);
   Laps laps;
   progress.report("read", 0.0);
   SourcePart source = readSource(job);
   const double read_s = laps.lap();
   SlicedPart sliced = sliceSource(std::move(source), job, machine, progress);
   sliced.summary.read_s = read_s;
-  const std::optional<LedProgram> led = leadProgram(job, machine, sliced, progress);
+  const std::optional<JointProgram> joint_program = planJointProgram(job, machine, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
   inParallel(
       [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
-      [&] { write(job, machine, sliced, led); });
+      [&] { write(job, machine, sliced, joint_program); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();

@@ -29,8 +29,8 @@ void open(Path& path) {
 /// Takes the joints of one path after the other.
 class Turner {
  public:
-  Turner(const MechanismRun& run, const Mechanism& mechanism)
-      : part_from_bed_(Eigen::Quaterniond(run.bed_from_part.linear()).conjugate()), mechanism_(mechanism) {}
+  Turner(const KinematicModelRun& run, const KinematicModel& model)
+      : part_from_bed_(Eigen::Quaterniond(run.bed_from_part.linear()).conjugate()), model_(model) {}
 
   void turn(Path& path, JointPath& joints) {
     if (next_ == 0) last_ = path.orientation.at(0);
@@ -46,22 +46,22 @@ class Turner {
 
  private:
   Eigen::Quaterniond nextTurn(const JointPath& joints) {
-    const Eigen::Isometry3d nozzle = mechanism_.bedFromNozzle(joints.values[next_++]);
+    const Eigen::Isometry3d nozzle = model_.bedFromNozzle(joints.values[next_++]);
     Eigen::Quaterniond turn = part_from_bed_ * Eigen::Quaterniond(nozzle.linear());
     if (turn.dot(last_) < 0.0) turn.coeffs() *= -1.0;
     return last_ = turn.normalized();
   }
 
   Eigen::Quaterniond part_from_bed_;
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   std::size_t next_ = 0;
   Eigen::Quaterniond last_ = Eigen::Quaterniond::Identity();
 };
 
 }  // namespace
 
-ToolpathAsRun toolpathAsRun(MechanismRun run, const Mechanism& mechanism) {
-  Turner turner(run, mechanism);
+ToolpathAsRun toolpathAsRun(KinematicModelRun run, const KinematicModel& model) {
+  Turner turner(run, model);
   ToolpathAsRun result{std::move(run.divided.toolpath), std::move(run.path)};
   for (ToolpathLayer& layer : result.toolpath.layers)
     for (Path& path : layer.paths) turner.turn(path, result.joints);

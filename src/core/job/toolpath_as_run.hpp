@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// A toolpath and joints whose nozzle is turned about the jet as they turn it.
+/// A toolpath and joints whose nozzle is turned about the tool axis as they turn it.
 struct ToolpathAsRun {
   Toolpath toolpath;
   JointPath joints;
@@ -15,6 +15,6 @@ struct ToolpathAsRun {
 /// The divided toolpath of a run that has no faults, with the orientations that the joints bring about, their
 /// signs such that they keep from waypoint to waypoint. A closed path at whose end the nozzle is turned
 /// another way than at its beginning becomes an open one that ends where it began.
-ToolpathAsRun toolpathAsRun(MechanismRun run, const Mechanism& mechanism);
+ToolpathAsRun toolpathAsRun(KinematicModelRun run, const KinematicModel& model);
 
 }  // namespace lamina

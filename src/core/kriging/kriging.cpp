@@ -179,7 +179,7 @@ Fit fitted(const Samples& samples, const Regression& regression, const KrigingSe
       fitRangesOf(algorithm, static_cast<std::size_t>(samples.inputs.front().size()));
       return {algorithm.getResult(), true};
     } catch (const OT::Exception&) {
-      // The likelihood has no top that can be told from rounding: any ranges do.
+      // The likelihood has no top that can be reported from rounding: any ranges do.
     }
   }
   OT::KrigingAlgorithm algorithm =
@@ -296,7 +296,7 @@ void describe(SettingsSchema& schema, KrigingSettings& settings) {
                  {"matern_5_2", Correlation::Matern52}},
                 "How responses of two points are related by their distance.");
   schema.integer("kriging.regression_order", settings.regression_order, {0, 2},
-                 "Order of the polynomial beneath; lower where samples do not determine it.");
+                 "Order of the polynomial below; lower where samples do not determine it.");
   schema.choice("kriging.range", settings.range,
                 {{"fitted", CorrelationRange::Fitted}, {"fixed", CorrelationRange::Fixed}},
                 "Whether ranges of the correlation are those of greatest likelihood, or given.");

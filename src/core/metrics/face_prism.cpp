@@ -9,8 +9,8 @@
 namespace lamina {
 namespace {
 
-/// Lines of measurement that run along edges, or along what is laid parallel or square to them, would see a
-/// gap either whole or not at all.
+/// Lines of measurement that run along edges, or along what is deposited parallel or square to them, would
+/// see a gap either whole or not at all.
 constexpr double kAskew = 0.553574;  // rad: no simple fraction of a turn
 constexpr double kOnFace = 1e-6;     // mm above the face that still count as on it
 constexpr double kLeastDirection = 1e-9;

@@ -28,13 +28,13 @@ struct Band {
 /// What a piece is to a face.
 struct Imprint {
   double radius_mm = 0.0;  ///< half the width of the band it lays
-  double depth_mm = 0.0;   ///< beneath the face within which its middle counts
+  double depth_mm = 0.0;   ///< below the face within which its middle counts
   double margin_mm = 0.0;  ///< beside the face within which it counts
   double beyond_mm =
       0.0;  ///< by which the band goes on beyond its own ends: a bead is rounder than its height
 };
 
-/// A triangle with a frame of its own, whose x lies askew to its edges, and the prism beneath it.
+/// A triangle with a frame of its own, whose x lies askew to its edges, and the prism below it.
 class FacePrism {
  public:
   /// @param corners  counter-clockwise seen from outside; must have an area

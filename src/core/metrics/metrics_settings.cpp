@@ -7,7 +7,7 @@ namespace {
 
 void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
   schema.number("metrics.depth_mm", settings.depth_mm, {0.0, 1000.0, false},
-                "Depth beneath a face within which a bead counts for it; 0 takes what fits the bead.");
+                "Depth below a face within which a bead counts for it; 0 takes what fits the bead.");
   schema.choice<BeadLine>("metrics.bead_line", settings.line,
                           {{"middle", BeadLine::Middle}, {"tip", BeadLine::Tip}},
                           "Whether beads lie where their middle is, or the nozzle's tip.");
@@ -17,7 +17,7 @@ void describe(SettingsSchema& schema, SurfaceFillSettings& settings) {
       "How wide a bead looks on a face: 0.2 to 0.4 mm, 0.2 to 0.35 mm, or its own height to what it fills.");
   schema.choice<FacePieces>(
       "metrics.face_pieces", settings.pieces, {{"near", FacePieces::Near}, {"within", FacePieces::Within}},
-      "Whether beads beside a face that reach over it cover it, or only those beneath it.");
+      "Whether beads beside a face that reach over it cover it, or only those below it.");
   schema.choice<Overlaps>("metrics.overlaps", settings.overlaps,
                           {{"apart", Overlaps::Apart}, {"all", Overlaps::All}},
                           "Whether overlaps of joined segments at corners are left out of the overfill.");

@@ -53,7 +53,7 @@ class Chain {
  private:
   bool prolong(const StraightBead& piece, const Point3& direction) {
     StraightBead& last = pieces_[last_];
-    const bool is_same = last.bead == piece.bead && (last.jet - piece.jet).norm() < kStraight;
+    const bool is_same = last.bead == piece.bead && (last.tool_axis - piece.tool_axis).norm() < kStraight;
     if (!is_same || direction_.cross(direction).norm() > kStraight || direction_.dot(direction) < 0.0)
       return false;
     // The whole must stay straight, not only each step.
@@ -70,13 +70,13 @@ class Chain {
   Point3 direction_ = Point3::Zero();
 };
 
-Point3 jetAt(const Path& path, std::size_t waypoint) {
+Point3 toolAxisAt(const Path& path, std::size_t waypoint) {
   return path.orientation.at(waypoint) * Point3::UnitZ();
 }
 
 Point3 placeAt(const Path& path, std::size_t waypoint, const Bead& bead, BeadLine line) {
   if (line == BeadLine::Tip) return path.points[waypoint];
-  return path.points[waypoint] + 0.5 * bead.height_mm * jetAt(path, waypoint);
+  return path.points[waypoint] + 0.5 * bead.height_mm * toolAxisAt(path, waypoint);
 }
 
 void addDrops(const Path& path, BeadLine line, Chain& chain) {
@@ -84,7 +84,7 @@ void addDrops(const Path& path, BeadLine line, Chain& chain) {
     StraightBead drop;
     drop.bead = path.bead.at(w);
     drop.plan_width_mm = drop.bead.width_mm;
-    drop.jet = jetAt(path, w);
+    drop.tool_axis = toolAxisAt(path, w);
     drop.start = drop.end = placeAt(path, w, drop.bead, line);
     if (drop.bead.width_mm > 0.0) chain.addDrop(drop);
   }
@@ -96,7 +96,7 @@ void addBead(const Path& path, BeadLine line, Chain& chain) {
     StraightBead piece;
     piece.bead = path.bead.at(end);
     piece.plan_width_mm = planWidth(piece.bead);
-    piece.jet = jetAt(path, end);
+    piece.tool_axis = toolAxisAt(path, end);
     piece.start = placeAt(path, m, piece.bead, line);
     piece.end = placeAt(path, end, piece.bead, line);
     piece.bead.width_mm > 0.0 ? chain.add(piece) : chain.breakOff();

@@ -13,9 +13,9 @@ namespace lamina {
 struct StraightBead {
   Point3 start = Point3::Zero();  ///< of the line that is followed [mm, part frame]
   Point3 end = Point3::Zero();
-  Point3 jet = -Point3::UnitZ();  ///< unit vector at the end [part frame]
+  Point3 tool_axis = -Point3::UnitZ();  ///< unit vector at the end [part frame]
   Bead bead;
-  double plan_width_mm = 0.0;  ///< that it fills seen along the jet; of a drop its diameter
+  double plan_width_mm = 0.0;  ///< that it fills seen along the tool axis; of a drop its diameter
   /// Unit vectors of the pieces that this one is joined to; zero if there is none.
   Point3 before = Point3::Zero();
   Point3 after = Point3::Zero();

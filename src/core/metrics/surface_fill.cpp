@@ -57,7 +57,7 @@ class Surface {
   const FacePrism& face(std::size_t i) const { return faces_[i]; }
 
   Imprint imprint(const FacePrism& face, const StraightBead& piece) const {
-    const double facing = std::abs(face.normal().dot(piece.jet));
+    const double facing = std::abs(face.normal().dot(piece.tool_axis));
     Imprint imprint;
     imprint.radius_mm = radius(face, piece, facing);
     imprint.depth_mm = settings_.depth_mm > 0.0 ? settings_.depth_mm : ownDepth(piece, facing);
@@ -94,7 +94,7 @@ class Surface {
 
  private:
   /// Half the width of a piece on a face [mm].
-  /// @param facing  cosine between the face's normal and the jet
+  /// @param facing  cosine between the face's normal and the tool axis
   double radius(const FacePrism& face, const StraightBead& piece, double facing) const {
     const double level = std::abs(face.normal().dot(up_));
     if (settings_.width == SurfaceWidth::Code) return 0.1 * (1.0 + level);
@@ -114,7 +114,7 @@ class Surface {
   std::vector<FacePrism> faces_;
 };
 
-/// The faces that a piece may lie beneath, by number.
+/// The faces that a piece may lie below, by number.
 void findFaces(const BoxTree& prisms, const StraightBead& piece, std::vector<std::uint32_t>& found) {
   found.clear();
   const double length = (piece.end - piece.start).norm();

@@ -25,12 +25,12 @@ struct Metric {
 
 constexpr std::array<Metric, 9> kMetrics{{
     {"print_time_s", &ToolpathMetrics::print_time_s, "Time from rest to rest on every motion [s]"},
-    {"material_mm", &ToolpathMetrics::material_mm, "Length along which material is laid [mm]"},
-    {"travel_mm", &ToolpathMetrics::travel_mm, "Length along which none is laid [mm]"},
+    {"material_mm", &ToolpathMetrics::material_mm, "Length along which material is deposited [mm]"},
+    {"travel_mm", &ToolpathMetrics::travel_mm, "Length along which none is deposited [mm]"},
     {"under_fill_mm2", &ToolpathMetrics::under_fill_mm2, "Surface that no bead covers [mm2]"},
     {"over_fill_mm2", &ToolpathMetrics::over_fill_mm2, "Surface that beads cover twice [mm2]"},
     {"volume_error_mm3", &ToolpathMetrics::volume_error_mm3,
-     "Between the volume laid and the volume asked for [mm3]"},
+     "Between the volume deposited and the volume asked for [mm3]"},
     {"control_energy_nm2_s", &ToolpathMetrics::control_energy_nm2_s,
      "Squared torques of the six-legged platform over time [(N m)2 s]"},
     {"linear_ise_mm2_s", &ToolpathMetrics::linear_ise_mm2_s,
@@ -103,7 +103,7 @@ void simulate(ToolpathMetrics& metrics, const Toolpath& toolpath, const Eigen::I
   const Toolpath timed = withoutEnds(atSpeed(toolpath, settings.speed_mm_s));
   MotionLimits limits;
   limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = settings.acceleration_mm_s2;
-  const RusDescription platform = rusDescriptionFromUrdf(mechanismByName("rus_platform")->urdf());
+  const RusDescription platform = rusDescriptionFromUrdf(kinematicModelByName("rus_platform")->urdf());
   const ToolpathReference reference(timed, onPlatform(toolpath, bed_from_part, settings.platform.middle_mm),
                                     limits, platform);
   const TrackingSimulation simulation(

@@ -206,7 +206,7 @@ std::vector<Evaluation> JournalledEvaluator::evaluate(const std::vector<DesignPo
   if (found.size() != untried.size())
     throw Error(ErrorCode::Internal, std::to_string(found.size()) + " evaluations of " +
                                          std::to_string(untried.size()) + " points; expected as many");
-  // What the evaluator did not tell of, or told of at another point, is noted at the point asked for.
+  // What the evaluator did not report of, or reported of at another point, is noted at the point asked for.
   for (std::size_t i = 0; i < found.size(); ++i) {
     found[i].point = untried[i];
     noteDown(found[i]);

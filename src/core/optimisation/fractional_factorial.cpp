@@ -41,7 +41,7 @@ InvalidConfig generatorFault(const std::string& generator, const std::string& wh
 std::uint32_t bitOf(char letter, std::size_t count, const std::string& generator) {
   if (letter < 'a' || letter >= static_cast<char>('a' + count))
     throw generatorFault(generator, std::string("'") + letter + "' is no variable; expected a to " +
-                               static_cast<char>('a' + count - 1));
+                                        static_cast<char>('a' + count - 1));
   return 1U << (letter - 'a');
 }
 
@@ -69,7 +69,8 @@ std::map<std::size_t, Word> generatedBy(const std::string& text, std::size_t cou
     word.is_negative = generator[2] == '-';
     for (const char letter : generator.substr(word.is_negative ? 3 : 2)) {
       const std::uint32_t factor = bitOf(letter, count, generator);
-      if (word.variables & factor) throw generatorFault(generator, std::string("'") + letter + "' stands twice");
+      if (word.variables & factor)
+        throw generatorFault(generator, std::string("'") + letter + "' stands twice");
       word.variables |= factor;
     }
     if (generated_bits & bit)
@@ -80,7 +81,7 @@ std::map<std::size_t, Word> generatedBy(const std::string& text, std::size_t cou
   for (const auto& [variable, word] : generated)
     if (word.variables & generated_bits)
       throw generatorFault(std::string(1, static_cast<char>('a' + variable)) + "=" + textOf(word),
-                  "refers to a variable that has a generator itself");
+                           "refers to a variable that has a generator itself");
   return generated;
 }
 
@@ -134,7 +135,7 @@ FractionalFactorial fractionalFactorial(const DesignSpace& space, const std::str
   for (const Word& word : definingRelation(generated)) {
     if (lengthOf(word) < 3)
       throw InvalidConfig("generators '" + generators + "': " + textOf(word) +
-                          " is the same in every point; its variables could not be told apart");
+                          " is the same in every point; its variables could not be distinguished");
     if (design.resolution == 0) design.resolution = lengthOf(word);
   }
   for (std::uint32_t run = 0; run < 1U << base_count; ++run) {

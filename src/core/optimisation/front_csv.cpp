@@ -24,7 +24,8 @@ constexpr std::string_view kMark = "# variables ";
 std::size_t variablesIn(std::string_view text, const CsvTable& table) {
   const std::size_t found = text.substr(0, kMark.size()) == kMark ? 0 : text.find("\n" + std::string(kMark));
   if (found == text.npos)
-    throw InvalidInput("'" + table.source + "' does not tell which columns are variables; expected a line '" +
+    throw InvalidInput("'" + table.source +
+                       "' does not report which columns are variables; expected a line '" +
                        std::string(kMark) + "N', where the first N columns are");
   text.remove_prefix(text.find(kMark, found) + kMark.size());
   const std::string number(trimmed(text.substr(0, text.find('\n'))));

@@ -32,7 +32,7 @@ void mutate(const DesignSpace& space, DesignPoint& point, const GeneticSettings&
 }
 
 std::vector<DesignPoint> offspringOf(const DesignSpace& space, const std::vector<Fittest>& population,
-                                    const GeneticSettings& settings, Random& random) {
+                                     const GeneticSettings& settings, Random& random) {
   std::vector<DesignPoint> children;
   while (children.size() < population.size()) {
     DesignPoint first = chosenFrom(population, random).point;

@@ -146,7 +146,7 @@ class Search {
     iteration.mape_percent =
         predictionErrorPercent(goals_, names_, measured.responses, iteration.predictions);
     iteration.is_feasible = violationOf(goals_, names_, measured.responses) == 0.0;
-    // What was learnt from is predicted exactly, which tells nothing of the predictions.
+    // What was learnt from is predicted exactly, which reports nothing of the predictions.
     iteration.is_accepted = iteration.is_feasible && !iteration.is_sample &&
                             iteration.mape_percent < settings_.accepted_mape_percent;
   }
@@ -185,7 +185,8 @@ class Search {
   std::optional<Fitness> fitness_;
 };
 
-void requireUsableSearch(const std::vector<Evaluation>& samples, const DesignSpace& space, std::size_t responses) {
+void requireUsableSearch(const std::vector<Evaluation>& samples, const DesignSpace& space,
+                         std::size_t responses) {
   for (const Evaluation& sample : samples) {
     requireWithin(space, sample.point);
     if (isEvaluated(sample) && sample.responses.size() != responses)

@@ -7,12 +7,12 @@
 
 namespace lamina {
 
-Point3 withLeadAndTilt(const Point3& jet, const Point3& tangent, double lead_deg, double tilt_deg) {
-  constexpr double kAlong = 1e-9;  // sine of the angle between jet and tangent
+Point3 withLeadAndTilt(const Point3& tool_axis, const Point3& tangent, double lead_deg, double tilt_deg) {
+  constexpr double kAlong = 1e-9;  // sine of the angle between tool axis and tangent
   constexpr double kDegree = M_PI / 180.0;
-  const Point3 left = tangent.cross(jet);
-  if (left.norm() < kAlong) return jet;
-  const Point3 led = Eigen::AngleAxisd(lead_deg * kDegree, left.normalized()) * jet;
+  const Point3 left = tangent.cross(tool_axis);
+  if (left.norm() < kAlong) return tool_axis;
+  const Point3 led = Eigen::AngleAxisd(lead_deg * kDegree, left.normalized()) * tool_axis;
   return (Eigen::AngleAxisd(-tilt_deg * kDegree, tangent) * led).normalized();
 }
 

@@ -34,18 +34,18 @@ std::vector<double> allowances(const std::vector<double>& lengths, double max_de
   return allowed;
 }
 
-/// Each jet as near to the wanted one as the jet before allows. A closed path is run round twice, so that
-/// its start follows its end.
+/// Each tool axis as near to the wanted one as the tool axis before allows. A closed path is run round twice,
+/// so that its start follows its end.
 std::vector<Point3> followed(const std::vector<Point3>& wanted, const std::vector<double>& allowed) {
-  std::vector<Point3> jets = wanted;
-  const std::size_t count = jets.size();
+  std::vector<Point3> tool_axes = wanted;
+  const std::size_t count = tool_axes.size();
   const std::size_t steps = allowed.size() == count ? 2 * count : count - 1;
   for (std::size_t step = 0; step < steps; ++step) {
     const std::size_t i = step % count;
     const std::size_t next = (i + 1) % count;
-    jets[next] = towards(jets[i], wanted[next], allowed[i]);
+    tool_axes[next] = towards(tool_axes[i], wanted[next], allowed[i]);
   }
-  return jets;
+  return tool_axes;
 }
 
 std::vector<Point3> followedBackwards(std::vector<Point3> wanted, std::vector<double> allowed) {
@@ -53,33 +53,35 @@ std::vector<Point3> followedBackwards(std::vector<Point3> wanted, std::vector<do
   std::reverse(wanted.begin(), wanted.end());
   const bool is_closed = allowed.size() == wanted.size();
   std::reverse(allowed.begin(), is_closed ? allowed.end() - 1 : allowed.end());
-  std::vector<Point3> jets = followed(wanted, allowed);
-  std::reverse(jets.begin(), jets.end());
-  return jets;
+  std::vector<Point3> tool_axes = followed(wanted, allowed);
+  std::reverse(tool_axes.begin(), tool_axes.end());
+  return tool_axes;
 }
 
-std::size_t leastChanged(const std::vector<Point3>& wanted, const std::vector<Point3>& jets) {
+std::size_t leastChanged(const std::vector<Point3>& wanted, const std::vector<Point3>& tool_axes) {
   std::size_t best = 0;
-  for (std::size_t i = 1; i < jets.size(); ++i)
-    if (angleBetween(wanted[i], jets[i]) < angleBetween(wanted[best], jets[best]) - 1e-9) best = i;
+  for (std::size_t i = 1; i < tool_axes.size(); ++i)
+    if (angleBetween(wanted[i], tool_axes[i]) < angleBetween(wanted[best], tool_axes[best]) - 1e-9) best = i;
   return best;
 }
 
-/// Follows the wanted jets round from the start so that the start is reached again within what is allowed.
-void followRound(std::vector<Point3>& jets, const std::vector<double>& allowed, std::size_t start) {
+/// Follows the wanted tool axes round from the start so that the start is reached again within what is
+/// allowed.
+void followRound(std::vector<Point3>& tool_axes, const std::vector<double>& allowed, std::size_t start) {
   constexpr double kRounding = 1e-12;
-  const std::size_t count = jets.size();
-  const Point3 home = jets[start];
+  const std::size_t count = tool_axes.size();
+  const Point3 home = tool_axes[start];
   double rest = 0.0;
   for (const double allowance : allowed) rest += allowance;
   for (std::size_t step = 0; step + 1 < count; ++step) {
     const std::size_t i = (start + step) % count;
     const std::size_t next = (i + 1) % count;
     rest -= allowed[i];
-    const Point3 reachable = towards(home, jets[next], std::min(rest, M_PI));
-    const Point3 near = towards(jets[i], reachable, allowed[i]);
+    const Point3 reachable = towards(home, tool_axes[next], std::min(rest, M_PI));
+    const Point3 near = towards(tool_axes[i], reachable, allowed[i]);
     // Homewards is always within reach, if nothing else is.
-    jets[next] = angleBetween(near, home) <= rest + kRounding ? near : towards(jets[i], home, allowed[i]);
+    tool_axes[next] =
+        angleBetween(near, home) <= rest + kRounding ? near : towards(tool_axes[i], home, allowed[i]);
   }
 }
 
@@ -87,12 +89,14 @@ void followRound(std::vector<Point3>& jets, const std::vector<double>& allowed, 
 
 double angleDeg(const Point3& a, const Point3& b) { return angleBetween(a, b) / kDegree; }
 
-double tiltDeg(const Point3& jet) { return std::atan2(jet.head<2>().norm(), -jet.z()) / kDegree; }
+double tiltDeg(const Point3& tool_axis) {
+  return std::atan2(tool_axis.head<2>().norm(), -tool_axis.z()) / kDegree;
+}
 
-Point3 withTiltLimit(const Point3& jet, double max_deg) {
-  if (tiltDeg(jet) <= max_deg) return jet;
-  const double sideways = jet.head<2>().norm();
-  const Point2 heading = sideways > 0.0 ? Point2(jet.head<2>() / sideways) : Point2::UnitX();
+Point3 withTiltLimit(const Point3& tool_axis, double max_deg) {
+  if (tiltDeg(tool_axis) <= max_deg) return tool_axis;
+  const double sideways = tool_axis.head<2>().norm();
+  const Point2 heading = sideways > 0.0 ? Point2(tool_axis.head<2>() / sideways) : Point2::UnitX();
   const double tilt = max_deg * kDegree;
   return {std::sin(tilt) * heading.x(), std::sin(tilt) * heading.y(), -std::cos(tilt)};
 }
@@ -104,12 +108,12 @@ std::vector<Point3> withTurnLimit(const std::vector<Point3>& wanted, const std::
   // Halfway between following at twice the speed from either side, a sudden turn is made at just the speed
   // allowed, half before its place and half after it.
   const std::vector<double> doubled = allowances(lengths, 2.0 * max_deg_per_mm);
-  std::vector<Point3> jets = followed(wanted, doubled);
+  std::vector<Point3> tool_axes = followed(wanted, doubled);
   const std::vector<Point3> backwards = followedBackwards(wanted, doubled);
-  for (std::size_t i = 0; i < jets.size(); ++i) jets[i] = between(jets[i], backwards[i]);
-  if (allowed.size() < wanted.size()) return followed(jets, allowed);
-  followRound(jets, allowed, leastChanged(wanted, jets));
-  return jets;
+  for (std::size_t i = 0; i < tool_axes.size(); ++i) tool_axes[i] = between(tool_axes[i], backwards[i]);
+  if (allowed.size() < wanted.size()) return followed(tool_axes, allowed);
+  followRound(tool_axes, allowed, leastChanged(wanted, tool_axes));
+  return tool_axes;
 }
 
 }  // namespace lamina

@@ -14,7 +14,7 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
       {{"layer_normal", OrientationMode::LayerNormal},
        {"fixed", OrientationMode::Fixed},
        {"wall", OrientationMode::Wall}},
-      "Jet against the layer's normal, in one direction everywhere, or along the wall in walls.");
+      "Tool axis against the layer's normal, in one direction everywhere, or along the wall in walls.");
   const Bounds turn{-360.0, 360.0, false};
   schema.number("orientation.fixed_tilt_deg", settings.fixed.tilt_deg, {0.0, 90.0, false},
                 "Mode fixed: lean of the nozzle from the vertical.");
@@ -28,15 +28,15 @@ void describe(SettingsSchema& schema, OrientationSettings& settings) {
   schema.number("orientation.tilt_deg", settings.tilt_deg, lean,
                 "Lean of the nozzle to the left of the path.");
   schema.integer("orientation.smoothing_window", settings.smoothing_window, {1, 9999, false},
-                 "Waypoints over which the jet is averaged, an odd number; 1 is none.");
+                 "Waypoints over which the tool axis is averaged, an odd number; 1 is none.");
   schema.number("orientation.max_tilt_deg", settings.limits.max_tilt_deg, {0.0, 180.0, false},
-                "Greatest angle between the jet and straight down; 180 is no limit.");
+                "Greatest angle between the tool axis and straight down; 180 is no limit.");
   schema.number("orientation.max_turn_deg_per_mm", settings.limits.max_turn_deg_per_mm, {0.0, 1000.0, false},
-                "Greatest turn of the jet along a run; 0 is no limit.");
+                "Greatest turn of the tool axis along a run; 0 is no limit.");
   schema.number("orientation.max_off_normal_deg", settings.limits.max_off_normal_deg, {0.0, 180.0, false},
-                "Greatest angle between jet and layer's normal; a part that needs more is refused.");
+                "Greatest angle between tool axis and layer's normal; a part that needs more is refused.");
   schema.number("orientation.heading_deg", settings.heading_deg, turn,
-                "Heading of the nozzle's x, which does not spin about the jet; 0 is x, 180 is -x.");
+                "Heading of the nozzle's x, which does not spin about the tool axis; 0 is x, 180 is -x.");
 }
 
 void validate(const OrientationSettings& settings) {

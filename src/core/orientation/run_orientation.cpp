@@ -16,35 +16,36 @@ namespace lamina {
 namespace {
 
 constexpr double kSame = 1e-12;       // between components of unit vectors and quaternions
-constexpr double kChangedDeg = 1e-6;  // a jet that a limit moved by less was not limited
+constexpr double kChangedDeg = 1e-6;  // a tool axis that a limit moved by less was not limited
 
-/// One jet per waypoint, or a single one for all of them.
-using Jets = std::vector<Point3>;
+/// One tool axis per waypoint, or a single one for all of them.
+using ToolAxes = std::vector<Point3>;
 
 bool isWall(PathRole role) { return role == PathRole::OuterWall || role == PathRole::InnerWall; }
 
-Jets givenJets(const Path& run) {
-  Jets jets;
-  jets.reserve(run.orientation.values().size());
-  for (const Eigen::Quaterniond& value : run.orientation.values()) jets.push_back(jetOf(value.normalized()));
-  return jets;
+ToolAxes givenToolAxes(const Path& run) {
+  ToolAxes tool_axes;
+  tool_axes.reserve(run.orientation.values().size());
+  for (const Eigen::Quaterniond& value : run.orientation.values())
+    tool_axes.push_back(toolAxisOf(value.normalized()));
+  return tool_axes;
 }
 
-Point3 fixedJet(const FixedDirection& fixed) {
+Point3 fixedToolAxis(const FixedDirection& fixed) {
   const double tilt = fixed.tilt_deg * M_PI / 180.0;
   const double heading = fixed.heading_deg * M_PI / 180.0;
   if (tilt == 0.0) return -Point3::UnitZ();
   return {-std::sin(tilt) * std::cos(heading), -std::sin(tilt) * std::sin(heading), -std::cos(tilt)};
 }
 
-Jets leaned(Jets jets, const Path& run, const OrientationSettings& settings) {
-  if (settings.lead_deg == 0.0 && settings.tilt_deg == 0.0) return jets;
+ToolAxes leaned(ToolAxes tool_axes, const Path& run, const OrientationSettings& settings) {
+  if (settings.lead_deg == 0.0 && settings.tilt_deg == 0.0) return tool_axes;
   const std::vector<Point3> tangents = pathTangents(run);
-  if (tangents.empty()) return jets;
-  jets.resize(run.points.size(), jets.front());
-  for (std::size_t i = 0; i < jets.size(); ++i)
-    jets[i] = withLeadAndTilt(jets[i], tangents[i], settings.lead_deg, settings.tilt_deg);
-  return jets;
+  if (tangents.empty()) return tool_axes;
+  tool_axes.resize(run.points.size(), tool_axes.front());
+  for (std::size_t i = 0; i < tool_axes.size(); ++i)
+    tool_axes[i] = withLeadAndTilt(tool_axes[i], tangents[i], settings.lead_deg, settings.tilt_deg);
+  return tool_axes;
 }
 
 /// What a limit wanted and gave at each waypoint, gathered into one entry per run.
@@ -67,35 +68,37 @@ class HitCount {
   LimitHit hit_;
 };
 
-Jets tiltLimited(Jets jets, double max_deg, std::vector<LimitHit>& hits, std::size_t waypoints) {
+ToolAxes tiltLimited(ToolAxes tool_axes, double max_deg, std::vector<LimitHit>& hits, std::size_t waypoints) {
   HitCount count(OrientationLimit::Tilt);
-  const std::size_t each = waypoints / jets.size();  // waypoints per jet: all of them if it is common
-  for (std::size_t i = 0; i < jets.size(); ++i) {
-    const double wanted = tiltDeg(jets[i]);
+  const std::size_t each =
+      waypoints / tool_axes.size();  // waypoints per tool axis: all of them if it is common
+  for (std::size_t i = 0; i < tool_axes.size(); ++i) {
+    const double wanted = tiltDeg(tool_axes[i]);
     if (wanted <= max_deg + kChangedDeg) continue;
-    jets[i] = withTiltLimit(jets[i], max_deg);
+    tool_axes[i] = withTiltLimit(tool_axes[i], max_deg);
     for (std::size_t k = 0; k < each; ++k) count.add(i + k, wanted, max_deg);
   }
   count.appendTo(hits);
-  return jets;
+  return tool_axes;
 }
 
-Jets turnLimited(Jets jets, const Path& run, double max_deg_per_mm, std::vector<LimitHit>& hits) {
-  if (max_deg_per_mm == 0.0 || jets.size() < 2) return jets;
-  Jets given = withTurnLimit(jets, motionLengths(run), max_deg_per_mm);
+ToolAxes turnLimited(ToolAxes tool_axes, const Path& run, double max_deg_per_mm,
+                     std::vector<LimitHit>& hits) {
+  if (max_deg_per_mm == 0.0 || tool_axes.size() < 2) return tool_axes;
+  ToolAxes given = withTurnLimit(tool_axes, motionLengths(run), max_deg_per_mm);
   HitCount count(OrientationLimit::Turn);
-  for (std::size_t i = 0; i < jets.size(); ++i) {
-    if (angleDeg(jets[i], given[i]) <= kChangedDeg) continue;
-    const std::size_t before = i > 0 ? i - 1 : run.is_closed ? jets.size() - 1 : 0;
-    count.add(i, angleDeg(jets[before], jets[i]), angleDeg(given[before], given[i]));
+  for (std::size_t i = 0; i < tool_axes.size(); ++i) {
+    if (angleDeg(tool_axes[i], given[i]) <= kChangedDeg) continue;
+    const std::size_t before = i > 0 ? i - 1 : run.is_closed ? tool_axes.size() - 1 : 0;
+    count.add(i, angleDeg(tool_axes[before], tool_axes[i]), angleDeg(given[before], given[i]));
   }
   count.appendTo(hits);
   return given;
 }
 
-AlongPath<Eigen::Quaterniond> heldAlong(const Jets& jets, double heading_deg) {
-  if (jets.size() == 1) return noSpinFrame(jets.front(), heading_deg);
-  std::vector<Eigen::Quaterniond> frames = noSpinFrames(jets, heading_deg);
+AlongPath<Eigen::Quaterniond> heldAlong(const ToolAxes& tool_axes, double heading_deg) {
+  if (tool_axes.size() == 1) return noSpinFrame(tool_axes.front(), heading_deg);
+  std::vector<Eigen::Quaterniond> frames = noSpinFrames(tool_axes, heading_deg);
   const auto differs = [&](const Eigen::Quaterniond& frame) {
     return (frame.coeffs() - frames.front().coeffs()).cwiseAbs().maxCoeff() > kSame;
   };
@@ -108,21 +111,23 @@ AlongPath<Eigen::Quaterniond> heldAlong(const Jets& jets, double heading_deg) {
 RunOrientation runOrientation(const Path& run, const OrientationSettings& settings,
                               const WallNormals* walls) {
   RunOrientation result;
-  Jets jets;
+  ToolAxes tool_axes;
   if (settings.mode == OrientationMode::Fixed) {
-    jets = {fixedJet(settings.fixed)};
+    tool_axes = {fixedToolAxis(settings.fixed)};
   } else if (walls != nullptr && isWall(run.role)) {
-    WallJets following = wallFollowingJets(run, *walls);
-    jets = std::move(following.jets);
+    WallToolAxes following = wallFollowingToolAxes(run, *walls);
+    tool_axes = std::move(following.tool_axes);
     result.waypoints_without_wall = following.waypoints_without_wall;
   } else {
-    jets = givenJets(run);
+    tool_axes = givenToolAxes(run);
   }
-  jets = leaned(std::move(jets), run, settings);
-  jets = smoothedJets(jets, run.is_closed ? Course::Closed : Course::Open, settings.smoothing_window);
-  jets = tiltLimited(std::move(jets), settings.limits.max_tilt_deg, result.limits_hit, run.points.size());
-  jets = turnLimited(std::move(jets), run, settings.limits.max_turn_deg_per_mm, result.limits_hit);
-  result.orientation = heldAlong(jets, settings.heading_deg);
+  tool_axes = leaned(std::move(tool_axes), run, settings);
+  tool_axes =
+      smoothedToolAxes(tool_axes, run.is_closed ? Course::Closed : Course::Open, settings.smoothing_window);
+  tool_axes =
+      tiltLimited(std::move(tool_axes), settings.limits.max_tilt_deg, result.limits_hit, run.points.size());
+  tool_axes = turnLimited(std::move(tool_axes), run, settings.limits.max_turn_deg_per_mm, result.limits_hit);
+  result.orientation = heldAlong(tool_axes, settings.heading_deg);
   return result;
 }
 

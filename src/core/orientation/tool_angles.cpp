@@ -7,14 +7,14 @@
 
 namespace lamina {
 
-ToolAngles toolAngles(const Point3& jet) {
-  const double sideways = std::hypot(jet.x(), jet.z());
+ToolAngles toolAngles(const Point3& tool_axis) {
+  const double sideways = std::hypot(tool_axis.x(), tool_axis.z());
   // By both legs: near y the arcsine alone would lose half of the digits.
-  const double alpha = std::atan2(jet.y(), sideways);
-  return {alpha, sideways == 0.0 ? 0.0 : std::atan2(-jet.x(), -jet.z())};
+  const double alpha = std::atan2(tool_axis.y(), sideways);
+  return {alpha, sideways == 0.0 ? 0.0 : std::atan2(-tool_axis.x(), -tool_axis.z())};
 }
 
-Point3 jetOf(const ToolAngles& angles) {
+Point3 toolAxisOf(const ToolAngles& angles) {
   return {-std::cos(angles.alpha) * std::sin(angles.beta), std::sin(angles.alpha),
           -std::cos(angles.alpha) * std::cos(angles.beta)};
 }

@@ -22,7 +22,7 @@ double turnDeg(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
 void addPath(OrientationReport& report, const Path& path, WaypointIndex at) {
   const std::vector<Eigen::Quaterniond>& values = path.orientation.values();
   for (at.waypoint = 0; at.waypoint < values.size(); ++at.waypoint)
-    raise(report.tilt_deg, tiltDeg(jetOf(values[at.waypoint])), at);
+    raise(report.tilt_deg, tiltDeg(toolAxisOf(values[at.waypoint])), at);
   if (path.orientation.isCommon()) return;
   GreatestAngle& per_mm = path.role == PathRole::Travel ? report.travel_deg_per_mm : report.turn_deg_per_mm;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {

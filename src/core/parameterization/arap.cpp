@@ -25,7 +25,7 @@ using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 /// The sum's second derivatives with the turns held. Vertex 0 is left out: it stays, which makes the plan
 /// unique.
-Eigen::SparseMatrix<double> stiffness(const RigidEnergy& energy) {
+Eigen::SparseMatrix<double> stiffness(const ArapEnergy& energy) {
   const Mesh& surface = energy.surface();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * surface.triangles.size());
@@ -47,7 +47,7 @@ Eigen::SparseMatrix<double> stiffness(const RigidEnergy& energy) {
   return matrix;
 }
 
-void stepTogether(const Solver& solver, const RigidEnergy::Pull& pull, std::vector<Point2>& plan) {
+void stepTogether(const Solver& solver, const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
   Eigen::Matrix<double, Eigen::Dynamic, 2> pulls(static_cast<Eigen::Index>(plan.size()) - 1, 2);
   for (Eigen::Index i = 0; i < pulls.rows(); ++i)
     pulls.row(i) = pull.at_vertex[static_cast<std::size_t>(i) + 1];
@@ -56,7 +56,7 @@ void stepTogether(const Solver& solver, const RigidEnergy::Pull& pull, std::vect
 }
 
 /// How strongly each vertex is held where its neighbours want it.
-std::vector<double> holds(const RigidEnergy& energy) {
+std::vector<double> holds(const ArapEnergy& energy) {
   std::vector<double> hold(energy.surface().vertices.size(), 0.0);
   for (std::size_t t = 0; t < energy.triangles().size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -69,13 +69,13 @@ std::vector<double> holds(const RigidEnergy& energy) {
 /// Steps while they lessen the sum noticeably.
 /// @param step  changes a plan by the pull on it
 template <class Step>
-std::vector<Point2> descend(const RigidEnergy& energy, std::vector<Point2> plan, int iterations,
+std::vector<Point2> descend(const ArapEnergy& energy, std::vector<Point2> plan, int iterations,
                             double converged, const Step& step) {
-  RigidEnergy::Pull pull = energy.pullOn(plan);
+  ArapEnergy::Pull pull = energy.pullOn(plan);
   for (int i = 0; i < iterations; ++i) {
     std::vector<Point2> next = plan;
     step(pull, next);
-    RigidEnergy::Pull next_pull = energy.pullOn(next);
+    ArapEnergy::Pull next_pull = energy.pullOn(next);
     if (!(next_pull.energy < pull.energy)) break;
     const bool is_last = !(next_pull.energy < (1.0 - converged) * pull.energy);
     plan = std::move(next);
@@ -87,22 +87,22 @@ std::vector<Point2> descend(const RigidEnergy& energy, std::vector<Point2> plan,
 
 }  // namespace
 
-std::vector<Point2> relaxRigidly(const RigidEnergy& energy, std::vector<Point2> guess) {
+std::vector<Point2> relaxArap(const ArapEnergy& energy, std::vector<Point2> guess) {
   if (guess.size() < 3) return guess;
   const Solver solver(stiffness(energy));
   return descend(
       energy, std::move(guess), kIterations, kConverged,
-      [&](const RigidEnergy::Pull& pull, std::vector<Point2>& plan) { stepTogether(solver, pull, plan); });
+      [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) { stepTogether(solver, pull, plan); });
 }
 
-std::vector<Point2> relaxCoarsely(const RigidEnergy& energy, std::vector<Point2> guess) {
+std::vector<Point2> relaxCoarsely(const ArapEnergy& energy, std::vector<Point2> guess) {
   const CoarseGrid grid(energy, guess);
   const std::vector<double> hold = holds(energy);
-  const auto stepAlone = [&](const RigidEnergy::Pull& pull, std::vector<Point2>& plan) {
+  const auto stepAlone = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
     for (std::size_t i = 0; i < plan.size(); ++i)
       if (hold[i] > 0.0) plan[i] += kDamping / hold[i] * pull.at_vertex[i];
   };
-  const auto stepOnGrid = [&](const RigidEnergy::Pull& pull, std::vector<Point2>& plan) {
+  const auto stepOnGrid = [&](const ArapEnergy::Pull& pull, std::vector<Point2>& plan) {
     grid.step(pull.at_vertex, plan);
   };
   for (int i = 0; i < kRounds; ++i) {

@@ -31,12 +31,12 @@ std::array<double, 3> cotangents(const std::array<Rotation2, 3>& side, double do
   return cotangent;
 }
 
-RigidEnergy::FlatTriangle layFlat(const Point3& a, const Point3& b, const Point3& c) {
+ArapEnergy::FlatTriangle layFlat(const Point3& a, const Point3& b, const Point3& c) {
   const Point3 ab = b - a;
   const Point3 ac = c - a;
   const double length = ab.norm();
   const double double_area = ab.cross(ac).norm();
-  RigidEnergy::FlatTriangle flat;
+  ArapEnergy::FlatTriangle flat;
   const Rotation2 corner_b(length, 0.0);
   const Rotation2 corner_c =
       length > 0.0 ? Rotation2(ab.dot(ac) / length, double_area / length) : Rotation2(0.0, ac.norm());
@@ -49,14 +49,14 @@ Rotation2 asComplex(const Point2& vector) { return {vector.x(), vector.y()}; }
 
 }  // namespace
 
-RigidEnergy::RigidEnergy(const Mesh& surface) : surface_(surface) {
+ArapEnergy::ArapEnergy(const Mesh& surface) : surface_(surface) {
   triangles_.reserve(surface.triangles.size());
   for (const Triangle& corner : surface.triangles)
     triangles_.push_back(
         layFlat(surface.vertices[corner[0]], surface.vertices[corner[1]], surface.vertices[corner[2]]));
 }
 
-RigidEnergy::Pull RigidEnergy::pullOn(const std::vector<Point2>& plan) const {
+ArapEnergy::Pull ArapEnergy::pullOn(const std::vector<Point2>& plan) const {
   Pull pull;
   pull.at_vertex.assign(plan.size(), Point2::Zero());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {

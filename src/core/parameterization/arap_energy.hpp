@@ -13,7 +13,7 @@ namespace lamina {
 /// How far the triangles of a plan are from keeping their shape: the sum over the sides of (difference from
 /// the side as it is when the triangle is turned at best)² times the cotangent of the angle across it ("as
 /// rigid as possible" [Liu2008]). Slivers count as if they were a hundredth as high as long.
-class RigidEnergy {
+class ArapEnergy {
  public:
   /// A triangle laid flat by itself: its sides as vectors from corner to corner, and how much each counts.
   struct FlatTriangle {
@@ -28,7 +28,7 @@ class RigidEnergy {
   };
 
   /// @param surface  [mm] must outlive this
-  explicit RigidEnergy(const Mesh& surface);
+  explicit ArapEnergy(const Mesh& surface);
 
   Pull pullOn(const std::vector<Point2>& plan) const;
 

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 constexpr double kGap = 10.0;
 // Charts are level to this, beyond rounding errors [mm].
 constexpr double kLevel = 1e-6;
-// A fit is told by less than this share of what a perfect one would have: no direction.
+// A fit is reported by less than this share of what a perfect one would have: no direction.
 constexpr double kLeastFit = 0.05;
 
 std::vector<double> areaOfVertices(const Mesh& mesh) {

@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// Turns and moves a plan to where the surface lies seen along z: least squares over the area, without
-/// mirroring. Where that tells no direction, as beneath a surface that faces down, the direction in which the
+/// mirroring. Where that reports no direction, as below a surface that faces down, the direction in which the
 /// surface runs towards x comes to lie along x, or, if it does not run there, the one towards y along y.
 void layOverProjection(LayerChart& chart);
 

@@ -22,7 +22,7 @@ double areaInPlan(const Triangle& corner, const std::vector<Point2>& plan) {
 }
 
 /// What a triangle resists an even growth of its place in the plan with, by directions.
-Eigen::Matrix2d resistanceOf(const RigidEnergy::FlatTriangle& triangle, const Triangle& corner,
+Eigen::Matrix2d resistanceOf(const ArapEnergy::FlatTriangle& triangle, const Triangle& corner,
                              const std::vector<Point2>& plan) {
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ double cellSize(const Mesh& surface, const std::vector<Point2>& plan, const Poin
 
 }  // namespace
 
-CoarseGrid::CoarseGrid(const RigidEnergy& energy, const std::vector<Point2>& plan) {
+CoarseGrid::CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& plan) {
   Box2 box;
   for (const Point2& place : plan) box.include(place);
   const double cell = cellSize(energy.surface(), plan, box.size());

@@ -14,7 +14,7 @@ namespace lamina {
 /// hold some twenty vertices.
 class CoarseGrid {
  public:
-  CoarseGrid(const RigidEnergy& energy, const std::vector<Point2>& plan);
+  CoarseGrid(const ArapEnergy& energy, const std::vector<Point2>& plan);
 
   /// Changes a plan such that the pull on it vanishes on average over the cells, as far as the surface
   /// resists like an even membrane.

@@ -18,7 +18,7 @@ namespace {
 
 // A triangle is nearly a line if its height is this share of its longest side,
 constexpr double kThinness = 1e-6;
-// or so little that no machine can tell [mm], neither by itself nor beside a usual triangle.
+// or so little that no machine can report [mm], neither by itself nor beside a usual triangle.
 constexpr double kNoStretch = 0.02;
 constexpr double kNoFlip = 0.005;
 constexpr double kUnusual = 0.05;
@@ -157,11 +157,11 @@ bool anyCross(const std::vector<Segment>& segments, double depth) {
 
 }  // namespace
 
-PlanDistortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan) {
+Distortion measureDistortion(const Mesh& surface, const std::vector<Point2>& plan) {
   if (plan.size() != surface.vertices.size())
     throw InvalidInput("the plan has " + std::to_string(plan.size()) + " places; the surface has " +
                        std::to_string(surface.vertices.size()) + " vertices");
-  PlanDistortion distortion;
+  Distortion distortion;
   if (surface.triangles.empty()) return distortion;
   const Limits limits = limitsFor(surface);
   distortion.least_stretch = std::numeric_limits<double>::infinity();

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "lamina/parameterization/distortion.hpp"
-#include "parameterization/landmark_mds.hpp"
 #include "parameterization/arap.hpp"
+#include "parameterization/landmark_mds.hpp"
 #include "parameterization/smacof.hpp"
 #include "parameterization/unfolding.hpp"
 
@@ -24,7 +24,7 @@ constexpr double kFacing = 0.5;
 // Up to so many vertices the exact plan takes no time.
 constexpr std::size_t kFewVertices = 1000;
 
-/// Geodesic distances do not tell a surface from its mirror image.
+/// Geodesic distances do not report a surface from its mirror image.
 void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
   double area = 0.0;
   for (const Triangle& corner : surface.triangles) {
@@ -36,14 +36,14 @@ void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
   for (Point2& place : plan) place.x() = -place.x();
 }
 
-bool isWithin(const PlanDistortion& distortion, double tolerance) {
+bool isWithin(const Distortion& distortion, double tolerance) {
   return distortion.flipped == 0 && distortion.least_stretch >= 1.0 - tolerance &&
          distortion.greatest_stretch <= 1.0 + tolerance;
 }
 
 /// Whether a better plan may be within the tolerance where the coarse one is not. It mends single triangles
 /// that are too small, mostly at borders.
-bool isNearly(const PlanDistortion& distortion, double tolerance) {
+bool isNearly(const Distortion& distortion, double tolerance) {
   return distortion.flipped == 0 && distortion.least_stretch >= 1.0 - 1.1 * tolerance &&
          distortion.greatest_stretch <= 1.0 + 2.0 * tolerance;
 }
@@ -106,7 +106,7 @@ std::vector<Point2> scaleDistances(const Mesh& surface, TriangleFans fans,
   const GeodesicDistances geodesics(std::move(fans));
   const Landmarks landmarks =
       spreadLandmarks(geodesics, surface.vertices.size(), static_cast<std::size_t>(settings.landmarks));
-  std::vector<Point2> plan = classicalScaling(landmarks);
+  std::vector<Point2> plan = landmarkMds(landmarks);
   turnCounterClockwise(surface, plan);
   if (settings.method != FlatteningMethod::Stress) return plan;
   return lessenStress(std::move(plan), geodesics.fans(), landmarks);
@@ -120,24 +120,24 @@ std::vector<Point2> guessOf(const Mesh& surface, TriangleFans fans, const Flatte
   return scaleDistances(surface, std::move(fans), settings);
 }
 
-std::vector<Point2> flattenRigidly(const Mesh& surface, const FlatteningSettings& settings) {
+std::vector<Point2> flattenArap(const Mesh& surface, const FlatteningSettings& settings) {
   TriangleFans fans = gatherFans(surface);
   if (auto plan = unfold(surface, fans, kUnrollsFlat))
     if (isWithin(measureDistortion(surface, *plan), kUnrollsFlat)) return std::move(*plan);
   std::vector<Point2> guess = guessOf(surface, std::move(fans), settings);
-  const RigidEnergy energy(surface);
-  if (surface.vertices.size() <= kFewVertices) return relaxRigidly(energy, std::move(guess));
+  const ArapEnergy energy(surface);
+  if (surface.vertices.size() <= kFewVertices) return relaxArap(energy, std::move(guess));
   std::vector<Point2> plan = relaxCoarsely(energy, std::move(guess));
-  const PlanDistortion distortion = measureDistortion(surface, plan);
+  const Distortion distortion = measureDistortion(surface, plan);
   if (isWithin(distortion, settings.tolerance) || !isNearly(distortion, settings.tolerance)) return plan;
-  return relaxRigidly(energy, std::move(plan));
+  return relaxArap(energy, std::move(plan));
 }
 
 }  // namespace
 
 std::vector<Point2> flatten(const Mesh& surface, const FlatteningSettings& settings) {
   if (surface.vertices.empty()) return {};
-  if (settings.method == FlatteningMethod::Rigid) return flattenRigidly(surface, settings);
+  if (settings.method == FlatteningMethod::Arap) return flattenArap(surface, settings);
   return scaleDistances(surface, gatherFans(surface), settings);
 }
 

@@ -5,13 +5,16 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, FlatteningSettings& settings) {
-  schema.choice<FlatteningMethod>("flattening.method", settings.method,
-                                  {{"rigid", FlatteningMethod::Rigid},
-                                   {"mds", FlatteningMethod::Mds},
-                                   {"stress", FlatteningMethod::Stress}},
-                                  "Plan of a curved layer: triangles as rigid as can be, scaling of geodesic "
-                                  "distances, or least error of "
-                                  "lengths.");
+  schema.choice<FlatteningMethod>(
+      "flattening.method", settings.method,
+      {{"arap", FlatteningMethod::Arap},
+       {"landmark_mds", FlatteningMethod::Mds},
+       {"smacof", FlatteningMethod::Stress}},
+      "Parameterization of a curved layer: as rigid as possible, landmark multidimensional scaling, "
+      "or stress majorisation.");
+  schema.renamedChoice("flattening.method", "rigid", "arap");
+  schema.renamedChoice("flattening.method", "mds", "landmark_mds");
+  schema.renamedChoice("flattening.method", "stress", "smacof");
   schema.integer("flattening.landmarks", settings.landmarks, {4.0, 100000.0, false},
                  "Vertices from which geodesic distances are taken; pieces with fewer vertices use all.");
   schema.number(

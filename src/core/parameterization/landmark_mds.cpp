@@ -77,7 +77,7 @@ Landmarks spreadLandmarks(const GeodesicDistances& geodesics, std::size_t vertic
   return landmarks;
 }
 
-std::vector<Point2> classicalScaling(const Landmarks& landmarks) {
+std::vector<Point2> landmarkMds(const Landmarks& landmarks) {
   const auto count = static_cast<Eigen::Index>(landmarks.vertices.size());
   Eigen::MatrixXd squared(count, count);
   for (Eigen::Index i = 0; i < count; ++i)

@@ -10,8 +10,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
-#include "lamina/parameterization/flattening.hpp"
 #include "lamina/parameterization/distortion.hpp"
+#include "lamina/parameterization/flattening.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
 #include "parameterization/chart_placement.hpp"
 #include "parameterization/creases.hpp"
@@ -60,7 +60,7 @@ struct Verdict {
 };
 
 Verdict judge(const Mesh& surface, const std::vector<Point2>& plan, double tolerance) {
-  const PlanDistortion distortion = measureDistortion(surface, plan);
+  const Distortion distortion = measureDistortion(surface, plan);
   Verdict verdict;
   if (distortion.flipped > 0) {
     verdict.reason = std::to_string(distortion.flipped) + " of " + std::to_string(surface.triangles.size()) +
@@ -147,7 +147,7 @@ void addCharts(Piece piece, const FlatteningSettings& settings, std::vector<Laye
   const MeshTopology topology = pairHalfEdges(mesh);
   Creases creases;
   std::optional<std::vector<Point2>> plan;
-  if (topology.has_border) plan = planOfPlane(mesh);
+  if (topology.has_border) plan = planeParameterization(mesh);
   if (!plan) {
     creases = findCreases(mesh, topology, kLeastPart * beadArea(piece.surface));
     plan = planOf(piece, topology, creases, settings);

@@ -30,7 +30,7 @@ bool isPlane(const Mesh& surface, const Point3& normal) {
 
 }  // namespace
 
-std::optional<std::vector<Point2>> planOfPlane(const Mesh& surface) {
+std::optional<std::vector<Point2>> planeParameterization(const Mesh& surface) {
   Point3 sum = Point3::Zero();
   for (const Triangle& corner : surface.triangles) sum += areaVector(surface, corner);
   if (!(sum.norm() > 0.0)) return std::nullopt;

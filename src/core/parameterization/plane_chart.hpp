@@ -11,6 +11,6 @@ namespace lamina {
 
 /// The plan of a surface that is plane already, the same shape to rounding; nothing if it is not plane. A
 /// level one keeps its x and y.
-std::optional<std::vector<Point2>> planOfPlane(const Mesh& surface);
+std::optional<std::vector<Point2>> planeParameterization(const Mesh& surface);
 
 }  // namespace lamina

@@ -48,15 +48,15 @@ class Unfolding {
       : fans_(fans),
         tolerance_(tolerance),
         plan_(fans.vertices(), Point2::Zero()),
-        is_laid_(fans.vertices(), 0) {
+        is_deposited_(fans.vertices(), 0) {
     const Triangle& seed = surface.triangles[middleTriangle(surface)];
     const Point3 along = surface.vertices[seed[1]] - surface.vertices[seed[0]];
     plan_[seed[1]] = {along.norm(), 0.0};
-    is_laid_[seed[0]] = is_laid_[seed[1]] = 1;
+    is_deposited_[seed[0]] = is_deposited_[seed[1]] = 1;
     for (std::uint32_t i = fans.first[seed[2]]; i < fans.first[seed[2] + 1]; ++i)
       if (fans.corners[i].next == seed[0] && fans.corners[i].previous == seed[1])
         plan_[seed[2]] = placeBeyond(fans.corners[i]);
-    is_laid_[seed[2]] = 1;
+    is_deposited_[seed[2]] = 1;
     const Point2 middle = (plan_[seed[0]] + plan_[seed[1]] + plan_[seed[2]]) / 3.0;
     for (const std::uint32_t vertex : seed) plan_[vertex] -= middle;
     for (const std::uint32_t vertex : seed) reachFrom(vertex);
@@ -67,16 +67,16 @@ class Unfolding {
       const std::uint32_t vertex = front_.front().vertex;
       std::pop_heap(front_.begin(), front_.end());
       front_.pop_back();
-      if (is_laid_[vertex]) continue;
+      if (is_deposited_[vertex]) continue;
       plan_[vertex] = middleOfPlaces(vertex);
-      is_laid_[vertex] = 1;
+      is_deposited_[vertex] = 1;
       if (!isTrueAround(vertex)) return std::nullopt;
       reachFrom(vertex);
     }
-    const auto left = std::find(is_laid_.begin(), is_laid_.end(), 0);
-    if (left != is_laid_.end())
-      throw InvalidMesh("no way over the surface leads to vertex " + std::to_string(left - is_laid_.begin()) +
-                        "; expected one connected piece");
+    const auto left = std::find(is_deposited_.begin(), is_deposited_.end(), 0);
+    if (left != is_deposited_.end())
+      throw InvalidMesh("no way over the surface leads to vertex " +
+                        std::to_string(left - is_deposited_.begin()) + "; expected one connected piece");
     return std::move(plan_);
   }
 
@@ -89,10 +89,10 @@ class Unfolding {
     }
   };
 
-  /// Whether the sides to vertices that are laid have kept their length.
+  /// Whether the sides to vertices that are deposited have kept their length.
   bool isTrueAround(std::uint32_t vertex) const {
     const auto isTrue = [&](std::uint32_t other, double length) {
-      return !is_laid_[other] ||
+      return !is_deposited_[other] ||
              std::abs((plan_[other] - plan_[vertex]).norm() - length) <= tolerance_ * length;
     };
     for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i)
@@ -102,8 +102,9 @@ class Unfolding {
     return true;
   }
 
-  /// Where a corner lies of which both other vertices are laid: at its height above the side between them,
-  /// which rounding errors of that side's length do not change, so that they do not grow from row to row.
+  /// Where a corner lies of which both other vertices are deposited: at its height above the side between
+  /// them, which rounding errors of that side's length do not change, so that they do not grow from row to
+  /// row.
   Point2 placeBeyond(const FanCorner& corner) const {
     const Point2 side = plan_[corner.previous] - plan_[corner.next];
     const double flat_length = side.norm();
@@ -120,7 +121,7 @@ class Unfolding {
     double weight = 0.0;
     for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i) {
       const FanCorner& corner = fans_.corners[i];
-      if (!is_laid_[corner.next] || !is_laid_[corner.previous]) continue;
+      if (!is_deposited_[corner.next] || !is_deposited_[corner.previous]) continue;
       const double one = corner.cross + std::numeric_limits<double>::min();
       sum += one * placeBeyond(corner);
       weight += one;
@@ -128,12 +129,12 @@ class Unfolding {
     return sum / weight;
   }
 
-  /// Puts those vertices on the front that a triangle joins to the one just laid and another one.
+  /// Puts those vertices on the front that a triangle joins to the one just deposited and another one.
   void reachFrom(std::uint32_t vertex) {
     for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i) {
       const FanCorner& corner = fans_.corners[i];
-      if (is_laid_[corner.next] == is_laid_[corner.previous]) continue;
-      const std::uint32_t next = is_laid_[corner.next] ? corner.previous : corner.next;
+      if (is_deposited_[corner.next] == is_deposited_[corner.previous]) continue;
+      const std::uint32_t next = is_deposited_[corner.next] ? corner.previous : corner.next;
       front_.push_back({middleOfPlaces(next).squaredNorm(), next});
       std::push_heap(front_.begin(), front_.end());
     }
@@ -142,7 +143,7 @@ class Unfolding {
   const TriangleFans& fans_;
   double tolerance_;
   std::vector<Point2> plan_;
-  std::vector<char> is_laid_;
+  std::vector<char> is_deposited_;
   std::vector<Reached> front_;
 };
 

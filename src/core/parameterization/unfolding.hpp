@@ -12,7 +12,8 @@ namespace lamina {
 /// The plan of a surface that unrolls, by laying triangle on triangle from the middle outwards; where several
 /// reach a vertex, it comes to lie between the places they give it. Nothing if the surface turns out not to
 /// unroll, because two neighbours come to lie nearer or farther than they are by more than the tolerance. May
-/// overlap itself, and may tear apart triangles that the way around a hole joins (`measureDistortion` tells).
+/// overlap itself, and may tear apart triangles that the way around a hole joins (`measureDistortion`
+/// reports).
 ///
 /// @param surface    connected by edges; its fans
 /// @param tolerance  as a share of each length

@@ -54,7 +54,7 @@ void drawDrops(Canvas& canvas, const Projection& projection, const Path& path, c
   }
 }
 
-/// As wide as they are, each coat narrower than the one beneath.
+/// As wide as they are, each coat narrower than the one below.
 void drawFlatDrops(Canvas& canvas, const Path& path, const Colour& colour) {
   for (const Coat& coat : kCoats)
     for (std::size_t i = 0; i < path.points.size(); ++i)

@@ -35,7 +35,7 @@ void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, c
 /// A piece of a path's bead, or a drop.
 struct BeadPiece {
   const Path& path;
-  std::size_t waypoint = 0;  ///< to which it is laid
+  std::size_t waypoint = 0;  ///< to which it is deposited
   Point3 from = Point3::Zero();
   Point3 to = Point3::Zero();
 };

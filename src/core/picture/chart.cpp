@@ -18,7 +18,7 @@ constexpr Colour kChartFaintInk{0.42, 0.44, 0.47};
 constexpr Colour kChartGrid{0.90, 0.91, 0.92};
 constexpr int kSmallestSpan = 200;
 constexpr double kChartMargin = 0.06;  // beyond the outermost points, of their extent
-constexpr double kLeft = 96.0;    // px, of the plot area's sides
+constexpr double kLeft = 96.0;         // px, of the plot area's sides
 constexpr double kRight = 28.0;
 constexpr double kChartTop = 92.0;
 constexpr double kBottom = 70.0;
@@ -77,7 +77,8 @@ void drawAxes(Canvas& canvas, const Frame& frame, const Chart& chart) {
                 {15.0, kChartFaintInk, TextAnchor::Right});
   }
   canvas.linePx({area.low, {area.low.x(), area.high.y()}, area.high}, {kChartFaintInk, 1.5});
-  canvas.text({area.centre().x(), area.high.y() + 54.0}, chart.x_label, {17.0, kChartInk, TextAnchor::Centre});
+  canvas.text({area.centre().x(), area.high.y() + 54.0}, chart.x_label,
+              {17.0, kChartInk, TextAnchor::Centre});
   canvas.text({20.0, area.low.y() - 14.0}, chart.y_label, {17.0, kChartInk, TextAnchor::Left});
 }
 
@@ -117,7 +118,8 @@ std::string chartPng(const Chart& chart, int width_px, int height_px) {
     throw InvalidInput("diagram of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
                        " pixels; each side must be at least 200");
   Canvas canvas(width_px, height_px);
-  const Frame frame{extentOf(chart), {Point2(kLeft, kChartTop), Point2(width_px - kRight, height_px - kBottom)}};
+  const Frame frame{extentOf(chart),
+                    {Point2(kLeft, kChartTop), Point2(width_px - kRight, height_px - kBottom)}};
   drawAxes(canvas, frame, chart);
   for (const ChartSeries& series : chart.series) drawSeries(canvas, frame, series);
   canvas.text({20.0, 36.0}, chart.title, {21.0, kChartInk, TextAnchor::Left, TextWeight::Bold});

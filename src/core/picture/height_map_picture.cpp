@@ -73,7 +73,9 @@ void draw(const std::string& path, const HeightMap& map, const PictureTitle& tit
   const HeightMap shown = coarsened(map, std::max(1, cells_per_pixel));
   canvas.raster(shown.grid().area(), rasterOf(shown, scale));
   drawScaleBar(canvas, Point2(40, kHeightMapHeight - 30));
-  drawColourBar(canvas, {Point2(kHeightMapWidth - 130, 140), Point2(kHeightMapWidth - 100, kHeightMapHeight - 120)}, scale);
+  drawColourBar(canvas,
+                {Point2(kHeightMapWidth - 130, 140), Point2(kHeightMapWidth - 100, kHeightMapHeight - 120)},
+                scale);
   canvas.writePng(path);
 }
 

@@ -19,7 +19,7 @@ constexpr int kOverhangHeight = 1050;
 constexpr double kOverhangMargin = 40.0;        // px
 constexpr double kOverhangTitleHeight = 84.0;   // px
 constexpr double kOverhangFooterHeight = 72.0;  // px
-constexpr double kLeastWidth = 1.5;     // px: a thinner line is not seen over the part
+constexpr double kLeastWidth = 1.5;             // px: a thinner line is not seen over the part
 constexpr Colour kOverhangPart{0.90, 0.91, 0.93};
 constexpr Colour kOverhang{0.85, 0.10, 0.10};
 constexpr Colour kBridge{0.93, 0.68, 0.05};
@@ -69,7 +69,8 @@ void drawOverhangs(const Toolpath& toolpath, const OverhangReport& report, const
   if (seen.isEmpty())
     throw InvalidInput("the toolpath of '" + toolpath.part_name + "' deposits nothing to draw");
   Canvas canvas(kOverhangWidth, kOverhangHeight);
-  canvas.show(seen, {{kOverhangMargin, kOverhangTitleHeight}, {kOverhangWidth - kOverhangMargin, kOverhangHeight - kOverhangFooterHeight}});
+  canvas.show(seen, {{kOverhangMargin, kOverhangTitleHeight},
+                     {kOverhangWidth - kOverhangMargin, kOverhangHeight - kOverhangFooterHeight}});
   drawPart(canvas, projection, toolpath);
   drawStretches(canvas, projection, report, StretchKind::Bridge);
   drawStretches(canvas, projection, report, StretchKind::Overhang);

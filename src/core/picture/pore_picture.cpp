@@ -13,8 +13,8 @@ namespace {
 constexpr int kPoreWidth = 1000;
 constexpr int kPoreHeight = 1060;
 constexpr double kPoreMargin = 40.0;  // px
-constexpr double kTop = 84.0;     // px
-constexpr double kFooter = 72.0;  // px
+constexpr double kTop = 84.0;         // px
+constexpr double kFooter = 72.0;      // px
 constexpr Colour kPoreSolid{0.42, 0.44, 0.48};
 constexpr Colour kBorder{0.90, 0.92, 0.95};
 constexpr double kGoldenRatio = 0.618033988749895;
@@ -50,9 +50,10 @@ void drawProjection(const PoreProjection& projection, const std::string& png_pat
                 static_cast<long long>(projection.innerCount()), projection.meanDiameterUm());
   drawTitle(canvas, "Open through all layers", text);
   drawScaleBar(canvas, {kPoreMargin, kPoreHeight - 30.0});
-  drawLegend(
-      canvas, {kPoreMargin + 270.0, kPoreHeight - 26.0},
-      {{"solid", kPoreSolid}, {"open to the border", kBorder}, {"inner", colourAt(ColourMap::Sequential, 0.8)}});
+  drawLegend(canvas, {kPoreMargin + 270.0, kPoreHeight - 26.0},
+             {{"solid", kPoreSolid},
+              {"open to the border", kBorder},
+              {"inner", colourAt(ColourMap::Sequential, 0.8)}});
   canvas.writePng(png_path);
 }
 

@@ -20,7 +20,7 @@ constexpr int kRegionWidth = 1400;
 constexpr int kRegionHeight = 800;
 constexpr double kRegionMargin = 40.0;        // px
 constexpr double kRegionFooterHeight = 72.0;  // px
-constexpr double kLineHeight = 22.0;    // px
+constexpr double kLineHeight = 22.0;          // px
 constexpr std::size_t kLineLength = 150;
 constexpr double kShineThrough = 0.22;
 constexpr Colour kPart{0.72, 0.74, 0.78};

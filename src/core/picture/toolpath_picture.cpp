@@ -85,7 +85,7 @@ void drawGrid(Canvas& canvas, const Projection& projection, const Box3& box) {
     draw(grid.low.x(), y, grid.high.x(), y);
 }
 
-/// What the part and the grid beneath it cover in the picture's plane.
+/// What the part and the grid below it cover in the picture's plane.
 Box2 seenBox(const Projection& projection, const Toolpath& toolpath, const Box3& box) {
   const Box2 grid = gridBox(box);
   Box2 seen;
@@ -107,7 +107,7 @@ std::vector<const ToolpathLayer*> fromFarthest(const Toolpath& toolpath, const P
   return layers;
 }
 
-/// What the colours of heights tell.
+/// What the colours of heights report.
 struct HeightRange {
   double low_mm = 0.0;
   double extent_mm = 0.0;
@@ -124,7 +124,7 @@ HeightRange heightsOf(const Toolpath& toolpath, const Box3& box) {
 void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                 PictureColour colouring) {
   const HeightRange heights = heightsOf(toolpath, box);
-  double stripe = 1.0;  // every other layer a little darker where layers are large enough to be told apart
+  double stripe = 1.0;  // every other layer a little darker where layers are large enough to be distinguished
   for (const ToolpathLayer* each : fromFarthest(toolpath, projection)) {
     const ToolpathLayer& layer = *each;
     stripe = stripe == 1.0 && layer.height_mm * canvas.pixelsPerMm() > kStripeHeight ? 0.94 : 1.0;
@@ -307,9 +307,9 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
 
   const ToolpathTotals sums = totals(toolpath);
   const Point3 size = partSize(toolpath, box);
-  drawTitle(
-      canvas, titleOf(toolpath),
-      formattedLength("%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
+  drawTitle(canvas, titleOf(toolpath),
+            formattedLength(
+                "%zu layers  ·  %.1f × %.1f × %.1f mm  ·  %.2f m deposited (%.2f cm³)  ·  %.2f m travel",
                 sums.layers, size.x(), size.y(), size.z(), sums.deposition_mm / 1e3, sums.deposited_mm3 / 1e3,
                 sums.travel_mm / 1e3));
   drawKey(canvas, toolpath, box, settings);
@@ -343,7 +343,8 @@ void drawToolpathLayer(const Toolpath& toolpath, std::size_t layer, const LayerO
   std::string subtitle = formattedLength(
       "top at %.3f mm  ·  %.3f mm high  ·  %zu paths  ·  %.2f m deposited  ·  %.2f m travel", drawn.z_mm,
       drawn.height_mm, sums.deposition_runs, sums.deposition_mm / 1e3, sums.travel_mm / 1e3);
-  if (isInclined(toolpath)) subtitle += formattedLength("  ·  inclined by %.2f deg", inclinationDeg(toolpath));
+  if (isInclined(toolpath))
+    subtitle += formattedLength("  ·  inclined by %.2f deg", inclinationDeg(toolpath));
   if (!overlay.remark.empty()) subtitle += "  ·  " + overlay.remark;
   drawTitle(canvas, titleOf(toolpath) + ", layer " + std::to_string(layer), subtitle);
   const double base = flat.height_px - 30.0;

@@ -41,7 +41,8 @@ Colour between(double solid) {
 }
 
 /// Cells of `factor` by `factor` voxels, each coloured by its share that is solid.
-CellColours voxelCellsOf(const VoxelGrid& grid, const VoxelSheet& sheet, const VoxelRange& range, int factor) {
+CellColours voxelCellsOf(const VoxelGrid& grid, const VoxelSheet& sheet, const VoxelRange& range,
+                         int factor) {
   const auto [across, up] = axesOf(sheet);
   CellColours cells;
   cells.columns = (range.high[across] - range.low[across] + factor - 1) / factor;

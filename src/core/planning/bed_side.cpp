@@ -15,7 +15,7 @@ constexpr double kEquallyNear = 1e-6;  // mm: rounding of rotations
 
 std::optional<Point2> bedSide(const Layer& layer, const BedPlane& bed) {
   const auto height = [&](const Point2& point) {
-    return bed.heightOf({point.x(), point.y(), layer.slab.top_mm});
+    return bed.heightOf({point.x(), point.y(), layer.bounds.top_mm});
   };
   double lowest = std::numeric_limits<double>::infinity();
   for (const Polygon& contour : layer.section.contours)

@@ -12,16 +12,16 @@
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "lamina/voids/beads/refill.hpp"
-#include "planning/order/anchored_run.hpp"
 #include "planning/bed_side.hpp"
-#include "planning/order/support_test.hpp"
-#include "planning/walls/infill_spacing.hpp"
+#include "planning/order/anchored_run.hpp"
 #include "planning/order/ordering.hpp"
+#include "planning/order/support_test.hpp"
 #include "planning/run_path.hpp"
 #include "planning/seams/seam.hpp"
-#include "planning/skirt.hpp"
 #include "planning/seams/start_count.hpp"
+#include "planning/skirt.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/walls/infill_spacing.hpp"
 #include "planning/walls/walls.hpp"
 
 namespace lamina {
@@ -58,13 +58,13 @@ class LayerPlanner {
         index_(index),
         nozzle_(anchorOf(*stacked.layer, context)),
         seam_(settings_.seam, nozzle_, index),
-        top_(stacked.layer->slab.top_mm) {
+        top_(stacked.layer->bounds.top_mm) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
-      footing_.emplace(layer, stacked.beneath, *context.bed,
-                       Bead{settings_.bead.width_mm, layer.slab.height()});
-    result_.z_mm = layer.slab.top_mm;
-    result_.height_mm = layer.slab.height();
+      support_test_.emplace(layer, stacked.below, *context.bed,
+                            Bead{settings_.bead.width_mm, layer.bounds.height()});
+    result_.z_mm = layer.bounds.top_mm;
+    result_.height_mm = layer.bounds.height();
     bead_ = {settings_.bead.width_mm, result_.height_mm};
     pitch_ = settings_.bead.pitch_mm > 0.0 ? settings_.bead.pitch_mm : planWidth(bead_);
     infill_ = infillSpacing(settings_.infill, pitch_, {index, context.layer_count});
@@ -123,7 +123,8 @@ class LayerPlanner {
     return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, before) : 0.0);
   }
 
-  /// Area [mm²] of those regions into which none of the paths goes that were laid since there were so many.
+  /// Area [mm²] of those regions into which none of the paths goes that were deposited since there were so
+  /// many.
   double areaMissed(const Regions& regions, std::size_t before) const {
     if (regions.size() == 1 && result_.paths.size() > before) return 0.0;
     double missed = 0.0;
@@ -141,7 +142,7 @@ class LayerPlanner {
     return missed;
   }
 
-  /// Ends of the runs of infill laid since there were so many paths.
+  /// Ends of the runs of infill deposited since there were so many paths.
   std::vector<RunEnds> fillsSince(std::size_t before) const {
     std::vector<RunEnds> ends;
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
@@ -235,9 +236,9 @@ class LayerPlanner {
   }
 
   void addRun(const FillPath& run, TravelOver over) {
-    if (!footing_) return layRun(run, over);
+    if (!support_test_) return layRun(run, over);
     const std::vector<FillPath> parts =
-        anchored(run, [this](const Point2& point) { return footing_->carries(point); });
+        anchored(run, [this](const Point2& point) { return support_test_->carries(point); });
     const bool is_moved = parts.front().points.front() != run.points.front();
     if (is_moved) ++moved_starts_;
     for (const FillPath& part : parts) layRun(part, is_moved ? TravelOver::Anything : over);
@@ -270,7 +271,7 @@ class LayerPlanner {
   Point2 nozzle_;
   Seam seam_;
   double top_;
-  std::optional<Footing> footing_;  ///< of runs that are to be anchored
+  std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;
   Bead bead_;           ///< nominal
   double pitch_ = 0.0;  ///< between neighbouring beads [mm]

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "lamina/infill/strategy.hpp"
-#include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/slicing/layer.hpp"
@@ -22,14 +22,14 @@ struct PlanContext {
   InfillStrategy strategy;
   std::size_t layer_count = 0;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
-  std::optional<BedPlane> bed;     ///< beneath inclined layers
+  std::optional<BedPlane> bed;     ///< below inclined layers
   LayerLift lift;                  ///< of layers planned in a plan; none of those planned where they are
 };
 
 /// A layer and the one it is laid on, if there is one.
 struct StackedLayer {
   const Layer* layer = nullptr;
-  const Layer* beneath = nullptr;
+  const Layer* below = nullptr;
 };
 
 /// The paths of one layer.

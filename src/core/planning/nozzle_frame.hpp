@@ -8,17 +8,17 @@
 
 namespace lamina {
 
-/// The nozzle with its jet against a normal of unit length: `nozzleDown()` turned by the shortest way that
-/// takes +z to the normal, so that it does not spin. Exactly `nozzleDown()` for +z. It changes continuously
-/// but at -z, where nozzle and part are aligned.
+/// The nozzle with its tool axis against a normal of unit length: `nozzleDown()` turned by the shortest way
+/// that takes +z to the normal, so that it does not spin. Exactly `nozzleDown()` for +z. It changes
+/// continuously but at -z, where nozzle and part are aligned.
 inline Eigen::Quaterniond nozzleAgainst(const Point3& normal) {
   // The turn from +z to n is (1 + n.z, -n.y, n.x, 0) but for its length; times (0, 1, 0, 0).
   const Eigen::Quaterniond turned(normal.y(), 1.0 + normal.z(), 0.0, -normal.x());
   return turned.norm() > 1e-9 ? turned.normalized() : Eigen::Quaterniond::Identity();
 }
 
-/// Direction against the jet.
-inline Point3 againstJet(const Eigen::Quaterniond& part_from_nozzle) {
+/// Direction against the tool axis.
+inline Point3 againstToolAxis(const Eigen::Quaterniond& part_from_nozzle) {
   return part_from_nozzle * Point3(0.0, 0.0, -1.0);
 }
 

@@ -57,7 +57,7 @@ void requireConsistentDrops(const PlanSettings& settings) {
   if (density != 1.0 && density != usual.infill.density)
     refuse("infill.density is " + text(density), settings,
            "1 or the default " + text(usual.infill.density) +
-               ": drops cover the whole section, as densely as drops.pitch_mm tells");
+               ": drops cover the whole section, as densely as drops.pitch_mm reports");
   requireNoInfillPitch(settings, "which lays drops");
   requireNoCount("walls.count", settings.walls.count, usual.walls.count, settings);
   requireNoCount("skirt.count", settings.skirt.count, usual.skirt.count, settings);

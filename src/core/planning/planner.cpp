@@ -7,13 +7,13 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/plan_consistency.hpp"
+#include "planning/layer_planner.hpp"
 #include "planning/order/anchored_starts.hpp"
 #include "planning/order/layer_chain.hpp"
-#include "planning/layer_planner.hpp"
 #include "planning/order/near_origin.hpp"
-#include "planning/walls/rising_wall.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/walls/rising_wall.hpp"
 
 namespace lamina {
 namespace {
@@ -28,7 +28,7 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   schema.validate();
   requireConsistent(settings);
   if (context.strategy.deposit == Deposit::Bead)
-    for (const Layer& layer : layers) requireSensiblePitch(settings.bead, layer.slab.height());
+    for (const Layer& layer : layers) requireSensiblePitch(settings.bead, layer.bounds.height());
   for (const Layer& layer : layers) {
     const Box2 box = boundingBox(layer.section.contours);
     if (box.isEmpty()) continue;
@@ -105,11 +105,11 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   const Point2 away = context.bed ? distanceFromOrigin(*stacked.layer) : Point2(Point2::Zero());
   if (away.isZero()) return planLayer(stacked, index, context);
   const Layer layer = moved(*stacked.layer, -away);
-  const Layer beneath = stacked.beneath != nullptr ? moved(*stacked.beneath, -away) : Layer{};
+  const Layer below = stacked.below != nullptr ? moved(*stacked.below, -away) : Layer{};
   PlanContext near = context;
   near.anchor -= away;
   near.bed->level_mm -= near.bed->up.head<2>().dot(away);
-  PlannedLayer planned = planLayer({&layer, stacked.beneath != nullptr ? &beneath : nullptr}, index, near);
+  PlannedLayer planned = planLayer({&layer, stacked.below != nullptr ? &below : nullptr}, index, near);
   for (Path& path : planned.layer.paths)
     for (Point3& point : path.points) point.head<2>() += away;
   return planned;

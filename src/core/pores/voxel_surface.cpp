@@ -26,7 +26,7 @@ std::int64_t facesAlongRow(const VoxelGrid& solid, int j, int k) {
   return faces + static_cast<std::int64_t>(before);
 }
 
-/// Faces of a slice across x and y, and those to the slice beneath it.
+/// Faces of a slice across x and y, and those to the slice below it.
 std::int64_t facesOfSlice(const VoxelGrid& solid, int k) {
   const auto& count = solid.frame().count;
   std::int64_t faces = 0;

@@ -81,7 +81,7 @@ bool isIdentity(const Eigen::Affine3d& map) { return map.matrix() == Eigen::Matr
 
 }  // namespace
 
-std::string frameComments(const ToldFrame& told) {
+std::string frameComments(const StatedFrame& told) {
   const auto line = [](std::string_view key, const std::string& values) {
     return ";" + std::string(key) + values + "\n";
   };
@@ -97,7 +97,7 @@ bool isFrameComment(std::string_view comment) {
   return startsWith(comment, kLayers) || startsWith(comment, kNozzle) || startsWith(comment, kAxes);
 }
 
-bool readFrameComment(std::string_view comment, ToldFrame& told) {
+bool readFrameComment(std::string_view comment, StatedFrame& told) {
   if (startsWith(comment, kLayers))
     told.bed_from_layers = rotationBehind(kLayers, comment);
   else if (startsWith(comment, kNozzle))

@@ -11,13 +11,13 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameTip = 1e-3;  // mm: beneath what machines hold, above what solvers leave
-constexpr double kSameJet = 1e-4;  // rad
+constexpr double kSameTip = 1e-3;       // mm: below what machines hold, above what solvers leave
+constexpr double kSameToolAxis = 1e-4;  // rad
 constexpr double kDegrees = 180.0 / M_PI;
 
-[[noreturn]] void refuseFaults(const JointPath& joints, const Mechanism& mechanism) {
+[[noreturn]] void refuseFaults(const JointPath& joints, const KinematicModel& model) {
   const FaultyWaypoint& first = joints.faults.front();
-  throw Unreachable("'" + mechanism.name() + "' cannot run " + std::to_string(joints.faults.size()) +
+  throw Unreachable("'" + model.name() + "' cannot run " + std::to_string(joints.faults.size()) +
                     " waypoint(s); the first is " + toText(first.at) + ": " + toString(first.fault) +
                     (first.reason.empty() ? "" : ", " + first.reason));
 }
@@ -28,18 +28,18 @@ void requireSameWaypoint(const WaypointIndex& given, const WaypointIndex& expect
                        " are expected; they are of another toolpath");
 }
 
-void requireWithinLimits(const JointValues& values, const Mechanism& mechanism, const WaypointIndex& at) {
-  if (const auto fault = limitFault(values, mechanism))
-    throw Unreachable(toText(at) + ", '" + mechanism.name() + "': " + *fault);
+void requireWithinLimits(const JointValues& values, const KinematicModel& model, const WaypointIndex& at) {
+  if (const auto fault = limitFault(values, model))
+    throw Unreachable(toText(at) + ", '" + model.name() + "': " + *fault);
 }
 
 void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& expected,
                      const WaypointIndex& at) {
   const double off_mm = (given.translation() - expected.translation()).norm();
-  const Point3 jet = given.linear().col(2);
+  const Point3 tool_axis = given.linear().col(2);
   const Point3 wanted = expected.linear().col(2);
-  const double turn = std::atan2(jet.cross(wanted).norm(), jet.dot(wanted));
-  if (!(off_mm <= kSameTip && turn <= kSameJet))
+  const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
+  if (!(off_mm <= kSameTip && turn <= kSameToolAxis))
     throw InvalidInput(toText(at) + ": the joints bring the nozzle " + std::to_string(off_mm) + " mm and " +
                        std::to_string(turn * kDegrees) +
                        " deg off the waypoint; expected those of this toolpath where it stands");
@@ -48,9 +48,9 @@ void requireSamePose(const Eigen::Isometry3d& given, const Eigen::Isometry3d& ex
 }  // namespace
 
 ProgramStations::ProgramStations(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                                 const Mechanism& mechanism, const JointPath& joints)
+                                 const KinematicModel& model, const JointPath& joints)
     : joints_(joints) {
-  if (!joints.isRunnable()) refuseFaults(joints, mechanism);
+  if (!joints.isRunnable()) refuseFaults(joints, model);
   if (joints.values.size() != joints.at.size())
     throw InvalidInput("the joint path has " + std::to_string(joints.at.size()) + " waypoints and " +
                        std::to_string(joints.values.size()) + " values; must be as many");
@@ -60,14 +60,13 @@ ProgramStations::ProgramStations(const Toolpath& toolpath, const Eigen::Isometry
       throw InvalidInput("the joint path ends before " + toText(expected) + "; it is of another toolpath");
     requireSameWaypoint(joints.at[station], expected);
     const JointValues& values = joints.values[station++];
-    if (values.size() != static_cast<Eigen::Index>(mechanism.joints().size()))
+    if (values.size() != static_cast<Eigen::Index>(model.joints().size()))
       throw InvalidInput(toText(expected) + ": there are values of " + std::to_string(values.size()) +
-                         " joints; '" + mechanism.name() + "' has " +
-                         std::to_string(mechanism.joints().size()));
-    requireWithinLimits(values, mechanism, expected);
+                         " joints; '" + model.name() + "' has " + std::to_string(model.joints().size()));
+    requireWithinLimits(values, model, expected);
     Eigen::Isometry3d part_from_nozzle(path.orientation.at(expected.waypoint));
     part_from_nozzle.translation() = path.points[expected.waypoint];
-    requireSamePose(mechanism.bedFromNozzle(values), bed_from_part * part_from_nozzle, expected);
+    requireSamePose(model.bedFromNozzle(values), bed_from_part * part_from_nozzle, expected);
   };
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {

@@ -15,11 +15,11 @@ namespace lamina {
 /// of its motions.
 class ProgramStations {
  public:
-  /// Checks that the mechanism can run it.
+  /// Checks that the kinematic model can run it.
   /// @throws Unreachable  if the joint path has faults, or a joint is outside its limits
   /// @throws InvalidInput if the joint path is not of this toolpath where it stands
   ProgramStations(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                  const Mechanism& mechanism, const JointPath& joints);
+                  const KinematicModel& model, const JointPath& joints);
 
   /// @param path  counted through all layers
   const JointValues& begin(std::size_t path) const { return joints_.values[first_[path]]; }

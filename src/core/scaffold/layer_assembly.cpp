@@ -39,9 +39,9 @@ void LayerAssembly::add(double top_mm, const std::vector<ScaffoldRun>& runs) {
   layer.z_mm = top_mm;
   layer.height_mm = toolpath_.layers.empty() ? top_mm : settings_.layer_height_mm;
   for (const ScaffoldRun& run : runs) {
-    Path laid = path(run, layer);
-    travelTo(laid.firstPoint(), layer);
-    layer.paths.push_back(std::move(laid));
+    Path deposited = path(run, layer);
+    travelTo(deposited.firstPoint(), layer);
+    layer.paths.push_back(std::move(deposited));
   }
   toolpath_.layers.push_back(std::move(layer));
 }

@@ -24,8 +24,10 @@ void describe(SettingsSchema& schema, PlaneSettings& plane) {
                 "Inclination of the layers; 0 are level ones.");
   schema.number("slicing.plane.axis_heading_deg", plane.axis_heading_deg, {-360.0, 360.0, false},
                 "Horizontal axis about which they are turned: 0 is x, 90 is y, 180 turns the other way.");
-  schema.choice<Jet>("slicing.plane.jet", plane.jet, {{"normal", Jet::Normal}, {"down", Jet::Down}},
-                     "Nozzle over inclined layers: along their normal, or straight down.");
+  schema.choice<ToolAxis>("slicing.plane.tool_axis", plane.tool_axis,
+                          {{"normal", ToolAxis::Normal}, {"down", ToolAxis::Down}},
+                          "Nozzle over inclined layers: along their normal, or straight down.");
+  schema.renamed("slicing.plane.jet", "slicing.plane.tool_axis");
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ bool hasPlaneLayers(SlicingMode mode) { return mode == SlicingMode::Planar || mo
 
 void describe(SettingsSchema& schema, SlicingSettings& settings) {
   schema.choice<SlicingMode>("slicing.mode", settings.mode, modes(),
-                             "Kind of layers; docs/modes.md tells them apart.");
+                             "Kind of layers; docs/modes.md distinguishes them.");
   const Bounds height{0.0, 10.0, true};
   schema.number("slicing.layer_height_mm", settings.layer_height_mm, height,
                 "Height of every layer but the first.");

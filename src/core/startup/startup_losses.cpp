@@ -82,7 +82,9 @@ void Startup::sent(const std::string& command) {
 }
 
 void Startup::losePower(const std::string& why) {
-  for (const StepState step : {StepState::PowerOn, StepState::HeatBed, StepState::DrawVacuum, StepState::MapHeights}) lose(step, why);
+  for (const StepState step :
+       {StepState::PowerOn, StepState::HeatBed, StepState::DrawVacuum, StepState::MapHeights})
+    lose(step, why);
   loseHoming("XYZ", why);
   reports_ = MachineReports(settings_);
 }
@@ -92,7 +94,7 @@ void Startup::elapse(double now_s) {
   expire(now_s);
 }
 
-/// Counts time between two looks at which the dryer was hot; of a dryer that tells nothing, all time.
+/// Counts time between two looks at which the dryer was hot; of a dryer that reports nothing, all time.
 void Startup::advanceDrying(Entry& entry, double now_s) {
   const bool is_running = entry.status.state == StartupState::Running;
   if (!is_running && entry.status.state != StartupState::Done) return;
@@ -118,12 +120,12 @@ void Startup::expire(double now_s) {
   if (drying != nullptr && drying->status.state == StartupState::Done &&
       hoursPast(last_dry_s_) > settings_.dry_valid_h)
     lose(StepState::DryPellets, "the pellets were dry " + shortNumber(hoursPast(last_dry_s_)) +
-                               " h ago; expected at most " + shortNumber(settings_.dry_valid_h) + " h");
+                                    " h ago; expected at most " + shortNumber(settings_.dry_valid_h) + " h");
   const Entry* const map = find(StepState::MapHeights);
   if (map != nullptr && map->status.state == StartupState::Done &&
       hoursPast(map->since_s) > settings_.map_valid_h)
     lose(StepState::MapHeights, "the height map is " + shortNumber(hoursPast(map->since_s)) +
-                               " h old; expected at most " + shortNumber(settings_.map_valid_h) + " h");
+                                    " h old; expected at most " + shortNumber(settings_.map_valid_h) + " h");
 }
 
 }  // namespace lamina

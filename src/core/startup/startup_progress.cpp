@@ -150,7 +150,8 @@ void Startup::watch(Entry& entry) {
   if (!is_done) return;
   StartupCheck check;
   if (step == ProgressStep::HeatBed) check = checkBed(reports_, settings_, Strictness::Keeping);
-  if (step == ProgressStep::DrawVacuum && !settings_.vacuum_label.empty()) check = checkVacuum(reports_, settings_);
+  if (step == ProgressStep::DrawVacuum && !settings_.vacuum_label.empty())
+    check = checkVacuum(reports_, settings_);
   if (homedAxis(step) && !settings_.home_label.empty()) check = checkHomed(*homedAxis(step), reports_);
   if (check.verdict == Verdict::NotMet) lose(step, check.reason);
 }

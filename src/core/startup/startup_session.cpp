@@ -81,7 +81,7 @@ void StartupSession::Impl::requireIdle() const {
   if (task_ != Task::None) throw Rejected("a step is being run; expected that to be over");
 }
 
-/// Tells the observer, which must not find the session locked.
+/// Reports the observer, which must not find the session locked.
 void StartupSession::Impl::tell(Lock& lock) {
   if (!changed_) return;
   const std::vector<StartupStatus> steps = startup_.steps();

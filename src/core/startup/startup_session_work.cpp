@@ -109,7 +109,7 @@ void StartupSession::Impl::giveUpAll(Lock& lock) {
   for (const StartupStep step : allStartupSteps()) startup_.giveUp(step, "aborted on request" + remark);
 }
 
-/// @return what must be told if it was not possible; empty if it was
+/// @return what must be reported if it was not possible; empty if it was
 std::string StartupSession::Impl::leaveSafe(Lock& lock) {
   if (settings_.abort_code.empty()) return {};
   try {

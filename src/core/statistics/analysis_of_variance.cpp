@@ -102,7 +102,7 @@ AnalysisOfVariance analyseVariance(const std::vector<double>& response, const st
   const std::vector<Term> terms = termsOf(factors);
   const Fit full = fitOf(values, terms, terms.size());
   if (full.rank < full.columns && full.columns <= values.size())
-    throw InvalidInput("the design tells only " + std::to_string(full.rank) + " of " +
+    throw InvalidInput("the design reports only " + std::to_string(full.rank) + " of " +
                        std::to_string(full.columns) +
                        " effects apart; every pair of levels of two factors must have been observed");
   if (values.size() <= full.columns)

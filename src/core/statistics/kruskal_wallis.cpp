@@ -76,7 +76,7 @@ KruskalWallis testRanks(const std::vector<std::vector<double>>& groups) {
   const auto n = static_cast<double>(sorted.size());
   // The variance of a rank: n (n + 1) / 12, less with ties.
   const double variance = n * (n + 1.0) / 12.0 - sums.ties / (12.0 * (n - 1.0));
-  if (!(variance > 0.0)) throw InvalidInput("all values are equal; ranks tell nothing");
+  if (!(variance > 0.0)) throw InvalidInput("all values are equal; ranks report nothing");
   KruskalWallis test;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto count = static_cast<double>(groups[g].size());

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "lamina/base/random.hpp"
-#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/lattice_transfer.hpp"
+#include "stiffness/matrix_free_operator.hpp"
 #include "stiffness/node_blocks.hpp"
 
 namespace lamina {

@@ -37,7 +37,7 @@ Box3 boxOf(const ConnectedPart& part, const ElementModel& model) {
   return box;
 }
 
-/// Leaves out what does not reach all that is held, and tells it.
+/// Leaves out what does not reach all that is held, and reports it.
 std::vector<DroppedPart> dropIdleParts(ElementModel& model) {
   const ConnectedParts connected = connectedParts(model.lattice, model.load.held);
   std::vector<DroppedPart> dropped;

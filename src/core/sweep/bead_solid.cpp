@@ -14,7 +14,7 @@ constexpr double kParallel = 1e-12;
 constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 /// Where |offset + slope x| <= half.
-std::optional<Stretch> slab(double offset, double slope, double half) {
+std::optional<Stretch> bounds(double offset, double slope, double half) {
   if (std::abs(slope) < kParallel)
     return std::abs(offset) <= half ? std::optional(Stretch{-kEverywhere, kEverywhere}) : std::nullopt;
   const double one = (-half - offset) / slope, other = (half - offset) / slope;
@@ -63,7 +63,7 @@ BeadSolid BeadSolid::prism(const End& start, const End& end, const Point3& up, c
   solid.end_ = end;
   solid.along_ = (end.point - start.point).normalized();
   solid.side_ = up.cross(solid.along_);
-  // Along the jet itself there is no side; any will do.
+  // Along the tool axis itself there is no side; any will do.
   if (solid.side_.norm() < 1e-9) solid.side_ = solid.along_.unitOrthogonal();
   solid.side_.normalize();
   solid.up_ = solid.along_.cross(solid.side_);
@@ -112,7 +112,8 @@ std::optional<Stretch> BeadSolid::prismAlongX(const Point3& on_line) const {
   std::optional<Stretch> inside =
       hull(disc(offset - flat, slope, radius_), disc(offset + flat, slope, radius_));
   const Point2 half = flat_across_ > 0.0 ? Point2(flat_across_, radius_) : Point2(radius_, flat_up_);
-  inside = hull(inside, both(slab(offset.x(), slope.x(), half.x()), slab(offset.y(), slope.y(), half.y())));
+  inside =
+      hull(inside, both(bounds(offset.x(), slope.x(), half.x()), bounds(offset.y(), slope.y(), half.y())));
   inside = both(inside, halfSpace(from.dot(start_.normal), start_.normal.x()));
   return both(inside, halfSpace((on_line - end_.point).dot(end_.normal), end_.normal.x()));
 }

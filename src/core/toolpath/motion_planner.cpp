@@ -51,7 +51,7 @@ SpeedProfile speedProfile(const MotionSegment& segment, double entry_mm_s, doubl
   profile.acceleration_mm_s2 = a;
   profile.entry_mm_s = entry_mm_s;
   profile.exit_mm_s = exit_mm_s;
-  // Rounding must not put the peak beneath either end.
+  // Rounding must not put the peak below either end.
   profile.cruise_mm_s = std::max({std::min(segment.feed_mm_s, std::sqrt(peak2)), entry_mm_s, exit_mm_s});
   const double ramps_mm =
       (2.0 * squared(profile.cruise_mm_s) - squared(entry_mm_s) - squared(exit_mm_s)) / (2.0 * a);

@@ -14,24 +14,22 @@
 namespace lamina {
 namespace {
 
-void requireWithinLimits(const JointValues& values, const Mechanism& mechanism, const std::string& what) {
-  const std::size_t joints = mechanism.joints().size();
+void requireWithinLimits(const JointValues& values, const KinematicModel& model, const std::string& what) {
+  const std::size_t joints = model.joints().size();
   if (values.size() != static_cast<Eigen::Index>(joints) || !values.allFinite())
     throw InvalidInput(what + " is not given by " + std::to_string(joints) + " finite joint values");
-  if (const auto fault = limitFault(values, mechanism)) throw Unreachable(what + ": " + *fault);
+  if (const auto fault = limitFault(values, model)) throw Unreachable(what + ": " + *fault);
 }
 
 class Way {
  public:
-  Way(const JointValues& start, const Mechanism& mechanism) : mechanism_(mechanism) {
-    add(start, JointStation());
-  }
+  Way(const JointValues& start, const KinematicModel& model) : model_(model) { add(start, JointStation()); }
 
   /// The nozzle tip goes on straight.
   void goStraight(const JointValues& to, double speed_mm_s, double acceleration_mm_s2) {
     JointStation station;
     station.length_mm =
-        (mechanism_.bedFromNozzle(to).translation() - stations_.each.back().pose.translation()).norm();
+        (model_.bedFromNozzle(to).translation() - stations_.each.back().pose.translation()).norm();
     station.feed_mm_s = speed_mm_s;
     station.acceleration_mm_s2 = acceleration_mm_s2;
     station.is_smooth = true;
@@ -51,12 +49,12 @@ class Way {
  private:
   void add(const JointValues& values, JointStation station) {
     station.values = values;
-    station.pose = mechanism_.bedFromNozzle(values);
+    station.pose = model_.bedFromNozzle(values);
     stations_.of_path.push_back(stations_.each.size());
     stations_.each.push_back(std::move(station));
   }
 
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   JointStations stations_;
 };
 
@@ -71,22 +69,20 @@ void describe(SettingsSchema& schema, ApproachSettings& settings) {
                 "Speed of the joints in between, of their greatest speeds.");
 }
 
-Approach approach(const JointValues& from, const JointValues& to, const Mechanism& mechanism,
+Approach approach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                   const ApproachSettings& settings, const TimingSettings& timing) {
   ApproachSettings checked = settings;
   SettingsSchema schema;
   describe(schema, checked);
   schema.validate();
   validate(timing);
-  requireWithinLimits(from, mechanism, "where the machine stands");
-  requireWithinLimits(to, mechanism, "where the job begins");
+  requireWithinLimits(from, model, "where the machine stands");
+  requireWithinLimits(to, model, "where the job begins");
   if (from == to) throw InvalidInput("the machine stands where the job begins; expected a way to go");
 
-  const std::vector<JointValues> up =
-      straightLift(from, settings.lift_mm, mechanism, timing.trajectory).values;
-  const std::vector<JointValues> down =
-      straightLift(to, settings.lift_mm, mechanism, timing.trajectory).values;
-  Way way(from, mechanism);
+  const std::vector<JointValues> up = straightLift(from, settings.lift_mm, model, timing.trajectory).values;
+  const std::vector<JointValues> down = straightLift(to, settings.lift_mm, model, timing.trajectory).values;
+  Way way(from, model);
   const double acceleration = timing.motion.travel_acceleration_mm_s2;
   for (std::size_t i = 1; i < up.size(); ++i) way.goStraight(up[i], settings.lift_mm_s, acceleration);
   if (up.back() != down.back()) way.goSteadily(down.back(), settings.joint_speed);
@@ -98,7 +94,7 @@ Approach approach(const JointValues& from, const JointValues& to, const Mechanis
   TimingSettings off = timing;
   off.process = {};
   approach.motion =
-      std::make_unique<TimedPath>(std::make_shared<const TimedMotion>(std::move(stations), mechanism, off));
+      std::make_unique<TimedPath>(std::make_shared<const TimedMotion>(std::move(stations), model, off));
   return approach;
 }
 

@@ -15,7 +15,8 @@ constexpr double kShortestPart = 1e-9;  // of a span, that is worth a cell
 double rise(double u) { return u * u * (3.0 - 2.0 * u); }
 double riseRate(double u) { return 6.0 * u * (1.0 - u); }
 
-/// The speed at which to run a rounding so that averaging takes tip or jet no further off than the tolerance.
+/// The speed at which to run a rounding so that averaging takes tip or tool axis no further off than the
+/// tolerance.
 double averagedSpeed2(double tolerance, double turned, double averaging_s) {
   return turned > 0.0 ? 24.0 * tolerance / (averaging_s * averaging_s * turned)
                       : std::numeric_limits<double>::infinity();
@@ -39,9 +40,9 @@ void limitInRounding(CellLimits& limits, const JointCurve& curve, const CurveCel
   if (curve.spanEnd(cell.span).length_mm > 0.0 && tip_bend > 0.0)
     limits.speed2 = std::min(limits.speed2, limits.path_acceleration / tip_bend);
   if (averaging_s == 0.0) return;
-  limits.speed2 =
-      std::min({limits.speed2, averagedSpeed2(curve.tipTolerance(corner), tip_bend, averaging_s),
-                averagedSpeed2(curve.jetTolerance(corner), steepest * curve.jetTurn(corner), averaging_s)});
+  limits.speed2 = std::min(
+      {limits.speed2, averagedSpeed2(curve.tipTolerance(corner), tip_bend, averaging_s),
+       averagedSpeed2(curve.toolAxisTolerance(corner), steepest * curve.toolAxisTurn(corner), averaging_s)});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kStraight = 1e-9;         // turns beneath this are none [mm per mm, rad]
+constexpr double kStraight = 1e-9;         // turns below this are none [mm per mm, rad]
 constexpr double kDeviation = 3.0 / 16.0;  // of half a blend, per turn
 
 double curveRise(double u) { return u * u * (3.0 - 2.0 * u); }
@@ -17,11 +17,12 @@ double curveRiseRate(double u) { return 6.0 * u * (1.0 - u); }
 
 }  // namespace
 
-JointCurve::JointCurve(JointStations stations, const Mechanism& mechanism, const TrajectorySettings& settings)
+JointCurve::JointCurve(JointStations stations, const KinematicModel& model,
+                       const TrajectorySettings& settings)
     : stations_(std::move(stations)), settings_(settings) {
-  const auto joints = static_cast<Eigen::Index>(mechanism.joints().size());
+  const auto joints = static_cast<Eigen::Index>(model.joints().size());
   max_speed_.resize(joints);
-  for (Eigen::Index j = 0; j < joints; ++j) max_speed_[j] = mechanism.joints()[j].max_speed;
+  for (Eigen::Index j = 0; j < joints; ++j) max_speed_[j] = model.joints()[j].max_speed;
   max_acceleration_ = max_speed_ / settings.joint_ramp_s;
   const std::size_t count = stations_.each.size();
   length_.reserve(count);
@@ -33,20 +34,20 @@ JointCurve::JointCurve(JointStations stations, const Mechanism& mechanism, const
   }
   blend_.assign(count, 0.0);
   tip_turn_.assign(count, 0.0);
-  jet_turn_.assign(count, 0.0);
+  tool_axis_turn_.assign(count, 0.0);
   is_rest_.assign(count, true);
   for (std::size_t i = 1; i + 1 < count; ++i) {
-    measureTurn(i, mechanism);
+    measureTurn(i, model);
     is_rest_[i] = restsAt(i);
     if (!is_rest_[i]) blend_[i] = roundedBy(i);
   }
 }
 
-void JointCurve::measureTurn(std::size_t station, const Mechanism& mechanism) {
+void JointCurve::measureTurn(std::size_t station, const KinematicModel& model) {
   const JointStation& here = stations_.each[station];
-  const Eigen::Matrix<double, 6, 1> turned = mechanism.jacobian(here.values) * turn(station);
+  const Eigen::Matrix<double, 6, 1> turned = model.jacobian(here.values) * turn(station);
   tip_turn_[station] = turned.head<3>().norm();
-  jet_turn_[station] = turned.tail<3>().cross(here.pose.linear().col(2)).norm();
+  tool_axis_turn_[station] = turned.tail<3>().cross(here.pose.linear().col(2)).norm();
 }
 
 bool JointCurve::restsAt(std::size_t station) const {
@@ -55,15 +56,15 @@ bool JointCurve::restsAt(std::size_t station) const {
   if ((before.length_mm > 0.0) != (after.length_mm > 0.0)) return true;
   if ((before.area_mm2 > 0.0) != (after.area_mm2 > 0.0)) return true;
   return (tipTolerance(station) == 0.0 && tip_turn_[station] > kStraight) ||
-         (jetTolerance(station) == 0.0 && jet_turn_[station] > kStraight);
+         (toolAxisTolerance(station) == 0.0 && tool_axis_turn_[station] > kStraight);
 }
 
 double JointCurve::roundedBy(std::size_t station) const {
   double half = 0.5 * std::min(length_[station - 1], length_[station]);
   if (tip_turn_[station] > kStraight)
     half = std::min(half, tipTolerance(station) / (kDeviation * tip_turn_[station]));
-  if (jet_turn_[station] > kStraight)
-    half = std::min(half, jetTolerance(station) / (kDeviation * jet_turn_[station]));
+  if (tool_axis_turn_[station] > kStraight)
+    half = std::min(half, toolAxisTolerance(station) / (kDeviation * tool_axis_turn_[station]));
   return half;
 }
 
@@ -75,7 +76,7 @@ double JointCurve::tipTolerance(std::size_t station) const {
   return share * std::max(line_mm, settings_.blend_tolerance_mm);
 }
 
-double JointCurve::jetTolerance(std::size_t station) const {
+double JointCurve::toolAxisTolerance(std::size_t station) const {
   const double share = settings_.jerk_ramp_s > 0.0 ? 0.5 : 1.0;
   const double line_deg = stations_.each[station].is_smooth ? 0.5 * settings_.line_tolerance_deg : 0.0;
   return share * std::max(line_deg, settings_.blend_tolerance_deg) * M_PI / 180.0;

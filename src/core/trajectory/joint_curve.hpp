@@ -23,7 +23,7 @@ struct CurvePoint {
 /// `blend(i)`.
 class JointCurve {
  public:
-  JointCurve(JointStations stations, const Mechanism& mechanism, const TrajectorySettings& settings);
+  JointCurve(JointStations stations, const KinematicModel& model, const TrajectorySettings& settings);
 
   std::size_t spanCount() const { return length_.size(); }
   const JointStation& spanEnd(std::size_t span) const { return stations_.each[span + 1]; }
@@ -41,18 +41,18 @@ class JointCurve {
   JointValues tangent(std::size_t span) const;
   /// tangent of the span after a station less that before it
   JointValues turn(std::size_t station) const { return tangent(station) - tangent(station - 1); }
-  /// What the turn does to the tip [mm per parameter] and to the jet [rad].
+  /// What the turn does to the tip [mm per parameter] and to the tool axis [rad].
   double tipTurn(std::size_t station) const { return tip_turn_[station]; }
-  double jetTurn(std::size_t station) const { return jet_turn_[station]; }
-  /// Of tip and jet, at a station [mm, rad]; infinite where no tolerance is asked.
+  double toolAxisTurn(std::size_t station) const { return tool_axis_turn_[station]; }
+  /// Of tip and tool axis, at a station [mm, rad]; infinite where no tolerance is asked.
   double tipTolerance(std::size_t station) const;
-  double jetTolerance(std::size_t station) const;
+  double toolAxisTolerance(std::size_t station) const;
 
   const JointValues& maxSpeed() const { return max_speed_; }
   const JointValues& maxAcceleration() const { return max_acceleration_; }
 
  private:
-  void measureTurn(std::size_t station, const Mechanism& mechanism);
+  void measureTurn(std::size_t station, const KinematicModel& model);
   bool restsAt(std::size_t station) const;
   double roundedBy(std::size_t station) const;
 
@@ -61,7 +61,7 @@ class JointCurve {
   std::vector<double> length_;
   std::vector<double> blend_;
   std::vector<double> tip_turn_;
-  std::vector<double> jet_turn_;
+  std::vector<double> tool_axis_turn_;
   std::vector<bool> is_rest_;
   JointValues max_speed_;
   JointValues max_acceleration_;

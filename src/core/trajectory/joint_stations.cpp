@@ -12,9 +12,9 @@
 namespace lamina {
 namespace {
 
-constexpr double kShortest = 1e-9;    // mm of the tip
-constexpr double kCoincident = 1e-7;  // s that the joints need from one station to the other
-constexpr double kStraightStation = 1e-6;    // rad, or rad/mm of the jet
+constexpr double kShortest = 1e-9;         // mm of the tip
+constexpr double kCoincident = 1e-7;       // s that the joints need from one station to the other
+constexpr double kStraightStation = 1e-6;  // rad, or rad/mm of the tool axis
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 const Path& pathAt(const Toolpath& toolpath, const WaypointIndex& at) {
@@ -24,10 +24,10 @@ const Path& pathAt(const Toolpath& toolpath, const WaypointIndex& at) {
   return toolpath.layers[at.layer].paths[at.path];
 }
 
-void requireFitting(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism) {
+void requireFitting(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model) {
   if (!path.isRunnable())
     throw Unreachable(toText(path.faults.front().at) + " cannot be run: " + path.faults.front().reason);
-  for (const DrivenJoint& joint : mechanism.joints())
+  for (const DrivenJoint& joint : model.joints())
     if (!(joint.max_speed > 0.0 && std::isfinite(joint.max_speed)))
       throw InvalidInput("the greatest speed of joint " + joint.name + " is " +
                          std::to_string(joint.max_speed) + "; must be positive");
@@ -39,17 +39,17 @@ void requireFitting(const Toolpath& toolpath, const JointPath& path, const Mecha
                        std::to_string(path.values.size()) + "; the toolpath has " + std::to_string(expected) +
                        ", and one is needed");
   for (std::size_t i = 0; i < expected; ++i)
-    if (path.values[i].size() != static_cast<Eigen::Index>(mechanism.joints().size()) ||
+    if (path.values[i].size() != static_cast<Eigen::Index>(model.joints().size()) ||
         !path.values[i].allFinite())
       throw InvalidInput("the joint values of " + toText(path.at[i]) + " are not " +
-                         std::to_string(mechanism.joints().size()) + " finite numbers");
+                         std::to_string(model.joints().size()) + " finite numbers");
 }
 
 /// Time the joints need at their greatest speeds [s].
-double jointTime(const JointValues& from, const JointValues& to, const Mechanism& mechanism) {
+double jointTime(const JointValues& from, const JointValues& to, const KinematicModel& model) {
   double time_s = 0.0;
   for (Eigen::Index j = 0; j < from.size(); ++j)
-    time_s = std::max(time_s, std::abs(to[j] - from[j]) / mechanism.joints()[j].max_speed);
+    time_s = std::max(time_s, std::abs(to[j] - from[j]) / model.joints()[j].max_speed);
   return time_s;
 }
 
@@ -75,7 +75,7 @@ void setMotion(JointStation& station, const Path& path, std::size_t from, const 
   station.area_mm2 = is_travel ? 0.0 : crossSection(path.bead.at(to));
 }
 
-/// Whether tip and jet go on as they came.
+/// Whether tip and tool axis go on as they came.
 bool goesOn(const JointStation& before, const JointStation& here, const JointStation& after) {
   if (here.length_mm == 0.0 || after.length_mm == 0.0) return false;
   const auto rate = [](const JointStation& from, const JointStation& to) {
@@ -89,9 +89,9 @@ bool goesOn(const JointStation& before, const JointStation& here, const JointSta
 
 }  // namespace
 
-JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                             const MotionLimits& limits) {
-  requireFitting(toolpath, path, mechanism);
+  requireFitting(toolpath, path, model);
   JointStations stations;
   stations.each.reserve(path.at.size());
   stations.of_path.reserve(path.at.size());
@@ -104,9 +104,9 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
     if (i > 0 && isOnOnePath(path.at[i - 1], path.at[i]))
       setMotion(station, run, path.at[i - 1].waypoint, limits);
     const bool is_new = i == 0 || station.length_mm > 0.0 ||
-                        jointTime(stations.each.back().values, station.values, mechanism) > kCoincident;
+                        jointTime(stations.each.back().values, station.values, model) > kCoincident;
     if (is_new) {
-      station.pose = mechanism.bedFromNozzle(station.values);
+      station.pose = model.bedFromNozzle(station.values);
       stations.each.push_back(std::move(station));
     }
     stations.of_path.push_back(stations.each.size() - 1);

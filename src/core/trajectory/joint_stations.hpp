@@ -33,15 +33,15 @@ struct JointStations {
 
 /// The stations of a joint path, one at least.
 /// @throws Unreachable with the first fault of a joint path that has any
-/// @throws InvalidInput if the path is empty, does not fit the toolpath or the mechanism, a feed is not
+/// @throws InvalidInput if the path is empty, does not fit the toolpath or the kinematic model, a feed is not
 ///   positive, or the toolpath lays drops
-JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+JointStations jointStations(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                             const MotionLimits& limits);
 
-/// The stations with more in between where joints that move steadily would take tip or jet off the straight
-/// way by more than half the tolerance on lines. Travels that cannot be followed are named instead.
+/// The stations with more in between where joints that move steadily would take tip or tool axis off the
+/// straight way by more than half the tolerance on lines. Travels that cannot be followed are named instead.
 /// @throws Unreachable if a bead cannot be followed
-JointStations keptOnLines(const JointStations& stations, const Mechanism& mechanism,
+JointStations keptOnLines(const JointStations& stations, const KinematicModel& model,
                           const TrajectorySettings& settings);
 
 }  // namespace lamina

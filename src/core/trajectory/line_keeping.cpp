@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Stations in between, so that joints that move steadily keep tip and jet on the way.
+// Stations in between, so that joints that move steadily keep tip and tool axis on the way.
 #include <optional>
 #include <string>
 
@@ -17,7 +17,7 @@ constexpr int kMostHalvings = 24;
 Eigen::Isometry3d halfway(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   Eigen::Isometry3d middle = Eigen::Isometry3d::Identity();
   middle.translation() = 0.5 * (a.translation() + b.translation());
-  // The turn about the jet is no part of what is asked: the jets' great circle counts.
+  // The turn about the tool axis is no part of what is asked: the tool axes' great circle counts.
   const auto turn = Eigen::Quaterniond::FromTwoVectors(a.linear().col(2), b.linear().col(2));
   middle.linear() = Eigen::Quaterniond::Identity().slerp(0.5, turn).toRotationMatrix() * a.linear();
   return middle;
@@ -25,24 +25,24 @@ Eigen::Isometry3d halfway(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b
 
 class LineKeeper {
  public:
-  LineKeeper(const Mechanism& mechanism, const TrajectorySettings& settings)
-      : mechanism_(mechanism), correction_(mechanism, settings) {}
+  LineKeeper(const KinematicModel& model, const TrajectorySettings& settings)
+      : model_(model), correction_(model, settings) {}
 
   /// Appends the stations after `from` up to and with `to`.
   void append(JointStations& out, const JointStation& from, const JointStation& to, int halvings) const {
     JointStation middle = to;
     middle.values = 0.5 * (from.values + to.values);
-    middle.pose = mechanism_.bedFromNozzle(middle.values);
+    middle.pose = model_.bedFromNozzle(middle.values);
     const Eigen::Isometry3d asked = halfway(from.pose, to.pose);
     if (correction_.isWithin(middle.pose, asked)) return out.each.push_back(to);
     auto kept = corrected(middle.values, asked, correction_.distance(from.values, to.values));
     if (!kept || halvings == kMostHalvings) {
       if (to.area_mm2 == 0.0) return appendLoose(out, to);
       throw Unreachable("the straight way to " + toText(to.heading_for) + " cannot be followed by '" +
-                        mechanism_.name() + "' within the tolerance on lines; is it near a singularity?");
+                        model_.name() + "' within the tolerance on lines; is it near a singularity?");
     }
     middle.values = *kept;
-    middle.pose = mechanism_.bedFromNozzle(middle.values);
+    middle.pose = model_.bedFromNozzle(middle.values);
     middle.length_mm = 0.5 * to.length_mm;
     middle.is_smooth = true;
     JointStation rest = to;
@@ -57,9 +57,9 @@ class LineKeeper {
     if (out.loose.empty() || out.loose.back() != to.heading_for) out.loose.push_back(to.heading_for);
   }
 
-  /// Joint values near `values` with the tip as asked: with the jet as it comes where that is good enough,
-  /// which passes singularities steadily, else with the jet as asked too, or as it comes where there is no
-  /// such way.
+  /// Joint values near `values` with the tip as asked: with the tool axis as it comes where that is good
+  /// enough, which passes singularities steadily, else with the tool axis as asked too, or as it comes where
+  /// there is no such way.
   std::optional<JointValues> corrected(const JointValues& values, const Eigen::Isometry3d& asked,
                                        double farthest) const {
     const auto near = [&](PoseCorrection::Keep keep) {
@@ -68,20 +68,20 @@ class LineKeeper {
       return found;
     };
     auto by_tip = near(PoseCorrection::Keep::Tip);
-    if (by_tip && correction_.isWithin(mechanism_.bedFromNozzle(*by_tip), asked)) return by_tip;
-    auto by_both = near(PoseCorrection::Keep::TipAndJet);
+    if (by_tip && correction_.isWithin(model_.bedFromNozzle(*by_tip), asked)) return by_tip;
+    auto by_both = near(PoseCorrection::Keep::TipAndToolAxis);
     return by_both ? by_both : by_tip;
   }
 
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   PoseCorrection correction_;
 };
 
 }  // namespace
 
-JointStations keptOnLines(const JointStations& stations, const Mechanism& mechanism,
+JointStations keptOnLines(const JointStations& stations, const KinematicModel& model,
                           const TrajectorySettings& settings) {
-  const LineKeeper keeper(mechanism, settings);
+  const LineKeeper keeper(model, settings);
   JointStations kept;
   kept.each.reserve(stations.each.size());
   kept.each.push_back(stations.each.front());

@@ -12,7 +12,7 @@ namespace lamina {
 namespace {
 
 constexpr int kMostSteps = 20;
-constexpr double kRadianWeight = 100.0;  // mm: what a radian of the jet counts like
+constexpr double kRadianWeight = 100.0;  // mm: what a radian of the tool axis counts like
 constexpr double kRankThreshold = 1e-6;
 
 using Residual = Eigen::Matrix<double, 6, 1>;
@@ -26,31 +26,31 @@ Residual residual(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) {
 
 }  // namespace
 
-PoseCorrection::PoseCorrection(const Mechanism& mechanism, const TrajectorySettings& settings)
-    : mechanism_(mechanism),
+PoseCorrection::PoseCorrection(const KinematicModel& model, const TrajectorySettings& settings)
+    : model_(model),
       tip_mm_(0.5 * settings.line_tolerance_mm),
-      jet_rad_(0.5 * settings.line_tolerance_deg * M_PI / 180.0),
-      speeds_(static_cast<Eigen::Index>(mechanism.joints().size())) {
-  for (Eigen::Index j = 0; j < speeds_.size(); ++j) speeds_[j] = mechanism.joints()[j].max_speed;
+      tool_axis_rad_(0.5 * settings.line_tolerance_deg * M_PI / 180.0),
+      speeds_(static_cast<Eigen::Index>(model.joints().size())) {
+  for (Eigen::Index j = 0; j < speeds_.size(); ++j) speeds_[j] = model.joints()[j].max_speed;
 }
 
 bool PoseCorrection::isWithin(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) const {
   const Residual error = residual(is, asked);
-  return error.head<3>().norm() <= tip_mm_ && error.tail<3>().norm() <= jet_rad_ * kRadianWeight &&
+  return error.head<3>().norm() <= tip_mm_ && error.tail<3>().norm() <= tool_axis_rad_ * kRadianWeight &&
          is.linear().col(2).dot(asked.linear().col(2)) > 0.0;
 }
 
 std::optional<JointValues> PoseCorrection::near(JointValues values, const Eigen::Isometry3d& asked,
                                                 Keep keep) const {
   const int rows = keep == Keep::Tip ? 3 : 6;
-  const double close = 0.01 * std::min(tip_mm_, jet_rad_ * kRadianWeight);
+  const double close = 0.01 * std::min(tip_mm_, tool_axis_rad_ * kRadianWeight);
   for (int step = 0; step < kMostSteps; ++step) {
-    const Eigen::Isometry3d pose = mechanism_.bedFromNozzle(values);
+    const Eigen::Isometry3d pose = model_.bedFromNozzle(values);
     const Residual error = residual(pose, asked);
     if (error.head(rows).norm() < close) return values;
-    Jacobian jacobian = mechanism_.jacobian(values);
-    const Point3 jet = pose.linear().col(2);
-    jacobian.bottomRows<3>() -= (jet * (jet.transpose() * jacobian.bottomRows<3>())).eval();
+    Jacobian jacobian = model_.jacobian(values);
+    const Point3 tool_axis = pose.linear().col(2);
+    jacobian.bottomRows<3>() -= (tool_axis * (tool_axis.transpose() * jacobian.bottomRows<3>())).eval();
     jacobian.bottomRows<3>() *= kRadianWeight;
     const Eigen::MatrixXd scaled = jacobian.topRows(rows) * speeds_.asDiagonal();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;

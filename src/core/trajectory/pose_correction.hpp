@@ -10,17 +10,18 @@
 namespace lamina {
 
 /// Brings joints near a pose to it: Newton's method with the least motion of the joints, each in proportion
-/// to its greatest speed. The turn about the jet is free.
+/// to its greatest speed. The turn about the tool axis is free.
 class PoseCorrection {
  public:
-  enum class Keep : std::uint8_t { Tip, TipAndJet };
+  enum class Keep : std::uint8_t { Tip, TipAndToolAxis };
 
-  PoseCorrection(const Mechanism& mechanism, const TrajectorySettings& settings);
+  PoseCorrection(const KinematicModel& model, const TrajectorySettings& settings);
 
-  /// Whether tip and jet are as asked within half the tolerance on lines.
+  /// Whether tip and tool axis are as asked within half the tolerance on lines.
   bool isWithin(const Eigen::Isometry3d& is, const Eigen::Isometry3d& asked) const;
 
-  /// Joint values with tip, or tip and jet, as asked within a hundredth of that; nothing if there are none.
+  /// Joint values with tip, or tip and tool axis, as asked within a hundredth of that; nothing if there are
+  /// none.
   std::optional<JointValues> near(JointValues values, const Eigen::Isometry3d& asked, Keep keep) const;
 
   /// Time that joints need from one to the other, as a root of squares [s].
@@ -29,9 +30,9 @@ class PoseCorrection {
   }
 
  private:
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   double tip_mm_;
-  double jet_rad_;
+  double tool_axis_rad_;
   JointValues speeds_;
 };
 

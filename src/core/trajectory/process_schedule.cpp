@@ -27,11 +27,11 @@ ProcessSchedule::ProcessSchedule(const Timeline& timeline, double averaging_s,
                                  const ProcessSettings& settings, Beads beads)
     : settings_(settings) {
   if (settings.kind == ProcessKind::Extruder) return;
-  const Intervals laid = beadsOf(timeline, averaging_s);
-  laser_ = shifted(laid, {settings.laser_on_lead_s, settings.laser_off_lead_s}, "laser", beads);
+  const Intervals deposited = beadsOf(timeline, averaging_s);
+  laser_ = shifted(deposited, {settings.laser_on_lead_s, settings.laser_off_lead_s}, "laser", beads);
   carriers_ = runsOf(timeline, averaging_s);
   if (settings.kind == ProcessKind::Wire)
-    wire_ = shifted(laid, {settings.wire_on_lead_s, settings.wire_off_lead_s}, "wire", beads);
+    wire_ = shifted(deposited, {settings.wire_on_lead_s, settings.wire_off_lead_s}, "wire", beads);
 }
 
 ProcessSchedule::Intervals ProcessSchedule::beadsOf(const Timeline& timeline, double averaging_s) {

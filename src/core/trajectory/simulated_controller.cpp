@@ -47,11 +47,11 @@ void describe(SettingsSchema& schema, ServoSettings& settings) {
       "Time in which a joint comes to rest from its greatest speed when nothing is left to follow.");
 }
 
-SimulatedController::SimulatedController(const Clock& clock, const Mechanism& mechanism,
+SimulatedController::SimulatedController(const Clock& clock, const KinematicModel& model,
                                          const ServoSettings& settings, const JointValues& start,
                                          const ControllerFaults& faults)
     : clock_(clock),
-      mechanism_(mechanism),
+      model_(model),
       settings_(settings),
       faults_(faults),
       start_s_(clock.now()),
@@ -152,8 +152,8 @@ void SimulatedController::brakeFrom(JointState moving) {
   double duration_s = 0.0;
   double room_s =
       std::numeric_limits<double>::infinity();  // for the first joint that has to stop at its limit
-  for (std::size_t j = 0; j < mechanism_.joints().size(); ++j) {
-    const DrivenJoint& joint = mechanism_.joints()[j];
+  for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+    const DrivenJoint& joint = model_.joints()[j];
     const auto i = static_cast<Eigen::Index>(j);
     const double speed = moving.velocity[i];
     if (speed == 0.0) continue;
@@ -194,8 +194,7 @@ void SimulatedController::follow(const JointValues& asked) {
 void SimulatedController::measure(const JointValues& asked) {
   const JointValues error = asked - position_;
   const double tip_mm =
-      (mechanism_.bedFromNozzle(asked).translation() - mechanism_.bedFromNozzle(position_).translation())
-          .norm();
+      (model_.bedFromNozzle(asked).translation() - model_.bedFromNozzle(position_).translation()).norm();
   ++report_.cycles;
   report_.greatest = report_.greatest.cwiseMax(error.cwiseAbs());
   squares_ += error.cwiseAbs2();

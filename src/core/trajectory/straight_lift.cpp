@@ -14,10 +14,10 @@ constexpr double kLongestStep = 1.0;  // mm
 
 }  // namespace
 
-StraightLift straightLift(const JointValues& from, double height_mm, const Mechanism& mechanism,
+StraightLift straightLift(const JointValues& from, double height_mm, const KinematicModel& model,
                           const TrajectorySettings& settings) {
-  const PoseCorrection correction(mechanism, settings);
-  const Eigen::Isometry3d start = mechanism.bedFromNozzle(from);
+  const PoseCorrection correction(model, settings);
+  const Eigen::Isometry3d start = model.bedFromNozzle(from);
   const auto steps = static_cast<int>(std::ceil(height_mm / kLongestStep));
   StraightLift lift;
   lift.values.push_back(from);
@@ -25,10 +25,10 @@ StraightLift straightLift(const JointValues& from, double height_mm, const Mecha
   for (int i = 1; i <= steps; ++i) {
     Eigen::Isometry3d asked = start;
     asked.translation() -= start.linear().col(2) * (lift.step_mm * i);
-    const auto next = correction.near(lift.values.back(), asked, PoseCorrection::Keep::TipAndJet);
-    const auto fault = next ? limitFault(*next, mechanism) : std::nullopt;
+    const auto next = correction.near(lift.values.back(), asked, PoseCorrection::Keep::TipAndToolAxis);
+    const auto fault = next ? limitFault(*next, model) : std::nullopt;
     if (!next || fault) {
-      lift.stopped_by = fault ? *fault : "no joints hold the jet there";
+      lift.stopped_by = fault ? *fault : "no joints hold the tool axis there";
       break;
     }
     lift.values.push_back(*next);

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// The tool lifted straight against its jet, the jet held.
+/// The tool lifted straight against its tool axis, the tool axis held.
 struct StraightLift {
   std::vector<JointValues> values;  ///< from where it starts, in equal steps
   double step_mm = 0.0;
@@ -18,7 +18,7 @@ struct StraightLift {
 };
 
 /// @param height_mm  0 or more; in steps of 1 mm at most
-StraightLift straightLift(const JointValues& from, double height_mm, const Mechanism& mechanism,
+StraightLift straightLift(const JointValues& from, double height_mm, const KinematicModel& model,
                           const TrajectorySettings& settings);
 
 }  // namespace lamina

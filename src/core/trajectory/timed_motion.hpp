@@ -11,7 +11,7 @@ namespace lamina {
 /// A curve and the speeds along it, which refer to it.
 class TimedMotion {
  public:
-  TimedMotion(JointStations stations, const Mechanism& mechanism, const TimingSettings& settings);
+  TimedMotion(JointStations stations, const KinematicModel& model, const TimingSettings& settings);
   TimedMotion(const TimedMotion&) = delete;
   TimedMotion& operator=(const TimedMotion&) = delete;
 

@@ -19,12 +19,12 @@ Waits waitsOf(const TimingSettings& settings) {
 }
 
 std::shared_ptr<const TimedMotion> timedMotion(const Toolpath& toolpath, const JointPath& path,
-                                               const Mechanism& mechanism, const TimingSettings& settings) {
+                                               const KinematicModel& model, const TimingSettings& settings) {
   validate(settings);
-  const JointStations stations = jointStations(toolpath, path, mechanism, settings.motion);
+  const JointStations stations = jointStations(toolpath, path, model, settings.motion);
   if (stations.each.size() < 2)
     throw InvalidInput("the joint path of '" + toolpath.part_name + "' has no motion to time");
-  return std::make_shared<const TimedMotion>(keptOnLines(stations, mechanism, settings.trajectory), mechanism,
+  return std::make_shared<const TimedMotion>(keptOnLines(stations, model, settings.trajectory), model,
                                              settings);
 }
 
@@ -54,17 +54,17 @@ void validate(const TimingSettings& settings) {
   schema.validate();
 }
 
-TimedMotion::TimedMotion(JointStations stations, const Mechanism& mechanism, const TimingSettings& settings)
+TimedMotion::TimedMotion(JointStations stations, const KinematicModel& model, const TimingSettings& settings)
     : settings_(settings),
-      curve_(std::move(stations), mechanism, settings.trajectory),
+      curve_(std::move(stations), model, settings.trajectory),
       plan_(curve_, waitsOf(settings)),
       schedule_(plan_.timeline(), averaging(), settings.process, ProcessSchedule::Beads::Whole) {}
 
 double TimedMotion::averaging() const { return averagingTime(settings_.trajectory); }
 
-TimedPath::TimedPath(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+TimedPath::TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                      const TimingSettings& settings)
-    : TimedPath(timedMotion(toolpath, path, mechanism, settings)) {}
+    : TimedPath(timedMotion(toolpath, path, model, settings)) {}
 
 TimedPath::TimedPath(std::shared_ptr<const TimedMotion> motion)
     : motion_(std::move(motion)),
@@ -92,9 +92,9 @@ ToolpathTime trajectoryTime(const JointTrajectory& trajectory, const JointPath& 
   return time;
 }
 
-ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const Mechanism& mechanism,
+ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                                const TimingSettings& settings) {
-  return trajectoryTime(TimedPath(toolpath, path, mechanism, settings), path, toolpath.layers.size());
+  return trajectoryTime(TimedPath(toolpath, path, model, settings), path, toolpath.layers.size());
 }
 
 }  // namespace lamina

@@ -9,11 +9,11 @@
 
 namespace lamina {
 std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolLift& lift,
-                                            const Mechanism& mechanism, const TimingSettings& settings) {
+                                            const KinematicModel& model, const TimingSettings& settings) {
   if (!(lift.height_mm > 0.0 && lift.speed_mm_s > 0.0))
     throw InvalidInput("the tool is to be lifted by " + std::to_string(lift.height_mm) + " mm at " +
                        std::to_string(lift.speed_mm_s) + " mm/s; both must be positive");
-  const StraightLift way = straightLift(from, lift.height_mm, mechanism, settings.trajectory);
+  const StraightLift way = straightLift(from, lift.height_mm, model, settings.trajectory);
   if (!way.stopped_by.empty())
     throw Unreachable("the tool can be lifted by " +
                       std::to_string(way.step_mm * static_cast<double>(way.values.size() - 1)) + " mm of " +
@@ -22,7 +22,7 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
   for (const JointValues& values : way.values) {
     JointStation station;
     station.values = values;
-    station.pose = mechanism.bedFromNozzle(values);
+    station.pose = model.bedFromNozzle(values);
     if (!stations.each.empty()) {
       station.length_mm = way.step_mm;
       station.feed_mm_s = lift.speed_mm_s;
@@ -33,7 +33,7 @@ std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolL
   }
   TimingSettings timing = settings;
   timing.process = {};
-  return std::make_shared<const TimedMotion>(std::move(stations), mechanism, timing);
+  return std::make_shared<const TimedMotion>(std::move(stations), model, timing);
 }
 
 }  // namespace lamina

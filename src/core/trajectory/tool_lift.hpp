@@ -9,10 +9,11 @@
 
 namespace lamina {
 
-/// The motion from rest to rest that takes the tip straight against its jet, the jet held. Nothing is laid.
+/// The motion from rest to rest that takes the tip straight against its tool axis, the tool axis held.
+/// Nothing is deposited.
 /// @throws InvalidInput if height or speed is not positive
 /// @throws Unreachable if a joint would leave its limits, or the way cannot be followed
 std::shared_ptr<const TimedMotion> toolLift(const JointValues& from, const ToolLift& lift,
-                                            const Mechanism& mechanism, const TimingSettings& settings);
+                                            const KinematicModel& model, const TimingSettings& settings);
 
 }  // namespace lamina

@@ -16,16 +16,17 @@ constexpr double kGridSlack = 1e-6;  // of a step: a time this near to a point i
 
 }  // namespace
 
-class HandOver::State {
+class TrajectoryFeeder::State {
  public:
-  State(std::shared_ptr<const TimedMotion> motion, const HandOverSettings& settings)
+  State(std::shared_ptr<const TimedMotion> motion, const TrajectoryFeederSettings& settings)
       : motion_(std::move(motion)),
         settings_(settings),
         timeline_(motion_->plan().timeline()),
         schedule_(motion_->schedule()) {}
 
-  HandOverState state() const {
-    return state_ == HandOverState::Running && sent_ >= lastStep() ? HandOverState::Finished : state_;
+  TrajectoryFeederState state() const {
+    return state_ == TrajectoryFeederState::Running && sent_ >= lastStep() ? TrajectoryFeederState::Finished
+                                                                           : state_;
   }
   double restTime() const { return timeline_.end() + motion_->averaging(); }
   std::vector<ProcessEvent> events() const { return schedule_.events(); }
@@ -51,40 +52,41 @@ class HandOver::State {
   }
 
   void pause(double now_s) {
-    if (state_ != HandOverState::Running || !brake(now_s)) return;
-    state_ = HandOverState::Paused;
+    if (state_ != TrajectoryFeederState::Running || !brake(now_s)) return;
+    state_ = TrajectoryFeederState::Paused;
     reschedule();
   }
 
   void resume(double now_s) {
-    if (state_ != HandOverState::Paused) return;
+    if (state_ != TrajectoryFeederState::Paused) return;
     // Averages of the way to rest and of that from it must not meet.
     const double start_s = std::max(timeOf(stepAfter(now_s + settings_.reaction_s)), restTime());
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
     appendRest(PhaseKind::Halt, start_s - timeline_.end());
     appendRest(PhaseKind::Wait, motion_->settings().process.settling_s);
     motion_->plan().appendRestart(timeline_, rest_);
-    state_ = HandOverState::Running;
+    state_ = TrajectoryFeederState::Running;
     reschedule();
   }
 
   bool isOver(double now_s) const {
-    return state_ == HandOverState::Aborted || (state_ == HandOverState::Running && now_s >= restTime());
+    return state_ == TrajectoryFeederState::Aborted ||
+           (state_ == TrajectoryFeederState::Running && now_s >= restTime());
   }
 
   void abort(double now_s) {
     if (isOver(now_s)) return;
-    const bool was_running = state_ == HandOverState::Running;
+    const bool was_running = state_ == TrajectoryFeederState::Running;
     if (was_running && !brake(now_s)) rest_ = timeline_.placeAt(timeline_.end());
-    state_ = HandOverState::Aborted;
+    state_ = TrajectoryFeederState::Aborted;
     reschedule();
     // What the controller has is replaced from now on: the motion is the same until the reaction.
     schedule_.makeSafeFrom(now_s);
     sent_ = std::min(sent_, std::max(0L, stepBefore(now_s)));
   }
 
-  void lift(double now_s, const ToolLift& lift, const Mechanism& mechanism) {
-    lift_ = toolLift(rest_.curve->at(rest_.span, rest_.along).position, lift, mechanism, motion_->settings());
+  void lift(double now_s, const ToolLift& lift, const KinematicModel& model) {
+    lift_ = toolLift(rest_.curve->at(rest_.span, rest_.along).position, lift, model, motion_->settings());
     const double start_s = std::max(restTime(), timeOf(stepAfter(now_s + settings_.reaction_s)));
     if (sent_ >= lastStep()) sent_ = std::max(sent_, stepAfter(start_s) - 1);
     appendRest(PhaseKind::Halt, start_s - timeline_.end());
@@ -131,39 +133,39 @@ class HandOver::State {
 
   std::shared_ptr<const TimedMotion> motion_;
   std::shared_ptr<const TimedMotion> lift_;
-  HandOverSettings settings_;
+  TrajectoryFeederSettings settings_;
   Timeline timeline_;
   ProcessSchedule schedule_;
-  HandOverState state_ = HandOverState::Running;
+  TrajectoryFeederState state_ = TrajectoryFeederState::Running;
   MotionPlace rest_;  ///< where it is paused or aborted
   long sent_ = -1;    ///< step of the last point handed over
 };
 
-HandOver::HandOver(const TimedPath& path, const HandOverSettings& settings) {
-  HandOverSettings checked = settings;
+TrajectoryFeeder::TrajectoryFeeder(const TimedPath& path, const TrajectoryFeederSettings& settings) {
+  TrajectoryFeederSettings checked = settings;
   SettingsSchema schema;
   describe(schema, checked);
   schema.validate();
   state_ = std::make_unique<State>(path.motion(), settings);
 }
-HandOver::~HandOver() = default;
-HandOver::HandOver(HandOver&&) noexcept = default;
-HandOver& HandOver::operator=(HandOver&&) noexcept = default;
+TrajectoryFeeder::~TrajectoryFeeder() = default;
+TrajectoryFeeder::TrajectoryFeeder(TrajectoryFeeder&&) noexcept = default;
+TrajectoryFeeder& TrajectoryFeeder::operator=(TrajectoryFeeder&&) noexcept = default;
 
-std::optional<TrajectoryChunk> HandOver::next(double now_s) { return state_->next(now_s); }
-void HandOver::pause(double now_s) { state_->pause(now_s); }
-void HandOver::resume(double now_s) { state_->resume(now_s); }
-void HandOver::abort(double now_s) { state_->abort(now_s); }
+std::optional<TrajectoryChunk> TrajectoryFeeder::next(double now_s) { return state_->next(now_s); }
+void TrajectoryFeeder::pause(double now_s) { state_->pause(now_s); }
+void TrajectoryFeeder::resume(double now_s) { state_->resume(now_s); }
+void TrajectoryFeeder::abort(double now_s) { state_->abort(now_s); }
 
-void HandOver::abort(double now_s, const ToolLift& lift, const Mechanism& mechanism) {
+void TrajectoryFeeder::abort(double now_s, const ToolLift& lift, const KinematicModel& model) {
   if (state_->isOver(now_s)) return;
   state_->abort(now_s);
-  state_->lift(now_s, lift, mechanism);
+  state_->lift(now_s, lift, model);
 }
 
-HandOverState HandOver::state() const { return state_->state(); }
-double HandOver::restTime() const { return state_->restTime(); }
-JointState HandOver::at(double time_s) const { return state_->at(time_s); }
-std::vector<ProcessEvent> HandOver::events() const { return state_->events(); }
+TrajectoryFeederState TrajectoryFeeder::state() const { return state_->state(); }
+double TrajectoryFeeder::restTime() const { return state_->restTime(); }
+JointState TrajectoryFeeder::at(double time_s) const { return state_->at(time_s); }
+std::vector<ProcessEvent> TrajectoryFeeder::events() const { return state_->events(); }
 
 }  // namespace lamina

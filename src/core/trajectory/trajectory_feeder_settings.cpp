@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-void describe(SettingsSchema& schema, HandOverSettings& settings) {
+void describe(SettingsSchema& schema, TrajectoryFeederSettings& settings) {
   schema.number("hand_over.rate_hz", settings.rate_hz, {1.0, 10000.0, false},
                 "Points of a joint trajectory per second.");
   schema.integer("hand_over.points", settings.points, {1.0, 100000.0, false},

@@ -14,12 +14,14 @@
 
 namespace lamina {
 
-/// Lays a toolpath behind the machine that runs it, by the nozzle's pose on tf, and publishes what is laid.
+/// Lays a toolpath behind the machine that runs it, by the nozzle's pose on tf, and publishes what is
+/// deposited.
 class DepositFollowing {
  public:
   DepositFollowing(ros::NodeHandle node, const DepositionSimulatorSettings& settings);
 
-  /// Begins anew with a toolpath. One that cannot be laid is told in the log, and nothing is followed.
+  /// Begins anew with a toolpath. One that cannot be deposited is reported in the log, and nothing is
+  /// followed.
   void begin(const lamina_msgs::Toolpath& message);
 
  private:

@@ -13,7 +13,7 @@ lamina_msgs::DepositionSummary toMessage(const DepositSummary& summary) {
   lamina_msgs::DepositionSummary message;
   message.path = toMetres(summary.totals.path_mm);
   message.extruded_volume = toCubicMetres(summary.totals.extruded_mm3);
-  message.model_volume = toCubicMetres(summary.totals.laid_mm3);
+  message.model_volume = toCubicMetres(summary.totals.deposited_mm3);
   message.excess_volume = toCubicMetres(summary.totals.excess_mm3);
   message.outside_volume = toCubicMetres(summary.totals.outside_mm3);
   message.voxel = toMetres(summary.voxel_mm);

@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-/// What a goal asks to be laid.
+/// What a goal asks to be deposited.
 struct AskedToolpath {
   std::string id;
   Toolpath toolpath;  ///< in coordinates of the bed
@@ -92,16 +92,17 @@ DepositionSimulator::Result DepositionSimulator::simulate(const Goal& goal, Prog
   AskedToolpath asked =
       goal.program.empty() ? fromLatched(latched(), goal.toolpath_id) : fromProgram(goal.program, settings);
   ROS_INFO_STREAM("laying toolpath " << asked.id << " of '" << asked.toolpath.part_name << "'");
-  const DepositedPart laid =
+  const DepositedPart deposited =
       runDepositJob({std::move(asked.toolpath), goal.output, goal.program, settings.deposition}, progress);
   Result result;
   result.toolpath_id = asked.id;
-  result.summary = toMessage(laid.summary);
-  ROS_INFO("toolpath %s laid: %.1f mm3 of %.1f mm3 in voxels of %g mm", asked.id.c_str(),
-           laid.summary.totals.laid_mm3, laid.summary.totals.extruded_mm3, laid.summary.voxel_mm);
+  result.summary = toMessage(deposited.summary);
+  ROS_INFO("toolpath %s deposited: %.1f mm3 of %.1f mm3 in voxels of %g mm", asked.id.c_str(),
+           deposited.summary.totals.deposited_mm3, deposited.summary.totals.extruded_mm3,
+           deposited.summary.voxel_mm);
   if (following_) return result;
-  deposited_.publish(depositedCloud(laid.grid, settings_.shown));
-  markers_.publish(depositedMarkers(laid.grid, settings_.shown));
+  deposited_.publish(depositedCloud(deposited.grid, settings_.shown));
+  markers_.publish(depositedMarkers(deposited.grid, settings_.shown));
   return result;
 }
 

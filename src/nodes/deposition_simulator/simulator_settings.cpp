@@ -22,7 +22,7 @@ void describe(SettingsSchema& schema, DepositionSimulatorSettings& settings) {
   describe(schema, settings.simulation);
   describe(schema, settings.following);
   schema.number("following.period_s", settings.period_s, {0.01, 3600.0},
-                "Time between publications of what is laid behind the nozzle.");
+                "Time between publications of what is deposited behind the nozzle.");
   schema.integer("shown.points", settings.shown.points, {1000, 100000000},
                  "Points of the cloud of what is deposited; coarser voxels are shown beyond it.");
   schema.integer("shown.triangles", settings.shown.triangles, {1000, 10000000},

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// How toolpaths are read and laid.
+/// How toolpaths are read and deposited.
 struct SimulationSettings {
   DepositionSettings deposition;
   ProgramSettings reading;  ///< filament, flow, words of drops and of five axes by which programs are read
@@ -27,7 +27,7 @@ struct ShownSettings {
   int triangles = 100000;
 };
 
-/// What is laid besides what goals ask for.
+/// What is deposited besides what goals ask for.
 enum class SimulatorMode {
   Simulate,  ///< nothing
   Follow,    ///< the latched toolpath, behind the machine that runs it

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber in accelerated time
 /// The same wherever linear axes take it.
-Eigen::Vector3d jetOf(const Machine& machine) {
+Eigen::Vector3d toolAxisOf(const CartesianMachine& machine) {
   return bedFromNozzle(machine, axisValues(machine, Point3::Zero())).linear().col(2).normalized();
 }
 
@@ -31,7 +31,7 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
       bed_from_program_(programFromBed(machine_).inverse()),
-      jet_(jetOf(machine_)),
+      tool_axis_(toolAxisOf(machine_)),
       deposit_(bareBed(machine_, settings)),
       shown_(deposit_->surface().grid.area()),
       sensor_(settings.sensor),
@@ -101,9 +101,9 @@ void EmulatedMachineNode::lay(const Point3& from, const Point3& to, double volum
   const bool is_shown =
       (to.head<2>() - shown_.low).minCoeff() >= 0.0 && (shown_.high - to.head<2>()).minCoeff() > 0.0;
   if (!is_shown)
-    ROS_WARN_ONCE("material laid at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown", to.x(),
-                  to.y());
-  deposit_->lay({from, to, jet_, jet_, volume_mm3});
+    ROS_WARN_ONCE("material deposited at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown",
+                  to.x(), to.y());
+  deposit_->lay({from, to, tool_axis_, tool_axis_, volume_mm3});
   has_news_ = true;
 }
 

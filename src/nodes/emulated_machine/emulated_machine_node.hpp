@@ -46,12 +46,12 @@ class EmulatedMachineNode {
   ros::Time stampOf(double machine_s) const;
 
   EmulatedMachineSettings settings_;
-  Machine machine_;
+  CartesianMachine machine_;
   ros::Publisher position_;
   ros::Publisher profile_;
   ros::Publisher deposited_;
   Eigen::Affine3d bed_from_program_;
-  Eigen::Vector3d jet_;  ///< [bed]
+  Eigen::Vector3d tool_axis_;  ///< [bed]
   std::unique_ptr<MachineDeposit> deposit_;
   Box2 shown_;  ///< of the bed
   ProfileSensor sensor_;

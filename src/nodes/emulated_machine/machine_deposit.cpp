@@ -19,7 +19,7 @@ class VoxelsOnBed final : public MachineDeposit {
   VoxelsOnBed(const Box3& shown, double voxel_mm)
       : deposit_(voxelFrame(shown, voxel_mm), DepositionSettings{}, TopHeights::Kept) {}
 
-  void lay(const JetMotion& motion) override { deposit_.lay(motion); }
+  void lay(const ToolAxisMotion& motion) override { deposit_.lay(motion); }
   double highest() const override { return deposit_.highest(); }
   std::vector<Point3> points() const override { return shownVoxels(deposit_.grid(), kMostPoints); }
 
@@ -45,7 +45,9 @@ class HeightsOnBed final : public MachineDeposit {
   HeightsOnBed(const Box3& shown, double cell_mm)
       : deposit_(HeightMap(heightGrid({shown.low.head<2>(), shown.high.head<2>()}, cell_mm), 0.0)) {}
 
-  void lay(const JetMotion& motion) override { deposit_.lay({motion.start, motion.end, motion.volume_mm3}); }
+  void lay(const ToolAxisMotion& motion) override {
+    deposit_.lay({motion.start, motion.end, motion.volume_mm3});
+  }
   double highest() const override { return deposit_.highest(); }
   HeightSource surface() const override { return sourceOf(deposit_.surface()); }
 
@@ -65,7 +67,7 @@ class HeightsOnBed final : public MachineDeposit {
 };
 
 /// What the machine reaches over its bed; of a bed without end, `belt_mm`.
-Box3 shownBed(Machine machine, double belt_mm) {
+Box3 shownBed(CartesianMachine machine, double belt_mm) {
   for (MachineAxis& axis : machine.axes)
     if (isEndless(axis)) axis.high_mm = axis.low_mm + belt_mm;
   Box3 reach = workspace(machine);
@@ -76,7 +78,7 @@ Box3 shownBed(Machine machine, double belt_mm) {
   return reach;
 }
 
-DepositModel modelFor(const Machine& machine, DepositModel asked) {
+DepositModel modelFor(const CartesianMachine& machine, DepositModel asked) {
   if (asked != DepositModel::Auto) return asked;
   const bool is_belt = std::any_of(machine.axes.begin(), machine.axes.end(),
                                    [](const MachineAxis& axis) { return isEndless(axis); });
@@ -85,7 +87,7 @@ DepositModel modelFor(const Machine& machine, DepositModel asked) {
 
 }  // namespace
 
-std::unique_ptr<MachineDeposit> bareBed(Machine machine, const EmulatedMachineSettings& settings) {
+std::unique_ptr<MachineDeposit> bareBed(CartesianMachine machine, const EmulatedMachineSettings& settings) {
   const DepositModel model = modelFor(machine, settings.deposit_model);
   const Box3 shown = shownBed(std::move(machine), settings.deposit_belt_mm);
   if (model == DepositModel::Heights) return std::make_unique<HeightsOnBed>(shown, settings.deposit_cell_mm);

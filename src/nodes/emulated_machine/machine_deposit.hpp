@@ -20,7 +20,7 @@ class MachineDeposit {
   MachineDeposit& operator=(const MachineDeposit&) = delete;
   virtual ~MachineDeposit() = default;
 
-  virtual void lay(const JetMotion& motion) = 0;
+  virtual void lay(const ToolAxisMotion& motion) = 0;
   /// What a sensor above sees; valid while this lives.
   virtual HeightSource surface() const = 0;
   /// Largest height of the surface [mm].
@@ -31,6 +31,6 @@ class MachineDeposit {
 
 /// Nothing yet, over the bed that the settings say is shown.
 /// @throws InvalidInput if that has more cells than a map can have
-std::unique_ptr<MachineDeposit> bareBed(Machine machine, const EmulatedMachineSettings& settings);
+std::unique_ptr<MachineDeposit> bareBed(CartesianMachine machine, const EmulatedMachineSettings& settings);
 
 }  // namespace lamina

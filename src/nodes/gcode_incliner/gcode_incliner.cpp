@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kBytesPerMegabyte = 1e6;
 
-/// Tells why the programs are too large to be viewed, if they are.
+/// Reports why the programs are too large to be viewed, if they are.
 std::optional<std::string> tooLarge(const std::string& program, const std::string& output, double most_mb) {
   const auto bytes = std::max(std::filesystem::file_size(program), std::filesystem::file_size(output));
   const double size_mb = static_cast<double>(bytes) / kBytesPerMegabyte;
@@ -102,20 +102,21 @@ GcodeIncliner::Answer GcodeIncliner::incline(const Request& request, Progress& p
   Answer answer;
   answer.output = request.output.empty() ? inclinedName(request.program) : request.output;
   const auto begin = std::chrono::steady_clock::now();
-  const TransformReport report =
+  const RewriteReport report =
       runInclineJob(inclineJob(settings.incline, request.program, answer.output), progress);
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   answer.summary = toMessage(report);
   answer.summary.wall_time = passed.count();
-  if (isJetOffNormal(report))
-    answer.status.message = "the machine holds its nozzle at " + std::to_string(report.jet_off_normal_deg) +
+  if (isToolAxisOffNormal(report))
+    answer.status.message = "the machine holds its nozzle at " +
+                            std::to_string(report.tool_axis_off_normal_deg) +
                             " deg from the normal of the layers; expected 0";
   progress.report("view", 0.0);
   view(request.program, settings, answer);
   return answer;
 }
 
-/// The file is written by now: what cannot be shown is told, and is no failure.
+/// The file is written by now: what cannot be shown is reported, and is no failure.
 void GcodeIncliner::view(const std::string& program, const GcodeInclinerSettings& settings, Answer& answer) {
   try {
     const auto refusal = tooLarge(program, answer.output, settings.largest_viewed_mb);

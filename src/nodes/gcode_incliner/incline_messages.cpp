@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-lamina_msgs::InclineSummary toMessage(const TransformReport& report) {
+lamina_msgs::InclineSummary toMessage(const RewriteReport& report) {
   lamina_msgs::InclineSummary summary;
   summary.slicer = report.slicer;
   summary.lines = report.lines;

@@ -8,6 +8,6 @@
 namespace lamina {
 
 /// Wall time is left to the caller.
-lamina_msgs::InclineSummary toMessage(const TransformReport& report);
+lamina_msgs::InclineSummary toMessage(const RewriteReport& report);
 
 }  // namespace lamina

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFeedbackPeriod = 0.1;  // s
 
-/// Tells of steps that are no longer in the state they were in.
+/// Reports of steps that are no longer in the state they were in.
 void logChanges(const std::vector<lamina_msgs::StartupStep>& before,
                 const std::vector<lamina_msgs::StartupStep>& now) {
   for (std::size_t i = 0; i < before.size() && i < now.size(); ++i) {

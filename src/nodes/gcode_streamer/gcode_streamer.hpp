@@ -55,7 +55,7 @@ class GcodeStreamer {
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   GcodeStreamerSettings settings_;
-  Machine machine_;
+  CartesianMachine machine_;
   Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
   ros::Publisher position_;

@@ -21,7 +21,7 @@ namespace lamina {
 /// A profile where and when it was taken.
 struct PlacedProfile {
   std::vector<Point3> points;              ///< [mm, bed frame]
-  std::optional<double> nozzle_height_mm;  ///< of the nozzle tip [bed frame]; nothing if tf does not tell
+  std::optional<double> nozzle_height_mm;  ///< of the nozzle tip [bed frame]; nothing if tf does not report
 };
 
 /// How often what happened to clouds and their points.

@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Tells a client how far a study is: the stage, and with it what the last generation or iteration found.
+/// Reports a client how far a study is: the stage, and with it what the last generation or iteration found.
 /// Cancelled as `ActionProgress` is.
 class StudyFeedback final : public Progress {
  public:

@@ -114,7 +114,7 @@ lamina_msgs::StreamProgramResult PrintPart::stream() {
 
 /// Nobody looks after a machine whose print was given up.
 void PrintPart::stopStreaming() {
-  if (!ros::ok()) return;  // then gcode_streamer is told by ROS as well
+  if (!ros::ok()) return;  // then gcode_streamer is reported by ROS as well
   stream_.cancelGoal();
   const auto give_up = Clock::now() + kSafeStopPatience;
   while (ros::ok() && !stream_.getState().isDone() && Clock::now() < give_up)

@@ -39,7 +39,7 @@ class PrintPart {
   /// A program under way is stopped safely before this throws.
   /// @throws Error with the code and message of the node that failed
   /// @throws TimedOut if one falls silent
-  /// @throws Cancelled when the process is told to stop, or ROS shuts down
+  /// @throws Cancelled when the process is asked to stop, or ROS shuts down
   PrintReport run();
 
  private:
@@ -53,7 +53,7 @@ class PrintPart {
   void saveFiles(const PrintReport& report);
   std::string outputFile(const std::string& name) const;
   /// Handles callbacks until `isDone`.
-  /// @throws TimedOut if no callback told of any advance for `patience_s`
+  /// @throws TimedOut if no callback reported of any advance for `patience_s`
   void await(const std::string& what, const std::function<bool()>& isDone);
   double silence() const;  ///< [s] since the last advance
   void noteAdvance() { last_advance_ = Clock::now(); }

@@ -19,8 +19,8 @@ constexpr int kQueue = 1000;
 constexpr double kSlack = 1e-3;  // mm, rad or a share: what rounding and time between cycles leave
 
 /// Linear joints in the middle of their ranges, rotary ones at 0 or as near to it as they get.
-JointValues parked(const Mechanism& mechanism) {
-  const std::vector<DrivenJoint>& joints = mechanism.joints();
+JointValues parked(const KinematicModel& model) {
+  const std::vector<DrivenJoint>& joints = model.joints();
   JointValues values(static_cast<Eigen::Index>(joints.size()));
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const bool is_linear = joints[j].kind == JointKind::Linear;
@@ -36,14 +36,14 @@ std::string textOf(const DrivenJoint& joint, double is, double low, double high)
 }
 
 /// @throws InvalidInput if a joint leaves its limits, is too fast, or would have to jump to join the points
-void requireFeasible(const TrajectoryChunk& chunk, const Mechanism& mechanism, const JointState& now) {
+void requireFeasible(const TrajectoryChunk& chunk, const KinematicModel& model, const JointState& now) {
   const auto joining = std::find_if(chunk.points.begin(), chunk.points.end(),
                                     [&](const JointState& point) { return point.time_s > now.time_s; });
   if (joining == chunk.points.end())
     throw InvalidInput("the last point is " + std::to_string(now.time_s - chunk.points.back().time_s) +
                        " s in the past; expected one that is still to come");
-  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[j];
+  for (std::size_t j = 0; j < model.joints().size(); ++j) {
+    const DrivenJoint& joint = model.joints()[j];
     const auto i = static_cast<Eigen::Index>(j);
     const double fastest = joint.max_speed * (1.0 + kSlack);
     for (const JointState& point : chunk.points) {
@@ -67,9 +67,9 @@ using Callback = boost::function<void(const boost::shared_ptr<Message const>&)>;
 
 SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const ControllerSettings& settings)
     : settings_(settings),
-      mechanism_(mechanismOf(settings.machine)),
-      transforms_(mechanism_->urdf()),
-      controller_(clock_, *mechanism_, settings.servo, parked(*mechanism_)),
+      model_(kinematicModelOf(settings.machine)),
+      transforms_(model_->urdf()),
+      controller_(clock_, *model_, settings.servo, parked(*model_)),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kQueue)),
       process_state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
       server_(node, names::kFollowJointTrajectory, false) {
@@ -83,7 +83,7 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
   server_.registerGoalCallback([this] { onGoal(); });
   server_.registerPreemptCallback([this] { onPreempt(); });
   server_.start();
-  ROS_INFO("simulating %s, %.0f Hz", mechanism_->name().c_str(), settings_.servo.rate_hz);
+  ROS_INFO("simulating %s, %.0f Hz", model_->name().c_str(), settings_.servo.rate_hz);
 }
 
 void SimulatedControllerNode::onGoal() {
@@ -107,7 +107,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
       goal.trajectory.header.stamp.isZero() ? ros::Time::now() : goal.trajectory.header.stamp;
   TrajectoryChunk chunk;
   for (const auto& point : goal.trajectory.points) {
-    chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, mechanism_->joints()));
+    chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, model_->joints()));
     chunk.points.back().time_s = (begin - clock_.epoch() + point.time_from_start).toSec();
     const std::size_t count = chunk.points.size();
     if (count > 1 && !(chunk.points[count - 1].time_s > chunk.points[count - 2].time_s))
@@ -116,7 +116,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
   JointState now;
   now.time_s = clock_.now() - 1.0 / settings_.servo.rate_hz;  // of the last cycle or earlier
   now.position = controller_.wanted();
-  requireFeasible(chunk, *mechanism_, now);
+  requireFeasible(chunk, *model_, now);
   controller_.accept(chunk);
   goal_end_s_ = chunk.points.back().time_s;
 }
@@ -159,7 +159,7 @@ bool SimulatedControllerNode::isOutOfTolerance() const {
 void SimulatedControllerNode::report(const ros::Time& now) {
   sensor_msgs::JointState state;
   state.header.stamp = now;
-  for (const auto& [name, position] : transforms_.positions(mechanism_->urdfJoints(controller_.position()))) {
+  for (const auto& [name, position] : transforms_.positions(model_->urdfJoints(controller_.position()))) {
     state.name.push_back(name);
     state.position.push_back(position);
   }
@@ -179,7 +179,7 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   if (!server_.isActive()) return;
   follow::Feedback feedback;
   feedback.header.stamp = now;
-  feedback.joint_names = jointNames(*mechanism_);
+  feedback.joint_names = jointNames(*model_);
   JointState wanted;
   wanted.position = controller_.wanted();
   wanted.velocity = wanted.acceleration = JointValues::Zero(wanted.position.size());
@@ -188,9 +188,9 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   actual.velocity = controller_.velocity();
   JointState error = wanted;
   error.position = wanted.position - actual.position;
-  feedback.desired = toMessage(wanted, mechanism_->joints());
-  feedback.actual = toMessage(actual, mechanism_->joints());
-  feedback.error = toMessage(error, mechanism_->joints());
+  feedback.desired = toMessage(wanted, model_->joints());
+  feedback.actual = toMessage(actual, model_->joints());
+  feedback.error = toMessage(error, model_->joints());
   server_.publishFeedback(feedback);
 }
 

@@ -46,7 +46,7 @@ class SimulatedControllerNode {
   bool isOutOfTolerance() const;
 
   ControllerSettings settings_;
-  std::unique_ptr<const Mechanism> mechanism_;
+  std::unique_ptr<const KinematicModel> model_;
   MachineTransforms transforms_;
   RosClock clock_;
   SimulatedController controller_;
@@ -56,7 +56,7 @@ class SimulatedControllerNode {
   ros::Subscriber process_trajectory_;
   ros::Timer timer_;
   double goal_end_s_ = 0.0;
-  std::size_t starvations_ = 0;  ///< that were told of
+  std::size_t starvations_ = 0;  ///< that were reported of
   Server server_;
 };
 

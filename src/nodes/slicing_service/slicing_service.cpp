@@ -86,7 +86,7 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   describe(schema, job.settings);
   applyRequest(schema, request.settings);
   SlicedPart sliced = runShown(job, progress);
-  const Machine machine = machineOf(job.settings.machine);
+  const CartesianMachine machine = machineOf(job.settings.machine);
   const Findings findings = find(sliced, machine, job.settings, progress);
   MachineToolpath placed;
   placed.id = toolpathId(sliced.toolpath);
@@ -110,7 +110,7 @@ SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
   }
 }
 
-SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Machine& machine,
+SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const CartesianMachine& machine,
                                               const JobSettings& settings, Progress& progress) {
   Findings findings;
   if (settings.overhang.is_reported)

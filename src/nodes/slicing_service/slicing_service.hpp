@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "conversions.hpp"
-#include "lamina/verification/collision/clearance.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 #include "lamina/verification/overhang/overhang.hpp"
 #include "messages.hpp"
 
@@ -23,8 +23,8 @@ namespace lamina {
 /// Actions     slice (lamina/Slice): the same with progress and cancel; a new goal cancels the one under way
 /// Publishes   toolpath (lamina/Toolpath, latched), and as visualization_msgs/MarkerArray, latched:
 ///             toolpath_markers;
-///             overhang_markers, what is laid with nothing beneath it: empty unless overhang.report says so;
-///             collision_markers, where the head collides: empty unless clearance.report says so;
+///             overhang_markers, what is deposited with nothing below it: empty unless overhang.report says
+///             so; collision_markers, where the head collides: empty unless clearance.report says so;
 ///             frame_markers, how the nozzle is held: empty unless frames.every_mm is set;
 ///             refusal_markers, which region of a part stands in the way of slicing it: empty when it is
 ///             sliced
@@ -61,7 +61,7 @@ class SlicingService {
   Answer slice(const Request& request, Progress& progress);
   /// Shows the region of a part that cannot be sliced.
   SlicedPart runShown(const SliceJob& job, Progress& progress);
-  static Findings find(const SlicedPart& sliced, const Machine& machine, const JobSettings& settings,
+  static Findings find(const SlicedPart& sliced, const CartesianMachine& machine, const JobSettings& settings,
                        Progress& progress);
   void publish(const MachineToolpath& placed, const Findings& findings, const FrameSettings& frames);
 

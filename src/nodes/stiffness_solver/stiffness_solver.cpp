@@ -42,7 +42,7 @@ void StiffnessSolver::onGoal(const Goal& goal) {
 StiffnessSolver::Result StiffnessSolver::compute(const Goal& goal, Progress& progress) {
   StiffnessJob job;
   job.input = goal.part;
-  job.solid = goal.is_printed ? PartSolid::AsLaid : PartSolid::AsDrawn;
+  job.solid = goal.is_printed ? PartSolid::AsDeposited : PartSolid::AsDrawn;
   job.output = goal.output;
   job.deck = goal.deck;
   job.settings = settings_;

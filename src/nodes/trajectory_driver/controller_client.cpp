@@ -12,14 +12,14 @@
 namespace lamina {
 namespace {
 
-trajectory_msgs::JointTrajectory toMessage(const TrajectoryChunk& chunk, const Mechanism& mechanism,
+trajectory_msgs::JointTrajectory toMessage(const TrajectoryChunk& chunk, const KinematicModel& model,
                                            const ros::Time& begin) {
   const double first_s = chunk.points.front().time_s;
   trajectory_msgs::JointTrajectory message;
   message.header.stamp = begin + ros::Duration(first_s);
-  message.joint_names = jointNames(mechanism);
+  message.joint_names = jointNames(model);
   for (const JointState& state : chunk.points) {
-    message.points.push_back(toMessage(state, mechanism.joints()));
+    message.points.push_back(toMessage(state, model.joints()));
     message.points.back().time_from_start = ros::Duration(state.time_s - first_s);
   }
   return message;
@@ -27,16 +27,14 @@ trajectory_msgs::JointTrajectory toMessage(const TrajectoryChunk& chunk, const M
 
 }  // namespace
 
-ControllerClient::ControllerClient(ros::NodeHandle& node, const Mechanism& mechanism, Listener listener)
-    : mechanism_(mechanism),
-      listener_(std::move(listener)),
-      client_(node, names::kFollowJointTrajectory, false) {}
+ControllerClient::ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener)
+    : model_(model), listener_(std::move(listener)), client_(node, names::kFollowJointTrajectory, false) {}
 
 void ControllerClient::requirePresent(double wait_s) {
   // A wait of 0 would be one without end.
   if (client_.isServerConnected() || client_.waitForServer(ros::Duration(std::max(wait_s, 1e-3)))) return;
   throw TimedOut("no controller answers on '" + std::string(names::kFollowJointTrajectory) + "' after " +
-                 std::to_string(wait_s) + " s; expected one for " + mechanism_.name());
+                 std::to_string(wait_s) + " s; expected one for " + model_.name());
 }
 
 void ControllerClient::begin() {
@@ -48,7 +46,7 @@ void ControllerClient::begin() {
 
 void ControllerClient::send(const TrajectoryChunk& chunk, const ros::Time& begin) {
   follow::Goal goal;
-  goal.trajectory = toMessage(chunk, mechanism_, begin);
+  goal.trajectory = toMessage(chunk, model_, begin);
   std::size_t number = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -84,7 +82,7 @@ void ControllerClient::onDone(std::size_t goal, const actionlib::SimpleClientGoa
 
 void ControllerClient::onFeedback(const follow::Feedback::ConstPtr& feedback) {
   try {
-    const auto& joints = mechanism_.joints();
+    const auto& joints = model_.joints();
     listener_({fromMessage(feedback->desired, feedback->joint_names, joints).position,
                fromMessage(feedback->actual, feedback->joint_names, joints).position});
   } catch (const Error& error) {

@@ -31,7 +31,7 @@ class ControllerClient {
   /// @param listener  called from ROS's threads, which hold locks of the client: it must not wait for
   /// anything
   ///   that is held while a chunk is sent
-  ControllerClient(ros::NodeHandle& node, const Mechanism& mechanism, Listener listener);
+  ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener);
 
   /// @throws TimedOut if the controller is not there in time
   void requirePresent(double wait_s);
@@ -53,7 +53,7 @@ class ControllerClient {
               const follow::Result::ConstPtr& result);
   void onFeedback(const follow::Feedback::ConstPtr& feedback);
 
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   Listener listener_;
   mutable std::mutex mutex_;  ///< of what follows
   std::size_t goals_ = 0;

@@ -12,34 +12,34 @@ namespace {
 
 constexpr double kThere = 1e-4;  // s at a joint's greatest speed: what encoders and lag leave of a way
 
-bool isThere(const JointValues& here, const JointValues& start, const Mechanism& mechanism) {
+bool isThere(const JointValues& here, const JointValues& start, const KinematicModel& model) {
   for (Eigen::Index j = 0; j < start.size(); ++j)
-    if (std::abs(here[j] - start[j]) > kThere * mechanism.joints()[static_cast<std::size_t>(j)].max_speed)
+    if (std::abs(here[j] - start[j]) > kThere * model.joints()[static_cast<std::size_t>(j)].max_speed)
       return false;
   return true;
 }
 
 }  // namespace
 
-DriveJob driveJob(const MachineToolpath& placed, const Mechanism& mechanism, const DriverSettings& settings,
+DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress) {
-  requirePlannedFor(placed, mechanism.name());
-  MechanismRun run = runOn(mechanism, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
+  requirePlannedFor(placed, model.name());
+  KinematicModelRun run = runOn(model, placed.toolpath, placed.bed_from_part, settings.run.joints, progress);
   if (settings.is_clearance_checked) {
-    const MachineCheck check = checkRun(run, mechanism, settings.clearance, progress);
+    const MachineCheck check = checkRun(run, model, settings.clearance, progress);
     found(check);
-    requireClear(check, mechanism);
+    requireClear(check, model);
   }
-  return {placed.id, inTime(std::move(run), mechanism, settings.run.timing)};
+  return {placed.id, inTime(std::move(run), model, settings.run.timing)};
 }
 
-std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const Mechanism& mechanism,
+std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const KinematicModel& model,
                                    const DriverSettings& settings, Progress& progress) {
   const JointValues start = job.timed.trajectory->at(0.0).position;
-  if (isThere(here, start, mechanism)) return std::nullopt;
+  if (isThere(here, start, model)) return std::nullopt;
   if (!settings.is_clearance_checked)
-    return approach(here, start, mechanism, settings.approach, settings.run.timing);
-  return clearApproach(here, start, mechanism, {settings.approach, settings.run.timing, settings.clearance},
+    return approach(here, start, model, settings.approach, settings.run.timing);
+  return clearApproach(here, start, model, {settings.approach, settings.run.timing, settings.clearance},
                        progress);
 }
 

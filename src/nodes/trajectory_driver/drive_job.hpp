@@ -9,8 +9,8 @@
 #include "conversions.hpp"
 #include "driver_settings.hpp"
 #include "lamina/base/progress.hpp"
-#include "lamina/job/machine_check.hpp"
 #include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/machine_check.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/trajectory/approach.hpp"
 
@@ -22,16 +22,17 @@ struct DriveJob {
   TimedRun timed;
 };
 
-/// @param found  is told what stands in the way, also if that is nothing; not called if it is not looked for
+/// @param found  is reported what stands in the way, also if that is nothing; not called if it is not looked
+/// for
 /// @throws InvalidInput if the toolpath was planned for another machine; Unreachable naming the first
 /// waypoint
 ///   that cannot be run, or where something collides; Cancelled
-DriveJob driveJob(const MachineToolpath& placed, const Mechanism& mechanism, const DriverSettings& settings,
+DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress);
 
 /// The way from where the machine stands to the start of a job; nothing if it stands there.
 /// @throws Unreachable if there is none that is clear, or the machine stands outside its limits; Cancelled
-std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const Mechanism& mechanism,
+std::optional<Approach> wayToStart(const JointValues& here, const DriveJob& job, const KinematicModel& model,
                                    const DriverSettings& settings, Progress& progress);
 
 }  // namespace lamina

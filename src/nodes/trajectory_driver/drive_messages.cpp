@@ -42,10 +42,10 @@ lamina_msgs::MachineState toMachineState(const DriveStatus& status, const std::s
   return message;
 }
 
-lamina_msgs::TrackingError toTrackingError(const DriveStatus& status, const Mechanism& mechanism) {
+lamina_msgs::TrackingError toTrackingError(const DriveStatus& status, const KinematicModel& model) {
   lamina_msgs::TrackingError message;
   for (Eigen::Index j = 0; j < status.joint_error.size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[static_cast<std::size_t>(j)];
+    const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
     const double error = status.joint_error[j];
     message.joint_names.push_back(joint.name);
     message.error.push_back(joint.kind == JointKind::Linear ? toMetres(error) : error);

@@ -14,15 +14,15 @@ constexpr double kPatience = 5.0;  // s that a controller may need to stop by it
 
 }  // namespace
 
-DriveSession::DriveSession(const DriveMotion& motion, const Mechanism& mechanism,
+DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& model,
                            const DriverSettings& settings, const DriveLinks& links)
     : motion_(motion),
-      mechanism_(mechanism),
+      model_(model),
       settings_(settings),
       links_(links),
-      hand_over_(motion.path, settings.hand_over),
+      feeder_(motion.path, settings.feeder),
       begin_(ros::Time::now() + ros::Duration(settings.start_delay_s)),
-      tracking_(mechanism),
+      tracking_(model),
       last_report_(begin_) {
   links_.controller.begin();
   status_.feeding.least_queued_s = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ bool DriveSession::step(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
   watch(now);
-  handOver(jobTime(now));
+  trajectoryFeeder(jobTime(now));
   follow(jobTime(now));
   return advance(now);
 }
@@ -51,7 +51,7 @@ void DriveSession::watch(const ros::Time& now) {
     silent_s = (now - last_report_).toSec();
     tip_mm = tracking_.tip();
   }
-  const bool is_moving = now_s > 0.0 && now_s < hand_over_.restTime();
+  const bool is_moving = now_s > 0.0 && now_s < feeder_.restTime();
   if (is_moving && silent_s > settings_.tracking.silence_s)
     return giveUp(
         now, {ErrorCode::Disconnected, "the controller has been silent for " + std::to_string(silent_s) +
@@ -67,15 +67,15 @@ void DriveSession::watch(const ros::Time& now) {
         Lift::No);
 }
 
-void DriveSession::handOver(double now_s) {
+void DriveSession::trajectoryFeeder(double now_s) {
   if (given_up_at_) return;
-  if (hand_over_.state() == HandOverState::Running && handed_s_ > 0.0) {
+  if (feeder_.state() == TrajectoryFeederState::Running && handed_s_ > 0.0) {
     const double queued_s = std::max(0.0, handed_s_ - now_s);
     status_.feeding.least_queued_s = std::min(status_.feeding.least_queued_s, queued_s);
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
   }
-  while (const std::optional<TrajectoryChunk> chunk = hand_over_.next(now_s)) {
+  while (const std::optional<TrajectoryChunk> chunk = feeder_.next(now_s)) {
     links_.controller.send(*chunk, begin_);
     links_.process.send(*chunk, begin_, motion_.toolpath_id);
     handed_s_ = chunk->points.back().time_s;
@@ -84,13 +84,14 @@ void DriveSession::handOver(double now_s) {
 
 void DriveSession::follow(double now_s) {
   if (given_up_at_) return;
-  const double rest_s = hand_over_.restTime();
+  const double rest_s = feeder_.restTime();
   status_.time_s = std::clamp(now_s, 0.0, rest_s);
-  const HandOverState state = hand_over_.state();
-  if (state == HandOverState::Running || state == HandOverState::Finished) status_.duration_s = rest_s;
-  const JointState wanted = hand_over_.at(status_.time_s);
+  const TrajectoryFeederState state = feeder_.state();
+  if (state == TrajectoryFeederState::Running || state == TrajectoryFeederState::Finished)
+    status_.duration_s = rest_s;
+  const JointState wanted = feeder_.at(status_.time_s);
   status_.heading_for = wanted.heading_for;
-  status_.tip_mm = mechanism_.bedFromNozzle(wanted.position).translation();
+  status_.tip_mm = model_.bedFromNozzle(wanted.position).translation();
   const std::lock_guard<std::mutex> lock(report_mutex_);
   status_.joint_error = tracking_.joints();
   status_.tip_error_mm = tracking_.tip();
@@ -106,8 +107,9 @@ bool DriveSession::advance(const ros::Time& now) {
     return !is_over;
   }
   const double now_s = jobTime(now);
-  const bool is_at_rest = now_s >= hand_over_.restTime() + kSettling;
-  const bool is_planned_end = hand_over_.state() == HandOverState::Finished && now_s >= hand_over_.restTime();
+  const bool is_at_rest = now_s >= feeder_.restTime() + kSettling;
+  const bool is_planned_end =
+      feeder_.state() == TrajectoryFeederState::Finished && now_s >= feeder_.restTime();
   switch (status_.state) {
     case PackmlState::Holding:
       if (is_at_rest) status_.state = PackmlState::Held;
@@ -132,7 +134,7 @@ bool DriveSession::complete(const ros::Time& now) {
     status_.state = PackmlState::Complete;
     return false;
   }
-  const double overdue_s = jobTime(now) - hand_over_.restTime();
+  const double overdue_s = jobTime(now) - feeder_.restTime();
   if (overdue_s > settings_.tracking.silence_s)
     giveUp(now, {ErrorCode::TimedOut, "the controller has not come to the end of its last goal " +
                                           std::to_string(overdue_s) + " s after it was due"});
@@ -149,11 +151,11 @@ std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (status_.state != PackmlState::Execute)
     return std::string("state is ") + toString(status_.state) + "; only Execute can be paused";
-  hand_over_.pause(jobTime(now));
-  if (hand_over_.state() != HandOverState::Paused)
+  feeder_.pause(jobTime(now));
+  if (feeder_.state() != TrajectoryFeederState::Paused)
     return std::string("the motion ends before it could be paused");
   status_.state = PackmlState::Holding;
-  handOver(jobTime(now));
+  trajectoryFeeder(jobTime(now));
   return std::nullopt;
 }
 
@@ -161,14 +163,14 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
-  hand_over_.resume(jobTime(now));
+  feeder_.resume(jobTime(now));
   {
     const std::lock_guard<std::mutex> report_lock(report_mutex_);
     last_report_ = now;
   }
   handed_s_ = 0.0;  // at rest nothing is missing
   status_.state = PackmlState::Unholding;
-  handOver(jobTime(now));
+  trajectoryFeeder(jobTime(now));
   return std::nullopt;
 }
 
@@ -183,13 +185,13 @@ void DriveSession::brake(double now_s, const Failure& why, Lift lift) {
   status_.failure = why;
   try {
     if (lift == Lift::Yes)
-      hand_over_.abort(now_s, {settings_.lift_mm, settings_.lift_mm_s}, mechanism_);
+      feeder_.abort(now_s, {settings_.lift_mm, settings_.lift_mm_s}, model_);
     else
-      hand_over_.abort(now_s);
+      feeder_.abort(now_s);
   } catch (const Unreachable& error) {
     status_.failure.message += "; the tool was not lifted: " + std::string(error.what());
   }
-  handOver(now_s);
+  trajectoryFeeder(now_s);
 }
 
 /// The controller is to stop by itself: nothing more is sent to it.

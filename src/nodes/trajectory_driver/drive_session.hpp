@@ -52,7 +52,7 @@ struct DriveLinks {
 class DriveSession {
  public:
   /// All that is referred to must outlive the session.
-  DriveSession(const DriveMotion& motion, const Mechanism& mechanism, const DriverSettings& settings,
+  DriveSession(const DriveMotion& motion, const KinematicModel& model, const DriverSettings& settings,
                const DriveLinks& links);
 
   /// Hands over what is due. False once the motion has ended and everything is at rest.
@@ -73,7 +73,7 @@ class DriveSession {
 
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   void watch(const ros::Time& now);
-  void handOver(double now_s);
+  void trajectoryFeeder(double now_s);
   void follow(double now_s);
   bool advance(const ros::Time& now);
   bool complete(const ros::Time& now);
@@ -81,12 +81,12 @@ class DriveSession {
   void giveUp(const ros::Time& now, const Failure& why);
 
   const DriveMotion motion_;
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   const DriverSettings& settings_;
   const DriveLinks links_;
 
   mutable std::mutex mutex_;  ///< of what follows up to the reports
-  HandOver hand_over_;
+  TrajectoryFeeder feeder_;
   ros::Time begin_;
   double handed_s_ = 0.0;  ///< end of what was handed over
   bool was_starved_ = false;

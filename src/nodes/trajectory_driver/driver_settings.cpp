@@ -7,7 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is driven.");
   describe(schema, settings.run);
-  describe(schema, settings.hand_over);
+  describe(schema, settings.feeder);
   schema.flag("check_clearance", settings.is_clearance_checked,
               "Refuse a toolpath whose links run into bed, part or each other.");
   describe(schema, settings.clearance);

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "lamina/base/settings.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
 #include "lamina/trajectory/trajectory_feeder_settings.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
 
@@ -20,7 +20,7 @@ struct TrackingLimits {
 struct DriverSettings {
   MachineSettings machine;
   RunSettings run;
-  HandOverSettings hand_over;
+  TrajectoryFeederSettings feeder;
   bool is_clearance_checked = true;  ///< before the first motion
   ClearanceSettings clearance;
   TrackingLimits tracking;

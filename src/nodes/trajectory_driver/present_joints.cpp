@@ -15,11 +15,11 @@ namespace lamina {
 namespace {
 
 constexpr double kJointLookPeriod = 0.02;  // s
-constexpr double kStill = 1e-3;       // mm or rad: what encoders of a joint at rest may tell
+constexpr double kStill = 1e-3;            // mm or rad: what encoders of a joint at rest may report
 
 }  // namespace
 
-PresentJoints::PresentJoints(ros::NodeHandle& node, const Mechanism& mechanism) : mechanism_(mechanism) {
+PresentJoints::PresentJoints(ros::NodeHandle& node, const KinematicModel& model) : model_(model) {
   const boost::function<void(const sensor_msgs::JointStateConstPtr&)> onState = [this](const auto& state) {
     hear(*state);
   };
@@ -30,7 +30,7 @@ void PresentJoints::hear(const sensor_msgs::JointState& state) {
   const ros::Time now = ros::Time::now();
   const std::lock_guard<std::mutex> lock(mutex_);
   for (std::size_t i = 0; i < std::min(state.name.size(), state.position.size()); ++i) {
-    for (const DrivenJoint& joint : mechanism_.joints()) {
+    for (const DrivenJoint& joint : model_.joints()) {
       if (joint.name != state.name[i] || !std::isfinite(state.position[i])) continue;
       Heard& heard = heard_[joint.name];
       heard.value = joint.kind == JointKind::Linear ? toMillimetres(state.position[i]) : state.position[i];
@@ -44,7 +44,7 @@ void PresentJoints::hear(const sensor_msgs::JointState& state) {
 }
 
 std::string PresentJoints::missingSince(const ros::Time& time) const {
-  for (const DrivenJoint& joint : mechanism_.joints()) {
+  for (const DrivenJoint& joint : model_.joints()) {
     const auto found = heard_.find(joint.name);
     if (found == heard_.end() || found->second.at < time) return joint.name;
   }
@@ -61,17 +61,17 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
       const double past_s = std::min(age_s, now.toSec());
       missing = missingSince(now - ros::Duration(past_s));
       if (missing.empty()) {
-        JointValues values(static_cast<Eigen::Index>(mechanism_.joints().size()));
+        JointValues values(static_cast<Eigen::Index>(model_.joints().size()));
         for (Eigen::Index j = 0; j < values.size(); ++j)
-          values[j] = heard_.at(mechanism_.joints()[static_cast<std::size_t>(j)].name).value;
+          values[j] = heard_.at(model_.joints()[static_cast<std::size_t>(j)].name).value;
         return values;
       }
     }
     if (isToldToStop() || !ros::ok()) throw Cancelled("the node was ended");
     if ((now - begin).toSec() >= wait_s)
-      throw TimedOut("'" + std::string(names::kJointStates) + "' tells nothing of joint '" + missing +
-                     "' in " + std::to_string(wait_s) + " s; expected all driven joints of " +
-                     mechanism_.name() + ", to know where it stands");
+      throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
+                     "' in " + std::to_string(wait_s) + " s; expected all driven joints of " + model_.name() +
+                     ", to know where it stands");
     ros::Duration(kJointLookPeriod).sleep();
   }
 }

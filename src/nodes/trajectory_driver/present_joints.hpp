@@ -13,14 +13,15 @@
 
 namespace lamina {
 
-/// Where the driven joints of a mechanism are, as `joint_states` tells. Joints may come in several messages.
+/// Where the driven joints of a kinematic model are, as `joint_states` reports. Joints may come in several
+/// messages.
 class PresentJoints {
  public:
-  PresentJoints(ros::NodeHandle& node, const Mechanism& mechanism);
+  PresentJoints(ros::NodeHandle& node, const KinematicModel& model);
 
   /// Waits for them.
   /// @param age_s   since a joint was heard of, at most
-  /// @throws TimedOut naming the joint that nothing is heard of; Cancelled if the node is told to stop
+  /// @throws TimedOut naming the joint that nothing is heard of; Cancelled if the node is asked to stop
   JointValues fresh(double age_s, double wait_s) const;
   /// Whether no joint has moved for so long. True if nothing is heard of them.
   bool areStillFor(double time_s) const;
@@ -36,7 +37,7 @@ class PresentJoints {
   /// A joint that was not heard of since then; empty if there is none.
   std::string missingSince(const ros::Time& time) const;
 
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   mutable std::mutex mutex_;
   std::map<std::string, Heard> heard_;
   ros::Subscriber subscriber_;

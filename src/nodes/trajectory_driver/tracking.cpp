@@ -9,8 +9,8 @@ namespace lamina {
 
 void Tracking::add(const JointValues& wanted, const JointValues& actual) {
   joints_ = actual - wanted;
-  const Eigen::Vector3d asked = mechanism_.bedFromNozzle(wanted).translation();
-  tip_mm_ = (mechanism_.bedFromNozzle(actual).translation() - asked).norm();
+  const Eigen::Vector3d asked = model_.bedFromNozzle(wanted).translation();
+  tip_mm_ = (model_.bedFromNozzle(actual).translation() - asked).norm();
   worst_tip_mm_ = std::max(worst_tip_mm_, tip_mm_);
   squares_mm2_ += tip_mm_ * tip_mm_;
   ++reports_;

@@ -8,12 +8,11 @@
 
 namespace lamina {
 
-/// How far a mechanism was from where it was to be, report by report.
+/// How far a kinematic model was from where it was to be, report by report.
 class Tracking {
  public:
-  explicit Tracking(const Mechanism& mechanism)
-      : mechanism_(mechanism),
-        joints_(JointValues::Zero(static_cast<Eigen::Index>(mechanism.joints().size()))) {}
+  explicit Tracking(const KinematicModel& model)
+      : model_(model), joints_(JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()))) {}
 
   /// A report of the controller.
   void add(const JointValues& wanted, const JointValues& actual);
@@ -24,7 +23,7 @@ class Tracking {
   double rmsTip() const;                                 ///< [mm]
 
  private:
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   JointValues joints_;
   std::size_t reports_ = 0;
   double tip_mm_ = 0.0;

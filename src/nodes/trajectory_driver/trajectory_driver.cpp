@@ -35,17 +35,17 @@ class GoalProgress final : public Progress {
 
 TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings)
     : settings_(settings),
-      mechanism_(mechanismOf(settings.machine)),
+      model_(kinematicModelOf(settings.machine)),
       state_(node.advertise<lamina_msgs::MachineState>(names::kMachineState, 100, true)),
       tracking_(node.advertise<lamina_msgs::TrackingError>(names::kTrackingError, 100)),
-      laid_(node.advertise<visualization_msgs::MarkerArray>(names::kLaidMarkers, 100, true)),
+      deposited_(node.advertise<visualization_msgs::MarkerArray>(names::kPartMarkers, 100, true)),
       findings_(node.advertise<visualization_msgs::MarkerArray>(names::kCheckMarkers, 1, true)),
       pause_(node.advertiseService(names::kPause, &TrajectoryDriver::onPause, this)),
       resume_(node.advertiseService(names::kResume, &TrajectoryDriver::onResume, this)),
       abort_(node.advertiseService(names::kAbort, &TrajectoryDriver::onAbort, this)),
       process_(node),
-      joints_(node, *mechanism_),
-      controller_(node, *mechanism_,
+      joints_(node, *model_),
+      controller_(node, *model_,
                   [this](const ControllerReport& report) {
                     if (const auto job = session()) job->hear(report, ros::Time::now());
                   }),
@@ -57,7 +57,7 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
         const std::lock_guard<std::mutex> lock(mutex_);
         toolpath_ = toolpath;
       };
-  updater_.setHardwareID(mechanism_->name());
+  updater_.setHardwareID(model_->name());
   updater_.add("drive", [this](diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
     const std::lock_guard<std::mutex> lock(mutex_);
     fillDiagnostics(status_, diagnostics);
@@ -113,19 +113,19 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
   controller_.requirePresent(settings_.controller_wait_s);
   GoalProgress<Server> progress(action_);
   const DriveJob job = driveJob(
-      placed, *mechanism_, settings_,
+      placed, *model_, settings_,
       [this](const MachineCheck& check) { findings_.publish(checkMarkers(check)); }, progress);
   growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
   const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
-  if (const auto way = wayToStart(here, job, *mechanism_, settings_, progress)) {
+  if (const auto way = wayToStart(here, job, *model_, settings_, progress)) {
     ROS_INFO("going to the start of %s: %.1f s", job.toolpath_id.c_str(), way->motion->duration());
     DriveStatus status = run({*way->motion, job.toolpath_id, PackmlState::Starting});
     if (status.state != PackmlState::Complete) return status;
   }
   const TimedPath& path = *job.timed.trajectory;
-  ROS_INFO("driving %s: %.1f s on %s", job.toolpath_id.c_str(), path.duration(), mechanism_->name().c_str());
+  ROS_INFO("driving %s: %.1f s on %s", job.toolpath_id.c_str(), path.duration(), model_->name().c_str());
   DriveStatus status = run({path, job.toolpath_id});
-  if (status.state == PackmlState::Complete) laid_.publish(growing_->whole());
+  if (status.state == PackmlState::Complete) deposited_.publish(growing_->whole());
   show(status);
   return status;
 }
@@ -149,8 +149,8 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) const {
 }
 
 DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
-  const auto session = std::make_shared<DriveSession>(motion, *mechanism_, settings_,
-                                                      DriveLinks{controller_, process_, joints_});
+  const auto session =
+      std::make_shared<DriveSession>(motion, *model_, settings_, DriveLinks{controller_, process_, joints_});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -179,11 +179,11 @@ DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
 void TrajectoryDriver::show(const DriveStatus& status) {
   action_.publishFeedback(toFeedback(status));
   publishState(status);
-  lamina_msgs::TrackingError tracking = toTrackingError(status, *mechanism_);
+  lamina_msgs::TrackingError tracking = toTrackingError(status, *model_);
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
-  const visualization_msgs::MarkerArray laid = growing_->upTo(status.heading_for);
-  if (!laid.markers.empty()) laid_.publish(laid);
+  const visualization_msgs::MarkerArray deposited = growing_->upTo(status.heading_for);
+  if (!deposited.markers.empty()) deposited_.publish(deposited);
 }
 
 void TrajectoryDriver::publishState(const DriveStatus& status) {

@@ -33,7 +33,7 @@ class TrajectoryDriver {
   /// @throws InvalidConfig if the machine is unknown
   TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings);
 
-  /// Returns once nothing moves any more and that has been told; a job under way is aborted by
+  /// Returns once nothing moves any more and that has been reported; a job under way is aborted by
   /// `isToldToStop`.
   void awaitRest() const;
 
@@ -54,10 +54,10 @@ class TrajectoryDriver {
   std::shared_ptr<DriveSession> session() const;
 
   DriverSettings settings_;
-  std::unique_ptr<const Mechanism> mechanism_;
+  std::unique_ptr<const KinematicModel> model_;
   ros::Publisher state_;
   ros::Publisher tracking_;
-  ros::Publisher laid_;
+  ros::Publisher deposited_;
   ros::Publisher findings_;
   ros::Subscriber toolpath_subscriber_;
   ros::ServiceServer pause_;

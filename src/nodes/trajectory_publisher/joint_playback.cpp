@@ -11,8 +11,8 @@ namespace {
 
 class JointPlayback : public Playback {
  public:
-  JointPlayback(TimedRun timed, const Mechanism& mechanism, const MachineTransforms& transforms)
-      : timed_(std::move(timed)), mechanism_(mechanism), transforms_(transforms) {}
+  JointPlayback(TimedRun timed, const KinematicModel& model, const MachineTransforms& transforms)
+      : timed_(std::move(timed)), model_(model), transforms_(transforms) {}
 
   const ToolpathTime& time() const override { return timed_.time; }
 
@@ -24,15 +24,15 @@ class JointPlayback : public Playback {
 
   JointPositions at(double time_s) override {
     at_s_ = time_s;
-    return transforms_.positions(mechanism_.urdfJoints(jointsAt(time_s)));
+    return transforms_.positions(model_.urdfJoints(jointsAt(time_s)));
   }
 
   trajectory_msgs::JointTrajectory trajectory(const TimeSpan& span, double step_s) override {
     trajectory_msgs::JointTrajectory message;
-    message.joint_names = jointNames(mechanism_);
+    message.joint_names = jointNames(model_);
     for (std::size_t i = 0;; ++i) {
       const double time_s = std::min(span.end_s, span.begin_s + static_cast<double>(i) * step_s);
-      message.points.push_back(toMessage(timed_.trajectory->at(time_s), mechanism_.joints()));
+      message.points.push_back(toMessage(timed_.trajectory->at(time_s), model_.joints()));
       message.points.back().time_from_start = ros::Duration(time_s - span.begin_s);
       if (time_s >= span.end_s) return message;
     }
@@ -49,16 +49,16 @@ class JointPlayback : public Playback {
   }
 
   TimedRun timed_;
-  const Mechanism& mechanism_;
+  const KinematicModel& model_;
   const MachineTransforms& transforms_;
   double at_s_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
 
-std::unique_ptr<Playback> jointPlayback(TimedRun timed, const Mechanism& mechanism,
+std::unique_ptr<Playback> jointPlayback(TimedRun timed, const KinematicModel& model,
                                         const MachineTransforms& transforms) {
-  return std::make_unique<JointPlayback>(std::move(timed), mechanism, transforms);
+  return std::make_unique<JointPlayback>(std::move(timed), model, transforms);
 }
 
 }  // namespace lamina

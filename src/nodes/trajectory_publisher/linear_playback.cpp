@@ -9,7 +9,7 @@ namespace {
 
 class LinearPlayback : public Playback {
  public:
-  LinearPlayback(const MachineToolpath& placed, const Machine& machine, const MotionLimits& limits)
+  LinearPlayback(const MachineToolpath& placed, const CartesianMachine& machine, const MotionLimits& limits)
       : placed_(placed),
         machine_(machine),
         time_(estimateTime(placed.toolpath, limits)),
@@ -45,7 +45,7 @@ class LinearPlayback : public Playback {
   }
 
   const MachineToolpath& placed_;
-  Machine machine_;
+  CartesianMachine machine_;
   ToolpathTime time_;
   ToolpathPlayer player_;
   ToolpathPlayer layer_player_;  // goes back to where a layer begins
@@ -53,7 +53,7 @@ class LinearPlayback : public Playback {
 
 }  // namespace
 
-std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const Machine& machine,
+std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const CartesianMachine& machine,
                                          const MotionLimits& limits) {
   return std::make_unique<LinearPlayback>(placed, machine, limits);
 }

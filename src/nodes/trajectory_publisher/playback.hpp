@@ -39,13 +39,13 @@ class Playback {
 
 /// Of a machine of linear axes: planned only as far ahead as braking needs.
 /// @param placed  must outlive the playback
-std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const Machine& machine,
+std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const CartesianMachine& machine,
                                          const MotionLimits& limits);
 
 /// Of a machine or robot of any joints.
-/// @param mechanism   must outlive the playback
+/// @param kinematic model   must outlive the playback
 /// @param transforms  of the same; must outlive the playback
-std::unique_ptr<Playback> jointPlayback(TimedRun timed, const Mechanism& mechanism,
+std::unique_ptr<Playback> jointPlayback(TimedRun timed, const KinematicModel& model,
                                         const MachineTransforms& transforms);
 
 }  // namespace lamina

@@ -34,11 +34,11 @@ geometry_msgs::TransformStamped named(const std::string& parent, const std::stri
   return message;
 }
 
-/// The machine of three linear axes that a mechanism is, if it is one.
-std::optional<Machine> linearMachine(const Mechanism& mechanism) {
-  for (const DrivenJoint& joint : mechanism.joints())
+/// The machine of three linear axes that a kinematic model is, if it is one.
+std::optional<CartesianMachine> linearMachine(const KinematicModel& model) {
+  for (const DrivenJoint& joint : model.joints())
     if (joint.kind != JointKind::Linear) return std::nullopt;
-  return machineFromUrdf(mechanism.urdf());
+  return machineFromUrdf(model.urdf());
 }
 
 JointPositions positionsIn(const sensor_msgs::JointState& state) {
@@ -67,9 +67,9 @@ ros::ServiceServer trigger(ros::NodeHandle& node, const std::string& name, Actio
 
 TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSettings& settings)
     : settings_(settings),
-      mechanism_(mechanismOf(settings.machine)),
-      linear_(linearMachine(*mechanism_)),
-      transforms_(mechanism_->urdf()) {
+      model_(kinematicModelOf(settings.machine)),
+      linear_(linearMachine(*model_)),
+      transforms_(model_->urdf()) {
   describeMachine(node);
   advertise(node);
   toolpath_ = node.subscribe(names::kToolpath, 1, &TrajectoryPublisher::onToolpath, this);
@@ -83,13 +83,13 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
     timer_ = node.createTimer(ros::Duration(1.0 / settings_.rate_hz), &TrajectoryPublisher::onTick, this);
   }
   ROS_INFO(
-      "machine %s; %s", mechanism_->name().c_str(),
+      "machine %s; %s", model_->name().c_str(),
       settings_.mode == TrajectoryMode::Follow ? "following its reports" : "waiting for a toolpath to play");
 }
 
 void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
   constexpr char kDescription[] = "robot_description";
-  if (!node.hasParam(kDescription)) node.setParam(kDescription, mechanism_->urdf());
+  if (!node.hasParam(kDescription)) node.setParam(kDescription, model_->urdf());
   auto fixed = transforms_.fixed(ros::Time::now());
   if (transforms_.rootLink() != names::kWorldFrame)
     fixed.push_back(
@@ -147,7 +147,7 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
   if (linear_)
     requireRunsOn(placed, *linear_);
   else
-    requirePlannedFor(placed, mechanism_->name());
+    requirePlannedFor(placed, model_->name());
   auto shown = std::make_unique<Shown>(std::move(placed));
   shown->playback = playbackOf(shown->placed);
   const MachineToolpath& accepted = shown->placed;
@@ -164,8 +164,8 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
 std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath& placed) const {
   if (linear_) return linearPlayback(placed, *linear_, settings_.run.timing.motion);
   NoProgress nobody;
-  MechanismRun run = runOn(*mechanism_, placed.toolpath, placed.bed_from_part, settings_.run.joints, nobody);
-  return jointPlayback(inTime(std::move(run), *mechanism_, settings_.run.timing), *mechanism_, transforms_);
+  KinematicModelRun run = runOn(*model_, placed.toolpath, placed.bed_from_part, settings_.run.joints, nobody);
+  return jointPlayback(inTime(std::move(run), *model_, settings_.run.timing), *model_, transforms_);
 }
 
 void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {

@@ -56,8 +56,8 @@ class TrajectoryPublisher {
   void publishPosition(const JointPositions& positions, const sensor_msgs::JointState& state);
 
   PublisherSettings settings_;
-  std::unique_ptr<const Mechanism> mechanism_;
-  std::optional<Machine> linear_;  ///< the same, if all its axes are linear
+  std::unique_ptr<const KinematicModel> model_;
+  std::optional<CartesianMachine> linear_;  ///< the same, if all its axes are linear
   MachineTransforms transforms_;
   tf2_ros::StaticTransformBroadcaster static_tf_;
   ros::Publisher tf_;

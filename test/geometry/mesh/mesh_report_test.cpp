@@ -16,7 +16,7 @@ MeshReport report(const Mesh& mesh) {
 
 Mesh box() { return makePart("box", {{"x_mm", "2"}, {"y_mm", "3"}, {"z_mm", "4"}}); }
 
-TEST(MeshReport, TellsABoxAsItIs) {
+TEST(MeshReport, ReportsABoxAsItIs) {
   const MeshReport r = report(box());
   EXPECT_EQ(r.triangles, 12u);
   EXPECT_EQ(r.vertices, 8u);
@@ -51,14 +51,14 @@ TEST(MeshReport, CountsTheEdgesOfATurnedTriangle) {
   EXPECT_EQ(r.orientation, MeshOrientation::Inconsistent);
 }
 
-TEST(MeshReport, TellsAMeshThatIsInsideOut) {
+TEST(MeshReport, ReportsAMeshThatIsInsideOut) {
   Mesh mesh = box();
   for (Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
   EXPECT_EQ(report(mesh).orientation, MeshOrientation::Inward);
   EXPECT_DOUBLE_EQ(report(mesh).volume_mm3, -24.0);
 }
 
-TEST(MeshReport, TellsBodiesThatFaceDifferentWays) {
+TEST(MeshReport, ReportsBodiesThatFaceDifferentWays) {
   Mesh mesh = box();
   for (const Triangle& t : box().triangles) mesh.triangles.push_back({t[0] + 8, t[2] + 8, t[1] + 8});
   for (const Point3& vertex : box().vertices) mesh.vertices.push_back(0.5 * vertex + Point3(9, 0, 0));
@@ -78,7 +78,7 @@ TEST(MeshReport, CountsEdgesOfFourTrianglesAsClosed) {
   EXPECT_EQ(r.bodies, 2u);
 }
 
-TEST(MeshReport, TellsDegenerateAndFlatTrianglesApart) {
+TEST(MeshReport, DistinguishesDegenerateAndFlatTriangles) {
   Mesh mesh = box();
   mesh.triangles.push_back({0, 0, 1});
   mesh.vertices.push_back(0.5 * (mesh.vertices[0] + mesh.vertices[1]));

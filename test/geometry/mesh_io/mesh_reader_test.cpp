@@ -37,14 +37,14 @@ void expectMeshOrRefusal(const std::string& bytes, const std::string& name) {
 
 class EveryFormat : public testing::TestWithParam<std::string> {};
 
-TEST_P(EveryFormat, IsToldByItsContent) {
+TEST_P(EveryFormat, IsReportedByItsContent) {
   const Mesh mesh = readMeshFromBytes(bytesOf(GetParam()), "name-without-suffix");
   EXPECT_EQ(mesh.triangles.size(), 4u);
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_NEAR(volume(mesh), 1.0 / 6.0, 1e-12);
 }
 
-TEST_P(EveryFormat, IsToldByItsContentUnderAWrongSuffix) {
+TEST_P(EveryFormat, IsReportedByItsContentUnderAWrongSuffix) {
   EXPECT_NEAR(volume(readMeshFromBytes(bytesOf(GetParam()), "part.stl")), 1.0 / 6.0, 1e-12);
 }
 

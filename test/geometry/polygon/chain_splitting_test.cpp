@@ -26,7 +26,7 @@ TEST(ChainSplitting, KeepsTheOnlyPointOfAChain) {
   EXPECT_EQ(keptOfChain(5, 5, [](std::size_t from, std::size_t) { return from; }), (Indices{5}));
 }
 
-TEST(ChainSplitting, TellsThePointFarthestFromTheSegment) {
+TEST(ChainSplitting, ReportsThePointFarthestFromTheSegment) {
   const std::vector<Point2> points = {{0, 0}, {1, 0.3}, {-2, 0}, {5, -0.4}, {10, 0}};
   const auto at = [&](std::size_t i) { return points[i]; };
   EXPECT_EQ(farthestBetween(0, 4, 0.5, at), 2U) << "2 mm before its start";

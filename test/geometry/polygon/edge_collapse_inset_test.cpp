@@ -25,34 +25,34 @@ Regions shrunkByClipping(const Region& region, double distance) {
   return difference({region}, offset(around, distance));
 }
 
-TEST(DirectShrinking, MovesEachEdgeOfASquare) {
-  const auto shrunk = shrinkDirectly({rectangle(0, 0, 10, 10), {}}, 1.0);
+TEST(EdgeCollapseInset, MovesEachEdgeOfASquare) {
+  const auto shrunk = insetByEdgeCollapse({rectangle(0, 0, 10, 10), {}}, 1.0);
   ASSERT_TRUE(shrunk);
   EXPECT_NEAR(signedArea(shrunk->outer), 64.0, 1e-9);
 }
 
-TEST(DirectShrinking, DropsAChamferThatVanishes) {
-  const auto shrunk = shrinkDirectly({{{0.1, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.1}}, {}}, 1.0);
+TEST(EdgeCollapseInset, DropsAChamferThatVanishes) {
+  const auto shrunk = insetByEdgeCollapse({{{0.1, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.1}}, {}}, 1.0);
   ASSERT_TRUE(shrunk);
   EXPECT_EQ(shrunk->outer.size(), 4U);
   EXPECT_NEAR(signedArea(shrunk->outer), 64.0, 1e-9);
 }
 
-TEST(DirectShrinking, DropsARoundedCornerSmallerThanTheDistance) {
+TEST(EdgeCollapseInset, DropsARoundedCornerSmallerThanTheDistance) {
   Polygon rounded = {{10, 0}, {10, 10}, {0, 10}};
   for (int i = 0; i <= 8; ++i) {
     const double angle = M_PI + i * M_PI / 16;
     rounded.emplace_back(0.5 + 0.5 * std::cos(angle), 0.5 + 0.5 * std::sin(angle));
   }
-  const auto shrunk = shrinkDirectly({rounded, {}}, 1.0);
+  const auto shrunk = insetByEdgeCollapse({rounded, {}}, 1.0);
   ASSERT_TRUE(shrunk);
   EXPECT_NEAR(signedArea(shrunk->outer), 64.0, 1e-9);
 }
 
-TEST(DirectShrinking, DropsAnEdgeBesideAReflexCornerWhereItsNeighboursMeet) {
+TEST(EdgeCollapseInset, DropsAnEdgeBesideAReflexCornerWhereItsNeighboursMeet) {
   // Turns by 45 degrees to the left and by 26.6 to the right, 0.1 mm from each other.
   const Polygon outline = {{0, 0}, {10, 0}, {10.1, 0.1}, {10.4, 0.2}, {16.4, 2.2}, {16.4, 12}, {0, 12}};
-  const auto shrunk = shrinkDirectly({outline, {}}, 1.0);
+  const auto shrunk = insetByEdgeCollapse({outline, {}}, 1.0);
   ASSERT_TRUE(shrunk);
   // The lines y = 1 and (x - 10.1) / 3 + 0.1 + sqrt(10) / 3 = y meet.
   const Point2 meeting(10.1 + 3.0 * (0.9 - std::sqrt(10.0) / 3.0), 1.0);
@@ -61,39 +61,39 @@ TEST(DirectShrinking, DropsAnEdgeBesideAReflexCornerWhereItsNeighboursMeet) {
   EXPECT_LT(area(difference(shrunkByClipping({outline, {}}, 1.0), {*shrunk})), 1e-3);
 }
 
-TEST(DirectShrinking, GrowsHoles) {
-  const auto shrunk = shrinkDirectly({rectangle(0, 0, 10, 10), {reversed(rectangle(4, 4, 6, 6))}}, 1.0);
+TEST(EdgeCollapseInset, GrowsHoles) {
+  const auto shrunk = insetByEdgeCollapse({rectangle(0, 0, 10, 10), {reversed(rectangle(4, 4, 6, 6))}}, 1.0);
   ASSERT_TRUE(shrunk);
   EXPECT_NEAR(area({*shrunk}), 64.0 - 16.0, 1e-9);
 }
 
-TEST(DirectShrinking, LeavesToClippingWhatMeetsOrPasses) {
+TEST(EdgeCollapseInset, LeavesToClippingWhatMeetsOrPasses) {
   const Polygon dumbbell = {{0, 0},   {10, 0},  {10, 4}, {20, 4}, {20, 0},  {30, 0},
                             {30, 10}, {20, 10}, {20, 6}, {10, 6}, {10, 10}, {0, 10}};
-  EXPECT_FALSE(shrinkDirectly({dumbbell, {}}, 1.5));
-  EXPECT_FALSE(shrinkDirectly({rectangle(0, 0, 10, 1), {}}, 0.6)) << "all edges turn round";
+  EXPECT_FALSE(insetByEdgeCollapse({dumbbell, {}}, 1.5));
+  EXPECT_FALSE(insetByEdgeCollapse({rectangle(0, 0, 10, 1), {}}, 0.6)) << "all edges turn round";
   const Region thin_ring = {circle({0, 0}, 10, 90), {reversed(circle({0, 0}, 9.7, 90))}};
-  EXPECT_FALSE(shrinkDirectly(thin_ring, 0.15)) << "the outlines meet";
-  EXPECT_FALSE(shrinkDirectly(thin_ring, 0.2)) << "they have passed each other";
+  EXPECT_FALSE(insetByEdgeCollapse(thin_ring, 0.15)) << "the outlines meet";
+  EXPECT_FALSE(insetByEdgeCollapse(thin_ring, 0.2)) << "they have passed each other";
   const Region two_holes = {rectangle(0, 0, 20, 10),
                             {reversed(rectangle(4, 4, 6, 6)), reversed(rectangle(7, 4, 9, 6))}};
-  EXPECT_TRUE(shrinkDirectly(two_holes, 0.4));
-  EXPECT_FALSE(shrinkDirectly(two_holes, 0.6));
-  EXPECT_FALSE(shrinkDirectly({{{0, 0}, {0, 0}, {5, 0}, {5, 5}}, {}}, 0.1)) << "a point stands twice";
-  EXPECT_FALSE(shrinkDirectly({}, 0.1));
+  EXPECT_TRUE(insetByEdgeCollapse(two_holes, 0.4));
+  EXPECT_FALSE(insetByEdgeCollapse(two_holes, 0.6));
+  EXPECT_FALSE(insetByEdgeCollapse({{{0, 0}, {0, 0}, {5, 0}, {5, 5}}, {}}, 0.1)) << "a point stands twice";
+  EXPECT_FALSE(insetByEdgeCollapse({}, 0.1));
 }
 
 /// Area by which the direct way and clipping differ, per length of outline [mm]; negative if there is no
 /// direct way.
 double disagreement(const Region& region, double distance) {
-  const auto shrunk = shrinkDirectly(region, distance);
+  const auto shrunk = insetByEdgeCollapse(region, distance);
   if (!shrunk) return -1.0;
   const Regions expected = shrunkByClipping(region, distance);
   const double differing = area(difference({*shrunk}, expected)) + area(difference(expected, {*shrunk}));
   return differing / (perimeter(region.outer) + 1.0);
 }
 
-TEST(DirectShrinking, GivesTheRegionThatClippingGives) {
+TEST(EdgeCollapseInset, GivesTheRegionThatClippingGives) {
   int direct = 0;
   const auto agrees = [&direct] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -112,7 +112,7 @@ TEST(DirectShrinking, GivesTheRegionThatClippingGives) {
   EXPECT_GT(direct, 20) << "or the property says nothing";
 }
 
-TEST(DirectShrinking, GivesWhatClippingGivesOfOutlinesRougherThanTheDistance) {
+TEST(EdgeCollapseInset, GivesWhatClippingGivesOfOutlinesRougherThanTheDistance) {
   int direct = 0;
   const auto agrees = [&direct] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());

@@ -105,7 +105,7 @@ TEST(VoxelGridTest, ACropIsTheSameVoxelsAtTheSamePlace) {
   }));
 }
 
-TEST(VoxelGridTest, TellsTheRangeOfWhatIsSolid) {
+TEST(VoxelGridTest, ReportsTheRangeOfWhatIsSolid) {
   VoxelGrid grid(frameOf(200, 30, 30));
   EXPECT_TRUE(grid.solidRange().isEmpty());
   grid.fill(65, 3, 29);

@@ -59,29 +59,30 @@ TEST(Contour, JoinsEachRegionIntoOneClosedCycle) {
   for (const Region& region : outlinesWithIslands())
     for (const ContourLink link : {ContourLink::Average, ContourLink::Tangential})
       for (std::size_t layer = 0; layer < 20; ++layer) {
-        const std::vector<FillPath> cycles = contour({region}, solid(link, layer));
-        ASSERT_EQ(cycles.size(), 1U) << "layer " << layer << ", " << region.outer.size() << " points, "
-                                     << region.holes.size() << " islands, link " << static_cast<int>(link);
-        EXPECT_TRUE(cycles.front().is_closed);
+        const std::vector<FillPath> joined_loops = contour({region}, solid(link, layer));
+        ASSERT_EQ(joined_loops.size(), 1U)
+            << "layer " << layer << ", " << region.outer.size() << " points, " << region.holes.size()
+            << " islands, link " << static_cast<int>(link);
+        EXPECT_TRUE(joined_loops.front().is_closed);
       }
 }
 
 TEST(Contour, LaysAsMuchAsTheRegionHolds) {
   for (const Region& region : outlinesWithIslands()) {
     double filled = 0.0;
-    for (const FillPath& cycle : contour({region}, solid())) filled += filledArea(cycle);
+    for (const FillPath& joined_loop : contour({region}, solid())) filled += filledArea(joined_loop);
     EXPECT_NEAR(filled / area({region}), 1.0, 0.01);
   }
 }
 
 TEST(Contour, LinksNothingAcrossAHole) {
-  // The ring between both stars is one or two beads wide: the nearest loops may lie on the hole's other side.
+  // The loop between both stars is one or two beads wide: the nearest loops may lie on the hole's other side.
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     Random random(seed);
     const Polygon hole = test::star(random, {0, 0}, 1.0, 3.0, 12);
-    const Regions ring = unite({test::star(random, {0, 0}, 5.0, 12.0, 24), test::reversed(hole)});
+    const Regions loop = unite({test::star(random, {0, 0}, 5.0, 12.0, 24), test::reversed(hole)});
     const Polygon core = scaledAboutOrigin(hole, 0.7);
-    for (const FillPath& path : contour(ring, test::solidRequestOf(2.0, 0.0)))
+    for (const FillPath& path : contour(loop, test::solidRequestOf(2.0, 0.0)))
       for (std::size_t i = 0; i + (path.is_closed ? 0 : 1) < path.points.size(); ++i) {
         const Point2& a = path.points[i];
         const Point2& b = path.points[(i + 1) % path.points.size()];

@@ -11,24 +11,24 @@ namespace {
 
 using test::rectangle;
 
-Ring ringOf(const Polygon& polygon, double width) {
-  return Ring(polygon, std::vector<double>(polygon.size(), width));
+Loop loopOf(const Polygon& polygon, double width) {
+  return Loop(polygon, std::vector<double>(polygon.size(), width));
 }
 
 /// Two squares of 10 and 8 mm, 1 mm apart.
-RingNet twoSquares() {
-  return RingNet({ringOf(rectangle(0, 0, 10, 10), 1.0), ringOf(rectangle(1, 1, 9, 9), 0.5)});
+LoopGraph twoSquares() {
+  return LoopGraph({loopOf(rectangle(0, 0, 10, 10), 1.0), loopOf(rectangle(1, 1, 9, 9), 0.5)});
 }
 
-TEST(RingNet, OfRingsThatAreNotJoinedGivesEachByItself) {
+TEST(LoopGraph, OfRingsThatAreNotJoinedGivesEachByItself) {
   const std::vector<FillPath> lines = twoSquares().lines();
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0].points, rectangle(0, 0, 10, 10));
   EXPECT_EQ(lines[1].width_mm, std::vector<double>(4, 0.5));
 }
 
-TEST(RingNet, JoinsTwoRingsIntoOneByTwoLinks) {
-  RingNet net = twoSquares();
+TEST(LoopGraph, JoinsTwoRingsIntoOneByTwoLinks) {
+  LoopGraph net = twoSquares();
   // From (4, 0) to (5, 0), and opposite from (4, 1) to (5, 1).
   net.join({0, 4.0, 5.0}, {1, 3.0, 4.0}, LinkEnds::Alike);
   const std::vector<FillPath> lines = net.lines();
@@ -39,8 +39,8 @@ TEST(RingNet, JoinsTwoRingsIntoOneByTwoLinks) {
   EXPECT_EQ(net.groupOf(1), net.groupOf(0));
 }
 
-TEST(RingNet, GivesLinksTheMeanWidthOfWhatTheyJoin) {
-  RingNet net = twoSquares();
+TEST(LoopGraph, GivesLinksTheMeanWidthOfWhatTheyJoin) {
+  LoopGraph net = twoSquares();
   net.join({0, 4.0, 5.0}, {1, 3.0, 4.0}, LinkEnds::Alike);
   const FillPath line = net.lines().front();
   double links = 0.0;
@@ -51,8 +51,8 @@ TEST(RingNet, GivesLinksTheMeanWidthOfWhatTheyJoin) {
   EXPECT_NEAR(links, 2.0, 1e-9);
 }
 
-TEST(RingNet, KeepsGapsApart) {
-  RingNet net = twoSquares();
+TEST(LoopGraph, KeepsGapsApart) {
+  LoopGraph net = twoSquares();
   net.join({0, 4.0, 5.0}, {1, 3.0, 4.0}, LinkEnds::Alike);
   EXPECT_FALSE(net.isFree({0, 4.5, 4.7}, 0.0));
   EXPECT_FALSE(net.isFree({0, 3.0, 6.0}, 0.0));
@@ -62,8 +62,8 @@ TEST(RingNet, KeepsGapsApart) {
   EXPECT_TRUE(net.isFree({0, 39.5, 41.5}, 1.0));
 }
 
-TEST(RingNet, ChainsRingsIntoOneOpenLine) {
-  RingNet net = twoSquares();
+TEST(LoopGraph, ChainsRingsIntoOneOpenLine) {
+  LoopGraph net = twoSquares();
   net.chain({{0, 4.0, 5.0}, {1, 2.0, 3.0}});
   const std::vector<FillPath> lines = net.lines();
   ASSERT_EQ(lines.size(), 1U);

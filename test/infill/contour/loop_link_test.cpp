@@ -16,19 +16,19 @@ namespace {
 constexpr double kPitch = 0.4;
 
 /// Circles of 5 and 5.4 mm.
-RingNet circles() {
+LoopGraph circles() {
   const Polygon inner = test::circle({0, 0}, 5.0, 720);
   const Polygon outer = test::circle({0, 0}, 5.0 + kPitch, 720);
-  std::vector<Ring> rings;
+  std::vector<Loop> loops;
   for (const Polygon& points : {inner, outer})
-    rings.emplace_back(points, std::vector<double>(points.size(), kPitch));
-  return RingNet(std::move(rings));
+    loops.emplace_back(points, std::vector<double>(points.size(), kPitch));
+  return LoopGraph(std::move(loops));
 }
 
 /// The two links across, each from the inner circle to the outer one.
-std::array<std::pair<Point2, Point2>, 2> linesOf(const RingNet& net, const RingLink& link) {
-  const Ring& a = net.rings()[link.a.ring];
-  const Ring& b = net.rings()[link.b.ring];
+std::array<std::pair<Point2, Point2>, 2> linesOf(const LoopGraph& net, const LoopLink& link) {
+  const Loop& a = net.loops()[link.a.loop];
+  const Loop& b = net.loops()[link.b.loop];
   const bool is_alike = link.ends == LinkEnds::Alike;
   return {std::make_pair(a.pointAt(link.a.from_mm), b.pointAt(is_alike ? link.b.from_mm : link.b.to_mm)),
           std::make_pair(a.pointAt(link.a.to_mm), b.pointAt(is_alike ? link.b.to_mm : link.b.from_mm))};
@@ -37,8 +37,8 @@ std::array<std::pair<Point2, Point2>, 2> linesOf(const RingNet& net, const RingL
 double angleOf(const Point2& point) { return std::atan2(point.y(), point.x()); }
 
 // [Guacheta2021, figure 3-10]: along the local normal, which on circles is the radius.
-TEST(RingLink, OfTheTangentialKindLandsAtTheNearestPoints) {
-  const RingNet net = circles();
+TEST(LoopLink, OfTheTangentialKindLandsAtTheNearestPoints) {
+  const LoopGraph net = circles();
   const auto link = linkAt(net, {0, 3.0, 1, kPitch}, ContourLink::Tangential, {});
   ASSERT_TRUE(link);
   for (const auto& [from, to] : linesOf(net, *link)) {
@@ -51,8 +51,8 @@ TEST(RingLink, OfTheTangentialKindLandsAtTheNearestPoints) {
 }
 
 // [Guacheta2021, figure 3-11]: across the chord of the gap.
-TEST(RingLink, OfTheAverageKindHasParallelLinksAcrossTheGap) {
-  const RingNet net = circles();
+TEST(LoopLink, OfTheAverageKindHasParallelLinksAcrossTheGap) {
+  const LoopGraph net = circles();
   const auto link = linkAt(net, {0, 3.0, 1, kPitch}, ContourLink::Average, {});
   ASSERT_TRUE(link);
   const auto lines = linesOf(net, *link);
@@ -61,8 +61,8 @@ TEST(RingLink, OfTheAverageKindHasParallelLinksAcrossTheGap) {
   EXPECT_NEAR((lines[1].second - lines[0].second).norm(), chord.norm(), 1e-3);
 }
 
-TEST(RingLink, CutsAGapNineTenthsAsLongAsTheRingsAreApart) {
-  const RingNet net = circles();
+TEST(LoopLink, CutsAGapNineTenthsAsLongAsTheRingsAreApart) {
+  const LoopGraph net = circles();
   for (const ContourLink kind : {ContourLink::Tangential, ContourLink::Average}) {
     const auto link = linkAt(net, {0, 3.0, 1, kPitch}, kind, {});
     ASSERT_TRUE(link);
@@ -70,8 +70,8 @@ TEST(RingLink, CutsAGapNineTenthsAsLongAsTheRingsAreApart) {
   }
 }
 
-TEST(RingLink, IsRefusedWhereTheOtherRingIsFar) {
-  const RingNet net = circles();
+TEST(LoopLink, IsRefusedWhereTheOtherRingIsFar) {
+  const LoopGraph net = circles();
   EXPECT_FALSE(linkAt(net, {0, 3.0, 1, 0.1}, ContourLink::Average, {}));
 }
 

@@ -77,8 +77,8 @@ TEST(Perimeters, KeepToTheirBands) {
 TEST(Perimeters, FollowTheHolesToo) {
   InfillRequest request = solid(1.0);
   request.settings.perimeters.count = 2;
-  const Regions ring = {{circle({0, 0}, 20, 180), {reversed(circle({0, 0}, 10, 180))}}};
-  const std::vector<FillPath> runs = perimeters(ring, request);
+  const Regions loop = {{circle({0, 0}, 20, 180), {reversed(circle({0, 0}, 10, 180))}}};
+  const std::vector<FillPath> runs = perimeters(loop, request);
   ASSERT_EQ(runs.size(), 4U);
   std::vector<double> radii;
   for (const FillPath& run : runs) radii.push_back(radiusOf(run));
@@ -149,7 +149,7 @@ TEST(Perimeters, StartAtRandomPlacesOfTheirSeed) {
       << "each perimeter starts elsewhere";
 }
 
-TEST(Perimeters, AreLaidOnlyWhereTheirBeadHasRoom) {
+TEST(Perimeters, AreDepositedOnlyWhereTheirBeadHasRoom) {
   InfillRequest request = solid(1.0);
   request.settings.perimeters.count = 9;
   EXPECT_EQ(perimeters({{rectangle(0, 0, 30, 4), {}}}, request).size(), 2U) << "four beads fit exactly";

@@ -95,7 +95,7 @@ TEST(HilbertQuadtree, LaysTheMaterialThatASquareHolds) {
 }
 
 TEST(Hilbert, LaysTheMaterialThatAStripHolds) {
-  // Strips that are no whole number of pitches wide, so that cells are larger than the spacing.
+  // VariableWidthLines that are no whole number of pitches wide, so that cells are larger than the spacing.
   for (const double width : {4.2, 4.3, 4.4, 4.5}) {
     const std::vector<FillPath> paths = hilbert({{rectangle(0, 0, 20, width), {}}}, requestOf(0.4, 0.0));
     EXPECT_NEAR(plannedArea(paths, 0.4), (20 - 0.04) * (width - 0.04), 0.05 * 20 * width) << width;

@@ -79,11 +79,11 @@ TEST(MedialBeads, EndWhereAWedgeIsThinnerThanTheLeastWidth) {
 }
 
 TEST(MedialBeads, OfARingCloseOnThemselves) {
-  const Region ring = {circle({0, 0}, 5.25, 90), {test::reversed(circle({0, 0}, 4.75, 90))}};
-  const std::vector<FillPath> runs = medialBeads({ring}, pitchOf(0.4));
+  const Region loop = {circle({0, 0}, 5.25, 90), {test::reversed(circle({0, 0}, 4.75, 90))}};
+  const std::vector<FillPath> runs = medialBeads({loop}, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_TRUE(runs[0].is_closed);
-  EXPECT_NEAR(filledArea(runs[0]), area({ring}), 0.01 * area({ring}));
+  EXPECT_NEAR(filledArea(runs[0]), area({loop}), 0.01 * area({loop}));
 }
 
 TEST(MedialBeads, OfACrossGoStraightOnWhereItsArmsMeet) {
@@ -163,8 +163,8 @@ TEST(MedialLoops, GoRoundAllArmsOfACrossAtOnce) {
 }
 
 TEST(MedialLoops, OfARingAreOneOutsideAndOneInside) {
-  const Region ring = {circle({0, 0}, 5.3, 90), {test::reversed(circle({0, 0}, 4.7, 90))}};
-  EXPECT_EQ(medialLoops({ring}, pitchOf(0.4)).size(), 2U);
+  const Region loop = {circle({0, 0}, 5.3, 90), {test::reversed(circle({0, 0}, 4.7, 90))}};
+  EXPECT_EQ(medialLoops({loop}, pitchOf(0.4)).size(), 2U);
 }
 
 /// Squares, discs and stars of so many pitches.
@@ -192,7 +192,7 @@ TEST(MedialBeads, AreNowhereWiderThanTheWidest) {
 TEST(MedialBeads, GoRoundTheMiddleOfWhatIsTooWideForABeadButNoLonger) {
   for (const double radius : {0.5, 2.0}) {
     double filled = 0.0;
-    for (const FillPath& run : trailBeads({{{{1, 2}, radius}}}, pitchOf(0.4))) {
+    for (const FillPath& run : skeletonBeads({{{{1, 2}, radius}}}, pitchOf(0.4))) {
       for (const double width : run.width_mm) EXPECT_LE(width, 1.6 * 0.4);
       filled += filledArea(run);
     }

@@ -76,11 +76,11 @@ Regions concave() {
       {rectangle(0, 0, 60, 20), {reversed(rectangle(20, 9, 27, 12)), reversed(rectangle(33, 8, 41, 11))}}};
 }
 
-std::vector<RasterSection> concaveSections() {
+std::vector<BoustrophedonCell> concaveSections() {
   std::vector<Polygon> turned = outlines(concave());
   for (Polygon& outline : turned)
     for (Point2& point : outline) point = {point.y(), -point.x()};
-  std::vector<RasterSection> sections;
+  std::vector<BoustrophedonCell> sections;
   for (const GridSection& section : gridSections(turned, 1.0, {0.5, -0.5}))
     sections.push_back({{section.passes.front().front(), section.passes.front().back()},
                         {section.passes.back().front(), section.passes.back().back()},
@@ -111,7 +111,7 @@ TEST(HybridJumps, AreNoneInAConcavePartThatNoPassLineCrossesTwice) {
 
 /// Travel in the order of [Flores2018, figure 50], by midpoints, by ends and optimised.
 TEST(HybridJumps, AreShorterInAGreedyOrderThanInTheInitialOne) {
-  const std::vector<RasterSection> sections = concaveSections();
+  const std::vector<BoustrophedonCell> sections = concaveSections();
   ASSERT_EQ(sections.size(), 7U);
   const Point2 start = entryPoint(sections[0], SectionEntry::FirstLeft);
   const SectionTravels travels = sectionTravels(sections, start);

@@ -64,10 +64,10 @@ TEST(LongitudinalAdaptation, NeedsASecondPass) {
 TEST(LongitudinalAdaptation, LeavesAnEndWhosePerimeterIsBesideIt) {
   const PerimeterApproach perimeter({rectangle(0, 0, 40, 20)}, 2.0,
                                     settingsOf(LongitudinalAdaptation::TwoPass));
-  EXPECT_EQ(perimeter.approached({20.0, 16.9}, {1, 0}), Point2(20.0, 16.9)) << "3.1 mm beneath the border";
+  EXPECT_EQ(perimeter.approached({20.0, 16.9}, {1, 0}), Point2(20.0, 16.9)) << "3.1 mm below the border";
 }
 
-/// For [Flores2018, figures 60 to 63]: a stack of passes from y = 0 down, `gap` spacings of 2 mm beneath the
+/// For [Flores2018, figures 60 to 63]: a stack of passes from y = 0 down, `gap` spacings of 2 mm below the
 /// straight border of a wide rectangle.
 class Transversal : public testing::TestWithParam<LongitudinalAdaptation> {
  protected:
@@ -81,8 +81,8 @@ class Transversal : public testing::TestWithParam<LongitudinalAdaptation> {
     return sections[0];
   }
 
-  /// From the curve that was added to the pass beneath, in spacings.
-  static double gapBeneathCurve(const GridSection& section) {
+  /// From the curve that was added to the pass below, in spacings.
+  static double gapBelowCurve(const GridSection& section) {
     const std::size_t count = section.passes.size();
     return (section.passes[count - 1].front().y() - section.passes[count - 2].front().y()) / 2.0;
   }
@@ -92,27 +92,27 @@ TEST_P(Transversal, AddsACurveWhereThePerimeterIsFar) {
   const GridSection section = adapted(1.9);
   EXPECT_EQ(section.passes.size(), 7U);
   EXPECT_EQ(section.passes.back().size(), 20U);
-  EXPECT_NEAR(gapBeneathCurve(section), 0.9, 1e-3);
+  EXPECT_NEAR(gapBelowCurve(section), 0.9, 1e-3);
   EXPECT_FALSE(section.above);
 }
 
 TEST_P(Transversal, AddsACurveJustAboveItsThreshold) {
   const GridSection section = adapted(1.5001);
   EXPECT_EQ(section.passes.size(), 7U);
-  EXPECT_NEAR(gapBeneathCurve(section), 0.5, 1e-3);
+  EXPECT_NEAR(gapBelowCurve(section), 0.5, 1e-3);
 }
 
 TEST_P(Transversal, ReplacesAPassThatIsTooNear) {
   const GridSection section = adapted(1.1);
   EXPECT_EQ(section.passes.size(), 6U);
-  EXPECT_NEAR(gapBeneathCurve(section), 1.1, 1e-3) << "from y = -2 to 0.2";
+  EXPECT_NEAR(gapBelowCurve(section), 1.1, 1e-3) << "from y = -2 to 0.2";
 }
 
 TEST_P(Transversal, AddsOnePointInBetween) {
   const GridSection section = adapted(1.35);
   EXPECT_EQ(section.passes.size(), 6U);
   ASSERT_TRUE(section.above);
-  EXPECT_NEAR(section.above->y(), 0.7, 1e-3) << "one spacing of 2 mm beneath the border at 2.7";
+  EXPECT_NEAR(section.above->y(), 0.7, 1e-3) << "one spacing of 2 mm below the border at 2.7";
 }
 
 TEST_P(Transversal, LeavesNoGapBelowHalfASpacingNorAboveOneAndAHalf) {
@@ -122,8 +122,8 @@ TEST_P(Transversal, LeavesNoGapBelowHalfASpacingNorAboveOneAndAHalf) {
     const double to_border = (2.0 * gap - outermost.y()) / 2.0;
     EXPECT_GE(to_border, 0.5) << "D is " << gap;
     EXPECT_LE(to_border, 1.5) << "D is " << gap;
-    EXPECT_GE(gapBeneathCurve(section), 0.5 - 1e-6) << "D is " << gap;
-    EXPECT_LE(gapBeneathCurve(section), 1.5 + 1e-6) << "D is " << gap;
+    EXPECT_GE(gapBelowCurve(section), 0.5 - 1e-6) << "D is " << gap;
+    EXPECT_LE(gapBelowCurve(section), 1.5 + 1e-6) << "D is " << gap;
   }
 }
 
@@ -135,7 +135,7 @@ TEST_P(Transversal, ReplacesAPassThatIsAPoint) {
   std::vector<GridSection> sections = {section};
   adaptTransversally(sections, perimeter);
   ASSERT_EQ(sections[0].passes.size(), 3U);
-  EXPECT_NEAR(gapBeneathCurve(sections[0]), 1.5, 1e-3) << "from y = -2 to 1";
+  EXPECT_NEAR(gapBelowCurve(sections[0]), 1.5, 1e-3) << "from y = -2 to 1";
 }
 
 TEST_P(Transversal, EndsCurvesShortOfThePassBeside) {

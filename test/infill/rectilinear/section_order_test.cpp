@@ -14,13 +14,13 @@ namespace lamina {
 namespace {
 
 /// Lines along x from y0 upwards, 1 mm apart.
-RasterSection block(double x0, double x1, double y0, std::size_t lines) {
+BoustrophedonCell block(double x0, double x1, double y0, std::size_t lines) {
   const double top = y0 + static_cast<double>(lines - 1);
   return {{Point2(x0, y0), Point2(x1, y0)}, {Point2(x0, top), Point2(x1, top)}, lines};
 }
 
-std::vector<RasterSection> randomSections(Random& random, int count) {
-  std::vector<RasterSection> sections;
+std::vector<BoustrophedonCell> randomSections(Random& random, int count) {
+  std::vector<BoustrophedonCell> sections;
   for (int i = 0; i < count; ++i) {
     const double x = random.uniform(0, 100);
     sections.push_back(block(x, x + random.uniform(1, 30), random.uniform(0, 100),
@@ -35,19 +35,20 @@ bool visitsEachOnce(const SectionTour& tour, std::size_t count) {
   return tour.size() == count && seen.size() == count;
 }
 
-double lengthFrom(const Point2& start, const std::vector<RasterSection>& sections, const SectionTour& tour) {
+double lengthFrom(const Point2& start, const std::vector<BoustrophedonCell>& sections,
+                  const SectionTour& tour) {
   const Point2 first = entryPoint(sections[tour[0].section], tour[0].entry);
   return (first - start).norm() + travelLength(sections, tour);
 }
 
 TEST(SectionOrder, LeavesAnEvenSectionOnTheSideItEntered) {
-  const RasterSection even = block(0, 10, 0, 4);
+  const BoustrophedonCell even = block(0, 10, 0, 4);
   EXPECT_EQ(exitOf(even, SectionEntry::FirstLeft), SectionEntry::LastLeft);
   EXPECT_EQ(exitOf(even, SectionEntry::LastRight), SectionEntry::FirstRight);
 }
 
 TEST(SectionOrder, LeavesAnOddSectionOnTheOtherSide) {
-  const RasterSection odd = block(0, 10, 0, 3);
+  const BoustrophedonCell odd = block(0, 10, 0, 3);
   EXPECT_EQ(exitOf(odd, SectionEntry::FirstLeft), SectionEntry::LastRight);
   EXPECT_EQ(exitOf(odd, SectionEntry::LastLeft), SectionEntry::FirstRight);
 }
@@ -55,7 +56,8 @@ TEST(SectionOrder, LeavesAnOddSectionOnTheOtherSide) {
 TEST(SectionOrder, ByMidpointsGoesToTheNearestMidpointAndReversesFromALastLine) {
   // From the midpoint (5, 3) of the last line: first line of the second at 20 mm, last line of the third
   // at 7.
-  const std::vector<RasterSection> sections = {block(0, 10, 0, 4), block(20, 30, 3, 2), block(0, 10, 6, 5)};
+  const std::vector<BoustrophedonCell> sections = {block(0, 10, 0, 4), block(20, 30, 3, 2),
+                                                   block(0, 10, 6, 5)};
   const SectionTour tour = tourByMidpoints(sections);
   ASSERT_TRUE(visitsEachOnce(tour, 3));
   EXPECT_EQ(tour[0].section, 0U);
@@ -66,7 +68,7 @@ TEST(SectionOrder, ByMidpointsGoesToTheNearestMidpointAndReversesFromALastLine) 
 }
 
 TEST(SectionOrder, ByEndsEntersAtTheNearestEnd) {
-  const std::vector<RasterSection> sections = {block(0, 10, 0, 4), block(12, 20, 3, 3)};
+  const std::vector<BoustrophedonCell> sections = {block(0, 10, 0, 4), block(12, 20, 3, 3)};
   const SectionTour tour = tourByEnds(sections, {9, -1});
   EXPECT_EQ(tour[0].entry, SectionEntry::FirstRight);
   EXPECT_EQ(tour[1].entry, SectionEntry::FirstLeft) << "2 mm from (10, 3), where the first section ends";
@@ -83,7 +85,7 @@ TEST(SectionOrder, IsNeverShorterThanTheShortestNorLongerThanWhatItImproves) {
   EXPECT_TRUE(rc::check("random sections", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const int count = static_cast<int>(random.uniform(1, 7));
-    const std::vector<RasterSection> sections = randomSections(random, count);
+    const std::vector<BoustrophedonCell> sections = randomSections(random, count);
     const Point2 start(random.uniform(0, 100), random.uniform(0, 100));
     const SectionTour shortest = shortestTour(sections, start);
     const SectionTour improved = improvedTour(sections, start);
@@ -102,7 +104,7 @@ TEST(SectionOrder, ImprovedComesWithinFivePercentOfTheShortestOnAverage) {
   double improved = 0.0;
   double shortest = 0.0;
   for (int i = 0; i < 60; ++i) {
-    const std::vector<RasterSection> sections = randomSections(random, 8);
+    const std::vector<BoustrophedonCell> sections = randomSections(random, 8);
     improved += lengthFrom({0, 0}, sections, improvedTour(sections, {0, 0}));
     shortest += lengthFrom({0, 0}, sections, shortestTour(sections, {0, 0}));
   }

@@ -23,7 +23,7 @@ InfillRequest solid(double pitch, double angle_rad) {
 }
 
 std::vector<FillPath> filled(const Regions& area, const InfillRequest& request) {
-  return stripRuns(offset(area, -0.5 * narrowestBead(request)), request);
+  return variableWidthRuns(offset(area, -0.5 * narrowestBead(request)), request);
 }
 
 /// Area that beads fill [mm²].
@@ -40,8 +40,8 @@ Regions randomRegions(Random& random) {
                 test::star(random, {30, 5}, 2.0, 6.0, 9)});
 }
 
-TEST(StripRuns, DivideARectangleEvenly) {
-  // 4.3 mm across are 11 strips of 0.391 mm.
+TEST(VariableWidthRuns, DivideARectangleEvenly) {
+  // 4.3 mm across are 11 variable-width lines of 0.391 mm.
   const std::vector<FillPath> runs = filled({{rectangle(0, 0, 20, 4.3), {}}}, solid(0.4, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   double longest = 0.0;
@@ -56,14 +56,14 @@ TEST(StripRuns, DivideARectangleEvenly) {
   EXPECT_NEAR(filledArea(runs), 20 * 4.3, 0.02 * 20 * 4.3);
 }
 
-TEST(StripRuns, FillEachConvexRegionInOneRun) {
+TEST(VariableWidthRuns, FillEachConvexRegionInOneRun) {
   for (const double angle : {0.0, 0.4, 1.1}) {
     EXPECT_EQ(filled({{circle({0, 0}, 9, 80), {}}}, solid(0.4, angle)).size(), 1U);
     EXPECT_EQ(filled({{rectangle(0, 0, 13, 7), {}}}, solid(0.4, angle)).size(), 1U);
   }
 }
 
-TEST(StripRuns, TaperTowardsABorderThatIsSlanted) {
+TEST(VariableWidthRuns, TaperTowardsABorderThatIsSlanted) {
   const std::vector<FillPath> runs = filled({{{{0, 0}, {30, 0}, {10, 4}, {0, 4}}, {}}}, solid(0.5, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   const auto [least, greatest] = std::minmax_element(runs[0].width_mm.begin() + 1, runs[0].width_mm.end());
@@ -72,13 +72,13 @@ TEST(StripRuns, TaperTowardsABorderThatIsSlanted) {
   EXPECT_NEAR(filledArea(runs), 80.0, 0.02 * 80.0);
 }
 
-TEST(StripRuns, NarrowUnderAHoleThatComesIntoTheirStrip) {
+TEST(VariableWidthRuns, NarrowUnderAHoleThatComesIntoTheirStrip) {
   const Regions plate = {{rectangle(0, 0, 20, 10), {reversed(rectangle(5, 4.3, 15, 7))}}};
   const std::vector<FillPath> runs = filled(plate, solid(0.5, 0.0));
   EXPECT_NEAR(filledArea(runs), area(plate), 0.02 * area(plate));
 }
 
-TEST(StripRuns, StayInsideAndFillWhatTheyCover) {
+TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
   EXPECT_TRUE(rc::check("random regions", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions regions = randomRegions(random);
@@ -101,8 +101,8 @@ TEST(StripRuns, StayInsideAndFillWhatTheyCover) {
   }));
 }
 
-TEST(StripRuns, OfNothingAreNone) {
-  EXPECT_TRUE(stripRuns({}, solid(0.4, 0.0)).empty());
+TEST(VariableWidthRuns, OfNothingAreNone) {
+  EXPECT_TRUE(variableWidthRuns({}, solid(0.4, 0.0)).empty());
   EXPECT_TRUE(filled({{rectangle(0, 0, 5, 0.1), {}}}, solid(0.4, 0.0)).empty());
 }
 

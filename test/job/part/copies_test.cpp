@@ -35,14 +35,14 @@ SlicedPart run(const SliceJob& job) {
   return runSliceJob(job, nobody);
 }
 
-/// Values of the belt over what is laid.
+/// Values of the belt over what is deposited.
 struct Span {
   double low = 1e9;
   double high = -1e9;
 };
 
 Span beltSpan(const SlicedPart& sliced, std::size_t from_layer, std::size_t to_layer) {
-  const Machine machine = machineByName("belt_45");
+  const CartesianMachine machine = machineByName("belt_45");
   Span span;
   for (std::size_t l = from_layer; l < to_layer; ++l)
     for (const Path& path : sliced.toolpath.layers[l].paths) {
@@ -90,7 +90,7 @@ TEST(Copies, TheBeltGoesOnBeforeTheNozzleGoesAcross) {
   const Path& travel = two.toolpath.layers[layers].paths.front();
   ASSERT_EQ(travel.role, PathRole::Travel);
   EXPECT_TRUE(travel.process.is_retracted);
-  const Machine machine = machineByName("belt_45");
+  const CartesianMachine machine = machineByName("belt_45");
   const auto axesAt = [&](const Point3& point) { return axisValues(machine, two.bed_from_part * point); };
   const AxisValues start = axesAt(travel.points[0]);
   const AxisValues amid = axesAt(travel.points[1]);

@@ -99,7 +99,7 @@ TEST(StudyJob, SearchesAFrontOfAPartAndWritesWhatItFound) {
   EXPECT_EQ(readCsvTable(files.front).rows.size(), outcome.front.size());
 }
 
-TEST(StudyJob, TellsEachGeneration) {
+TEST(StudyJob, ReportsEachGeneration) {
   const test::ScratchFolder folder;
   std::vector<StudyState> states;
   NoProgress progress;

@@ -77,7 +77,7 @@ TEST(DropVoidJob, FindsTheContourOfAProgramWithoutRoles) {
   EXPECT_EQ(result.report.overlap.added, 1U);
 }
 
-TEST(DropVoidJob, TellsContoursOfOneRoleApartByTheirDistance) {
+TEST(DropVoidJob, DistinguishesContoursOfOneRoleByTheirDistance) {
   // Outline and hole behind one comment; the hole must stay open.
   std::vector<Point2> hole = test::squareRing(5, {14, 24});
   std::reverse(hole.begin(), hole.end());

@@ -63,7 +63,7 @@ TEST_F(VoidFillingTest, OfAWrittenProgramGivesWhatSlicingWithRefillingGives) {
   EXPECT_NEAR(refilled.refilling.deposited_mm3, filled.deposited_mm3, 0.02 * filled.deposited_mm3);
 }
 
-TEST_F(VoidFillingTest, CoversMoreAndTellsWhatTheNewProgramDeposits) {
+TEST_F(VoidFillingTest, CoversMoreAndReportsWhatTheNewProgramDeposits) {
   slice(job_.program, VoidRefill::None);
   const VoidFillingReport filled = fill();
   EXPECT_LT(filled.after.uncovered.mean_percent, filled.before.uncovered.mean_percent);

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// A pose of the Hunt platform's stated workspace: the tip of its nozzle, 50 mm beneath, 40 mm aside of home
+/// A pose of the Hunt platform's stated workspace: the tip of its nozzle, 50 mm below, 40 mm aside of home
 /// and 20 mm up or down at most, tilted by 45 deg at most [mm, base frame].
 inline Eigen::Isometry3d randomPose(Random& random) {
   const double way = random.uniform(-M_PI, M_PI);

@@ -27,7 +27,7 @@ JointValues joints(std::initializer_list<double> degrees) {
 }
 
 /// All solutions of where the values bring the nozzle; checks that each is one.
-InverseSolutions solutionsAt(const Mechanism& arm, const JointValues& values, double tolerance) {
+InverseSolutions solutionsAt(const KinematicModel& arm, const JointValues& values, double tolerance) {
   const Eigen::Isometry3d pose = arm.bedFromNozzle(values);
   InverseSolutions solutions = arm.solutions(pose, values);
   for (const InverseSolution& solution : solutions) {
@@ -46,7 +46,7 @@ bool holds(const InverseSolutions& solutions, const JointValues& values, double 
 
 TEST(SixAxisArm, TheFlangeIsWhereTheDimensionsPutIt) {
   // At zero the forearm is level: 175 + 960 + 135 mm to the front, 495 + 900 + 175 mm up.
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const auto links = arm->bedFromLinks(joints({0, 0, 0, 0, 0, 0}));
   const Eigen::Isometry3d base_from_flange = links.at("base_link").inverse() * links.at("tool0");
   EXPECT_TRUE(base_from_flange.translation().isApprox(Point3(1270, 0, 1570), 1e-12));
@@ -57,7 +57,7 @@ TEST(SixAxisArm, EverySolutionLeadsBackToThePose) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : kArms) {
-      const auto arm = mechanismByName(name);
+      const auto arm = kinematicModelByName(name);
       const JointValues values = test::anyJointValues(*arm, random);
       const auto solutions = solutionsAt(*arm, values, kRoundTrip);
       RC_ASSERT(arm->singularityMargin(values) < 1e-3 || holds(solutions, values, 1e-9));
@@ -68,7 +68,7 @@ TEST(SixAxisArm, EverySolutionLeadsBackToThePose) {
 TEST(SixAxisArm, ItLeadsBackNearSingularitiesToo) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);
-    const auto arm = mechanismByName("irb_4600");
+    const auto arm = kinematicModelByName("irb_4600");
     JointValues values = test::anyJointValues(*arm, random);
     const double off = std::pow(10.0, random.uniform(-16.0, -2.0));
     const double straight = std::atan2(175.0, 960.0) - M_PI / 2.0;
@@ -86,7 +86,7 @@ TEST(SixAxisArm, ItLeadsBackNearSingularitiesToo) {
 }
 
 TEST(SixAxisArm, AtAStraightWristAxis4StaysWhereItIs) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const JointValues values = joints({20, 10, 15, 40, 0, -70});
   const Eigen::Isometry3d pose = arm->bedFromNozzle(values);
   EXPECT_EQ(arm->singularityMargin(values), 0.0);
@@ -98,7 +98,7 @@ TEST(SixAxisArm, AtAStraightWristAxis4StaysWhereItIs) {
 }
 
 TEST(SixAxisArm, WithTheWristOverAxis1Joint1StaysWhereItIs) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   JointValues values = joints({50, -30, 0, 20, 40, 60});
   const double reach = std::hypot(175.0, 960.0);
   const double forearm = std::asin(-(175.0 + 900.0 * std::sin(values[1])) / reach);
@@ -113,7 +113,7 @@ TEST(SixAxisArm, WithTheWristOverAxis1Joint1StaysWhereItIs) {
 TEST(SixAxisArm, AllEightBranchesAreDistinct) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);
-    const auto arm = mechanismByName("irb_4600");
+    const auto arm = kinematicModelByName("irb_4600");
     const JointValues values = test::anyJointValues(*arm, random);
     RC_PRE(arm->singularityMargin(values) > 0.01);
     const auto solutions = solutionsAt(*arm, values, kRoundTrip);
@@ -130,7 +130,7 @@ TEST(SixAxisArm, AllEightBranchesAreDistinct) {
 TEST(SixAxisArm, AlongASmoothMotionABranchIsSteady) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);
-    const auto arm = mechanismByName("irb_4600");
+    const auto arm = kinematicModelByName("irb_4600");
     const JointValues from = test::anyJointValues(*arm, random);
     const JointValues to = from + 0.3 * (test::anyJointValues(*arm, random) - from);
     constexpr int kSteps = 200;
@@ -150,7 +150,7 @@ TEST(SixAxisArm, AlongASmoothMotionABranchIsSteady) {
 }
 
 TEST(SixAxisArm, OutOfReachThereIsNoSolution) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const JointValues values = joints({0, 0, 0, 0, 30, 0});
   Eigen::Isometry3d pose = arm->bedFromNozzle(values);
   const auto links = arm->bedFromLinks(values);
@@ -169,7 +169,7 @@ TEST(SixAxisArm, OutOfReachThereIsNoSolution) {
 }
 
 TEST(SixAxisArm, RoundedNumbersOfADescriptionAreMadeGood) {
-  const auto arm = mechanismFromUrdf(test::roundedArm().urdf());
+  const auto arm = kinematicModelFromUrdf(test::roundedArm().urdf());
   EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
     Random random(seed);
     const JointValues values = test::anyJointValues(*arm, random);
@@ -181,7 +181,7 @@ TEST(SixAxisArm, RoundedNumbersOfADescriptionAreMadeGood) {
 }
 
 TEST(SixAxisArm, AnArmWithAnOffsetWristIsSolvedByIteration) {
-  const auto arm = mechanismFromUrdf(test::offsetWristArm().urdf());
+  const auto arm = kinematicModelFromUrdf(test::offsetWristArm().urdf());
   Random random(6);
   for (int i = 0; i < 20; ++i) {
     const JointValues values = test::anyJointValues(*arm, random);
@@ -195,8 +195,8 @@ TEST(SixAxisArm, AnArmWithAnOffsetWristIsSolvedByIteration) {
 }
 
 TEST(SixAxisArm, AnExternalAxisKeepsItsValue) {
-  const auto arm = mechanismByName("irb_4600_turntable");
-  const auto alone = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600_turntable");
+  const auto alone = kinematicModelByName("irb_4600");
   ASSERT_EQ(arm->joints().size(), 7U);
   EXPECT_EQ(arm->joints()[6].name, "external_1");
   JointValues values = joints({10, 20, 5, 30, 40, 50, 90});

@@ -15,7 +15,7 @@ constexpr double kRadians = M_PI / 180.0;
 constexpr double kRoundTrip = 1e-9;  // mm
 
 /// The belt printer with its gantry at another angle.
-Machine beltMachine(double angle_deg) {
+CartesianMachine beltMachine(double angle_deg) {
   std::string text = machineByName("belt_45").urdf;
   const std::string angle = "rpy=\"0.785398163397448 0 0\"";
   char turned[64];
@@ -24,7 +24,7 @@ Machine beltMachine(double angle_deg) {
 }
 
 TEST(BeltMachine, MovesUpTheInclineAndCarriesThePartAlongTheBelt) {
-  const Machine machine = machineByName("belt_45");
+  const CartesianMachine machine = machineByName("belt_45");
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine, {10, 20, 30});
   EXPECT_TRUE(bed_from_nozzle.translation().isApprox(Point3(10, 20 * M_SQRT1_2 - 30, 20 * M_SQRT1_2), 1e-9));
   EXPECT_TRUE(bed_from_nozzle.linear().col(2).isApprox(Point3(0, M_SQRT1_2, -M_SQRT1_2), 1e-9));
@@ -53,7 +53,7 @@ TEST(BeltMachine, TheBeltStandsStillInPlanesOfTheGantry) {
   EXPECT_TRUE(rc::check("one value of the belt for a plane", [](std::uint64_t seed) {
     Random random(seed);
     const double angle = random.uniform(15.0, 75.0);
-    const Machine machine = beltMachine(angle);
+    const CartesianMachine machine = beltMachine(angle);
     const Point3 up_the_incline(random.uniform(-100.0, 100.0), std::cos(angle * kRadians),
                                 std::sin(angle * kRadians));
     const Point3 start(0.0, random.uniform(-1e3, 0.0), 0.0);
@@ -63,7 +63,7 @@ TEST(BeltMachine, TheBeltStandsStillInPlanesOfTheGantry) {
 }
 
 TEST(BeltMachine, ItsBeltHasNoEnd) {
-  const Machine machine = machineByName("belt_45");
+  const CartesianMachine machine = machineByName("belt_45");
   EXPECT_TRUE(isEndless(machine.axes[2]));
   EXPECT_FALSE(isEndless(machine.axes[0]));
   const Eigen::Isometry3d far = bedFromNozzle(machine, {10, 20, 5e6});

@@ -33,7 +33,7 @@ Toolpath through(const std::vector<Point3>& points) {
   return toolpath;
 }
 
-std::string unreachable(const Toolpath& toolpath, const Machine& machine) {
+std::string unreachable(const Toolpath& toolpath, const CartesianMachine& machine) {
   try {
     requireReachable(toolpath, Eigen::Isometry3d::Identity(), machine);
     return "";
@@ -49,8 +49,8 @@ std::string gantryWith(const std::string& what, const std::string& by) {
   return text;
 }
 
-TEST(Machine, AxesOfTheGantryAreTheCoordinatesOfItsBed) {
-  const Machine machine = machineByName("cartesian_gantry");
+TEST(CartesianMachine, AxesOfTheGantryAreTheCoordinatesOfItsBed) {
+  const CartesianMachine machine = machineByName("cartesian_gantry");
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine, {10, 20, 30});
   EXPECT_TRUE(bed_from_nozzle.translation().isApprox(Point3(10, 20, 30)));
   EXPECT_TRUE(bed_from_nozzle.linear().isApprox(nozzleDown().toRotationMatrix(), 1e-9));
@@ -59,17 +59,17 @@ TEST(Machine, AxesOfTheGantryAreTheCoordinatesOfItsBed) {
   EXPECT_DOUBLE_EQ(machine.axes[2].max_speed_mm_s, 200.0);
 }
 
-TEST(Machine, HeadOf45DegreesPointsDownAndBack) {
-  const Machine machine = machineByName("gantry_45");
-  const Point3 jet = bedFromNozzle(machine, {10, 20, 30}).linear().col(2);
-  EXPECT_TRUE(jet.isApprox(Point3(0, M_SQRT1_2, -M_SQRT1_2), 1e-9));
+TEST(CartesianMachine, HeadOf45DegreesPointsDownAndBack) {
+  const CartesianMachine machine = machineByName("gantry_45");
+  const Point3 tool_axis = bedFromNozzle(machine, {10, 20, 30}).linear().col(2);
+  EXPECT_TRUE(tool_axis.isApprox(Point3(0, M_SQRT1_2, -M_SQRT1_2), 1e-9));
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30)));
 }
 
-TEST(Machine, LargeGantriesReachOverTheirBedWithANozzleTiltedEitherWay) {
+TEST(CartesianMachine, LargeGantriesReachOverTheirBedWithANozzleTiltedEitherWay) {
   for (const auto& [name, back] : {std::pair<std::string, double>{"large_gantry_45", 1.0},
                                    std::pair<std::string, double>{"large_gantry_45_reverse", -1.0}}) {
-    const Machine machine = machineByName(name);
+    const CartesianMachine machine = machineByName(name);
     EXPECT_TRUE(workspace(machine).low.isZero(1e-9)) << name;
     EXPECT_TRUE(workspace(machine).high.isApprox(Point3(1300, 2500, 1000))) << name;
     const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine, {100, 200, 300});
@@ -80,8 +80,8 @@ TEST(Machine, LargeGantriesReachOverTheirBedWithANozzleTiltedEitherWay) {
   }
 }
 
-TEST(Machine, TableOfTheDropPrinterMovesBeneathItsNozzle) {
-  const Machine machine = machineByName("drop_printer");
+TEST(CartesianMachine, TableOfTheDropPrinterMovesBelowItsNozzle) {
+  const CartesianMachine machine = machineByName("drop_printer");
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30), 1e-9));
   EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).linear().isApprox(nozzleDown().toRotationMatrix(), 1e-9));
   EXPECT_TRUE(workspace(machine).low.isZero(1e-9));
@@ -89,20 +89,20 @@ TEST(Machine, TableOfTheDropPrinterMovesBeneathItsNozzle) {
   EXPECT_EQ(machine.urdf.find("<child link=\"gantry\"/>"), std::string::npos) << "nothing carries the nozzle";
 }
 
-TEST(Machine, SensorLooksDownBesideTheNozzle) {
+TEST(CartesianMachine, SensorLooksDownBesideTheNozzle) {
   for (const auto& [name, place] : kSensors) {
-    const Machine machine = machineByName(name);
+    const CartesianMachine machine = machineByName(name);
     const Eigen::Isometry3d bed_from_sensor = bedFromNozzle(machine, {0, 0, 0}) * machine.nozzle_from_sensor;
     EXPECT_TRUE(bed_from_sensor.translation().isApprox(place, 1e-9)) << name;
     EXPECT_TRUE(bed_from_sensor.linear().col(2).isApprox(-Point3::UnitZ(), 1e-9)) << name;
   }
 }
 
-TEST(Machine, InverseAnswersForward) {
+TEST(CartesianMachine, InverseAnswersForward) {
   EXPECT_TRUE(rc::check("axis values come back from the pose they give", [](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : machineNames()) {
-      const Machine machine = machineByName(name);
+      const CartesianMachine machine = machineByName(name);
       AxisValues values;
       for (int i = 0; i < 3; ++i) {
         const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
@@ -113,7 +113,7 @@ TEST(Machine, InverseAnswersForward) {
   }));
 }
 
-TEST(Machine, BedThatMovesCountsAgainstTheNozzle) {
+TEST(CartesianMachine, BedThatMovesCountsAgainstTheNozzle) {
   // The gantry stands, the bed moves back: the nozzle moves to the front over the bed.
   std::string text =
       gantryWith("<joint name=\"base_to_bed\" type=\"fixed\">", "<joint name=\"y\" type=\"prismatic\">");
@@ -125,12 +125,12 @@ TEST(Machine, BedThatMovesCountsAgainstTheNozzle) {
       text.find(old_y), old_y.size(),
       "<joint name=\"base_to_gantry\" type=\"fixed\"><parent link=\"base_link\"/><child link=\"gantry\"/>");
   text.insert(text.find("<child link=\"bed\"/>"), limits);
-  const Machine machine = machineFromUrdf(text);
+  const CartesianMachine machine = machineFromUrdf(text);
   EXPECT_TRUE(bedFromNozzle(machine, {10, -20, 30}).translation().isApprox(Point3(10, 20, 30), 1e-9));
 }
 
-TEST(Machine, NamesTheFirstWaypointOutOfReach) {
-  const Machine machine = machineByName("cartesian_gantry");
+TEST(CartesianMachine, NamesTheFirstWaypointOutOfReach) {
+  const CartesianMachine machine = machineByName("cartesian_gantry");
   EXPECT_EQ(unreachable(through({{0, 0, 0}, {220, 220, 250}}), machine), "");
   EXPECT_EQ(unreachable(through({{0, 0, 0}, {0, 230.5, 0}, {-1, 0, 0}}), machine),
             "layer 0, path 0, waypoint 1: axis y would be at 230.500 mm; cartesian_gantry reaches 0.000 to "
@@ -138,22 +138,22 @@ TEST(Machine, NamesTheFirstWaypointOutOfReach) {
   EXPECT_NE(unreachable(through({{0, 0, 0}, {0, 0, std::nan("")}}), machine), "");
 }
 
-TEST(Machine, RefusesAnotherAngleOfTheNozzle) {
+TEST(CartesianMachine, RefusesAnotherAngleOfTheNozzle) {
   EXPECT_EQ(unreachable(through({{0, 0, 0}, {10, 10, 10}}), machineByName("gantry_45")),
             "layer 0, path 0, waypoint 0: the nozzle would have to turn by 45.000 deg; the head of gantry_45 "
             "is fixed");
 }
 
-TEST(Machine, LetsTheNozzleTurnAboutItsJet) {
-  const Machine machine = machineByName("cartesian_gantry");
+TEST(CartesianMachine, LetsTheNozzleTurnAboutItsToolAxis) {
+  const CartesianMachine machine = machineByName("cartesian_gantry");
   const Eigen::Isometry3d turned =
       bedFromNozzle(machine, {1, 2, 3}) * Eigen::Isometry3d(Eigen::AngleAxisd(1.0, Point3::UnitZ()));
   EXPECT_TRUE(axisValuesWithin(machine, turned).isApprox(AxisValues(1, 2, 3)));
 }
 
-TEST(Machine, OfFiveAxesIsThatOfItsLinearOnesWithTheOthersAtZero) {
+TEST(CartesianMachine, OfFiveAxesIsThatOfItsLinearOnesWithTheOthersAtZero) {
   for (const std::string& name : machineNames()) {
-    const Machine machine = machineByName(name);
+    const CartesianMachine machine = machineByName(name);
     if (machine.rotary_joints.empty()) continue;
     EXPECT_TRUE(bedFromNozzle(machine, {10, 20, 30}).translation().isApprox(Point3(10, 20, 30), 1e-9))
         << name;
@@ -167,7 +167,7 @@ TEST(Machine, OfFiveAxesIsThatOfItsLinearOnesWithTheOthersAtZero) {
   EXPECT_TRUE(machineByName("gantry_45").rotary_joints.empty());
 }
 
-TEST(Machine, RefusesToTiltItsNozzleByItsLinearAxesAlone) {
+TEST(CartesianMachine, RefusesToTiltItsNozzleByItsLinearAxesAlone) {
   Toolpath tilted = through({{0, 0, 0}, {10, 10, 10}});
   tilted.layers[0].paths[0].orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.75 * M_PI, Point3::UnitX()));
   EXPECT_EQ(unreachable(tilted, machineByName("five_axis_head_table")),
@@ -175,18 +175,19 @@ TEST(Machine, RefusesToTiltItsNozzleByItsLinearAxesAlone) {
             "five_axis_head_table alone hold it as it is with joints c and b at zero");
 }
 
-TEST(Machine, RefusesAnUnknownNameAndListsTheKnown) {
+TEST(CartesianMachine, RefusesAnUnknownNameAndListsTheKnown) {
   try {
     machineByName("delta");
     FAIL() << "an unknown machine was found";
   } catch (const InvalidConfig& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.rfind("machine.name is 'delta'; must be one of belt_45, cartesian_gantry", 0), 0U);
-    for (const std::string& name : mechanismNames()) EXPECT_NE(message.find(name), std::string::npos) << name;
+    for (const std::string& name : kinematicModelNames())
+      EXPECT_NE(message.find(name), std::string::npos) << name;
   }
 }
 
-TEST(Machine, RefusesDescriptionsThatAreNoSuchMachine) {
+TEST(CartesianMachine, RefusesDescriptionsThatAreNoSuchMachine) {
   EXPECT_THROW(machineFromUrdf("not xml"), InvalidConfig);
   EXPECT_THROW(machineFromUrdf(gantryWith("name=\"sensor\"", "name=\"eye\"")), InvalidConfig);
   EXPECT_THROW(machineFromUrdf(gantryWith("type=\"prismatic\"", "type=\"revolute\"")), InvalidConfig);
@@ -194,12 +195,12 @@ TEST(Machine, RefusesDescriptionsThatAreNoSuchMachine) {
   EXPECT_THROW(machineFromUrdf(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")), InvalidConfig);
 }
 
-TEST(Machine, DescriptionIsTheFileOfItsName) {
-  for (const std::string& name : mechanismNames())
+TEST(CartesianMachine, DescriptionIsTheFileOfItsName) {
+  for (const std::string& name : kinematicModelNames())
     EXPECT_EQ(machineByName(name).urdf, readFile(std::string(LAMINA_SOURCE_DIR) + "/urdf/" + name + ".urdf"));
 }
 
-TEST(Machine, TheSensorMeetsTheLevelOfTheNozzleStraightBeneathItself) {
+TEST(CartesianMachine, TheSensorMeetsTheLevelOfTheNozzleStraightBelowItself) {
   for (const auto& [name, place] : kSensors) {
     const Point2 offset = sensorOffset(machineByName(name));
     EXPECT_NEAR(offset.x(), place.x(), 1e-6) << name;

@@ -20,7 +20,7 @@ const MachineBody& bodyOf(const std::vector<MachineBody>& bodies, const std::str
 }
 
 /// Lowest point of a body over the bed when the nozzle tip is there [mm].
-double lowest(const MachineBody& body, const Machine& machine, const Point3& tip) {
+double lowest(const MachineBody& body, const CartesianMachine& machine, const Point3& tip) {
   const Point3 origin = body.bed_from_body_at_zero.translation() + body.motion * axisValues(machine, tip);
   const Point3 down = body.bed_from_body_at_zero.linear().transpose() * -Point3::UnitZ();
   return origin.z() - extent(body.shape, down);
@@ -44,7 +44,7 @@ std::string failureOf(const std::string& urdf) {
 
 TEST(MachineBodies, EveryMachineHasAConeThatStandsOnItsTip) {
   for (const std::string& name : machineNames()) {
-    const Machine machine = machineByName(name);
+    const CartesianMachine machine = machineByName(name);
     std::size_t cones = 0;
     for (const MachineBody& body : movingBodies(machine)) {
       if (body.link != "nozzle" || !std::holds_alternative<ConeShape>(body.shape)) continue;
@@ -60,9 +60,9 @@ TEST(MachineBodies, EveryMachineHasAConeThatStandsOnItsTip) {
   }
 }
 
-TEST(MachineBodies, NoneReachesBeneathTheTipWhereverItIs) {
+TEST(MachineBodies, NoneReachesBelowTheTipWhereverItIs) {
   for (const std::string& name : machineNames()) {
-    const Machine machine = machineByName(name);
+    const CartesianMachine machine = machineByName(name);
     for (const MachineBody& body : movingBodies(machine))
       for (const Point3& tip : {Point3(0, 0, 0), Point3(100, 50, 100)})
         EXPECT_GT(lowest(body, machine, tip), tip.z() - 1e-9) << name << " " << body.link;
@@ -101,8 +101,8 @@ TEST(MachineBodies, AMeshOrASizeOfNothingIsRefused) {
 }
 
 TEST(MachineBodies, AnUprightHeadKeepsTipAndSensorWhereTheyWere) {
-  const Machine inclined = machineByName("gantry_45");
-  const Machine upright = withUprightHead(inclined);
+  const CartesianMachine inclined = machineByName("gantry_45");
+  const CartesianMachine upright = withUprightHead(inclined);
   const Eigen::Isometry3d& nozzle = upright.bed_from_nozzle_at_zero;
   EXPECT_TRUE(nozzle.linear().col(2).isApprox(-Point3::UnitZ()));
   EXPECT_TRUE(nozzle.translation().isApprox(inclined.bed_from_nozzle_at_zero.translation()));

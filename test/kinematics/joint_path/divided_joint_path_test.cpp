@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-/// A motion on which the jet turns from straight down to 60 deg.
+/// A motion on which the tool axis turns from straight down to 60 deg.
 Toolpath turning() {
   Path path;
   path.role = PathRole::OuterWall;
@@ -28,7 +28,7 @@ Toolpath turning() {
 // Linear joints that go steadily while an arm of 100 mm turns by t leave out the arc's rise of
 // 100 (1 - cos(t / 2)).
 TEST(DividedJointPath, MeasuresHowFarSteadyJointsLeaveAMotion) {
-  const test::GantryHead machine(JetSpin::Free, 200.0, 100.0);
+  const test::GantryHead machine(ToolAxisSpin::Free, 200.0, 100.0);
   NoProgress progress;
   const JointPath path =
       planJointPath(turning(), Eigen::Isometry3d::Identity(), machine, JointPathSettings(), progress);
@@ -36,11 +36,11 @@ TEST(DividedJointPath, MeasuresHowFarSteadyJointsLeaveAMotion) {
   ASSERT_EQ(deviations.size(), 2U);
   EXPECT_EQ(deviations[0].tip_mm, 0.0);
   EXPECT_NEAR(deviations[1].tip_mm, 100.0 * (1.0 - std::cos(M_PI / 6.0)), 1e-6);
-  EXPECT_NEAR(deviations[1].jet, 0.0, 1e-9);
+  EXPECT_NEAR(deviations[1].tool_axis, 0.0, 1e-9);
 }
 
 TEST(DividedJointPath, DividesUntilTheToleranceIsKept) {
-  const test::GantryHead machine(JetSpin::Free, 200.0, 100.0);
+  const test::GantryHead machine(ToolAxisSpin::Free, 200.0, 100.0);
   NoProgress progress;
   JointPathSettings settings;
   settings.division.tip_tolerance_mm = 0.005;

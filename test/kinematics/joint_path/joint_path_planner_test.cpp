@@ -17,7 +17,7 @@ using test::GantryHead;
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Nozzle whose jet is inclined from straight down towards an azimuth.
+/// Nozzle whose tool axis is inclined from straight down towards an azimuth.
 Eigen::Quaterniond inclined(double azimuth_deg, double tilt_deg) {
   const Eigen::AngleAxisd tilt(
       -tilt_deg * kDegree,
@@ -41,7 +41,7 @@ Toolpath toolpathOf(std::vector<Path> paths) {
   return toolpath;
 }
 
-/// A circle in steps of 5 deg, with the jet inclined outwards by 30 deg.
+/// A circle in steps of 5 deg, with the tool axis inclined outwards by 30 deg.
 Path circle(double z_mm, double turn_deg = 360.0) {
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> nozzles;
@@ -66,26 +66,27 @@ Toolpath tower(int circles) {
   return toolpathOf(std::move(paths));
 }
 
-JointPath plan(const Toolpath& toolpath, const Mechanism& mechanism, const JointPathSettings& settings = {}) {
+JointPath plan(const Toolpath& toolpath, const KinematicModel& model,
+               const JointPathSettings& settings = {}) {
   NoProgress progress;
-  return planJointPath(toolpath, Eigen::Isometry3d::Identity(), mechanism, settings, progress);
+  return planJointPath(toolpath, Eigen::Isometry3d::Identity(), model, settings, progress);
 }
 
-/// Angle of the jet, and distance of the tip, to what the toolpath asks: the greatest of all waypoints.
+/// Angle of the tool axis, and distance of the tip, to what the toolpath asks: the greatest of all waypoints.
 struct Misses {
   double tip_mm = 0.0;
-  double jet = 0.0;
+  double tool_axis = 0.0;
 };
 
-Misses misses(const JointPath& path, const Toolpath& toolpath, const Mechanism& mechanism) {
+Misses misses(const JointPath& path, const Toolpath& toolpath, const KinematicModel& model) {
   Misses most;
   for (std::size_t i = 0; i < path.at.size(); ++i) {
     const Path& asked = toolpath.layers[path.at[i].layer].paths[path.at[i].path];
-    const Eigen::Isometry3d is = mechanism.bedFromNozzle(path.values[i]);
-    const Point3 jet = asked.orientation.at(path.at[i].waypoint) * Point3::UnitZ();
+    const Eigen::Isometry3d is = model.bedFromNozzle(path.values[i]);
+    const Point3 tool_axis = asked.orientation.at(path.at[i].waypoint) * Point3::UnitZ();
     const Point3 own = is.linear().col(2);
     most.tip_mm = std::max(most.tip_mm, (is.translation() - asked.points[path.at[i].waypoint]).norm());
-    most.jet = std::max(most.jet, std::atan2(own.cross(jet).norm(), own.dot(jet)));
+    most.tool_axis = std::max(most.tool_axis, std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis)));
   }
   return most;
 }
@@ -100,7 +101,7 @@ double greatestStep(const JointPath& path, const Toolpath& toolpath, Eigen::Inde
 }
 
 TEST(JointPathPlanner, BringsTheNozzleToEveryWaypoint) {
-  const GantryHead machine(JetSpin::Free, 400.0, 60.0);
+  const GantryHead machine(ToolAxisSpin::Free, 400.0, 60.0);
   const Toolpath toolpath = tower(2);
   const JointPath path = plan(toolpath, machine);
   ASSERT_TRUE(path.isRunnable());
@@ -108,19 +109,19 @@ TEST(JointPathPlanner, BringsTheNozzleToEveryWaypoint) {
   EXPECT_EQ(path.at.size(), 73U + 4U + 73U);
   const Misses most = misses(path, toolpath, machine);
   EXPECT_LT(most.tip_mm, 1e-9);
-  EXPECT_LT(most.jet, 1e-9);
+  EXPECT_LT(most.tool_axis, 1e-9);
 }
 
 // A circle turns c by 360 deg. Its start is at -90 or 270 deg in one branch, at 90 or -270 in the other.
 TEST(JointPathPlanner, RewindsATurningHeadOnTravelsAsOftenAsItsLimitsAsk) {
-  EXPECT_EQ(plan(tower(6), GantryHead(JetSpin::Free, 280.0)).rewinds, 5U);  // -90 to 270
-  EXPECT_EQ(plan(tower(6), GantryHead(JetSpin::Free, 640.0)).rewinds, 1U);  // -450 to 630
-  EXPECT_EQ(plan(tower(6), GantryHead(JetSpin::Free, 1200.0)).rewinds, 0U);
+  EXPECT_EQ(plan(tower(6), GantryHead(ToolAxisSpin::Free, 280.0)).rewinds, 5U);  // -90 to 270
+  EXPECT_EQ(plan(tower(6), GantryHead(ToolAxisSpin::Free, 640.0)).rewinds, 1U);  // -450 to 630
+  EXPECT_EQ(plan(tower(6), GantryHead(ToolAxisSpin::Free, 1200.0)).rewinds, 0U);
 }
 
 TEST(JointPathPlanner, RewindsOnTheHighestMotionOfATravel) {
   const Toolpath toolpath = tower(2);
-  const JointPath path = plan(toolpath, GantryHead(JetSpin::Free, 280.0));
+  const JointPath path = plan(toolpath, GantryHead(ToolAxisSpin::Free, 280.0));
   ASSERT_EQ(path.rewinds, 1U);
   for (std::size_t i = 1; i < path.at.size(); ++i) {
     const bool is_rewind = std::abs(path.values[i][3] - path.values[i - 1][3]) > M_PI;
@@ -130,7 +131,7 @@ TEST(JointPathPlanner, RewindsOnTheHighestMotionOfATravel) {
 
 TEST(JointPathPlanner, NeverRewindsASpiralOnAHeadThatTurnsForEver) {
   const Toolpath toolpath = toolpathOf({circle(0.0, 20 * 360.0)});
-  const JointPath path = plan(toolpath, GantryHead(JetSpin::Free, 1e6));
+  const JointPath path = plan(toolpath, GantryHead(ToolAxisSpin::Free, 1e6));
   EXPECT_TRUE(path.isRunnable());
   EXPECT_EQ(path.rewinds, 0U);
   EXPECT_NEAR(std::abs(path.values.back()[3] - path.values.front()[3]), 20 * 2.0 * M_PI, 1e-6);
@@ -138,14 +139,15 @@ TEST(JointPathPlanner, NeverRewindsASpiralOnAHeadThatTurnsForEver) {
 
 TEST(JointPathPlanner, NamesWhereARunWindsUpAHead) {
   // c starts at -90 deg, or at 270 and thus -90; it reaches 280 after 370 deg, which is waypoint 74.
-  const JointPath path = plan(toolpathOf({circle(0.0, 600.0)}), GantryHead(JetSpin::Free, 281.0));
+  const JointPath path = plan(toolpathOf({circle(0.0, 600.0)}), GantryHead(ToolAxisSpin::Free, 281.0));
   ASSERT_EQ(path.faults.size(), 1U);
-  EXPECT_EQ(path.faults[0].fault, JointFault::WindUp);
+  EXPECT_EQ(path.faults[0].fault, JointFault::JointUnwinding);
   EXPECT_NE(path.faults[0].reason.find("joint c"), std::string::npos) << path.faults[0].reason;
 }
 
 TEST(JointPathPlanner, GoesStraightThroughTheSingularityOfAHead) {
-  // The jet goes from 20 deg on one side through straight down to 20 deg on the other: a alone has to turn.
+  // The tool axis goes from 20 deg on one side through straight down to 20 deg on the other: a alone has to
+  // turn.
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> nozzles;
   for (int i = -10; i <= 10; ++i) {
@@ -153,15 +155,15 @@ TEST(JointPathPlanner, GoesStraightThroughTheSingularityOfAHead) {
     nozzles.push_back(inclined(0.0, 2.0 * i));
   }
   const Toolpath toolpath = toolpathOf({pathThrough(PathRole::Infill, points, nozzles)});
-  const GantryHead machine(JetSpin::Free);
+  const GantryHead machine(ToolAxisSpin::Free);
   const JointPath path = plan(toolpath, machine);
   ASSERT_TRUE(path.isRunnable()) << path.faults[0].reason;
   EXPECT_LT(greatestStep(path, toolpath, 3), 1e-6);
-  EXPECT_LT(misses(path, toolpath, machine).jet, 1e-7);
+  EXPECT_LT(misses(path, toolpath, machine).tool_axis, 1e-7);
 }
 
-TEST(JointPathPlanner, TurnsAHeadWhileItsJetIsStraightDown) {
-  // Between a jet inclined towards 0 deg and one towards 90 deg it is straight down for 20 mm.
+TEST(JointPathPlanner, TurnsAHeadWhileItsToolAxisIsStraightDown) {
+  // Between a tool axis inclined towards 0 deg and one towards 90 deg it is straight down for 20 mm.
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> nozzles;
   for (int i = 0; i <= 40; ++i) {
@@ -169,13 +171,13 @@ TEST(JointPathPlanner, TurnsAHeadWhileItsJetIsStraightDown) {
     nozzles.push_back(i < 10 ? inclined(0.0, 10.0 - i) : i < 30 ? nozzleDown() : inclined(90.0, i - 30.0));
   }
   const Toolpath toolpath = toolpathOf({pathThrough(PathRole::Infill, points, nozzles)});
-  const JointPath path = plan(toolpath, GantryHead(JetSpin::Free));
+  const JointPath path = plan(toolpath, GantryHead(ToolAxisSpin::Free));
   ASSERT_TRUE(path.isRunnable()) << path.faults[0].reason;
   EXPECT_LT(greatestStep(path, toolpath, 3), 11.0 * kDegree);
 }
 
 TEST(JointPathPlanner, NamesASwingBesideASingularity) {
-  // The jet passes straight down at 0.2 deg: c swings by nearly half a turn within a few waypoints.
+  // The tool axis passes straight down at 0.2 deg: c swings by nearly half a turn within a few waypoints.
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> nozzles;
   for (int i = -40; i <= 40; ++i) {
@@ -183,32 +185,32 @@ TEST(JointPathPlanner, NamesASwingBesideASingularity) {
     nozzles.push_back(inclined(90.0, 0.2) * nozzleDown().inverse() * inclined(0.0, 0.1 * i));
   }
   const Toolpath toolpath = toolpathOf({pathThrough(PathRole::Infill, points, nozzles)});
-  const GantryHead machine(JetSpin::Free, 280.0);
+  const GantryHead machine(ToolAxisSpin::Free, 280.0);
   JointPathSettings settings;
   settings.max_slowdown = 10.0;
   const JointPath swinging = plan(toolpath, machine, settings);
   ASSERT_FALSE(swinging.isRunnable());
   for (const FaultyWaypoint& faulty : swinging.faults) EXPECT_EQ(faulty.fault, JointFault::Singular);
-  settings.singular_jet_tolerance_deg = 0.5;
+  settings.singular_tool_axis_tolerance_deg = 0.5;
   const JointPath passing = plan(toolpath, machine, settings);
   ASSERT_TRUE(passing.isRunnable()) << passing.faults[0].reason;
-  EXPECT_LE(misses(passing, toolpath, machine).jet, 0.5 * kDegree);
+  EXPECT_LE(misses(passing, toolpath, machine).tool_axis, 0.5 * kDegree);
 }
 
 TEST(JointPathPlanner, TurnsANozzleThatMayTurnInsteadOfWindingItsHead) {
   // Held, the spin follows the toolpath's; free, it need not, and nothing but c and a moves.
-  const GantryHead machine(JetSpin::Given, 1000.0);
+  const GantryHead machine(ToolAxisSpin::Given, 1000.0);
   const Toolpath toolpath = toolpathOf({circle(0.0)});
   const JointPath path = plan(toolpath, machine);
   ASSERT_TRUE(path.isRunnable());
-  EXPECT_LT(misses(path, toolpath, machine).jet, 1e-9);
+  EXPECT_LT(misses(path, toolpath, machine).tool_axis, 1e-9);
   EXPECT_LT(greatestStep(path, toolpath, 5), 0.1);
 }
 
 TEST(JointPathPlanner, ChangesTheBranchOfAHeadOnATravelThatItsLimitsAskItTo) {
   // c goes from 80 to 130 deg in one branch and from -100 to -50 in the other; its limits let neither run be
   // made in the branch of the other run.
-  GantryHead machine(JetSpin::Free);
+  GantryHead machine(ToolAxisSpin::Free);
   machine.changedJoints()[3].low = -110.0 * kDegree;
   machine.changedJoints()[3].high = 110.0 * kDegree;
   const auto run = [](double from_deg, double y) {
@@ -230,14 +232,14 @@ TEST(JointPathPlanner, ChangesTheBranchOfAHeadOnATravelThatItsLimitsAskItTo) {
   const Toolpath toolpath = toolpathOf({first, travel(first, second), second, travel(second, third), third});
   const JointPath path = plan(toolpath, machine);
   ASSERT_TRUE(path.isRunnable()) << path.faults[0].reason;
-  EXPECT_LT(misses(path, toolpath, machine).jet, 1e-9);
+  EXPECT_LT(misses(path, toolpath, machine).tool_axis, 1e-9);
   JointPathSettings settings;
   settings.branch_change = BranchChange::Never;
   EXPECT_FALSE(plan(toolpath, machine, settings).isRunnable());
 }
 
 TEST(JointPathPlanner, NamesEveryWaypointOutOfReach) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   std::vector<Point3> points;
   for (int i = 0; i <= 10; ++i) points.emplace_back(1000.0 * i, 0, 100);
   const Toolpath toolpath =
@@ -250,19 +252,19 @@ TEST(JointPathPlanner, NamesEveryWaypointOutOfReach) {
 }
 
 TEST(JointPathPlanner, LeadsAnArmAlongSteepWalls) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const Toolpath toolpath = tower(2);
   const JointPath path = plan(toolpath, *arm);
   ASSERT_TRUE(path.isRunnable()) << path.faults[0].reason;
   const Misses most = misses(path, toolpath, *arm);
   EXPECT_LT(most.tip_mm, 1e-6);
-  EXPECT_LT(most.jet, 1e-9);
+  EXPECT_LT(most.tool_axis, 1e-9);
   for (Eigen::Index joint = 0; joint < 6; ++joint)
     EXPECT_LT(greatestStep(path, toolpath, joint), 15.0 * kDegree);
 }
 
 TEST(JointPathPlanner, NamesEveryWaypointThatIsOutOfLimits) {
-  GantryHead machine(JetSpin::Free);
+  GantryHead machine(ToolAxisSpin::Free);
   machine.changedJoints()[0].high = 10.5;
   std::vector<Point3> points;
   for (int i = 0; i <= 20; ++i) points.emplace_back(i < 15 ? i : 20 - i, i, 0);
@@ -276,11 +278,11 @@ TEST(JointPathPlanner, NamesEveryWaypointThatIsOutOfLimits) {
     EXPECT_EQ(path.values[i].size() == 0, i >= 11 && i <= 14) << i;
 }
 
-TEST(JointPathPlanner, NamesALeapOfTheJet) {
+TEST(JointPathPlanner, NamesALeapOfTheToolAxis) {
   const Toolpath toolpath =
       toolpathOf({pathThrough(PathRole::Infill, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
                               {inclined(0.0, 80.0), inclined(120.0, 80.0), inclined(120.0, 80.0)})});
-  const JointPath path = plan(toolpath, GantryHead(JetSpin::Free));
+  const JointPath path = plan(toolpath, GantryHead(ToolAxisSpin::Free));
   ASSERT_EQ(path.faults.size(), 1U);
   EXPECT_EQ(path.faults[0].fault, JointFault::Jump);
   EXPECT_EQ(path.faults[0].at.waypoint, 1U);
@@ -292,14 +294,14 @@ TEST(JointPathPlanner, NamesWhatIsNearerToASingularityThanAllowed) {
   settings.least_margin_deg = 5.0;
   const Toolpath toolpath = toolpathOf({pathThrough(PathRole::Infill, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
                                                     {inclined(0, 8.0), inclined(0, 4.0), inclined(0, 8.0)})});
-  const JointPath path = plan(toolpath, GantryHead(JetSpin::Free), settings);
+  const JointPath path = plan(toolpath, GantryHead(ToolAxisSpin::Free), settings);
   ASSERT_EQ(path.faults.size(), 1U);
   EXPECT_EQ(path.faults[0].fault, JointFault::Singular);
   EXPECT_EQ(path.faults[0].reason, "4 deg from a singularity; must be 5 deg or more");
 }
 
 TEST(JointPathPlanner, IsTheSameWhateverTheNumberOfThreads) {
-  const GantryHead machine(JetSpin::Given, 280.0);
+  const GantryHead machine(ToolAxisSpin::Given, 280.0);
   const Toolpath toolpath = tower(3);
   const JointPath many = plan(toolpath, machine);
   const ThreadLimit limit(1);
@@ -310,7 +312,7 @@ TEST(JointPathPlanner, IsTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST(JointPathPlanner, OfNothingIsEmpty) {
-  const JointPath path = plan(Toolpath(), GantryHead(JetSpin::Free));
+  const JointPath path = plan(Toolpath(), GantryHead(ToolAxisSpin::Free));
   EXPECT_TRUE(path.at.empty());
   EXPECT_TRUE(path.isRunnable());
 }
@@ -318,7 +320,7 @@ TEST(JointPathPlanner, OfNothingIsEmpty) {
 TEST(JointPathPlanner, RefusesSettingsOutOfBounds) {
   JointPathSettings settings;
   settings.yaw_samples = 0;
-  EXPECT_THROW(plan(Toolpath(), GantryHead(JetSpin::Free), settings), InvalidConfig);
+  EXPECT_THROW(plan(Toolpath(), GantryHead(ToolAxisSpin::Free), settings), InvalidConfig);
 }
 
 /// Bans values of the last joint.
@@ -335,13 +337,13 @@ class BannedSpin : public JointGuard {
   double half_width_;
 };
 
-JointPath planGuarded(const Toolpath& toolpath, const Mechanism& mechanism, const JointGuard& guard) {
+JointPath planGuarded(const Toolpath& toolpath, const KinematicModel& model, const JointGuard& guard) {
   NoProgress progress;
-  return planJointPath(toolpath, Eigen::Isometry3d::Identity(), {mechanism, guard}, {}, progress);
+  return planJointPath(toolpath, Eigen::Isometry3d::Identity(), {model, guard}, {}, progress);
 }
 
 TEST(JointPathPlanner, GoesRoundAYawThatIsBanned) {
-  const GantryHead machine(JetSpin::Given, 400.0);
+  const GantryHead machine(ToolAxisSpin::Given, 400.0);
   const Toolpath toolpath = toolpathOf({circle(0.0, 90.0)});
   const JointPath free = plan(toolpath, machine);
   ASSERT_TRUE(free.isRunnable());
@@ -349,11 +351,11 @@ TEST(JointPathPlanner, GoesRoundAYawThatIsBanned) {
   const JointPath guarded = planGuarded(toolpath, machine, guard);
   ASSERT_TRUE(guarded.isRunnable());
   for (const JointValues& values : guarded.values) EXPECT_TRUE(guard.allows(values));
-  EXPECT_LT(misses(guarded, toolpath, machine).jet, 1e-9);
+  EXPECT_LT(misses(guarded, toolpath, machine).tool_axis, 1e-9);
 }
 
 TEST(JointPathPlanner, NamesWaypointsWhoseEveryYawIsBanned) {
-  const GantryHead machine(JetSpin::Given);
+  const GantryHead machine(ToolAxisSpin::Given);
   const Toolpath toolpath = tower(1);
   const JointPath path = planGuarded(toolpath, machine, BannedSpin(0.0, 4.0));
   ASSERT_EQ(path.faults.size(), path.at.size());

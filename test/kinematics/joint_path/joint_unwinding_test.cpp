@@ -51,7 +51,7 @@ std::size_t rewindsOf(int turns, double limit_deg) {
 
 // Values at the places are multiples of 360 deg; n turns from one place until before another are -360 k to
 // 360 (n - k) - 10, and the last of all values is 10 more.
-TEST(WindUp, IsRewoundAsOftenAsCountedByHand) {
+TEST(JointUnwinding, IsRewoundAsOftenAsCountedByHand) {
   EXPECT_EQ(rewindsOf(6, 355.0), 6U);   // a turn at a time, and the last value by itself
   EXPECT_EQ(rewindsOf(6, 360.0), 2U);   // two turns at a time
   EXPECT_EQ(rewindsOf(6, 720.0), 1U);   // four
@@ -59,7 +59,7 @@ TEST(WindUp, IsRewoundAsOftenAsCountedByHand) {
   EXPECT_EQ(rewindsOf(100, 1e6), 0U);
 }
 
-TEST(WindUp, RewindsWhereTheRankIsHighestAmongTheFewest) {
+TEST(JointUnwinding, RewindsWhereTheRankIsHighestAmongTheFewest) {
   // Of 3 turns 2 fit, so one rewind is needed, at the first place or the second.
   Turning way = turning(3, {5.0, 1.0, 9.0});
   const Unwound unwound = unwind(way.values, way.links, oneJoint(370.0));
@@ -68,7 +68,7 @@ TEST(WindUp, RewindsWhereTheRankIsHighestAmongTheFewest) {
   EXPECT_NEAR(unwound.values[36][0], -360.0 * kDegree, 1e-9);
 }
 
-TEST(WindUp, NamesWhereARunIsTooLong) {
+TEST(JointUnwinding, NamesWhereARunIsTooLong) {
   Turning way = turning(2);
   for (WindLink& link : way.links) link.may_rewind = false;
   // It can start at 0 only; 190 deg is its limit.
@@ -78,7 +78,7 @@ TEST(WindUp, NamesWhereARunIsTooLong) {
   EXPECT_EQ(unwound.wound_up[0].joint, 0U);
 }
 
-TEST(WindUp, KeepsEveryValueWithinItsLimitsAndChangesItByWholeTurnsOnly) {
+TEST(JointUnwinding, KeepsEveryValueWithinItsLimitsAndChangesItByWholeTurnsOnly) {
   EXPECT_TRUE(rc::check([](std::uint32_t seed) {
     Random random(seed);
     Turning way;

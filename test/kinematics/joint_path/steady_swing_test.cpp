@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Along x, the jet inclined by `tilt_deg` towards an azimuth that goes to and fro by 80 deg.
+/// Along x, the tool axis inclined by `tilt_deg` towards an azimuth that goes to and fro by 80 deg.
 Toolpath wavering(double tilt_deg) {
   Path path;
   path.role = PathRole::OuterWall;
@@ -34,13 +34,13 @@ Toolpath wavering(double tilt_deg) {
 
 /// What a machine does on a wavering path.
 struct Swing {
-  double total = 0.0;       ///< of joint c [rad]
-  double jet_off = 0.0;     ///< greatest [rad]
-  double tip_off_mm = 0.0;  ///< greatest
+  double total = 0.0;          ///< of joint c [rad]
+  double tool_axis_off = 0.0;  ///< greatest [rad]
+  double tip_off_mm = 0.0;     ///< greatest
 };
 
 Swing swingOf(double tilt_deg, double tolerance_deg) {
-  const test::GantryHead machine(JetSpin::Free, 400.0, 60.0);
+  const test::GantryHead machine(ToolAxisSpin::Free, 400.0, 60.0);
   const Toolpath toolpath = wavering(tilt_deg);
   JointPathSettings settings;
   settings.swing_tolerance_deg = tolerance_deg;
@@ -51,33 +51,34 @@ Swing swingOf(double tilt_deg, double tolerance_deg) {
   const Path& asked = toolpath.layers[0].paths[0];
   for (std::size_t i = 0; i < path.values.size(); ++i) {
     const Eigen::Isometry3d is = machine.bedFromNozzle(path.values[i]);
-    const Point3 jet = asked.orientation.at(i) * Point3::UnitZ();
+    const Point3 tool_axis = asked.orientation.at(i) * Point3::UnitZ();
     const Point3 own = is.linear().col(2);
-    swing.jet_off = std::max(swing.jet_off, std::atan2(own.cross(jet).norm(), own.dot(jet)));
+    swing.tool_axis_off =
+        std::max(swing.tool_axis_off, std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis)));
     swing.tip_off_mm = std::max(swing.tip_off_mm, (is.translation() - asked.points[i]).norm());
     if (i > 0) swing.total += std::abs(path.values[i][3] - path.values[i - 1][3]);
   }
   return swing;
 }
 
-TEST(SteadySwing, KeepsTipAndJetWhereNoToleranceIsGiven) {
+TEST(SteadySwing, KeepsTipAndToolAxisWhereNoToleranceIsGiven) {
   const Swing swing = swingOf(2.0, 0.0);
-  EXPECT_LT(swing.jet_off, 1e-9);
+  EXPECT_LT(swing.tool_axis_off, 1e-9);
   EXPECT_LT(swing.tip_off_mm, 1e-9);
 }
 
-TEST(SteadySwing, HardlySwingsWhereTheJetLeansLessThanTheTolerance) {
+TEST(SteadySwing, HardlySwingsWhereTheToolAxisLeansLessThanTheTolerance) {
   const Swing swing = swingOf(0.2, 0.5);
   EXPECT_LT(swing.total, 180.0 * kDegree);
   EXPECT_GT(swingOf(0.2, 0.0).total, 1500.0 * kDegree);
-  EXPECT_LT(swing.jet_off, 0.5 * kDegree + 1e-9);
+  EXPECT_LT(swing.tool_axis_off, 0.5 * kDegree + 1e-9);
   EXPECT_LT(swing.tip_off_mm, 1e-9);
 }
 
 TEST(SteadySwing, SwingsLessWithinTheToleranceOfALargerLean) {
   const Swing swing = swingOf(3.0, 1.0);
   EXPECT_LT(swing.total, 0.95 * swingOf(3.0, 0.0).total);
-  EXPECT_LT(swing.jet_off, 1.0 * kDegree + 1e-9);
+  EXPECT_LT(swing.tool_axis_off, 1.0 * kDegree + 1e-9);
   EXPECT_LT(swing.tip_off_mm, 1e-9);
 }
 

@@ -61,11 +61,11 @@ Eigen::Isometry3d forward(const KDL::Chain& chain, const JointValues& values) {
 }
 
 TEST(KdlComparison, TheNozzleIsWhereKdlPutsIt) {
-  const std::vector<std::string> descriptions = {mechanismByName("irb_4400")->urdf(),
-                                                 mechanismByName("irb_4600")->urdf(),
+  const std::vector<std::string> descriptions = {kinematicModelByName("irb_4400")->urdf(),
+                                                 kinematicModelByName("irb_4600")->urdf(),
                                                  test::roundedArm().urdf(), test::offsetWristArm().urdf()};
   for (const std::string& urdf : descriptions) {
-    const auto arm = mechanismFromUrdf(urdf);
+    const auto arm = kinematicModelFromUrdf(urdf);
     const auto model = urdf::parseURDF(urdf);
     const KDL::Chain to_nozzle = chainTo(*model, "nozzle");
     const Eigen::Isometry3d root_from_bed = forward(chainTo(*model, "bed"), JointValues::Zero(6));
@@ -79,7 +79,7 @@ TEST(KdlComparison, TheNozzleIsWhereKdlPutsIt) {
 }
 
 TEST(KdlComparison, TheJacobianIsThatOfKdl) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const auto model = urdf::parseURDF(arm->urdf());
   const KDL::Chain chain = chainTo(*model, "nozzle");
   // The bed stands as the base does: both see the same directions.

@@ -20,10 +20,10 @@ constexpr double kWide = 1e3;  // mm, rad: of joints without end
 constexpr double kStep = 1e-4;
 constexpr double kOfDifferences = 1e-6;  // of the Jacobian: the step's square, and rounding over the step
 
-JointValues anyValues(const Mechanism& mechanism, Random& random) {
-  JointValues values(static_cast<Eigen::Index>(mechanism.joints().size()));
+JointValues anyValues(const KinematicModel& model, Random& random) {
+  JointValues values(static_cast<Eigen::Index>(model.joints().size()));
   for (Eigen::Index j = 0; j < values.size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[static_cast<std::size_t>(j)];
+    const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
     values[j] = random.uniform(std::max(joint.low, -kWide), std::min(joint.high, kWide));
   }
   return values;
@@ -32,7 +32,7 @@ JointValues anyValues(const Mechanism& mechanism, Random& random) {
 /// Those that any values of the joints bring somewhere: the cranks of a platform may not be closed by its
 /// legs.
 std::vector<std::string> serialNames() {
-  std::vector<std::string> names = mechanismNames();
+  std::vector<std::string> names = kinematicModelNames();
   names.erase(std::remove(names.begin(), names.end(), "rus_platform"), names.end());
   return names;
 }
@@ -45,17 +45,17 @@ std::string gantryWith(const std::string& what, const std::string& by) {
   return text;
 }
 
-TEST(Mechanism, EveryOneReachesWhereItsJointsBroughtIt) {
-  EXPECT_TRUE(rc::check("the tip and the jet come back", [](std::uint64_t seed) {
+TEST(KinematicModel, EveryOneReachesWhereItsJointsBroughtIt) {
+  EXPECT_TRUE(rc::check("the tip and the tool axis come back", [](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : serialNames()) {
-      const auto mechanism = mechanismByName(name);
-      const JointValues values = anyValues(*mechanism, random);
-      const Eigen::Isometry3d pose = mechanism->bedFromNozzle(values);
-      const auto solutions = mechanism->solutions(pose, values);
+      const auto model = kinematicModelByName(name);
+      const JointValues values = anyValues(*model, random);
+      const Eigen::Isometry3d pose = model->bedFromNozzle(values);
+      const auto solutions = model->solutions(pose, values);
       RC_ASSERT(!solutions.empty());
       for (const InverseSolution& solution : solutions) {
-        const Eigen::Isometry3d reached = mechanism->bedFromNozzle(solution.values);
+        const Eigen::Isometry3d reached = model->bedFromNozzle(solution.values);
         RC_ASSERT((reached.translation() - pose.translation()).norm() < 1e-6);
         RC_ASSERT((reached.linear().col(2) - pose.linear().col(2)).norm() < 1e-9);
       }
@@ -63,17 +63,17 @@ TEST(Mechanism, EveryOneReachesWhereItsJointsBroughtIt) {
   }));
 }
 
-TEST(Mechanism, TheJacobianIsWhatDifferencesGive) {
+TEST(KinematicModel, TheJacobianIsWhatDifferencesGive) {
   EXPECT_TRUE(rc::check("Jacobian and central differences", [](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : serialNames()) {
-      const auto mechanism = mechanismByName(name);
-      const JointValues values = anyValues(*mechanism, random);
-      const Jacobian jacobian = mechanism->jacobian(values);
+      const auto model = kinematicModelByName(name);
+      const JointValues values = anyValues(*model, random);
+      const Jacobian jacobian = model->jacobian(values);
       for (Eigen::Index j = 0; j < values.size(); ++j) {
         const JointValues step = kStep * JointValues::Unit(values.size(), j);
-        const Eigen::Isometry3d before = mechanism->bedFromNozzle(values - step);
-        const Eigen::Isometry3d after = mechanism->bedFromNozzle(values + step);
+        const Eigen::Isometry3d before = model->bedFromNozzle(values - step);
+        const Eigen::Isometry3d after = model->bedFromNozzle(values + step);
         const Point3 moved = (after.translation() - before.translation()) / (2.0 * kStep);
         const Eigen::AngleAxisd turn(after.linear() * before.linear().transpose());
         const Point3 turned = turn.angle() * turn.axis() / (2.0 * kStep);
@@ -84,37 +84,35 @@ TEST(Mechanism, TheJacobianIsWhatDifferencesGive) {
   }));
 }
 
-TEST(Mechanism, TheNozzleIsOneOfTheLinksAndTheBedStands) {
+TEST(KinematicModel, TheNozzleIsOneOfTheLinksAndTheBedStands) {
   Random random(7);
   for (const std::string& name : serialNames()) {
-    const auto mechanism = mechanismByName(name);
-    const JointValues values = anyValues(*mechanism, random);
-    const auto links = mechanism->bedFromLinks(values);
+    const auto model = kinematicModelByName(name);
+    const JointValues values = anyValues(*model, random);
+    const auto links = model->bedFromLinks(values);
     EXPECT_TRUE(links.at("bed").matrix().isIdentity(1e-9)) << name;
-    EXPECT_TRUE(links.at("nozzle").matrix().isApprox(mechanism->bedFromNozzle(values).matrix(), 1e-12))
-        << name;
+    EXPECT_TRUE(links.at("nozzle").matrix().isApprox(model->bedFromNozzle(values).matrix(), 1e-12)) << name;
     for (Eigen::Index j = 0; j < values.size(); ++j)
-      EXPECT_EQ(mechanism->urdfJoints(values).at(mechanism->joints()[static_cast<std::size_t>(j)].name),
-                values[j])
+      EXPECT_EQ(model->urdfJoints(values).at(model->joints()[static_cast<std::size_t>(j)].name), values[j])
           << name;
   }
 }
 
-TEST(Mechanism, MachinesAreThoseOfTheSlicerWithRotaryJointsAtZero) {
+TEST(KinematicModel, MachinesAreThoseOfTheSlicerWithRotaryJointsAtZero) {
   Random random(1);
   for (const std::string& name : machineNames()) {
-    const Machine machine = machineByName(name);
-    const auto mechanism = mechanismByName(name);
-    JointValues values = anyValues(*mechanism, random);
+    const CartesianMachine machine = machineByName(name);
+    const auto model = kinematicModelByName(name);
+    JointValues values = anyValues(*model, random);
     values.tail(values.size() - 3).setZero();
-    EXPECT_TRUE(mechanism->bedFromNozzle(values).isApprox(bedFromNozzle(machine, values.head<3>()), 1e-12))
+    EXPECT_TRUE(model->bedFromNozzle(values).isApprox(bedFromNozzle(machine, values.head<3>()), 1e-12))
         << name;
-    EXPECT_EQ(mechanism->joints().size(), 3 + machine.rotary_joints.size()) << name;
+    EXPECT_EQ(model->joints().size(), 3 + machine.rotary_joints.size()) << name;
   }
 }
 
-TEST(Mechanism, AFixedHeadReachesNoOtherJet) {
-  const auto machine = mechanismByName("gantry_45");
+TEST(KinematicModel, AFixedHeadReachesNoOtherToolAxis) {
+  const auto machine = kinematicModelByName("gantry_45");
   const JointValues values = JointValues::Constant(3, 50.0);
   const auto turnedBy = [&](double degrees) {
     return Eigen::Isometry3d(machine->bedFromNozzle(values) *
@@ -124,14 +122,14 @@ TEST(Mechanism, AFixedHeadReachesNoOtherJet) {
   EXPECT_TRUE(machine->solutions(turnedBy(0.0101), values).empty());
 }
 
-TEST(Mechanism, ABeltHasNoEnd) {
-  const auto belt = mechanismByName("belt_45");
+TEST(KinematicModel, ABeltHasNoEnd) {
+  const auto belt = kinematicModelByName("belt_45");
   EXPECT_EQ(belt->joints()[2].name, "z");
   EXPECT_EQ(belt->joints()[2].low, 0.0);
   EXPECT_TRUE(std::isinf(belt->joints()[2].high));
 }
 
-TEST(Mechanism, RefusesDescriptionsByWhatIsWrongWithThem) {
+TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
   EXPECT_EQ(test::descriptionFailure(gantryWith("\"nozzle\"", "\"tip\"")),
             "machine 'cartesian_gantry' has no link 'nozzle'");
   EXPECT_EQ(test::descriptionFailure(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
@@ -148,18 +146,18 @@ TEST(Mechanism, RefusesDescriptionsByWhatIsWrongWithThem) {
             "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
   const std::string unknown =
       test::descriptionFailure(gantryWith("<joint name=\"x\"", "<joint name=\"left\""));
-  EXPECT_EQ(
-      unknown.find("machine 'cartesian_gantry' has no joint by which its kind is told; expected one of x"),
-      0U);
+  EXPECT_EQ(unknown.find(
+                "machine 'cartesian_gantry' has no joint by which its kind is reported; expected one of x"),
+            0U);
 }
 
-TEST(Mechanism, NamesTheJointThatHasNoLimits) {
+TEST(KinematicModel, NamesTheJointThatHasNoLimits) {
   const std::string limit = "<limit lower=\"0\" upper=\"0.25\" velocity=\"0.2\" effort=\"100\"/>";
   EXPECT_NE(test::descriptionFailure(gantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
       << test::descriptionFailure(gantryWith(limit, ""));
 }
 
-TEST(Mechanism, RefusesAnUnknownName) { EXPECT_THROW(mechanismByName("delta"), InvalidConfig); }
+TEST(KinematicModel, RefusesAnUnknownName) { EXPECT_THROW(kinematicModelByName("delta"), InvalidConfig); }
 
 }  // namespace
 }  // namespace lamina

@@ -35,7 +35,7 @@ TEST(LinkBodies, LinksJoinedFirmlyAreOneGroup) {
 }
 
 TEST(LinkBodies, LinksOfAUniversalJointAreNoPair) {
-  const LinkBodies bodies = linkBodies(mechanismByName("rus_platform")->urdf());
+  const LinkBodies bodies = linkBodies(kinematicModelByName("rus_platform")->urdf());
   EXPECT_FALSE(canMeet(bodies, "crank_1", "coupler_1"));
   EXPECT_TRUE(canMeet(bodies, "crank_1", "coupler_2"));
   EXPECT_TRUE(canMeet(bodies, "coupler_1", "mobile_platform"));

@@ -16,8 +16,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kTip = 1e-6;  // mm: 1e-9 m
-constexpr double kJet = 1e-9;  // rad
+constexpr double kTip = 1e-6;       // mm: 1e-9 m
+constexpr double kToolAxis = 1e-9;  // rad
 constexpr double kQuarter = M_PI_2;
 const std::vector<std::string> kFiveAxes = {"five_axis_head_ac",    "five_axis_head_bc",
                                             "five_axis_head_table", "five_axis_table_ac",
@@ -27,7 +27,7 @@ JointValues valuesOf(const std::vector<double>& numbers) {
   return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-/// Linear values in mm, rotary ones in turns of the jet by up to 95 degrees.
+/// Linear values in mm, rotary ones in turns of the tool axis by up to 95 degrees.
 JointValues anyValues(Random& random, double most_turn) {
   JointValues values(5);
   for (int i = 0; i < 3; ++i) values[i] = random.uniform(-200.0, 200.0);
@@ -36,20 +36,20 @@ JointValues anyValues(Random& random, double most_turn) {
 }
 
 /// One that is not refused for axes that are nearly parallel.
-std::unique_ptr<Mechanism> anyUsableMachine(Random& random) {
+std::unique_ptr<KinematicModel> anyUsableMachine(Random& random) {
   for (;;) {
     try {
-      return mechanismFromUrdf(anyMachine(random));
+      return kinematicModelFromUrdf(anyMachine(random));
     } catch (const InvalidConfig&) {
       continue;
     }
   }
 }
 
-bool isReached(const Mechanism& machine, const JointValues& values, const Eigen::Isometry3d& pose) {
+bool isReached(const KinematicModel& machine, const JointValues& values, const Eigen::Isometry3d& pose) {
   const Eigen::Isometry3d reached = machine.bedFromNozzle(values);
   return (reached.translation() - pose.translation()).norm() < kTip &&
-         (reached.linear().col(2) - pose.linear().col(2)).norm() < kJet;
+         (reached.linear().col(2) - pose.linear().col(2)).norm() < kToolAxis;
 }
 
 /// Whether the values are the same but for whole turns.
@@ -60,8 +60,9 @@ bool isSame(const JointValues& a, const JointValues& b, double tolerance) {
   return true;
 }
 
-TEST(MultiAxisMachine, HeadsTurnTheJetAboutTheirPivot) {
-  const auto head = mechanismByName("five_axis_head_ac");  // joints x, y, z, a, c; pivot 120 mm above the tip
+TEST(MultiAxisMachine, HeadsTurnTheToolAxisAboutTheirPivot) {
+  const auto head =
+      kinematicModelByName("five_axis_head_ac");  // joints x, y, z, a, c; pivot 120 mm above the tip
   const Eigen::Isometry3d tilted = head->bedFromNozzle(valuesOf({100, 50, 20, kQuarter, 0}));
   EXPECT_TRUE(tilted.translation().isApprox(Point3(100, 170, 140), 1e-12));
   EXPECT_TRUE(tilted.linear().col(2).isApprox(Point3::UnitY(), 1e-12));
@@ -70,8 +71,8 @@ TEST(MultiAxisMachine, HeadsTurnTheJetAboutTheirPivot) {
   EXPECT_TRUE(turned.linear().col(2).isApprox(-Point3::UnitX(), 1e-12));
 }
 
-TEST(MultiAxisMachine, AGimbalIsSingularAtTheLevelJetOnly) {
-  const auto gimbal = mechanismByName("five_axis_head_ab");
+TEST(MultiAxisMachine, AGimbalIsSingularAtTheLevelToolAxisOnly) {
+  const auto gimbal = kinematicModelByName("five_axis_head_ab");
   for (const auto& [b, margin] : {std::pair(0.0, 1.0), std::pair(M_PI / 3.0, 0.5), std::pair(kQuarter, 0.0)})
     EXPECT_NEAR(gimbal->singularityMargin(valuesOf({1, 2, 3, 0.4, b})), margin, 1e-12);
   const JointValues upright =
@@ -80,12 +81,13 @@ TEST(MultiAxisMachine, AGimbalIsSingularAtTheLevelJetOnly) {
 }
 
 TEST(MultiAxisMachine, TablesCountAgainstTheNozzle) {
-  const auto turntable = mechanismByName("five_axis_head_table");  // x, y, z, b, c
+  const auto turntable = kinematicModelByName("five_axis_head_table");  // x, y, z, b, c
   const Eigen::Isometry3d turned = turntable->bedFromNozzle(valuesOf({100, 0, 50, 0, kQuarter}));
   EXPECT_TRUE(turned.translation().isApprox(Point3(0, 100, 50), 1e-12));
   // The cradle's axis is 30 mm above the table.
   for (const char* name : {"five_axis_table_ac", "fixed_nozzle_table"}) {
-    const Eigen::Isometry3d tilted = mechanismByName(name)->bedFromNozzle(valuesOf({0, 0, 0, kQuarter, 0}));
+    const Eigen::Isometry3d tilted =
+        kinematicModelByName(name)->bedFromNozzle(valuesOf({0, 0, 0, kQuarter, 0}));
     EXPECT_TRUE(tilted.translation().isApprox(Point3(0, 30, 30), 1e-12)) << name;
     EXPECT_TRUE(tilted.linear().col(2).isApprox(Point3::UnitY(), 1e-12)) << name;
   }
@@ -95,7 +97,7 @@ TEST(MultiAxisMachine, BothBranchesReachThePoseAndOneIsWhereItCameFrom) {
   EXPECT_TRUE(rc::check("forward and inverse", [](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : kFiveAxes) {
-      const auto machine = mechanismByName(name);
+      const auto machine = kinematicModelByName(name);
       const JointValues values = anyValues(random, M_PI);
       const Eigen::Isometry3d pose = machine->bedFromNozzle(values);
       const auto solutions = machine->solutions(pose, values);
@@ -127,10 +129,10 @@ TEST(MultiAxisMachine, AnyArrangementOfItsJointsIsSolved) {
 }
 
 TEST(MultiAxisMachine, NearItsSingularityItReachesThePoseAsWell) {
-  EXPECT_TRUE(rc::check("jets ever nearer to the first axis", [](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check("tool axes ever nearer to the first axis", [](std::uint64_t seed) {
     Random random(seed);
     for (const std::string& name : kFiveAxes) {
-      const auto machine = mechanismByName(name);
+      const auto machine = kinematicModelByName(name);
       for (double tilt = 1e-3; tilt > 1e-17; tilt *= 0.1) {
         JointValues values = anyValues(random, M_PI);
         values[3] = random.below(2) == 0 ? tilt : -tilt;
@@ -144,14 +146,14 @@ TEST(MultiAxisMachine, NearItsSingularityItReachesThePoseAsWell) {
   }));
 }
 
-TEST(MultiAxisMachine, WhereTheJetIsOnTheFirstAxisThatJointStays) {
+TEST(MultiAxisMachine, WhereTheToolAxisIsOnTheFirstAxisThatJointStays) {
   for (const std::string& name : kFiveAxes) {
-    const auto machine = mechanismByName(name);
+    const auto machine = kinematicModelByName(name);
     const Eigen::Isometry3d pose = machine->bedFromNozzle(valuesOf({10, 20, 30, 0, 0}));
     const JointValues near = valuesOf({0, 0, 0, 0.3, 7.5});
     for (const InverseSolution& solution : machine->solutions(pose, near)) {
       EXPECT_EQ(solution.values[4], 7.5) << name;
-      EXPECT_NEAR(solution.values[3], 0.0, kJet) << name;
+      EXPECT_NEAR(solution.values[3], 0.0, kToolAxis) << name;
       EXPECT_TRUE(isReached(*machine, solution.values, pose)) << name;
     }
     EXPECT_NEAR(machine->singularityMargin(near), std::sin(0.3), 1e-12) << name;
@@ -162,7 +164,7 @@ TEST(MultiAxisMachine, WhereTheJetIsOnTheFirstAxisThatJointStays) {
 
 TEST(MultiAxisMachine, ABranchIsFollowedSteadily) {
   for (const std::string& name : kFiveAxes) {
-    const auto machine = mechanismByName(name);
+    const auto machine = kinematicModelByName(name);
     for (const int branch : {0, 1}) {
       JointValues before =
           machine->solutions(machine->bedFromNozzle(valuesOf({0, 0, 0, 0.1, -3})), JointValues::Zero(5))
@@ -180,32 +182,33 @@ TEST(MultiAxisMachine, ABranchIsFollowedSteadily) {
 }
 
 TEST(MultiAxisMachine, ANutatingHeadReachesAsFarAsTwiceItsAngle) {
-  std::string text = mechanismByName("five_axis_head_table")->urdf();
+  std::string text = kinematicModelByName("five_axis_head_table")->urdf();
   const std::string axis = "<axis xyz=\"0 1 0\"/>\n    <limit lower=\"-1.658063\"";
   text.replace(text.find(axis), 20, "<axis xyz=\"0 0.6 0.8\"/>");
-  const auto machine = mechanismFromUrdf(text);
+  const auto machine = kinematicModelFromUrdf(text);
   const double rim = 2.0 * std::atan2(0.6, 0.8);
-  const auto jetTilted = [](double angle) {
+  const auto toolAxisTilted = [](double angle) {
     Eigen::Isometry3d pose(Eigen::AngleAxisd(M_PI - angle, Point3(1, 2, 0).normalized()));
     pose.translation() = Point3(5, 6, 70);
     return pose;
   };
   for (const double angle : {0.0, 1e-9, 0.3, 1.0, rim - 1e-9, rim}) {
-    const auto solutions = machine->solutions(jetTilted(angle), JointValues::Zero(5));
+    const auto solutions = machine->solutions(toolAxisTilted(angle), JointValues::Zero(5));
     ASSERT_EQ(solutions.size(), 2U) << angle;
     for (const InverseSolution& solution : solutions)
-      EXPECT_TRUE(isReached(*machine, solution.values, jetTilted(angle))) << angle;
+      EXPECT_TRUE(isReached(*machine, solution.values, toolAxisTilted(angle))) << angle;
   }
-  EXPECT_TRUE(machine->solutions(jetTilted(rim + 0.001), JointValues::Zero(5)).empty());
-  EXPECT_NEAR(machine->singularityMargin(machine->solutions(jetTilted(rim), JointValues::Zero(5))[0].values),
-              0.0, 1e-7);
+  EXPECT_TRUE(machine->solutions(toolAxisTilted(rim + 0.001), JointValues::Zero(5)).empty());
+  EXPECT_NEAR(
+      machine->singularityMargin(machine->solutions(toolAxisTilted(rim), JointValues::Zero(5))[0].values),
+      0.0, 1e-7);
 }
 
-TEST(MultiAxisMachine, OfFourAxesReachesJetsOfOnePlaneOfTheBed) {
-  std::string text = mechanismByName("five_axis_head_table")->urdf();
+TEST(MultiAxisMachine, OfFourAxesReachesToolAxesOfOnePlaneOfTheBed) {
+  std::string text = kinematicModelByName("five_axis_head_table")->urdf();
   const std::string turntable = "<joint name=\"c\" type=\"continuous\">";
   text.replace(text.find(turntable), turntable.size(), "<joint name=\"base_to_bed\" type=\"fixed\">");
-  const auto machine = mechanismFromUrdf(text);
+  const auto machine = kinematicModelFromUrdf(text);
   const Eigen::Isometry3d pose = machine->bedFromNozzle(valuesOf({10, 20, 30, 0.7}));
   const auto solutions = machine->solutions(pose, JointValues::Zero(4));
   ASSERT_EQ(solutions.size(), 1U);
@@ -215,7 +218,7 @@ TEST(MultiAxisMachine, OfFourAxesReachesJetsOfOnePlaneOfTheBed) {
 }
 
 TEST(MultiAxisMachine, ItsJointsHaveTheirLimits) {
-  const auto machine = mechanismByName("five_axis_head_table");
+  const auto machine = kinematicModelByName("five_axis_head_table");
   const std::vector<DrivenJoint>& joints = machine->joints();
   ASSERT_EQ(joints.size(), 5U);
   EXPECT_EQ(joints[0].high, 300.0);
@@ -244,20 +247,21 @@ TEST(MultiAxisMachine, RefusesOtherJointsAndMoreOfThem) {
             "machine 'any' has 2 linear axes between bed and nozzle; expected x, y and z");
 }
 
-TEST(MultiAxisMachine, RefusesRotaryJointsThatTiltNoJet) {
+TEST(MultiAxisMachine, RefusesRotaryJointsThatTiltNoToolAxis) {
   Random random(3);
   MachineParts parts = anyParts(random);
   parts[3].axis = parts[4].axis = Point3::UnitX();
   parts[4].rpy.setZero();
   EXPECT_NE(test::descriptionFailure(urdfOf(parts))
-                .find("are parallel; expected two that tilt the jet to any side"),
+                .find("are parallel; expected two that tilt the tool axis to any side"),
             std::string::npos);
-  std::string about_jet = mechanismByName("five_axis_table_ac")->urdf();
+  std::string about_tool_axis = kinematicModelByName("five_axis_table_ac")->urdf();
   const std::string tilting = "<joint name=\"a\" type=\"revolute\">";
-  about_jet.replace(about_jet.find(tilting), tilting.size(),
-                    "<joint name=\"base_to_cradle\" type=\"fixed\">");
-  EXPECT_EQ(test::descriptionFailure(about_jet),
-            "machine 'five_axis_table_ac': joint 'c' turns about the jet; expected an axis that tilts it");
+  about_tool_axis.replace(about_tool_axis.find(tilting), tilting.size(),
+                          "<joint name=\"base_to_cradle\" type=\"fixed\">");
+  EXPECT_EQ(
+      test::descriptionFailure(about_tool_axis),
+      "machine 'five_axis_table_ac': joint 'c' turns about the tool axis; expected an axis that tilts it");
 }
 
 }  // namespace

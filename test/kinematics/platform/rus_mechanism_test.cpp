@@ -15,7 +15,9 @@ namespace {
 
 std::string text() { return readFile("urdf/rus_platform.urdf"); }
 
-std::unique_ptr<Mechanism> mechanismOf(const std::string& urdf) { return mechanismFromUrdf(urdf); }
+std::unique_ptr<KinematicModel> kinematicModelOf(const std::string& urdf) {
+  return kinematicModelFromUrdf(urdf);
+}
 
 std::string textWith(const std::string& what, const std::string& by) {
   std::string changed = text();
@@ -26,27 +28,27 @@ std::string textWith(const std::string& what, const std::string& by) {
 
 std::string refusal(const std::string& urdf) {
   try {
-    mechanismOf(urdf);
+    kinematicModelOf(urdf);
     return "";
   } catch (const InvalidConfig& error) {
     return error.what();
   }
 }
 
-JointValues home(const Mechanism& platform) {
+JointValues home(const KinematicModel& platform) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = nozzleDown().toRotationMatrix();
   pose.translation() = Point3(60, 60, 20);
   return platform.solutions(pose, JointValues::Zero(6)).at(0).values;
 }
 
-JointValues randomCranks(const Mechanism& platform, Random& random) {
+JointValues randomCranks(const KinematicModel& platform, Random& random) {
   JointValues values = home(platform);
   for (double& value : values) value += random.uniform(-0.3, 0.3);
   return values;
 }
 
-TEST(RusMechanism, DescriptionHasTheDimensionsOfTheHuntPlatform) {
+TEST(RusKinematicModel, DescriptionHasTheDimensionsOfTheHuntPlatform) {
   const auto model = parseMachine(text());
   const RusDescription read = rusDescription(*model, LinkTree(*model));
   const RusPlatform expected = huntPlatform();
@@ -68,10 +70,10 @@ TEST(RusMechanism, DescriptionHasTheDimensionsOfTheHuntPlatform) {
   }
 }
 
-TEST(RusMechanism, CarriesTheNozzleByItsCranksInAllSixDegrees) {
-  const auto platform = mechanismByName("rus_platform");
+TEST(RusKinematicModel, CarriesTheNozzleByItsCranksInAllSixDegrees) {
+  const auto platform = kinematicModelByName("rus_platform");
   EXPECT_EQ(platform->name(), "rus_platform");
-  EXPECT_EQ(platform->jetSpin(), JetSpin::Given);
+  EXPECT_EQ(platform->toolAxisSpin(), ToolAxisSpin::Given);
   ASSERT_EQ(platform->joints().size(), 6U);
   EXPECT_EQ(platform->joints()[5].name, "crank_6");
   EXPECT_EQ(platform->joints()[5].kind, JointKind::Rotary);
@@ -81,10 +83,10 @@ TEST(RusMechanism, CarriesTheNozzleByItsCranksInAllSixDegrees) {
   EXPECT_TRUE(pose.linear().isApprox(nozzleDown().toRotationMatrix(), 1e-9));
 }
 
-TEST(RusMechanism, InverseAnswersForward) {
+TEST(RusKinematicModel, InverseAnswersForward) {
   EXPECT_TRUE(rc::check("cranks come back from the pose they give", [](std::uint64_t seed) {
     Random random(seed);
-    const auto platform = mechanismOf(text());
+    const auto platform = kinematicModelOf(text());
     const JointValues values = randomCranks(*platform, random);
     const auto found = platform->solutions(platform->bedFromNozzle(values), values);
     RC_ASSERT(found.size() == 1U);
@@ -92,10 +94,10 @@ TEST(RusMechanism, InverseAnswersForward) {
   }));
 }
 
-TEST(RusMechanism, JacobianIsTheSlopeOfTheForwardKinematics) {
+TEST(RusKinematicModel, JacobianIsTheSlopeOfTheForwardKinematics) {
   EXPECT_TRUE(rc::check("differences of the nozzle's pose", [](std::uint64_t seed) {
     Random random(seed);
-    const auto platform = mechanismOf(text());
+    const auto platform = kinematicModelOf(text());
     const JointValues values = randomCranks(*platform, random);
     const Jacobian columns = platform->jacobian(values);
     const double step = 1e-5;
@@ -114,10 +116,10 @@ TEST(RusMechanism, JacobianIsTheSlopeOfTheForwardKinematics) {
   }));
 }
 
-TEST(RusMechanism, EveryLegOfTheTreeIsClosed) {
+TEST(RusKinematicModel, EveryLegOfTheTreeIsClosed) {
   EXPECT_TRUE(rc::check("each coupler ends at its ball, within 1e-9 m", [](std::uint64_t seed) {
     Random random(seed);
-    const auto platform = mechanismOf(text());
+    const auto platform = kinematicModelOf(text());
     const JointValues values = randomCranks(*platform, random);
     const auto links = platform->bedFromLinks(values);
     for (int leg = 1; leg <= 6; ++leg) {
@@ -129,30 +131,30 @@ TEST(RusMechanism, EveryLegOfTheTreeIsClosed) {
   }));
 }
 
-TEST(RusMechanism, PosesThatAPassiveJointForbidsHaveNoSolution) {
+TEST(RusKinematicModel, PosesThatAPassiveJointForbidsHaveNoSolution) {
   const std::string stiff = textWith("lower=\"0\" upper=\"1.31\"", "lower=\"0\" upper=\"0.1\"");
-  const auto platform = mechanismOf(stiff);
+  const auto platform = kinematicModelOf(stiff);
   Eigen::Isometry3d pose = platform->bedFromNozzle(home(*platform));
   pose.rotate(Eigen::AngleAxisd(0.5, Point3::UnitX()));
   EXPECT_TRUE(platform->solutions(pose, JointValues::Zero(6)).empty());
-  EXPECT_EQ(mechanismOf(text())->solutions(pose, JointValues::Zero(6)).size(), 1U);
+  EXPECT_EQ(kinematicModelOf(text())->solutions(pose, JointValues::Zero(6)).size(), 1U);
   pose.translation().z() += 500.0;
-  EXPECT_TRUE(mechanismOf(text())->solutions(pose, JointValues::Zero(6)).empty()) << "out of reach";
+  EXPECT_TRUE(kinematicModelOf(text())->solutions(pose, JointValues::Zero(6)).empty()) << "out of reach";
 }
 
-TEST(RusMechanism, MarginIsTheLesserOfBothKinds) {
-  const auto platform = mechanismOf(text());
+TEST(RusKinematicModel, MarginIsTheLesserOfBothKinds) {
+  const auto platform = kinematicModelOf(text());
   const RusPlatform hunt = huntPlatform();
   const SingularityMargins margins = singularityMargins(hunt, hunt.home, crankAngles(hunt, hunt.home));
   EXPECT_NEAR(platform->singularityMargin(home(*platform)), std::min(margins.unheld, margins.stretched),
               1e-9);
 }
 
-TEST(RusMechanism, ValuesOfAnotherCountAreRefused) {
-  EXPECT_THROW(mechanismOf(text())->bedFromNozzle(JointValues::Zero(5)), InvalidInput);
+TEST(RusKinematicModel, ValuesOfAnotherCountAreRefused) {
+  EXPECT_THROW(kinematicModelOf(text())->bedFromNozzle(JointValues::Zero(5)), InvalidInput);
 }
 
-TEST(RusMechanism, DescriptionsThatAreNoPlatformSayWhatIsWrong) {
+TEST(RusKinematicModel, DescriptionsThatAreNoPlatformSayWhatIsWrong) {
   const std::pair<std::string, std::string> changes[] = {
       {"<joint name=\"crank_6\"", "<joint name=\"crank_7\""},
       {"<link name=\"coupler_end_3\">", "<link name=\"coupler_end_7\">"},

@@ -46,7 +46,7 @@ TEST(BeadBounds, LeaveOutWhatHasNoRoomWithinTheReach) {
   const std::vector<MotionLoad> motions = {motion(1.0, 1.0), motion(0.1, 100.0), motion(0.3, 1.0),
                                            motion(5.0, 1.0)};
   const BoundedLoads bounded = boundLoads(motions, limits());
-  // Of 10.3 mm of bead, two beads on 0.4 mm are laid.
+  // Of 10.3 mm of bead, two beads on 0.4 mm are deposited.
   EXPECT_NEAR(bounded.left_out_mm3, (10.3 - 0.8) * kSection, 1e-12);
   EXPECT_EQ(bounded.mm3[0], motions[0].mm3);
   EXPECT_EQ(bounded.mm3[3], motions[3].mm3);
@@ -90,8 +90,8 @@ TEST(BeadBounds, KeepTheSumAndTheBound) {
       sum += motions.back().mm3;
     }
     const BoundedLoads bounded = boundLoads(motions, any);
-    const double laid = std::accumulate(bounded.mm3.begin(), bounded.mm3.end(), 0.0);
-    RC_ASSERT(std::abs(laid + bounded.left_out_mm3 - sum) <= 1e-12);
+    const double deposited = std::accumulate(bounded.mm3.begin(), bounded.mm3.end(), 0.0);
+    RC_ASSERT(std::abs(deposited + bounded.left_out_mm3 - sum) <= 1e-12);
     for (std::size_t i = 0; i < motions.size(); ++i)
       RC_ASSERT(bounded.mm3[i] <= any.fullest * motions[i].usual_mm3 * (1.0 + 1e-8));
   }));

@@ -54,7 +54,7 @@ TEST(ChartLift, FollowsTheArcOfACylinderWithinTheTolerances) {
     const Point3 radial(path.points[i].x(), 0.0, path.points[i].z());
     EXPECT_GE(radial.norm(), kTip * std::cos(0.5 * M_PI / kSides) - 1e-9);
     EXPECT_LE(radial.norm(), kTip + 1e-9);
-    EXPECT_NEAR((againstJet(path.orientation.at(i)) - radial.normalized()).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((againstToolAxis(path.orientation.at(i)) - radial.normalized()).norm(), 0.0, 1e-9);
   }
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const Point3 middle = 0.5 * (path.points[i - 1] + path.points[i]);
@@ -95,7 +95,7 @@ TEST(ChartLift, KeepsTheVolumeOnWhatIsDevelopable) {
 double shareOnAnnulus(double from, double to) {
   const LayerChart chart = polarCap(kRadius, 0.5 * M_PI, 90, 180);
   const double pitch = (to - from) * kRadius / 40;
-  double laid = 0.0;
+  double deposited = 0.0;
   for (int i = 0; i < 40; ++i) {
     const double radius = kRadius * from + (i + 0.5) * pitch;
     Path circle;
@@ -104,10 +104,10 @@ double shareOnAnnulus(double from, double to) {
     circle.bead = beadOfArea(pitch * 0.2, 0.2);
     for (int k = 0; k < 360; ++k)
       circle.points.emplace_back(radius * std::cos(k * M_PI / 180), radius * std::sin(k * M_PI / 180), 0.2);
-    laid += depositedVolume(lift(chart, {circle}).front());
+    deposited += depositedVolume(lift(chart, {circle}).front());
   }
   const double area = 2.0 * M_PI * kRadius * kRadius * (std::cos(from) - std::cos(to));
-  return laid / (area * test::kChartHeight);
+  return deposited / (area * test::kChartHeight);
 }
 
 TEST(ChartLift, FillsTheAreaOfASphereWhateverItsPlanMakesOfIt) {
@@ -173,7 +173,7 @@ TEST(ChartLift, LaysDropsWhereTheyAreAndAsMuch) {
 
 TEST(ChartLift, HoldsAnUprightNozzleIfAskedTo) {
   LiftSettings upright;
-  upright.jet = Jet::Down;
+  upright.tool_axis = ToolAxis::Down;
   const Path path =
       lift(halfCylinder(kRadius, 20.0, kSides), {line({1.0, 5.0}, {30.0, 5.0})}, upright).front();
   ASSERT_TRUE(path.orientation.isCommon());
@@ -219,7 +219,7 @@ TEST(ChartLift, LetsTravelsOverInfillFollowTheLayerWithoutScrapingIt) {
   EXPECT_NO_THROW(validate({"cylinder", {{0.2, 0.2, paths}}}));
 }
 
-TEST(ChartLift, TakesRetractedTravelsOverWhatIsLaid) {
+TEST(ChartLift, TakesRetractedTravelsOverWhatIsDeposited) {
   const std::vector<Path> paths =
       lift(halfCylinder(kRadius, 20.0, kSides),
            withTravel(line({2.0, 2.0}, {2.0, 5.0}), line({29.0, 9.0}, {29.0, 5.0}), true));
@@ -243,7 +243,7 @@ TEST(ChartLift, DoesNotTravelAcrossTheGapBetweenCharts) {
   EXPECT_TRUE(layer.paths[1].process.is_retracted);
 }
 
-/// A layer whose tips come together in one point: beads beneath it, in a hollow of that radius.
+/// A layer whose tips come together in one point: beads below it, in a hollow of that radius.
 LayerChart hollow(double radius) {
   LayerChart chart = polarCap(radius, 0.5, 20, 40);
   for (Point3& tip : chart.surface.tip) tip = Point3::Zero();
@@ -322,13 +322,13 @@ TEST(NozzleFrame, OfTheVerticalIsExactlyThatOfTheUprightNozzle) {
   EXPECT_EQ(nozzleAgainst(Point3::UnitZ()).coeffs(), nozzleDown().coeffs());
 }
 
-TEST(NozzleFrame, PutsTheJetAgainstAnyNormalAndKeepsTheNozzleFromSpinning) {
+TEST(NozzleFrame, PutsTheToolAxisAgainstAnyNormalAndKeepsTheNozzleFromSpinning) {
   EXPECT_TRUE(rc::check([] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Point3 normal =
         Point3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.9, 1)).normalized();
     const Eigen::Quaterniond nozzle = nozzleAgainst(normal);
-    RC_ASSERT((againstJet(nozzle) - normal).norm() <= 1e-12);
+    RC_ASSERT((againstToolAxis(nozzle) - normal).norm() <= 1e-12);
     // The turn from the upright nozzle has no part about the vertical.
     const Eigen::Quaterniond turn = nozzle * nozzleDown().conjugate();
     RC_ASSERT(std::abs(turn.z()) <= 1e-12);

@@ -20,7 +20,7 @@ Toolpath planned(const Mesh& mesh, const PlanSettings& settings) {
   NoProgress progress;
   const HeightFieldSlices slices = sliceByHeightField(mesh, {}, {}, progress);
   LiftSettings lift;
-  lift.jet = Jet::Down;
+  lift.tool_axis = ToolAxis::Down;
   Toolpath toolpath =
       planPart("part", slices.layers, settings, heightFieldLift(slices, lift, settings.travel), progress)
           .toolpath;
@@ -60,7 +60,7 @@ TEST(HeightFieldLift, LaysThePartsVolume) {
   EXPECT_NEAR(totals(planned(part, solid())).deposited_mm3 / volume(part), 1.0, 0.02);
 }
 
-TEST(HeightFieldLift, NeverLaysBeneathTheBedNorAboveThePart) {
+TEST(HeightFieldLift, NeverLaysBelowTheBedNorAboveThePart) {
   const Box3 box = depositionBox(planned(roof(), solid()));
   EXPECT_GT(box.low.z(), 0.0);
   EXPECT_LE(box.high.z(), roofAt(16.0) + 1e-4);

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/spatial/nearest_triangle.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/planner.hpp"
-#include "lamina/geometry/spatial/nearest_triangle.hpp"
 #include "support/charts.hpp"
 #include "support/path_spacing.hpp"
 #include "support/planned_layers.hpp"
@@ -81,7 +81,7 @@ TEST(LiftedLayers, OfEveryStrategyLieOnTheirSurface) {
       for (const Path& path : toolpath.layers[i].paths) {
         if (path.role == PathRole::Travel) continue;
         ++runs;
-        // A chained layer begins where the one beneath ended. Then it begins and ends somewhere on motions.
+        // A chained layer begins where the one below ended. Then it begins and ends somewhere on motions.
         const bool is_chained = infillStrategy(strategy).link == LayerLink::Chained;
         const std::size_t begin = is_chained ? 2 : 0;
         const std::size_t end = path.points.size() - (is_chained ? 1 : 0);
@@ -195,7 +195,7 @@ TEST(LiftedLayers, AreChainedToOnePathInSpace) {
   }
 }
 
-TEST(LiftedLayers, AreReachedOverAllThatIsLaid) {
+TEST(LiftedLayers, AreReachedOverAllThatIsDeposited) {
   const Stack stack = halfCylinders(3);
   PlanSettings settings = filledBy("zigzag");
   settings.walls.count = 2;

@@ -72,15 +72,15 @@ TEST(AnchoredRun, LaysTheSameMaterialFromACarriedStart) {
       path.points.emplace_back(random.uniform(0.0, 10.0), random.uniform(0.0, 10.0));
       path.width_mm.push_back(random.uniform(0.2, 0.6));
     }
-    double laid = 0.0;
+    double deposited = 0.0;
     const auto parts = anchored(path, isLeft);
     for (const FillPath& part : parts) {
-      laid += width(part);
+      deposited += width(part);
       RC_ASSERT(part.points.size() >= 2U);
       const bool is_carried_anywhere = std::any_of(path.points.begin(), path.points.end(), isLeft);
       RC_ASSERT(!is_carried_anywhere || isLeft(part.points.front()));
     }
-    RC_ASSERT(std::abs(laid - width(path)) < 1e-9);
+    RC_ASSERT(std::abs(deposited - width(path)) < 1e-9);
   }));
 }
 

@@ -75,7 +75,7 @@ TEST(LayerChain, LaysNoPointOutsideTheOutline) {
     for (std::size_t i = 0; i < part.layers.size(); ++i) {
       const std::vector<Polygon>& outline = part.layers[i].section.contours;
       for (const Path& path : toolpath.layers[i].paths)
-        // The first point is where the layer beneath ended; see below.
+        // The first point is where the layer below ended; see below.
         for (std::size_t k = i == 0 ? 0 : 1; k < path.points.size(); ++k)
           ASSERT_TRUE(contains(outline, path.points[k].head<2>())) << part.name << ", layer " << i;
     }
@@ -83,7 +83,7 @@ TEST(LayerChain, LaysNoPointOutsideTheOutline) {
 }
 
 // [Guacheta2021, algorithm 3-3]
-TEST(LayerChain, BeginsEachLayerWhereTheOneBeneathEnded) {
+TEST(LayerChain, BeginsEachLayerWhereTheOneBelowEnded) {
   for (const NamedPart& part : parts()) {
     const Toolpath toolpath = plan(part.layers, contoursOnly());
     for (std::size_t i = 1; i < part.layers.size(); ++i) {

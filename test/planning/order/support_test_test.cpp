@@ -15,7 +15,7 @@ namespace {
 
 const Bead kBead{0.4, 0.2};
 
-/// Layers whose plane rises along y by 45 deg over a bed far beneath.
+/// Layers whose plane rises along y by 45 deg over a bed far below.
 BedPlane farBed() { return {Point3(0, M_SQRT1_2, M_SQRT1_2), -1000.0}; }
 
 Layer layer(double bottom_mm, const Polygon& contour) {
@@ -24,24 +24,24 @@ Layer layer(double bottom_mm, const Polygon& contour) {
 
 const Polygon kSquare = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
 
-TEST(Footing, CarriesWhereAQuarterOfTheBeadLiesOnTheLayerBefore) {
-  const Layer beneath = layer(0.0, kSquare);
-  const Footing footing(layer(0.2, kSquare), &beneath, farBed(), kBead);
-  EXPECT_TRUE(footing.carries({5, 5}));
-  EXPECT_TRUE(footing.carries({5, 10.09}));
-  EXPECT_FALSE(footing.carries({5, 10.11}));
-  EXPECT_FALSE(footing.carries({20, 5}));
+TEST(SupportTest, CarriesWhereAQuarterOfTheBeadLiesOnTheLayerBefore) {
+  const Layer below = layer(0.0, kSquare);
+  const SupportTest support_test(layer(0.2, kSquare), &below, farBed(), kBead);
+  EXPECT_TRUE(support_test.carries({5, 5}));
+  EXPECT_TRUE(support_test.carries({5, 10.09}));
+  EXPECT_FALSE(support_test.carries({5, 10.11}));
+  EXPECT_FALSE(support_test.carries({20, 5}));
 }
 
-TEST(Footing, CarriesWhereTheBeadTouchesTheBed) {
-  // At 45 deg a bead reaches (0.2 + 0.4 / 2) / sqrt 2 mm beneath its waypoint; the plane is at z' = 0.2.
+TEST(SupportTest, CarriesWhereTheBeadTouchesTheBed) {
+  // At 45 deg a bead reaches (0.2 + 0.4 / 2) / sqrt 2 mm below its waypoint; the plane is at z' = 0.2.
   const BedPlane bed{Point3(0, M_SQRT1_2, M_SQRT1_2), 0.0};
-  const Footing footing(layer(0.0, kSquare), nullptr, bed, kBead);
-  EXPECT_TRUE(footing.carries({3, 0.19}));
-  EXPECT_FALSE(footing.carries({3, 0.21}));
+  const SupportTest support_test(layer(0.0, kSquare), nullptr, bed, kBead);
+  EXPECT_TRUE(support_test.carries({3, 0.19}));
+  EXPECT_FALSE(support_test.carries({3, 0.21}));
 }
 
-TEST(Footing, AgreesWithTheEvenOddRule) {
+TEST(SupportTest, AgreesWithTheEvenOddRule) {
   EXPECT_TRUE(rc::check("rows against all edges", [](std::uint64_t seed) {
     Random random(seed);
     Polygon star;
@@ -49,12 +49,12 @@ TEST(Footing, AgreesWithTheEvenOddRule) {
       const double radius = random.uniform(2.0, 10.0);
       star.emplace_back(radius * std::cos(i * M_PI / 20), radius * std::sin(i * M_PI / 20));
     }
-    const Layer beneath = layer(0.0, star);
-    const Footing footing(layer(0.2, star), &beneath, farBed(), kBead);
+    const Layer below = layer(0.0, star);
+    const SupportTest support_test(layer(0.2, star), &below, farBed(), kBead);
     const std::vector<Polygon> grown = outlines(offset(unite({star}), 0.1));
     for (int i = 0; i < 50; ++i) {
       const Point2 point(random.uniform(-11.0, 11.0), random.uniform(-11.0, 11.0));
-      RC_ASSERT(footing.carries(point) == contains(grown, point));
+      RC_ASSERT(support_test.carries(point) == contains(grown, point));
     }
   }));
 }

@@ -40,9 +40,9 @@ TEST(StartCount, SeesRoomWhereShrinkingLeavesAnything) {
 
 TEST(StartCount, ComparesTheTravelOfAnOrderWithTheBestThatIsFound) {
   // To and fro between two columns, where up one and down the other is shorter.
-  const std::vector<RunEnds> laid = {
+  const std::vector<RunEnds> deposited = {
       {{0, 0}, {1, 0}}, {{20, 0}, {21, 0}}, {{0, 2}, {1, 2}}, {{20, 2}, {21, 2}}};
-  const FillStarts starts = startsOf({{rectangle(-1, -1, 22, 3), {}}}, laid, 0.4);
+  const FillStarts starts = startsOf({{rectangle(-1, -1, 22, 3), {}}}, deposited, 0.4);
   EXPECT_EQ(starts.runs, 4U);
   EXPECT_EQ(starts.regions, 1U);
   EXPECT_NEAR(starts.travel_mm, 19.0 + std::hypot(21.0, 2.0) + 19.0, 1e-9);

@@ -35,7 +35,7 @@ TEST(SpaceTravel, ToTheSamePlaceIsNone) {
   EXPECT_FALSE(makeSpaceTravel(upright({1, 2, 3}), upright({1, 2, 3 + 0.5e-6}), settings(), 9.0));
 }
 
-TEST(SpaceTravel, FarAwayLeavesAlongTheJetAndClearsTheHighestTip) {
+TEST(SpaceTravel, FarAwayLeavesAlongTheToolAxisAndClearsTheHighestTip) {
   const NozzlePose from = {{10, 0, 0}, nozzleAgainst(Point3::UnitX())};
   const NozzlePose to = {{-10, 0, 0}, nozzleAgainst(-Point3::UnitX())};
   const auto travel = makeSpaceTravel(from, to, settings(), 12.0);
@@ -70,7 +70,7 @@ TEST(SpaceTravel, NearbyDoesNotCutThroughALayerThatBends) {
   }
 }
 
-TEST(SpaceTravel, NearbyRisesAlongTheJetToTheLevelOfTheOther) {
+TEST(SpaceTravel, NearbyRisesAlongTheToolAxisToTheLevelOfTheOther) {
   const NozzlePose from = {{10.0, 0, 0}, nozzleAgainst(Point3::UnitX())};
   const NozzlePose to = {{10.2, 1, 0}, nozzleAgainst(Point3::UnitX())};
   const auto travel = makeSpaceTravel(from, to, settings(), 12.0);

@@ -42,8 +42,8 @@ TEST(AdaptedWalls, AreAToolpathOfOneWallPerLayer) {
       is_any_open = is_any_open || !path.is_closed;
       for (std::size_t i = 0; i < path.points.size(); ++i) {
         EXPECT_LE(path.points[i].z(), layer.z_mm);
-        const Point3 jet = path.orientation.at(i) * Point3::UnitZ();
-        EXPECT_LE(std::acos(-jet.z()) * 180.0 / M_PI, 45.0 + 0.05);
+        const Point3 tool_axis = path.orientation.at(i) * Point3::UnitZ();
+        EXPECT_LE(std::acos(-tool_axis.z()) * 180.0 / M_PI, 45.0 + 0.05);
       }
     }
   }

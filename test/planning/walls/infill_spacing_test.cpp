@@ -57,7 +57,7 @@ TEST(InfillSpacingTest, FirstAndLastLayersHaveAPitchOfTheirOwn) {
   EXPECT_DOUBLE_EQ(infillSpacing(settings, 0.4, {0, 1}).spacing_mm, 0.35);
 }
 
-/// Material laid in each layer of a block of 20 x 20 mm.
+/// Material deposited in each layer of a block of 20 x 20 mm.
 std::vector<double> volumesOf(const PlanSettings& settings) {
   const auto square = [](int) { return std::vector<Polygon>{test::rectangle(0, 0, 20, 20)}; };
   std::vector<double> volumes;

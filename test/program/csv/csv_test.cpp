@@ -97,7 +97,7 @@ TEST(Csv, ReadsBackWhatWasWritten) {
   }));
 }
 
-TEST(Csv, TellsDropsFromBeadsInAColumnOfTheirOwn) {
+TEST(Csv, ReportsDropsFromBeadsInAColumnOfTheirOwn) {
   Toolpath toolpath = triangleAndTravel();
   Path drops = toolpath.layers[0].paths[0];
   drops.is_closed = false;

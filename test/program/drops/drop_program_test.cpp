@@ -82,14 +82,14 @@ TEST(DropProgram, SpeaksTheWordsOfItsDialect) {
   EXPECT_EQ(program.layers[0].drops[0].role, PathRole::OuterWall);
 }
 
-TEST(DropProgram, IsToldFromOneOfBeadsByHeaderOrDischarge) {
+TEST(DropProgram, IsReportedFromOneOfBeadsByHeaderOrDischarge) {
   EXPECT_TRUE(isDropProgram(";drop_diameter=1\nG1 X0\n", {}));
   EXPECT_TRUE(isDropProgram("G1 X1 F60\nM780 ; let go\n", {}));
   EXPECT_TRUE(isDropProgram("M780", {}));
   EXPECT_FALSE(isDropProgram("G1 X1 E1\n; M780 is no command here\nM7801\nM117 M780\n", {}));
 }
 
-TEST(DropProgram, RefusesHeadersThatTellNoSizeAndNamesTheLine) {
+TEST(DropProgram, RefusesHeadersThatReportNoSizeAndNamesTheLine) {
   EXPECT_NE(refusal(";units=mm\n;drop_diameter=0\n").find("line 2"), std::string::npos);
   for (const char* bad : {"0", "-1", "wide", "inf", "nan", "1e9"})
     EXPECT_NE(refusal(std::string(";drop_diameter=") + bad + "\n"), "") << bad;

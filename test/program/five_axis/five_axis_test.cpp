@@ -51,10 +51,10 @@ Toolpath leaning(Toolpath toolpath, std::uint64_t seed) {
   return toolpath;
 }
 
-double jetAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-  const Point3 jet = a * Point3::UnitZ();
+double toolAxisAngle(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Point3 tool_axis = a * Point3::UnitZ();
   const Point3 other = b * Point3::UnitZ();
-  return std::atan2(jet.cross(other).norm(), jet.dot(other));
+  return std::atan2(tool_axis.cross(other).norm(), tool_axis.dot(other));
 }
 
 /// @param position_mm  what rounding of the words leaves of a position
@@ -72,7 +72,7 @@ void expectSame(const Toolpath& read, const Toolpath& toolpath, double position_
       RC_ASSERT(std::abs(depositedVolume(path) - depositedVolume(paths[p])) < 1e-3);
       for (std::size_t i = 0; i < path.points.size(); ++i) {
         RC_ASSERT((path.points[i] - paths[p].points[i]).norm() < position_mm);
-        RC_ASSERT(jetAngle(path.orientation.at(i), paths[p].orientation.at(i)) < 1e-6);
+        RC_ASSERT(toolAxisAngle(path.orientation.at(i), paths[p].orientation.at(i)) < 1e-6);
       }
       for (std::size_t m = 0; m < path.motionCount(); ++m) {
         const std::size_t end = path.motionEnd(m);
@@ -163,7 +163,7 @@ TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
     return "";
   };
   JointPath faulty = joints;
-  faulty.faults.push_back({{0, 0, 1}, JointFault::WindUp, "joint c is wound up"});
+  faulty.faults.push_back({{0, 0, 1}, JointFault::JointUnwinding, "joint c is wound up"});
   JointPath outside = joints;
   outside.values[1][0] = 501.0;
   JointPath elsewhere = joints;
@@ -172,7 +172,8 @@ TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
   less.at.pop_back();
   less.values.pop_back();
   EXPECT_EQ(refusal(faulty),
-            "'table' cannot run 1 waypoint(s); the first is layer 0, path 0, waypoint 1: wind_up, joint c is "
+            "'table' cannot run 1 waypoint(s); the first is layer 0, path 0, waypoint 1: joint_unwinding, "
+            "joint c is "
             "wound up");
   EXPECT_NE(refusal(outside).find("waypoint 1, 'table': joint x at 501.000000 mm; must be within"),
             std::string::npos);

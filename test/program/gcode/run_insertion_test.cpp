@@ -52,7 +52,7 @@ TEST(RunInsertion, KeepsEveryLineOfTheProgram) {
   EXPECT_EQ(withoutBlocks(filled), kAbsolute);
 }
 
-TEST(RunInsertion, TellsTheHeightOfTheRunAndThatOfTheBeadsAfterIt) {
+TEST(RunInsertion, ReportsTheHeightOfTheRunAndThatOfTheBeadsAfterIt) {
   const std::string program =
       "M83\n;LAYER:0\n;HEIGHT:0.2\n;TYPE:outer_wall\nG0 X0 Y0 Z0.2 F6000\nG1 X10 E0.5 F1800\n;HEIGHT:0.1\n"
       "G1 Y10 E0.5\n;LAYER:1\nG1 Z0.4\nG1 X20 E0.5\n";

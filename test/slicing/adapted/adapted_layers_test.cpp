@@ -12,8 +12,8 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/parts/parts.hpp"
-#include "lamina/slicing/unsliceable.hpp"
 #include "lamina/geometry/spatial/nearest_triangle.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "support/directions.hpp"
 #include "support/lofted_solid.hpp"
 #include "support/solids.hpp"
@@ -201,7 +201,7 @@ TEST(AdaptedLayers, HolesAreWallsOfTheirOwn) {
   EXPECT_EQ(layers.completing, 0U);
 }
 
-TEST(AdaptedLayers, StandOnTheLayerBeneathWhereverWallsLean) {
+TEST(AdaptedLayers, StandOnTheLayerBelowWhereverWallsLean) {
   EXPECT_TRUE(rc::check([] {
     const double all_round = test::anyNumber(-0.3, 0.4);
     const double one_way = test::anyNumber(0.0, 0.4);

@@ -38,14 +38,14 @@ TEST(ConformalLayers, ACoatOnASphereIsOfEqualLayersOfTheThickness) {
   }
 }
 
-TEST(ConformalLayers, ACoatLooksWhereItIsToldTo) {
+TEST(ConformalLayers, ACoatLooksWhereItIsReportedTo) {
   ConformalSettings settings;
   settings.direction = {1.0, 0.0, 0.0};
   const ConformalLayers layers = coat(makePart("box"), settings, 0.5);
   ASSERT_EQ(layers.layers.size(), 2U);
   for (const Point3& p : layers.layers[0].middle.vertices) EXPECT_NEAR(p.x(), 10.25, 1e-9);
   for (const Point3& p : layers.layers[1].tip) EXPECT_NEAR(p.x(), 11.0, 1e-9);
-  EXPECT_NEAR(layers.laid_mm3, 400.0, 1e-6);
+  EXPECT_NEAR(layers.deposited_mm3, 400.0, 1e-6);
 }
 
 TEST(ConformalLayers, WhereNoFaceLooksThatWayItIsRefused) {
@@ -68,7 +68,7 @@ TEST(ConformalLayers, APartOnALevelBaseIsCutAtItsOwnSurface) {
       EXPECT_NEAR(p.z(), 20.25 + 0.5 * static_cast<double>(i), 1e-9);
       EXPECT_LT(std::hypot(p.x(), p.y()), 5.03);
     }
-  EXPECT_NEAR(layers.laid_mm3, layers.part_mm3, 0.01 * layers.part_mm3);
+  EXPECT_NEAR(layers.deposited_mm3, layers.part_mm3, 0.01 * layers.part_mm3);
 }
 
 TEST(ConformalLayers, APartOnACurvedBaseFollowsIt) {
@@ -82,7 +82,7 @@ TEST(ConformalLayers, APartOnACurvedBaseFollowsIt) {
   for (std::size_t i = 0; i < 10; ++i)
     for (const Point3& p : layers.layers[i].middle.vertices)
       ASSERT_NEAR(std::hypot(p.x(), p.z()), 20.1 + 0.2 * static_cast<double>(i), 0.02);
-  EXPECT_NEAR(layers.laid_mm3, layers.part_mm3, 0.01 * layers.part_mm3);
+  EXPECT_NEAR(layers.deposited_mm3, layers.part_mm3, 0.01 * layers.part_mm3);
 }
 
 TEST(ConformalLayers, APartBeyondItsBaseIsRefusedWithTheRegion) {

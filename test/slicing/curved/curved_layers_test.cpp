@@ -37,10 +37,11 @@ TEST(CurvedLayers, OfTheOctagonSolidHaveFifteenShellsASideAndTwentyLevelLayers) 
   ASSERT_EQ(layers.lower.size(), 15U);
   ASSERT_EQ(layers.upper.size(), 15U);
   ASSERT_EQ(layers.middle.size(), 20U);
-  // From half a layer above the slopes to half a layer beneath the upper ones, evenly.
-  EXPECT_NEAR(layers.middle.front().slab.cut(), kRise + 0.1, 5e-5);
-  EXPECT_NEAR(layers.middle.back().slab.cut(), 10.0 - kRise - 0.1, 5e-5);
-  EXPECT_NEAR(layers.middle[1].slab.cut() - layers.middle[0].slab.cut(), (9.8 - 2.0 * kRise) / 19.0, 5e-5);
+  // From half a layer above the slopes to half a layer below the upper ones, evenly.
+  EXPECT_NEAR(layers.middle.front().bounds.cut(), kRise + 0.1, 5e-5);
+  EXPECT_NEAR(layers.middle.back().bounds.cut(), 10.0 - kRise - 0.1, 5e-5);
+  EXPECT_NEAR(layers.middle[1].bounds.cut() - layers.middle[0].bounds.cut(), (9.8 - 2.0 * kRise) / 19.0,
+              5e-5);
   // A square prism and two frusta of pyramids.
   const double base = 10.0 - 2.0 * kRise;
   const double frustum = kRise / 3.0 * (100.0 + 10.0 * base + base * base);
@@ -64,7 +65,7 @@ TEST(CurvedLayers, TipsAreHalfALayerFartherByTheSamePlanes) {
   const CurvedLayers layers = curved(test::octagonSolid());
   const LayerSurface& first = layers.lower.front();
   for (const Point3& p : first.tip) ASSERT_NEAR(besideMovedPlanes(p, 0.2), 0.0, 1e-9);
-  // Upper shells are laid towards the outside: the last one's tips are on the surface itself.
+  // Upper shells are deposited towards the outside: the last one's tips are on the surface itself.
   const LayerSurface& last = layers.upper.back();
   for (const Point3& p : last.tip)
     ASSERT_NEAR(besideMovedPlanes({p.x(), p.y(), 10.0 - p.z()}, 0.0), 0.0, 1e-9);
@@ -231,16 +232,16 @@ TEST(CurvedLayers, ALayerHeightThatIsNotPositiveIsRefused) {
 }
 
 TEST(CurvedLayers, InLittleRoomLevelLayersAreOneOrTwo) {
-  EXPECT_TRUE(middleSlabs(1.0, 1.09, 0.2).empty());
-  EXPECT_EQ(middleSlabs(1.0, 1.25, 0.2).size(), 1U);
-  EXPECT_EQ(middleSlabs(1.0, 1.35, 0.2).size(), 2U);
-  EXPECT_NEAR(middleSlabs(1.0, 1.35, 0.2).back().cut(), 1.2625, 1e-12);
+  EXPECT_TRUE(middleBounds(1.0, 1.09, 0.2).empty());
+  EXPECT_EQ(middleBounds(1.0, 1.25, 0.2).size(), 1U);
+  EXPECT_EQ(middleBounds(1.0, 1.35, 0.2).size(), 2U);
+  EXPECT_NEAR(middleBounds(1.0, 1.35, 0.2).back().cut(), 1.2625, 1e-12);
   // [Guacheta2021, listing A.7] would take two of 0.39 mm for this plate, and five of 0.2475 mm for the next.
   for (const double room : {0.59, 0.79, 1.19}) {
-    const std::vector<LayerSlab> slabs = middleSlabs(0.0, room, 0.2);
-    EXPECT_NEAR(slabs.front().bottom_mm, 0.0, 1e-12);
-    EXPECT_NEAR(slabs.back().top_mm, room, 1e-12);
-    EXPECT_NEAR(slabs.front().height(), 0.2, 0.01);
+    const std::vector<LayerBounds> layer_bounds = middleBounds(0.0, room, 0.2);
+    EXPECT_NEAR(layer_bounds.front().bottom_mm, 0.0, 1e-12);
+    EXPECT_NEAR(layer_bounds.back().top_mm, room, 1e-12);
+    EXPECT_NEAR(layer_bounds.front().height(), 0.2, 0.01);
   }
 }
 

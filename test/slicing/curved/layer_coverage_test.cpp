@@ -81,7 +81,7 @@ TEST(LayerCoverage, ALevelLayerCoversItsSlabWithinItsContours) {
                         {low.x() + 5.0, low.y() + kSide},
                         {low.x(), low.y() + kSide}};
   Layer layer;
-  layer.slab = {low.z() + 2.0, low.z() + 4.0};
+  layer.bounds = {low.z() + 2.0, low.z() + 4.0};
   layer.section.contours = {half};
   const PartSamples samples(part, 4000);
   NoProgress progress;

@@ -47,7 +47,7 @@ double volumeOf(const HeightFieldSlices& slices) {
     for (double y = box.low.y() + 0.5 * kStep; y < box.high.y(); y += kStep)
       for (double x = box.low.x() + 0.5 * kStep; x < box.high.x(); x += kStep)
         if (contains(layer.section.contours, {x, y}))
-          sum += kStep * kStep * layer.slab.height() * slices.field.factorAt({x, y});
+          sum += kStep * kStep * layer.bounds.height() * slices.field.factorAt({x, y});
   }
   return sum;
 }
@@ -55,7 +55,7 @@ double volumeOf(const HeightFieldSlices& slices) {
 TEST(HeightFieldSlicer, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
   const HeightFieldSlices slices = slice(roof(10.0));
   const Layer& last = slices.layers.back();
-  const LayerChart chart = bentLayer(slices.field, last.slab, boundingBox(last.section.contours));
+  const LayerChart chart = bentLayer(slices.field, last.bounds, boundingBox(last.section.contours));
   for (const Point3& tip : chart.surface.tip)
     if (tip.x() >= 0.0 && tip.x() <= 20.0) {
       EXPECT_NEAR(tip.z(), 8.0 + std::tan(10.0 * kDegree) * tip.x(), 1e-5);
@@ -115,7 +115,7 @@ TEST(HeightFieldSlicer, SaysWhenEverythingIsTooSteep) {
   EXPECT_NE(notes[0].find("level"), std::string::npos);
 }
 
-TEST(HeightFieldSlicer, ScalesABendThatWouldMakeLayersTooThinAndTells) {
+TEST(HeightFieldSlicer, ScalesABendThatWouldMakeLayersTooThinAndReports) {
   HeightFieldSettings settings;
   settings.min_thickness = 0.9;
   settings.max_thickness = 1.1;
@@ -158,7 +158,7 @@ TEST(HeightFieldSlicer, KeepsSlopeAndThicknessWithinTheirLimitsOnAnyPart) {
         const double factor = slices.field.factorAt(at);
         RC_ASSERT(factor >= settings.min_thickness - 1e-9 && factor <= settings.max_thickness + 1e-9);
         constexpr double kStep = 1e-6;
-        const double z = layer.slab.cut();
+        const double z = layer.bounds.cut();
         const Point2 slope(slices.field.factorAt(at + Point2(kStep, 0)) - factor,
                            slices.field.factorAt(at + Point2(0, kStep)) - factor);
         RC_ASSERT(z * slope.norm() / kStep <= steepest + 1e-6);

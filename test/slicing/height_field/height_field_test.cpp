@@ -53,8 +53,8 @@ TEST(HeightField, LevelsWhatItBends) {
 
 TEST(HeightField, MakesALayerWhoseTrianglesHoldItsVolume) {
   const HeightField field = fieldOf([](double x, double y) { return 1.0 + 0.02 * x + 0.01 * y; });
-  const LayerSlab slab{10.4, 10.6};
-  const LayerChart chart = bentLayer(field, slab, {{0.0, 3.0}, {5.0, 7.0}});
+  const LayerBounds bounds{10.4, 10.6};
+  const LayerChart chart = bentLayer(field, bounds, {{0.0, 3.0}, {5.0, 7.0}});
   double volume = 0.0;
   double expected = 0.0;
   for (const Triangle& triangle : chart.surface.middle.triangles) {
@@ -67,7 +67,7 @@ TEST(HeightField, MakesALayerWhoseTrianglesHoldItsVolume) {
     }
     volume +=
         0.5 * (at[triangle[1]] - at[triangle[0]]).cross(at[triangle[2]] - at[triangle[0]]).norm() * height;
-    expected += 2.0 * slab.height() * factor;  // half a cell of 4 mm²
+    expected += 2.0 * bounds.height() * factor;  // half a cell of 4 mm²
   }
   EXPECT_NEAR(volume / expected, 1.0, 1e-9);
 }

@@ -16,7 +16,7 @@ constexpr double kRadians = M_PI / 180.0;
 constexpr double kRounding = 1e-12;  // mm
 
 PlaneSettings plane(double angle_deg, double axis_heading_deg) {
-  return {angle_deg, axis_heading_deg, Jet::Normal};
+  return {angle_deg, axis_heading_deg, ToolAxis::Normal};
 }
 
 TEST(LayerPlane, TurnsAsTheDocumentedRotation) {
@@ -59,7 +59,7 @@ TEST(LayerPlane, TheFirstLayerIsHigherByTheCosineOfTheTilt) {
     const Box3 box = boundingBox(cube);
     SlicingSettings settings;
     settings.first_layer_height_mm = 0.1;
-    const LayerSlab first = stackLayers(box.low.z(), box.high.z(), settings).front();
+    const LayerBounds first = stackLayers(box.low.z(), box.high.z(), settings).front();
     // The top plane of the layer is where normal . p is top_mm; over the edge (x, 20, 0) that is at this z.
     const Point3 normal = part_from_layers * Point3::UnitZ();
     const double z = (first.top_mm - normal.dot(Point3(7, 20, 0))) / normal.z();

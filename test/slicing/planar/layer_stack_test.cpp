@@ -19,22 +19,23 @@ SlicingSettings heights(double layer_mm, double first_mm) {
 }
 
 TEST(LayerStack, CoversAPartOfWholeLayersExactly) {
-  const auto slabs = stackLayers(0.0, 20.0, heights(0.2, 0.2));
-  ASSERT_EQ(slabs.size(), 100U);
-  EXPECT_NEAR(slabs.back().top_mm, 20.0, 1e-12);
+  const auto layer_bounds = stackLayers(0.0, 20.0, heights(0.2, 0.2));
+  ASSERT_EQ(layer_bounds.size(), 100U);
+  EXPECT_NEAR(layer_bounds.back().top_mm, 20.0, 1e-12);
 }
 
 TEST(LayerStack, GivesTheFirstLayerItsOwnHeight) {
-  const auto slabs = stackLayers(-1.0, 1.0, heights(0.25, 0.5));
-  ASSERT_EQ(slabs.size(), 7U);
-  EXPECT_DOUBLE_EQ(slabs[0].bottom_mm, -1.0);
-  EXPECT_DOUBLE_EQ(slabs[0].top_mm, -0.5);
-  EXPECT_DOUBLE_EQ(slabs[6].top_mm, 1.0);
+  const auto layer_bounds = stackLayers(-1.0, 1.0, heights(0.25, 0.5));
+  ASSERT_EQ(layer_bounds.size(), 7U);
+  EXPECT_DOUBLE_EQ(layer_bounds[0].bottom_mm, -1.0);
+  EXPECT_DOUBLE_EQ(layer_bounds[0].top_mm, -0.5);
+  EXPECT_DOUBLE_EQ(layer_bounds[6].top_mm, 1.0);
 }
 
 TEST(LayerStack, StacksWithoutGaps) {
-  const auto slabs = stackLayers(0.1, 37.3, heights(0.15, 0.3));
-  for (std::size_t i = 1; i < slabs.size(); ++i) EXPECT_NEAR(slabs[i].bottom_mm, slabs[i - 1].top_mm, 1e-12);
+  const auto layer_bounds = stackLayers(0.1, 37.3, heights(0.15, 0.3));
+  for (std::size_t i = 1; i < layer_bounds.size(); ++i)
+    EXPECT_NEAR(layer_bounds[i].bottom_mm, layer_bounds[i - 1].top_mm, 1e-12);
 }
 
 TEST(LayerStack, AddsALastLayerOnlyIfMoreThanHalfOfItLiesInside) {
@@ -45,7 +46,7 @@ TEST(LayerStack, AddsALastLayerOnlyIfMoreThanHalfOfItLiesInside) {
 
 TEST(LayerStack, CutsEveryLayerBelowTheTop) {
   for (const double top : {0.3, 0.7, 1.1, 1.3, 2.9, 7.1})
-    for (const LayerSlab& slab : stackLayers(0.0, top, heights(0.2, 0.2))) EXPECT_LT(slab.cut(), top);
+    for (const LayerBounds& bounds : stackLayers(0.0, top, heights(0.2, 0.2))) EXPECT_LT(bounds.cut(), top);
 }
 
 TEST(LayerStack, IsEmptyForAPartThinnerThanHalfTheFirstLayer) {

@@ -79,7 +79,7 @@ TEST(PlanarSlicerProperties, TheSumOfAreasConvergesToTheVolume) {
   }));
 }
 
-TEST(PlanarSlicerProperties, WindingTellsMaterialFromHoles) {
+TEST(PlanarSlicerProperties, WindingReportsMaterialFromHoles) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Mesh cavity = randomStar(seed);
     for (Point3& vertex : cavity.vertices) vertex *= 0.25;

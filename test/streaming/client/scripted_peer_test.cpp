@@ -167,7 +167,7 @@ TEST_F(ScriptedPeer, TurnsHeatersOffInLinesTheMachineConfirms) {
   EXPECT_EQ(streamer.status().failure.message, "enough");
 }
 
-TEST_F(ScriptedPeer, LeavesHeatersOnIfToldTo) {
+TEST_F(ScriptedPeer, LeavesHeatersOnIfAskedTo) {
   StreamSettings keeping = settings();
   keeping.keep_heaters_on = true;
   Streamer streamer(program_, keeping);
@@ -252,7 +252,7 @@ TEST_F(ScriptedPeer, SaysThatTheMachineWasNotStoppedWhenTheLinkStaysLost) {
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::Disconnected);
   EXPECT_EQ(streamer.status().failure.message,
             "lost the link; line 1 of 10 was the last acknowledged; the link did not come back, so that the "
-            "machine was not told to stop: look after it");
+            "machine was not reported to stop: look after it");
 }
 
 TEST_F(ScriptedPeer, StopsTheMachineOnceTheLinkIsBack) {
@@ -334,7 +334,7 @@ TEST_F(ScriptedPeer, PassesThroughLegalStatesOnly) {
   EXPECT_EQ(before, PackmlState::Aborted);
 }
 
-TEST_F(ScriptedPeer, TellsTemperaturesPositionsAndWarnings) {
+TEST_F(ScriptedPeer, ReportsTemperaturesPositionsAndWarnings) {
   Streamer streamer(program_, settings());
   begin(streamer);
   streamer.receive(" T:201.0 /210.0 B:59.0 /60.0 @:0\nX:1.0 Y:2.0 Z:3.0 E:4.0 Count X:0\nError:SD full\n",

@@ -190,7 +190,7 @@ TEST(StreamSession, BreaksHeatingOnAnAbort) {
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
 }
 
-TEST(StreamSession, TellsWhereTheLinkWasLost) {
+TEST(StreamSession, ReportsWhereTheLinkWasLost) {
   const RecordedMachine machine(0.0, {{FaultKind::Disconnect, 0.0, {100}}});
   const std::string port = machine->pty();
   StreamSettings settings = impatient();
@@ -255,7 +255,7 @@ TEST(StreamSession, SaysAtOnceThatThereIsNoMachine) {
   EXPECT_THROW(StreamSession(program, {}, {"", 0}, {}), InvalidInput);
 }
 
-TEST(StreamSession, TellsEveryStateInOrder) {
+TEST(StreamSession, ReportsEveryStateInOrder) {
   const RecordedMachine machine(0.0);
   std::vector<PackmlState> states;
   {

@@ -43,7 +43,7 @@ TEST(StreamableProgram, LeavesOutCommentsAndEmptyLines) {
   EXPECT_EQ(lines[3].command, "G4 P1");
 }
 
-TEST(StreamableProgram, TellsTheLayerOfEachLine) {
+TEST(StreamableProgram, ReportsTheLayerOfEachLine) {
   const auto lines = linesOf("G28\n;LAYER:0\nG1 X1\n;LAYER:7\nG1 X2\n;LAYER_CHANGE\nG1 X3\n");
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[0].layer, -1);

@@ -40,7 +40,7 @@ TEST_F(EmulatedMotionTest, RunsALoneMotionAsATrapezoid) {
   EXPECT_EQ(motion_.starvations(), 1U);
 }
 
-TEST_F(EmulatedMotionTest, TellsWhenTheNozzleIsWhere) {
+TEST_F(EmulatedMotionTest, ReportsWhenTheNozzleIsWhere) {
   motion_.add({{0, 0, 0}, {0, 40, 30}, 1.0, 80.0}, 0.0);
   run();
   for (const double part : {0.0, 0.01, 0.06, 0.3, 0.5, 0.94, 0.99, 1.0}) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "lamina/base/random.hpp"
-#include "lamina/streaming/emulator/emulated_firmware.hpp"
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/emulator/emulated_firmware.hpp"
 
 namespace lamina::test {
 

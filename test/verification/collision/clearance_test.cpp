@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kClose = 1e-4;  // mm: the precision of the collision of a cone with a box, and more
 
-Machine upright() { return machineByName("cartesian_gantry"); }
+CartesianMachine upright() { return machineByName("cartesian_gantry"); }
 
 /// A body that goes wherever the nozzle does.
 /// @param above  middle of the body over the tip [mm, bed frame]
@@ -47,7 +47,7 @@ ClearanceReport checked(const Toolpath& toolpath, const MachineBody& body, doubl
   ClearanceSettings settings;
   settings.tolerance_mm = tolerance_mm;
   NoProgress nobody;
-  const Machine machine = upright();
+  const CartesianMachine machine = upright();
   return checkClearance({toolpath, Eigen::Isometry3d::Identity(), machine}, {body}, settings, nobody);
 }
 
@@ -77,7 +77,7 @@ TEST(Clearance, AConeMeetsAWallExactlyWhereItsFlankDoes) {
   EXPECT_EQ(firsts[0].obstacle, Obstacle::Material);
   EXPECT_EQ(firsts[0].at.path, 3U);
   EXPECT_EQ(firsts[0].at.waypoint, 1U);
-  EXPECT_EQ(firsts[0].laid.path, 0U);
+  EXPECT_EQ(firsts[0].deposited.path, 0U);
   EXPECT_EQ(firsts[0].link, "nozzle");
   EXPECT_TRUE(firsts[0].tip.isApprox(Point3(0, 0, 5.5 - kClose)));
 }
@@ -103,11 +103,11 @@ TEST(Clearance, TheNozzleMayStandInWhatItIsJustLaying) {
   EXPECT_EQ(checked(toolpath, deep).colliding, 0U);
   toolpath.layers[0].paths.push_back(travel({20, 0, 1.0}, {10, 0, 1.0}));
   const auto firsts = checked(toolpath, deep).first_of_layers;
-  ASSERT_EQ(firsts.size(), 1U) << "once it is laid it is there";
+  ASSERT_EQ(firsts.size(), 1U) << "once it is deposited it is there";
   EXPECT_EQ(firsts[0].at.path, 1U);
 }
 
-TEST(Clearance, WhatIsLaidLaterIsNotThereYet) {
+TEST(Clearance, WhatIsDepositedLaterIsNotThereYet) {
   Toolpath toolpath = besideWall(5.0, 10.0, 5.0);
   std::reverse(toolpath.layers[0].paths.begin(), toolpath.layers[0].paths.end());
   for (Path& path : toolpath.layers[0].paths) std::reverse(path.points.begin(), path.points.end());
@@ -115,7 +115,7 @@ TEST(Clearance, WhatIsLaidLaterIsNotThereYet) {
 }
 
 TEST(Clearance, ABodyLowerThanTheTipMeetsTheBedWhereTheTipIsTooLow) {
-  // It reaches 2 mm beneath the tip; the way down passes 2 mm at the third waypoint.
+  // It reaches 2 mm below the tip; the way down passes 2 mm at the third waypoint.
   Path path = travel({0, 0, 5}, {10, 0, 3});
   path.points.insert(path.points.end(), {{20, 0, 2.0 - 1e-6}, {30, 0, 4}});
   const ClearanceReport report = checked({"low", {{5, 1, {path}}}}, blockOf(1.0, -2.0));
@@ -163,19 +163,19 @@ TEST(Clearance, ANozzleHeldDownRunsIntoAnInclinedLayerAtTheComputedWaypoint) {
   ClearanceSettings settings;
   settings.tolerance_mm = 0.0;
   NoProgress nobody;
-  const Machine machine = upright();
+  const CartesianMachine machine = upright();
   const auto report = checkClearance({hill, high, machine}, {blockOf(10.0, 4.0)}, settings, nobody);
   ASSERT_EQ(report.first_of_layers.size(), 1U);
   EXPECT_EQ(report.first_of_layers[0].at.path, 27U);
   EXPECT_EQ(report.first_of_layers[0].at.waypoint, 1U);
-  EXPECT_EQ(report.first_of_layers[0].laid.path, 0U);
+  EXPECT_EQ(report.first_of_layers[0].deposited.path, 0U);
   // From there on everything collides: 16 lines of two waypoints, and 16 travels, the first of them with its
   // end.
   EXPECT_EQ(report.colliding, 16U * 2U + 15U * 2U + 1U);
 }
 
 TEST(Clearance, AMachineWithoutCollisionGeometryIsRefused) {
-  const Machine machine = upright();
+  const CartesianMachine machine = upright();
   const Toolpath toolpath = test::twoLayers();
   const std::vector<MachineBody> none;
   NoProgress nobody;

@@ -69,9 +69,9 @@ Toolpath besideWall(double x, double wall_height, double z, double tilt) {
   return {"wall", {{wall_height, wall_height, {wall, travel({wall.lastPoint(), {0, 0, 100}}), down}}}};
 }
 
-JointPath jointsOf(const Mechanism& mechanism, const Toolpath& toolpath) {
+JointPath jointsOf(const KinematicModel& model, const Toolpath& toolpath) {
   JointPath path;
-  JointValues near = JointValues::Zero(static_cast<Eigen::Index>(mechanism.joints().size()));
+  JointValues near = JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()));
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p) {
       const Path& run = toolpath.layers[l].paths[p];
@@ -81,7 +81,7 @@ JointPath jointsOf(const Mechanism& mechanism, const Toolpath& toolpath) {
         path.at.push_back({l, p, w});
         path.values.push_back(near);
         double nearest = std::numeric_limits<double>::infinity();
-        for (const InverseSolution& solution : mechanism.solutions(pose, near)) {
+        for (const InverseSolution& solution : model.solutions(pose, near)) {
           const double way = (solution.values - near).tail(1).norm();
           if (way < nearest) nearest = way, path.values.back() = solution.values;
         }
@@ -92,12 +92,12 @@ JointPath jointsOf(const Mechanism& mechanism, const Toolpath& toolpath) {
 }
 
 JointClearanceReport checked(const Toolpath& toolpath, const std::string& urdf) {
-  const auto mechanism = mechanismFromUrdf(urdf);
-  const JointPath path = jointsOf(*mechanism, toolpath);
+  const auto model = kinematicModelFromUrdf(urdf);
+  const JointPath path = jointsOf(*model, toolpath);
   ClearanceSettings settings;
   settings.tolerance_mm = 0.0;
   NoProgress nobody;
-  return checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *mechanism, path}, linkBodies(urdf),
+  return checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *model, path}, linkBodies(urdf),
                              settings, nobody);
 }
 
@@ -117,7 +117,7 @@ TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
     RC_ASSERT(collisions.size() == 1U);
     RC_ASSERT(collisions[0].obstacle == Obstacle::Material);
     RC_ASSERT(collisions[0].at.path == 2U && collisions[0].at.waypoint == 1U);
-    RC_ASSERT(collisions[0].laid.path == 0U && collisions[0].link == "nozzle");
+    RC_ASSERT(collisions[0].deposited.path == 0U && collisions[0].link == "nozzle");
   }));
 }
 
@@ -130,9 +130,9 @@ TEST(JointClearance, ATiltAwayFromAWallClearsIt) {
 TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
   // The flank of a cone of half angle 0.5 lies on the plate at a tilt of pi / 2 - 0.5.
   const Path clear = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 - 0.01);
-  const Path beneath = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
+  const Path below = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
   EXPECT_TRUE(checked({"tip", {{1, 1, {clear}}}}, tippingHead(coneOf(0.5))).collisions.empty());
-  const auto collisions = checked({"tip", {{1, 1, {beneath}}}}, tippingHead(coneOf(0.5))).collisions;
+  const auto collisions = checked({"tip", {{1, 1, {below}}}}, tippingHead(coneOf(0.5))).collisions;
   ASSERT_EQ(collisions.size(), 2U) << "both waypoints";
   EXPECT_EQ(collisions[0].obstacle, Obstacle::Bed);
   EXPECT_EQ(collisions[0].link, "nozzle");
@@ -158,16 +158,17 @@ TEST(JointClearance, PlacesBetweenWaypointsAreLookedAt) {
   EXPECT_EQ(collisions[0].at.waypoint, 2U);
 }
 
-TEST(JointClearance, WhatIsLaidLaterIsNotThereYet) {
+TEST(JointClearance, WhatIsDepositedLaterIsNotThereYet) {
   Toolpath toolpath = besideWall(2.0, 10.0, 5.0, 0.0);
   std::reverse(toolpath.layers[0].paths.begin(), toolpath.layers[0].paths.end());
   for (Path& path : toolpath.layers[0].paths) std::reverse(path.points.begin(), path.points.end());
   EXPECT_TRUE(checked(toolpath, tippingHead(coneOf(0.5))).collisions.empty());
 }
 
-TEST(JointClearance, BeadsOfLayersThatBendLieBeneathTheTipAlongTheJet) {
-  // A bead on a slope of 45 deg, 2 mm high, laid with the jet into the slope: it reaches sqrt(2) mm beneath
-  // and beside its line. A point of its box is met from below where one that hung straight down is not.
+TEST(JointClearance, BeadsOfLayersThatBendLieBelowTheTipAlongTheToolAxis) {
+  // A bead on a slope of 45 deg, 2 mm high, deposited with the tool axis into the slope: it reaches sqrt(2)
+  // mm below and beside its line. A point of its box is met from below where one that hung straight down is
+  // not.
   Path bead = test::straightPath({0, 0, 20}, {20, 0, 40});
   bead.bead = Bead{1.0, 2.0};
   bead.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 4, Point3::UnitY())) * nozzleDown();
@@ -182,7 +183,7 @@ TEST(JointClearance, BeadsOfLayersThatBendLieBeneathTheTipAlongTheJet) {
 }
 
 TEST(JointClearance, WhatTheNozzleHasJustLeftIsSoftAndWhatItComesBackToIsNot) {
-  // A rod of 1 mm that reaches half a millimetre beneath the tip: it stands in what it lays.
+  // A rod of 1 mm that reaches half a millimetre below the tip: it stands in what it lays.
   const std::string machine = tippingHead(
       R"(<collision><origin xyz="0 0 -0.0095"/><geometry><cylinder radius="0.0005" length="0.02"/></geometry></collision>)");
   Path bead = test::straightPath({0, 0, 20}, {20, 0, 20});
@@ -196,14 +197,13 @@ TEST(JointClearance, WhatTheNozzleHasJustLeftIsSoftAndWhatItComesBackToIsNot) {
 
 TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
   const std::string urdf = tippingHead(coneOf(0.5));
-  const auto mechanism = mechanismFromUrdf(urdf);
+  const auto model = kinematicModelFromUrdf(urdf);
   const Toolpath toolpath = besideWall(1.0, 10.0, 5.0, 0.4);
-  JointPath path = jointsOf(*mechanism, toolpath);
+  JointPath path = jointsOf(*model, toolpath);
   path.values.back() = JointValues();
   NoProgress nobody;
-  const JointClearanceReport report =
-      checkJointClearance({toolpath, Eigen::Isometry3d::Identity(), *mechanism, path}, linkBodies(urdf),
-                          ClearanceSettings(), nobody);
+  const JointClearanceReport report = checkJointClearance(
+      {toolpath, Eigen::Isometry3d::Identity(), *model, path}, linkBodies(urdf), ClearanceSettings(), nobody);
   EXPECT_TRUE(report.collisions.empty());
   EXPECT_EQ(report.waypoints, path.values.size() - 1);
 }

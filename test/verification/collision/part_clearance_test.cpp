@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/verification/collision/clearance.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "lamina/verification/collision/clearance.hpp"
 
 namespace lamina {
 namespace {
@@ -22,7 +22,7 @@ SliceJob coarse(const std::string& part, const std::string& machine) {
 
 ClearanceReport check(const SlicedPart& sliced, const std::string& machine) {
   NoProgress nobody;
-  const Machine described = machineByName(machine);
+  const CartesianMachine described = machineByName(machine);
   return checkClearance({sliced.toolpath, sliced.bed_from_part, described}, ClearanceSettings(), nobody);
 }
 
@@ -45,7 +45,7 @@ TEST(PartClearance, HeadsAt45DegreesClearTheLayersTheyAreMadeFor) {
                                          {"large_gantry_45_reverse", 180.0},
                                          {"belt_45", 0.0}}) {
     SliceJob job = coarse("tube", machine);
-    job.settings.slicing.plane = {45.0, heading, Jet::Normal};
+    job.settings.slicing.plane = {45.0, heading, ToolAxis::Normal};
     const ClearanceReport report = check(run(job), machine);
     EXPECT_EQ(report.colliding, 0U) << machine;
     EXPECT_GT(report.waypoints, 1000U);
@@ -59,7 +59,7 @@ TEST(PartClearance, AnUprightHeadClearsLayersUpToTheAngleOfItsBlock) {
     SliceJob job = coarse("box", "cartesian_gantry");
     job.settings.input.units.scale = 2.0;
     job.settings.planning.infill.density = 0.05;
-    job.settings.slicing.plane = {angle, 0.0, Jet::Down};
+    job.settings.slicing.plane = {angle, 0.0, ToolAxis::Down};
     const ClearanceReport report = check(run(job), "cartesian_gantry");
     EXPECT_EQ(report.colliding > 0U, collides) << angle;
     for (const Collision& first : report.first_of_layers) EXPECT_EQ(first.link, "head");
@@ -68,7 +68,7 @@ TEST(PartClearance, AnUprightHeadClearsLayersUpToTheAngleOfItsBlock) {
 
 TEST(PartClearance, ANozzleHeldDownMeetsSteepLayersAndTheFirstPlaceIsTheSameWhateverTheThreads) {
   SliceJob job = coarse("box", "cartesian_gantry");
-  job.settings.slicing.plane = {75.0, 0.0, Jet::Down};
+  job.settings.slicing.plane = {75.0, 0.0, ToolAxis::Down};
   const SlicedPart sliced = run(job);
   const ClearanceReport many = check(sliced, "cartesian_gantry");
   const ThreadLimit limit(1);

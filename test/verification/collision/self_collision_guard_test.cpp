@@ -24,7 +24,7 @@ JointValues atDegrees(double fourth, double fifth, double sixth) {
 }
 
 /// Whether any two groups are nearer to each other than the margin [mm], at 0 in each other.
-bool isWithin(const Mechanism& arm, const LinkBodies& bodies, const JointValues& values, double margin) {
+bool isWithin(const KinematicModel& arm, const LinkBodies& bodies, const JointValues& values, double margin) {
   const auto links = arm.bedFromLinks(values);
   for (const auto& [a, b] : bodies.pairs)
     for (const LinkBody& one : bodies.groups[a].bodies)
@@ -52,7 +52,7 @@ LinkBodies only(LinkBodies bodies, const std::string& one, const std::string& ot
 class Arms : public testing::TestWithParam<std::string> {};
 
 TEST_P(Arms, NeverStandWithTheHeadInTheForearm) {
-  const auto arm = mechanismByName(GetParam());
+  const auto arm = kinematicModelByName(GetParam());
   const LinkBodies bodies = only(linkBodies(arm->urdf()), "link_4", "nozzle");
   ASSERT_EQ(bodies.pairs.size(), 1U);
   const SelfCollisionGuard guard(*arm, bodies);
@@ -76,7 +76,7 @@ TEST_P(Arms, NeverStandWithTheHeadInTheForearm) {
 INSTANTIATE_TEST_SUITE_P(Robots, Arms, testing::Values("irb_4400", "irb_4600"));
 
 TEST(SelfCollisionGuard, NamesTheLinks) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const LinkBodies bodies = only(linkBodies(arm->urdf()), "link_4", "nozzle");
   const SelfCollisionGuard guard(*arm, bodies);
   for (double sixth = -180.0; sixth < 180.0; sixth += 1.0)
@@ -90,7 +90,7 @@ TEST(SelfCollisionGuard, NamesTheLinks) {
 }
 
 TEST(SelfCollisionGuard, KnowsWholeTurns) {
-  const auto arm = mechanismByName("irb_4600");
+  const auto arm = kinematicModelByName("irb_4600");
   const SelfCollisionGuard guard(*arm, linkBodies(arm->urdf()));
   for (double fifth = -120.0; fifth < 120.0; fifth += 7.0)
     for (double sixth = -180.0; sixth < 180.0; sixth += 7.0)
@@ -99,7 +99,7 @@ TEST(SelfCollisionGuard, KnowsWholeTurns) {
 }
 
 TEST(SelfCollisionGuard, LetsAMachineAloneThatCannotHitItselfByTwoRotaryJoints) {
-  const auto machine = mechanismByName("cartesian_gantry");
+  const auto machine = kinematicModelByName("cartesian_gantry");
   const SelfCollisionGuard guard(*machine, linkBodies(machine->urdf()));
   EXPECT_TRUE(guard.allows(JointValues::Constant(3, 100.0)));
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lamina/verification/collision/joint_clearance.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/verification/collision/joint_clearance.hpp"
 #include "support/toolpaths.hpp"
 
 namespace lamina {
@@ -26,10 +26,10 @@ bool isWithinLimits(const JointValues& values, const std::vector<DrivenJoint>& j
 }
 
 /// Of the first branch within the limits; none if it does not reach there.
-JointValues usualJoints(const Mechanism& mechanism, const Eigen::Isometry3d& pose) {
-  const JointValues zero = JointValues::Zero(static_cast<Eigen::Index>(mechanism.joints().size()));
-  for (const InverseSolution& solution : mechanism.solutions(pose, zero))
-    if (isWithinLimits(solution.values, mechanism.joints())) return solution.values;
+JointValues usualJoints(const KinematicModel& model, const Eigen::Isometry3d& pose) {
+  const JointValues zero = JointValues::Zero(static_cast<Eigen::Index>(model.joints().size()));
+  for (const InverseSolution& solution : model.solutions(pose, zero))
+    if (isWithinLimits(solution.values, model.joints())) return solution.values;
   return {};
 }
 
@@ -41,17 +41,17 @@ struct Walk {
 };
 
 /// Over the bed, the nozzle held as with all joints at zero, straight down by robots, and a little turned.
-Walk walkOverBed(const Mechanism& mechanism) {
+Walk walkOverBed(const KinematicModel& model) {
   Walk walk;
   Path path;
   path.role = PathRole::Travel;
-  const Machine machine = machineFromUrdf(mechanism.urdf());
+  const CartesianMachine machine = machineFromUrdf(model.urdf());
   const Eigen::Quaterniond held(machine.bed_from_nozzle_at_zero.linear());
   const Box3 room = workspace(machine);
   const Point3 half = 0.4 * (room.high - room.low);
   const auto add = [&](const Eigen::Isometry3d& pose) {
     walk.joints.at.push_back({0, 0, path.points.size()});
-    walk.joints.values.push_back(usualJoints(mechanism, pose));
+    walk.joints.values.push_back(usualJoints(model, pose));
     walk.reached += walk.joints.values.back().size() > 0 ? 1 : 0;
     path.points.emplace_back(pose.translation());
     walk.joints.at.push_back({0, 0, path.points.size()});
@@ -72,20 +72,20 @@ Walk walkOverBed(const Mechanism& mechanism) {
 class ShippedMachine : public testing::TestWithParam<std::string> {};
 
 TEST_P(ShippedMachine, RunsIntoNothingOverItsBed) {
-  const auto mechanism = mechanismByName(GetParam());
-  const Walk walk = walkOverBed(*mechanism);
+  const auto model = kinematicModelByName(GetParam());
+  const Walk walk = walkOverBed(*model);
   EXPECT_GT(walk.reached, 0U);
   NoProgress nobody;
   const JointClearanceReport report =
-      checkJointClearance({walk.toolpath, Eigen::Isometry3d::Identity(), *mechanism, walk.joints},
-                          linkBodies(mechanism->urdf()), {}, nobody);
+      checkJointClearance({walk.toolpath, Eigen::Isometry3d::Identity(), *model, walk.joints},
+                          linkBodies(model->urdf()), {}, nobody);
   for (const Collision& collision : report.collisions)
     ADD_FAILURE() << collision.link << " is in "
                   << (collision.obstacle == Obstacle::Bed ? "the bed" : collision.other)
                   << " with the tip at " << collision.tip.transpose();
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ShippedMachine, testing::ValuesIn(mechanismNames()),
+INSTANTIATE_TEST_SUITE_P(Each, ShippedMachine, testing::ValuesIn(kinematicModelNames()),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

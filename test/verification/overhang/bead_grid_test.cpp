@@ -24,7 +24,7 @@ struct Nearest {
   double z = 0.0;
 };
 
-Nearest nearest(const LaidBead& bead, const Point2& place) {
+Nearest nearest(const DepositedBead& bead, const Point2& place) {
   const Point2 along = (bead.end - bead.start).head<2>();
   const double t = std::clamp((place - bead.start.head<2>()).dot(along) / along.squaredNorm(), 0.0, 1.0);
   const Point3 point = bead.start + t * (bead.end - bead.start);
@@ -34,8 +34,8 @@ Nearest nearest(const LaidBead& bead, const Point2& place) {
 TEST(BeadGrid, FindsEveryBeadWithinTheMarginBetweenTheHeights) {
   EXPECT_TRUE(rc::check("any beads, any place", [](std::uint64_t seed) {
     Random random(seed);
-    std::vector<LaidBead> beads(100);
-    for (LaidBead& bead : beads)
+    std::vector<DepositedBead> beads(100);
+    for (DepositedBead& bead : beads)
       bead = {anywhere(random), anywhere(random), {random.uniform(0.2, 1.0), random.uniform(0.1, 0.5)}};
     const BeadGrid grid(beads, kMargin);
     const Point2 place = anywhere(random).head<2>();

@@ -36,9 +36,9 @@ Toolpath wallsOf(double lean_deg, double tool_lean_deg) {
     for (int i = 0; i < 360; ++i) {
       const Point3 out(std::cos(i * kDegree), std::sin(i * kDegree), 0.0);
       path.points.emplace_back(radius * out + z * Point3::UnitZ());
-      const Point3 jet =
+      const Point3 tool_axis =
           -std::cos(tool_lean_deg * kDegree) * Point3::UnitZ() - std::sin(tool_lean_deg * kDegree) * out;
-      tools.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), jet));
+      tools.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(tools));
     path.bead = Bead{0.8, 1.0};
@@ -52,30 +52,30 @@ double wallArea(double lean_deg) {
   return M_PI * (10.0 + top) * 10.0 / std::cos(lean_deg * kDegree);
 }
 
-TEST(WallLean, EachLayerIsPutOutByItsHeightTimesTheTangent) {
+TEST(OverhangAngle, EachLayerIsPutOutByItsHeightTimesTheTangent) {
   for (const double lean_deg : {10.0, 30.0, 45.0}) {
-    const WallLean lean = wallLean(funnel(lean_deg), Point3::UnitZ(), {0.8, 1.0});
+    const OverhangAngle lean = overhangAngle(funnel(lean_deg), Point3::UnitZ(), {0.8, 1.0});
     EXPECT_NEAR(lean.steepest_rad / kDegree, lean_deg, 0.01);
     EXPECT_NEAR(lean.overhang_mm, std::tan(lean_deg * kDegree), 1e-3);
   }
 }
 
-TEST(WallLean, WallsBeyondABeadAreCountedByTheirArea) {
+TEST(OverhangAngle, WallsBeyondABeadAreCountedByTheirArea) {
   // 0.8 mm of a layer of 1 mm is a lean of 38.7 deg.
-  EXPECT_EQ(wallLean(funnel(38.0), Point3::UnitZ(), {0.8, 1.0}).beyond_bead_mm2, 0.0);
-  EXPECT_NEAR(wallLean(funnel(39.4), Point3::UnitZ(), {0.8, 1.0}).beyond_bead_mm2, wallArea(39.4), 0.5);
+  EXPECT_EQ(overhangAngle(funnel(38.0), Point3::UnitZ(), {0.8, 1.0}).beyond_bead_mm2, 0.0);
+  EXPECT_NEAR(overhangAngle(funnel(39.4), Point3::UnitZ(), {0.8, 1.0}).beyond_bead_mm2, wallArea(39.4), 0.5);
 }
 
-TEST(WallLean, WhatStandsOnTheBedDoesNotLean) {
-  const WallLean lean = wallLean(makePart("box"), Point3::UnitZ(), {0.4, 0.2});
+TEST(OverhangAngle, WhatStandsOnTheBedDoesNotLean) {
+  const OverhangAngle lean = overhangAngle(makePart("box"), Point3::UnitZ(), {0.4, 0.2});
   EXPECT_EQ(lean.steepest_rad, 0.0);
   EXPECT_EQ(lean.overhang_mm, 0.0);
 }
 
-TEST(WallLean, LevelUndersidesLeanByARightAngle) {
+TEST(OverhangAngle, LevelUndersidesLeanByARightAngle) {
   // Grown along x, the side at the far end of -x is the bed and nothing else faces down; along (1, 0, 1) the
   // bottom does.
-  EXPECT_EQ(wallLean(makePart("box"), Point3::UnitX(), {0.4, 0.2}).steepest_rad, 0.0);
+  EXPECT_EQ(overhangAngle(makePart("box"), Point3::UnitX(), {0.4, 0.2}).steepest_rad, 0.0);
   Mesh table = makePart("cone", {{"radius_mm", "2"}, {"top_radius_mm", "20"}, {"height_mm", "1e-6"}});
   for (Point3& vertex : table.vertices) vertex.z() += 5.0;
   const Mesh foot = makePart("cylinder", {{"radius_mm", "2"}, {"height_mm", "5"}});
@@ -83,21 +83,21 @@ TEST(WallLean, LevelUndersidesLeanByARightAngle) {
   table.vertices.insert(table.vertices.end(), foot.vertices.begin(), foot.vertices.end());
   for (const Triangle& corner : foot.triangles)
     table.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
-  EXPECT_NEAR(wallLean(table, Point3::UnitZ(), {0.4, 0.2}).steepest_rad, M_PI / 2.0, 1e-6);
+  EXPECT_NEAR(overhangAngle(table, Point3::UnitZ(), {0.4, 0.2}).steepest_rad, M_PI / 2.0, 1e-6);
 }
 
-TEST(WallLean, AToolHeldAlongTheWallClearsTheOverhang) {
+TEST(OverhangAngle, AToolHeldAlongTheWallClearsTheOverhang) {
   const Mesh mesh = funnel(45.0);
-  const WallLean upright = wallLean(mesh, wallsOf(45.0, 0.0), 0.8);
+  const OverhangAngle upright = overhangAngle(mesh, wallsOf(45.0, 0.0), 0.8);
   EXPECT_NEAR(upright.steepest_rad / kDegree, 45.0, 0.05);
   EXPECT_GT(upright.beyond_bead_mm2, 0.8 * wallArea(45.0));
-  const WallLean along = wallLean(mesh, wallsOf(45.0, 45.0), 0.8);
+  const OverhangAngle along = overhangAngle(mesh, wallsOf(45.0, 45.0), 0.8);
   EXPECT_NEAR(along.steepest_rad / kDegree, 0.0, 0.6);
   EXPECT_EQ(along.beyond_bead_mm2, 0.0);
 }
 
-TEST(WallLean, AToolpathThatDepositsNothingIsRefused) {
-  EXPECT_THROW(wallLean(makePart("box"), Toolpath{}, 0.4), InvalidInput);
+TEST(OverhangAngle, AToolpathThatDepositsNothingIsRefused) {
+  EXPECT_THROW(overhangAngle(makePart("box"), Toolpath{}, 0.4), InvalidInput);
 }
 
 }  // namespace

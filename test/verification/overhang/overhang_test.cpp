@@ -117,7 +117,7 @@ TEST(Overhang, AStretchGoesOnFromPathToPath) {
   EXPECT_NEAR(found[0].length_mm, 10.0 - 2 * kHeld, kEnds);
 }
 
-TEST(Overhang, WhatIsLaidLaterCarriesNothing) {
+TEST(Overhang, WhatIsDepositedLaterCarriesNothing) {
   Toolpath toolpath = over({rail(0), rail(10)}, {across(0, 10)});
   std::swap(toolpath.layers[0], toolpath.layers[1]);
   const OverhangReport report = find(toolpath);
@@ -132,14 +132,14 @@ TEST(Overhang, NeighboursOfTheSameLayerCarryNothing) {
 }
 
 TEST(Overhang, TheBedCarriesWhatIsWithinABeadHeightOfTheMiddle) {
-  // The middle is 0.1 mm beneath the tip; 0.2 mm farther down the bed must have come.
+  // The middle is 0.1 mm below the tip; 0.2 mm farther down the bed must have come.
   for (const auto& [z, unsupported] : {std::pair{0.2, 0.0}, {0.29, 0.0}, {0.32, 10.0}}) {
     const Toolpath toolpath = {"one", {layerOf(z, {test::straightPath({0, 0, z}, {10, 0, z})})}};
     EXPECT_NEAR(find(toolpath).layers[0].unsupported(), unsupported, 1e-9) << z;
   }
 }
 
-TEST(Overhang, TheJetDecidesWhatIsBeneath) {
+TEST(Overhang, TheToolAxisDecidesWhatIsBelow) {
   // Down and along +x at 45 deg: the middles are 0.2 mm apart in depth, so the ray comes 0.2 mm along x.
   const Eigen::Quaterniond inclined =
       Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 4, Point3::UnitY())) * nozzleDown();
@@ -190,14 +190,14 @@ TEST(Overhang, TotalsNameTheLongestOfEachKindAndTheWorstLayer) {
   EXPECT_FALSE(totals(find(Toolpath())).worst_layer);
 }
 
-TEST(Overhang, AJetAlongTheLayersIsRefused) {
+TEST(Overhang, AToolAxisAlongTheLayersIsRefused) {
   Path path = across(0, 10);
   path.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Point3::UnitY())) * nozzleDown();
   try {
     find(over({rail(0)}, {path}));
     FAIL() << "not refused";
   } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find("layer 1: the jet is inclined by 90"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("layer 1: the tool axis is inclined by 90"), std::string::npos);
   }
 }
 

@@ -43,7 +43,7 @@ TEST(Refill, LeavesVoidsThatAreTooSmallOrTooNarrow) {
 constexpr double kLayerHeight = 0.2;
 
 /// The layer that is nothing but these runs.
-ToolpathLayer laid(const std::vector<FillPath>& runs) {
+ToolpathLayer deposited(const std::vector<FillPath>& runs) {
   ToolpathLayer layer;
   layer.height_mm = layer.z_mm = kLayerHeight;
   for (const FillPath& run : runs) {
@@ -63,7 +63,7 @@ ToolpathLayer laid(const std::vector<FillPath>& runs) {
 TEST(Refill, CoversAWideVoid) {
   for (const Polygon& outline : {rectangle(0, 0, 5, 5), test::circle({0, 0}, 2.5, 90)}) {
     const LayerVoids filled =
-        findVoids({{outline, {}}}, laid(refill(layerWith(outline), {})), VoidMapSettings());
+        findVoids({{outline, {}}}, deposited(refill(layerWith(outline), {})), VoidMapSettings());
     EXPECT_LT(filled.uncovered_mm2, 0.01 * filled.area_mm2);
     EXPECT_LT(filled.overfill_mm2, 0.03 * filled.area_mm2);
   }

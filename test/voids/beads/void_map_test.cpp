@@ -158,7 +158,7 @@ TEST(VoidMap, ShowsAVoidRoundAnIslandWithAHole) {
   EXPECT_EQ(largest->kind, VoidClass::Meeting);
 }
 
-TEST(VoidMap, TellsTheCornerAndTheBorderOfARaster) {
+TEST(VoidMap, ReportsTheCornerAndTheBorderOfARaster) {
   const Regions wedge = {{{{0, 0}, {10, 0}, {10, 4}}, {}}};
   const ToolpathLayer layer = layerOf({runOf({{6, 0}, {6, 3}}, 0.4), runOf({{6.5, 0}, {6.5, 3}}, 0.4)});
   const LayerVoids voids = findVoids(wedge, layer, {});

@@ -17,7 +17,7 @@ LayerVoids layerOf(double area, double uncovered, double overfill, std::size_t r
   return layer;
 }
 
-TEST(VoidTotals, TellTheMeanOfTheLayersTheWholeAndTheWorst) {
+TEST(VoidTotals, ReportTheMeanOfTheLayersTheWholeAndTheWorst) {
   const VoidTotals sums = totals({layerOf(100, 1, 4, 2), layerOf(10, 1, 0, 3), layerOf(0, 0, 0, 0)});
   EXPECT_EQ(sums.layers, 3U);
   EXPECT_DOUBLE_EQ(sums.uncovered.mean_percent, (1.0 + 10.0) / 2) << "a layer without area has no percentage";

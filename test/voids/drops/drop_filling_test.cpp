@@ -95,7 +95,7 @@ TEST(DropFilling, FillsVoidsApartFromEachOther) {
   expectDropsAt(voids[1].drops, {hexSite(2, 0)});
 }
 
-TEST(DropFilling, TellsHowMuchOfAVoidItCovered) {
+TEST(DropFilling, ReportsHowMuchOfAVoidItCovered) {
   const std::vector<DropVoid> hex = fillDropVoids(hexWithout({{0, 0}}), allowing(0.0));
   ASSERT_EQ(hex.size(), 1U);
   EXPECT_NEAR(hex[0].uncovered_before_mm2, 1.0273, 0.02);
@@ -212,7 +212,7 @@ struct CoreRoom {
   }
 };
 
-TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {  // T12
+TEST(DropFilling, OfSquaresOfContoursAddsWhatTheirCoresHaveRoomFor) {
   const auto square = [](double side) {
     return filledLayer("drops_contour", {{rectangle(0, 0, side, side), {}}}, 1.0);
   };

@@ -6,8 +6,8 @@
 
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
-#include "lamina/voids/drops/drop_filling.hpp"
 #include "lamina/voids/beads/overlap_meter.hpp"
+#include "lamina/voids/drops/drop_filling.hpp"
 #include "support/drop_lattices.hpp"
 #include "support/shapes.hpp"
 

@@ -23,10 +23,10 @@ struct MeshUnits {
   double scale = 1.0;          ///< factor on top, for every format; positive
 };
 
-/// Reads STL (binary or ASCII), OBJ, PLY (ASCII or binary) or 3MF. The format is told by the content, and by
-/// the suffix only where the content leaves it open. Vertices with exactly equal coordinates become one (-0
-/// equals +0); faces with more than three corners become fans. Nothing else is changed: degenerate triangles
-/// and vertex order stay.
+/// Reads STL (binary or ASCII), OBJ, PLY (ASCII or binary) or 3MF. The format is reported by the content, and
+/// by the suffix only where the content leaves it open. Vertices with exactly equal coordinates become one
+/// (-0 equals +0); faces with more than three corners become fans. Nothing else is changed: degenerate
+/// triangles and vertex order stay.
 ///
 /// A wrong triangle count in a binary STL is corrected if the file holds whole triangles: more than the count
 /// says, or fewer that form a closed surface.

@@ -12,7 +12,7 @@ enum class PerimeterOffset {
   Normals,  ///< each point moved along its normal [Flores2018, section 6.2.1]; may cross itself
 };
 
-/// In which order perimeters are laid.
+/// In which order perimeters are deposited.
 enum class PerimeterOrder {
   OutsideIn,
   InsideOut,

@@ -10,7 +10,7 @@ namespace lamina {
 
 /// What a vase stands on.
 struct VaseSettings {
-  int base_layers = 3;                   ///< solid ones beneath the rising wall
+  int base_layers = 3;                   ///< solid ones below the rising wall
   std::string base_strategy = "zigzag";  ///< that fills them inside one wall
 };
 

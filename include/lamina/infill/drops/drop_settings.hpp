@@ -12,7 +12,7 @@ struct DropSettings {
   double pitch_mm = 0.4;         ///< between neighbouring drops of a line
   double line_spacing_mm = 0.0;  ///< between neighbouring lines and contours; 0 takes the pitch
   int contours = 1;              ///< round a raster or dense fill
-  double most_overlap = 0.2;     ///< of two drops of a layer, 1 - distance / diameter; none is laid nearer
+  double most_overlap = 0.2;  ///< of two drops of a layer, 1 - distance / diameter; none is deposited nearer
 };
 
 /// Between neighbouring lines and contours [mm].

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-/// In which order sections of a raster are laid.
+/// In which order sections of a raster are deposited.
 enum class SectionOrder {
   Midpoints,  ///< greedy, by the midpoints of first and last lines [Flores2018, figures 52 and 53]
   Ends,       ///< greedy, by the end points of first and last lines

@@ -25,7 +25,7 @@ void describe(SettingsSchema& schema, CopySettings& settings);
 /// those of another. One copy is the toolpath as it is.
 /// @param travel_feed_mm_s  between copies
 /// @throws InvalidConfig if there are to be several and the machine has no endless axis
-Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Machine& machine,
+Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const CartesianMachine& machine,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);
 
 }  // namespace lamina

@@ -39,9 +39,9 @@ ComparedPart readComparedPart(const std::string& part, const InputSettings& sett
 
 /// Finds where a program has put a part, whatever its skirt, brim or start lines: in x and y by the contours
 /// of level layers, and with its bottom on that of the first layer. Where layers are not level, by the middle
-/// of the box of what is laid for the part, and its bottom.
+/// of the box of what is deposited for the part, and its bottom.
 /// @param given  program_from_part [mm]; found if there is none
-/// @throws InvalidInput if nothing is laid for the part, or the given place is not finite; Cancelled
+/// @throws InvalidInput if nothing is deposited for the part, or the given place is not finite; Cancelled
 PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const std::optional<Point3>& given,
                        const JobSettings& settings, Progress& progress);
 

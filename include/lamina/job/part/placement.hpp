@@ -21,10 +21,10 @@ Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placemen
 
 /// The same on a machine: over the middle of its reach. Along an endless axis, a belt, the part begins where
 /// the axis does: every point of its box is at the low end or beyond it.
-Eigen::Isometry3d placePart(const Box3& part, const Machine& machine, Placement placement);
+Eigen::Isometry3d placePart(const Box3& part, const CartesianMachine& machine, Placement placement);
 
 /// The same of a toolpath whose part is not known: its deposition stands over the middle of the reach, and
 /// the undersides of its lowest beads on the bed. A toolpath that deposits nothing stays where it is.
-Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const Machine& machine);
+Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const CartesianMachine& machine);
 
 }  // namespace lamina

@@ -33,7 +33,7 @@ struct StudyState {
   double hypervolume = 0.0;  ///< of a front
 };
 
-/// Told of each generation or iteration when it is done.
+/// Reported of each generation or iteration when it is done.
 using StudyListener = std::function<void(const StudyState&)>;
 
 /// Files that a study leaves in its folder.

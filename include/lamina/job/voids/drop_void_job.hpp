@@ -10,9 +10,9 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/program/drops/drop_program.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "lamina/voids/beads/overlap_meter.hpp"
 #include "lamina/voids/drops/drop_filling.hpp"
 #include "lamina/voids/drops/drop_layer.hpp"
-#include "lamina/voids/beads/overlap_meter.hpp"
 
 namespace lamina {
 
@@ -39,13 +39,13 @@ struct FilledDropProgram {
   DropVoidReport report;
 };
 
-/// The layers of the program as voids are searched in them: chains by the roles that the program tells, or
+/// The layers of the program as voids are searched in them: chains by the roles that the program reports, or
 /// guessed. A chain back at its start ends where the next drop is farther than two diameters and two steps.
-/// @throws InvalidProgram if it lets no drop go, or its header tells no diameter
+/// @throws InvalidProgram if it lets no drop go, or its header reports no diameter
 std::vector<DropLayer> dropLayers(const DropProgram& program);
 
 /// Fills the voids of each layer by itself.
-/// @throws InvalidProgram if it lets no drop go, its header tells no diameter, or lines cannot be added to
+/// @throws InvalidProgram if it lets no drop go, its header reports no diameter, or lines cannot be added to
 /// it; Cancelled
 FilledDropProgram fillDropProgram(const DropProgram& program, const DropVoidSettings& settings,
                                   const DropDialect& dialect, Progress& progress);

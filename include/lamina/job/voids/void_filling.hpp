@@ -29,8 +29,9 @@ struct VoidFillingReport {
   VoidTotals after;  ///< as read from the new program
 };
 
-/// Adds runs along the voids of each layer at its end; see `insertRuns`. They are laid as `feed.infill_mm_s`
-/// (the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*` of the settings say.
+/// Adds runs along the voids of each layer at its end; see `insertRuns`. They are deposited as
+/// `feed.infill_mm_s` (the first layer no faster than `feed.first_layer_mm_s`), `travel.*` and `program.*` of
+/// the settings say.
 /// @throws FileError, InvalidProgram, InvalidMesh; InvalidInput if output and input are the same file, if the
 /// program lacks layers of the part, or if the part does not belong to the program or not there: more than a
 /// fifth of the deposit lies outside of it, or its layers are much larger than their deposit, or hardly

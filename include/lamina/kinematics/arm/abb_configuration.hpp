@@ -16,12 +16,13 @@ struct AbbConfiguration {
   int cfx = 0;
 };
 
-/// Whether the mechanism is a six-axis arm, alone or with external axes: only these have configurations.
-bool isSixAxisArm(const Mechanism& mechanism);
+/// Whether the kinematic model is a six-axis arm, alone or with external axes: only these have
+/// configurations.
+bool isSixAxisArm(const KinematicModel& model);
 
 /// The configuration of an arm whose joints count as those of ABB: at zero the forearm is level and the wrist
-/// straight. A value less than 1e-9 rad beneath a quarter turn counts as that.
-/// @throws InvalidConfig if the mechanism is no six-axis arm
-AbbConfiguration abbConfiguration(const Mechanism& arm, const JointValues& values);
+/// straight. A value less than 1e-9 rad below a quarter turn counts as that.
+/// @throws InvalidConfig if the kinematic model is no six-axis arm
+AbbConfiguration abbConfiguration(const KinematicModel& arm, const JointValues& values);
 
 }  // namespace lamina

@@ -24,13 +24,13 @@ struct MachineAxis {
 /// Whether the axis goes on without end, as that of a belt: its range is 1 km or more.
 bool isEndless(const MachineAxis& axis);
 
-/// Values of the machine's axes in the order of `Machine::axes` [mm].
+/// Values of the machine's axes in the order of `CartesianMachine::axes` [mm].
 using AxisValues = Eigen::Vector3d;
 
 /// A machine as its three linear axes move it, its nozzle held at a fixed angle. One with rotary joints,
-/// which a `Mechanism` drives, is the machine with these at zero; an arm or platform is the room over the
-/// bodies of its bed, with an upright nozzle: what of it is reached, a joint path tells.
-struct Machine {
+/// which a `KinematicModel` drives, is the machine with these at zero; an arm or platform is the room over
+/// the bodies of its bed, with an upright nozzle: what of it is reached, a joint path reports.
+struct CartesianMachine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
   std::array<MachineAxis, 3> axes;                                            ///< x, y, z
@@ -40,69 +40,69 @@ struct Machine {
   std::vector<std::string> rotary_joints;  ///< held at zero; none where the head is fixed
 };
 
-/// Names of the machines with axes x, y and z that come with Lamina (`urdf/`); `mechanismNames` has robots
-/// too.
+/// Names of the machines with axes x, y and z that come with Lamina (`urdf/`); `kinematicModelNames` has
+/// robots too.
 std::vector<std::string> machineNames();
 
-/// One of `mechanismNames`.
+/// One of `kinematicModelNames`.
 /// @throws InvalidConfig if there is none of that name; names those there are
-Machine machineByName(const std::string& name);
+CartesianMachine machineByName(const std::string& name);
 
 /// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor, and
-/// up to two rotary joints of a, b and c; or an arm or platform (`mechanismFromUrdf`) whose link bed has
+/// up to two rotary joints of a, b and c; or an arm or platform (`kinematicModelFromUrdf`) whose link bed has
 /// collision bodies. Lengths in the text are metres, as in every URDF.
 /// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
 /// that moves,
-///   the axes do not span space, or the rotary joints are none that `mechanismFromUrdf` takes
-Machine machineFromUrdf(const std::string& text);
+///   the axes do not span space, or the rotary joints are none that `kinematicModelFromUrdf` takes
+CartesianMachine machineFromUrdf(const std::string& text);
 
 /// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of
 /// level layers. Its description stays that of the machine it was.
-Machine withUprightHead(Machine machine);
+CartesianMachine withUprightHead(CartesianMachine machine);
 
 /// Box of the nozzle positions all axis values give [mm, bed frame].
-Box3 workspace(const Machine& machine);
+Box3 workspace(const CartesianMachine& machine);
 
 /// Where the nozzle is [mm].
-Eigen::Isometry3d bedFromNozzle(const Machine& machine, const AxisValues& values);
+Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValues& values);
 
 /// Axis values that bring the nozzle tip to a position. The limits are not looked at.
 /// @param position  [mm, bed frame]
-AxisValues axisValues(const Machine& machine, const Point3& position);
+AxisValues axisValues(const CartesianMachine& machine, const Point3& position);
 
 /// Axis values of positions of the nozzle tip [mm, bed frame]. On a belt printer inclined by a it is a shear:
 /// z / sin a goes up the incline, and the belt goes by -y + z cot a, the same for a whole layer.
-Eigen::Affine3d axesFromBed(const Machine& machine);
+Eigen::Affine3d axesFromBed(const CartesianMachine& machine);
 
 /// What programs for the machine speak: coordinates of the bed (the identity, to the last bit) where the axes
 /// stand at right angles, as firmware counts them whichever of bed and nozzle moves; axis values where they
 /// do not, as firmware of belt printers does.
-Eigen::Affine3d programFromBed(const Machine& machine);
+Eigen::Affine3d programFromBed(const CartesianMachine& machine);
 
-/// Axis values that bring the nozzle to a pose. The turn about the jet is free.
-/// @throws Unreachable if the jet is another than the machine's by more than 0.01 deg (gives the angle), or
-/// an axis
+/// Axis values that bring the nozzle to a pose. The turn about the tool axis is free.
+/// @throws Unreachable if the tool axis is another than the machine's by more than 0.01 deg (gives the
+/// angle), or an axis
 ///   would leave its limits (gives axis, value and limit)
-AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle);
+AxisValues axisValuesWithin(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_nozzle);
 
 /// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
 /// bed].
 /// @throws InvalidConfig if the sensor does not look down
-Point2 sensorOffset(const Machine& machine);
+Point2 sensorOffset(const CartesianMachine& machine);
 
 /// Checks every waypoint.
 /// @throws Unreachable as `axisValuesWithin`, naming layer, path and waypoint of the first that is out of
 /// reach
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const Machine& machine);
+                      const CartesianMachine& machine);
 
-/// The same for the nozzle tip alone, whichever way the jet points.
+/// The same for the nozzle tip alone, whichever way the tool axis points.
 /// @throws Unreachable as above if an axis would leave its limits
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                          const Machine& machine);
+                          const CartesianMachine& machine);
 
-/// Greatest angle between a jet of the toolpath and the one that the machine's head holds [rad].
-double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                       const Machine& machine);
+/// Greatest angle between a tool axis of the toolpath and the one that the machine's head holds [rad].
+double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                            const CartesianMachine& machine);
 
 }  // namespace lamina

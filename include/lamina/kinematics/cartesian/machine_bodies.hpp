@@ -40,7 +40,7 @@ struct MachineBody {
 /// in alphabetical order of the links. A cylinder whose collision is named `cone` is the cone in it with its
 /// apex at + z: what reads no names sees a body that is larger.
 /// @throws InvalidConfig if one is a mesh or has a size that is not positive, naming the link
-std::vector<MachineBody> movingBodies(const Machine& machine);
+std::vector<MachineBody> movingBodies(const CartesianMachine& machine);
 
 /// How far the body reaches along a direction from the origin of its frame.
 /// @param direction  of unit length [frame of the body]

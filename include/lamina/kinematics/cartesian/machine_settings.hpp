@@ -13,7 +13,7 @@ namespace lamina {
 
 /// Which machine it is.
 struct MachineSettings {
-  std::string name = "cartesian_gantry";  ///< one of `mechanismNames`
+  std::string name = "cartesian_gantry";  ///< one of `kinematicModelNames`
   std::string urdf;                       ///< path of a description that stands for the named one
 };
 
@@ -23,10 +23,10 @@ void describe(SettingsSchema& schema, MachineSettings& settings, const std::stri
 
 /// The machine of the file, or of the name if no file is given.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
-Machine machineOf(const MachineSettings& settings);
+CartesianMachine machineOf(const MachineSettings& settings);
 
 /// The same with all its joints.
-/// @throws FileError, InvalidConfig as `mechanismFromUrdf`, `mechanismByName`
-std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings);
+/// @throws FileError, InvalidConfig as `kinematicModelFromUrdf`, `kinematicModelByName`
+std::unique_ptr<KinematicModel> kinematicModelOf(const MachineSettings& settings);
 
 }  // namespace lamina

@@ -9,15 +9,15 @@ namespace lamina {
 
 /// How far the nozzle leaves its motions half way from a waypoint to the next, the joints going steadily.
 struct MotionDeviation {
-  double tip_mm = 0.0;  ///< from the straight line
-  double jet = 0.0;     ///< from the steady turn [rad]
+  double tip_mm = 0.0;     ///< from the straight line
+  double tool_axis = 0.0;  ///< from the steady turn [rad]
 };
 
 /// One per waypoint of the joint path, of the motion that ends there. Zero where there are no joints, at the
 /// start of a path, where a joint is wound up, and on a travel on which one turns by more than
 /// `joints.max_turn_deg`: there nothing steady is asked. A jump has its deviation, so that it is divided.
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
-                                              const Mechanism& mechanism, const JointPathSettings& settings);
+                                              const KinematicModel& model, const JointPathSettings& settings);
 
 /// A toolpath divided so finely that steady joints lead the nozzle along it, and these joints.
 struct DividedJointPath {
@@ -33,12 +33,12 @@ constexpr int kMostDivisions = 4;
 /// not kept, and so on.
 /// @throws as `planJointPath`
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                                      const Mechanism& mechanism, const JointPathSettings& settings,
+                                      const KinematicModel& model, const JointPathSettings& settings,
                                       Progress& progress);
 
 /// The same with joint values only that the guard allows.
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                                      const GuardedMechanism& guarded, const JointPathSettings& settings,
+                                      const GuardedModel& guarded, const JointPathSettings& settings,
                                       Progress& progress);
 
 }  // namespace lamina

@@ -8,8 +8,8 @@
 
 namespace lamina {
 
-/// What keeps a mechanism from joint values that are within its limits, as links that would be in each other.
-/// Values that never change; all calls may be made from several threads.
+/// What keeps a kinematic model from joint values that are within its limits, as links that would be in each
+/// other. Values that never change; all calls may be made from several threads.
 class JointGuard {
  public:
   virtual ~JointGuard() = default;
@@ -27,9 +27,9 @@ class NoGuard final : public JointGuard {
   std::string hindrance(const JointValues&) const override { return {}; }
 };
 
-/// A mechanism and what keeps watch over it; both must outlive the value.
-struct GuardedMechanism {
-  const Mechanism& mechanism;
+/// A kinematic model and what keeps watch over it; both must outlive the value.
+struct GuardedModel {
+  const KinematicModel& model;
   const JointGuard& guard;
 };
 

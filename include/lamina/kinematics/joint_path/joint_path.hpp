@@ -12,28 +12,28 @@
 
 namespace lamina {
 
-/// What keeps a mechanism from a waypoint, or from going there as the toolpath asks.
+/// What keeps a kinematic model from a waypoint, or from going there as the toolpath asks.
 enum class JointFault : std::uint8_t {
-  OutOfReach,     ///< no solution at all
-  OutOfLimits,    ///< none within the joints' limits
-  SelfCollision,  ///< only where links are in each other, as a guard tells (joint_guard.hpp)
-  Singular,       ///< nearer to a singularity than the settings allow
-  Jump,           ///< no steady way from the waypoint before
-  WindUp,         ///< a rotary joint has to be wound back while depositing
+  OutOfReach,      ///< no solution at all
+  OutOfLimits,     ///< none within the joints' limits
+  SelfCollision,   ///< only where links are in each other, as a guard reports (joint_guard.hpp)
+  Singular,        ///< nearer to a singularity than the settings allow
+  Jump,            ///< no steady way from the waypoint before
+  JointUnwinding,  ///< a rotary joint has to be wound back while depositing
 };
 
-/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "wind_up".
+/// "out_of_reach", "out_of_limits", "self_collision", "singular", "jump", "joint_unwinding".
 const char* toString(JointFault fault);
 
-/// A waypoint that a mechanism cannot run.
+/// A waypoint that a kinematic model cannot run.
 struct FaultyWaypoint {
   WaypointIndex at;
   JointFault fault = JointFault::OutOfReach;
   std::string reason;  ///< joint, value and limit, for people
 };
 
-/// The joints of a mechanism at every waypoint of a toolpath in the order of the motion. A closed path has
-/// its waypoint 0 twice: first and last.
+/// The joints of a kinematic model at every waypoint of a toolpath in the order of the motion. A closed path
+/// has its waypoint 0 twice: first and last.
 struct JointPath {
   std::vector<WaypointIndex> at;
   std::vector<JointValues> values;     ///< as many; of size 0 where there is no solution

@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// Leads a mechanism along a toolpath: at each waypoint the branch, the turn about the jet where it is free,
-/// and the whole turns of its rotary joints, so that the joints move as little as can be, keep away from
-/// their limits and from singularities, and rotary joints are wound back on travels only
+/// Leads a kinematic model along a toolpath: at each waypoint the branch, the turn about the tool axis where
+/// it is free, and the whole turns of its rotary joints, so that the joints move as little as can be, keep
+/// away from their limits and from singularities, and rotary joints are wound back on travels only
 /// (docs/joint-paths.md).
 ///
 /// Every waypoint that cannot be run is named, and the path goes on after it. Time and memory are linear in
@@ -22,11 +22,10 @@ namespace lamina {
 /// @throws InvalidConfig if a setting is out of its bounds; InvalidInput if a joint's greatest speed is not
 ///   positive; Cancelled
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                        const Mechanism& mechanism, const JointPathSettings& settings, Progress& progress);
+                        const KinematicModel& model, const JointPathSettings& settings, Progress& progress);
 
 /// The same with joint values only that the guard allows. What is between waypoints it is not asked.
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                        const GuardedMechanism& guarded, const JointPathSettings& settings,
-                        Progress& progress);
+                        const GuardedModel& guarded, const JointPathSettings& settings, Progress& progress);
 
 }  // namespace lamina

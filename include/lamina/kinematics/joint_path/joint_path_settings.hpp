@@ -9,25 +9,25 @@
 
 namespace lamina {
 
-/// Where the turn of the nozzle about its jet comes from, on mechanisms that bring it about.
+/// Where the turn of the nozzle about its tool axis comes from, on kinematic models that bring it about.
 enum class YawChoice : std::uint8_t {
-  Free,  ///< the planner chooses it: a jet is the same all around
+  Free,  ///< the planner chooses it: a tool axis is the same all around
   Held,  ///< it is that of the toolpath
 };
 
-/// Where a mechanism may go over to another of its branches.
+/// Where a kinematic model may go over to another of its branches.
 enum class BranchChange : std::uint8_t { OnTravel, Never };
 
 /// Where the joint external_1 of an arm, a table under the bed, stands.
 enum class ExternalChoice : std::uint8_t {
   Held,    ///< at one value
-  Follow,  ///< so that the jet goes at one azimuth over the robot's base (external_axis.hpp)
+  Follow,  ///< so that the tool axis goes at one azimuth over the robot's base (external_axis.hpp)
 };
 
 /// How the joints are led along a toolpath (docs/joint-paths.md).
 struct JointPathSettings {
   YawChoice yaw = YawChoice::Free;
-  int yaw_samples = 72;         ///< of the whole turn about the jet
+  int yaw_samples = 72;         ///< of the whole turn about the tool axis
   int yaw_reach = 2;            ///< samples that the yaw may change by from a waypoint to the next, at most
   double yaw_weight = 0.02;     ///< [s²/rad²]; a joint counts by 1 / its greatest speed, squared
   bool is_yaw_smoothed = true;  ///< between the samples, after they are chosen
@@ -36,13 +36,14 @@ struct JointPathSettings {
   BranchChange branch_change = BranchChange::OnTravel;
   double branch_change_cost = 1.0;  ///< [s], as much as one second at the greatest speed of a joint
 
-  double limit_margin_deg = 10.0;           ///< a rotary joint nearer to its limit costs
-  double limit_weight = 1.0;                ///< cost per second at the limit
-  double singular_margin_deg = 6.0;         ///< a singularity that is nearer costs
-  double singular_weight = 1.0;             ///< cost per second in the singularity
-  double least_margin_deg = 0.0;            ///< a singularity that is nearer is a fault
-  double singular_jet_tolerance_deg = 0.0;  ///< by which the jet may leave what is asked in a singularity
-  /// By which the jet of a machine of five axes may leave what is asked so that a joint swings less.
+  double limit_margin_deg = 10.0;    ///< a rotary joint nearer to its limit costs
+  double limit_weight = 1.0;         ///< cost per second at the limit
+  double singular_margin_deg = 6.0;  ///< a singularity that is nearer costs
+  double singular_weight = 1.0;      ///< cost per second in the singularity
+  double least_margin_deg = 0.0;     ///< a singularity that is nearer is a fault
+  double singular_tool_axis_tolerance_deg =
+      0.0;  ///< by which the tool axis may leave what is asked in a singularity
+  /// By which the tool axis of a machine of five axes may leave what is asked so that a joint swings less.
   double swing_tolerance_deg = 0.0;
   /// Near a singularity: duration of a motion over that at its feed, at most; as much is standing still.
   double max_slowdown = 100.0;
@@ -51,7 +52,7 @@ struct JointPathSettings {
 
   ExternalChoice external = ExternalChoice::Held;
   double external_deg = 0.0;          ///< where external axes are held, or where external_1 starts
-  double external_azimuth_deg = 0.0;  ///< at which jets go if it follows them
+  double external_azimuth_deg = 0.0;  ///< at which tool axes go if it follows them
 };
 
 /// Adds the keys joints.*.

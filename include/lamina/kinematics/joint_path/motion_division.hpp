@@ -15,9 +15,9 @@ namespace lamina {
 /// along the motion.
 struct MotionDivision {
   double max_step_mm = 5.0;
-  double max_step_deg = 5.0;       ///< that the nozzle turns by
-  double tip_tolerance_mm = 0.02;  ///< of the tip from the straight line
-  double jet_tolerance_deg = 0.1;  ///< of the jet from the steady turn
+  double max_step_deg = 5.0;             ///< that the nozzle turns by
+  double tip_tolerance_mm = 0.02;        ///< of the tip from the straight line
+  double tool_axis_tolerance_deg = 0.1;  ///< of the tool axis from the steady turn
 };
 
 /// Adds the keys joints.max_step_mm, joints.max_step_deg, joints.tip_tolerance_mm, joints.jet_tolerance_deg.

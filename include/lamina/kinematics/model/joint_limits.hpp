@@ -9,13 +9,13 @@
 
 namespace lamina {
 
-/// How far beyond its limit a joint may be told to be: what limits lose by rounding on their way through a
-/// controller [mm, rad].
+/// How far beyond its limit a joint may be reported to be: what limits lose by rounding on their way through
+/// a controller [mm, rad].
 constexpr double kJointLimitSlack = 1e-6;
 
 /// The first joint beyond its limits or not a number, in words: "joint a at 1.2 deg; must be within -1 to
 /// 1 deg"; nothing if all are within.
 /// @param values  one for each joint [mm, rad]
-std::optional<std::string> limitFault(const JointValues& values, const Mechanism& mechanism);
+std::optional<std::string> limitFault(const JointValues& values, const KinematicModel& model);
 
 }  // namespace lamina

@@ -12,10 +12,10 @@
 
 namespace lamina {
 
-/// Joints that a mechanism has at most.
+/// Joints that a kinematic model has at most.
 constexpr int kMostJoints = 9;
 
-/// Values of a mechanism's joints in the order of `Mechanism::joints` [mm, rad].
+/// Values of a kinematic model's joints in the order of `KinematicModel::joints` [mm, rad].
 using JointValues = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
 
 /// How the nozzle moves with the joints: rows 0 to 2 its tip [mm], rows 3 to 5 its turn [rad], both over the
@@ -35,8 +35,8 @@ struct DrivenJoint {
 
 /// One way to bring the nozzle to a pose.
 struct InverseSolution {
-  /// Which of the mechanism's ways it is: along a motion that passes no singularity, solutions of one branch
-  /// follow each other steadily (rotary joints but for whole turns).
+  /// Which of the kinematic model's ways it is: along a motion that passes no singularity, solutions of one
+  /// branch follow each other steadily (rotary joints but for whole turns).
   int branch = 0;
   JointValues values;
 };
@@ -44,22 +44,22 @@ struct InverseSolution {
 /// Solutions of one pose, by branch. Up to eight, all that an arm has, take no memory from the heap.
 using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
 
-/// Whether the turn of the nozzle about its jet is part of what a mechanism brings about.
-enum class JetSpin : std::uint8_t {
-  Free,   ///< it is as it comes: inverse solutions have the tip and the jet of what is asked
+/// Whether the turn of the nozzle about its tool axis is part of what a kinematic model brings about.
+enum class ToolAxisSpin : std::uint8_t {
+  Free,   ///< it is as it comes: inverse solutions have the tip and the tool axis of what is asked
   Given,  ///< inverse solutions have the whole pose
 };
 
 /// What carries a nozzle over a bed: forward and inverse kinematics of a machine or robot. Values that never
 /// change; all calls may be made from several threads.
-class Mechanism {
+class KinematicModel {
  public:
-  virtual ~Mechanism() = default;
+  virtual ~KinematicModel() = default;
 
   virtual const std::string& name() const = 0;
   virtual const std::string& urdf() const = 0;  ///< the text it was made from
   virtual const std::vector<DrivenJoint>& joints() const = 0;
-  virtual JetSpin jetSpin() const = 0;
+  virtual ToolAxisSpin toolAxisSpin() const = 0;
 
   /// Where the nozzle is [mm].
   virtual Eigen::Isometry3d bedFromNozzle(const JointValues& values) const = 0;
@@ -73,7 +73,7 @@ class Mechanism {
                                      const JointValues& near) const = 0;
 
   /// How far from a singularity: 0 at one, 1 at best; the least of the sines of the angles that vanish there
-  /// (of the jet to a rotary axis of a head or table, of a wrist, of an elbow from straight).
+  /// (of the tool axis to a rotary axis of a head or table, of a wrist, of an elbow from straight).
   virtual double singularityMargin(const JointValues& values) const = 0;
 
   /// Every link over the bed [mm].
@@ -84,14 +84,14 @@ class Mechanism {
 };
 
 /// Names of all machines and robots that come with Lamina (`urdf/`).
-std::vector<std::string> mechanismNames();
+std::vector<std::string> kinematicModelNames();
 
 /// @throws InvalidConfig if there is none of that name; names those there are
-std::unique_ptr<Mechanism> mechanismByName(const std::string& name);
+std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name);
 
-/// Reads a mechanism from its URDF; its kind follows from its joints (docs/kinematics.md).
+/// Reads a kinematic model from its URDF; its kind follows from its joints (docs/kinematics.md).
 /// @throws InvalidConfig if it is no URDF, a link `bed` or `nozzle` is missing, a joint has no limits, or its
 ///   joints are of no kind that is understood; names link or joint, and what was expected
-std::unique_ptr<Mechanism> mechanismFromUrdf(const std::string& text);
+std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text);
 
 }  // namespace lamina

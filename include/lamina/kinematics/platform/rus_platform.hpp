@@ -56,8 +56,8 @@ struct RusPlatform {
 };
 
 /// Dimensions of the Hunt platform [Guacheta2021, table 1-1], and what the thesis does not
-/// tell (docs/platform.md has the reasons): the motors' directions, the branch, the home pose and the joints'
-/// ranges.
+/// report (docs/platform.md has the reasons): the motors' directions, the branch, the home pose and the
+/// joints' ranges.
 struct HuntDimensions {
   double static_long_mm = 350.0;  ///< edges of the hexagon of the motors
   double static_short_mm = 150.0;
@@ -65,7 +65,7 @@ struct HuntDimensions {
   double mobile_short_mm = 50.0;
   double crank_mm = 150.0;
   double coupler_mm = 340.0;
-  double home_drop_mm = 260.0;  ///< not published: of the platform beneath the base
+  double home_drop_mm = 260.0;  ///< not published: of the platform below the base
   double crank_low = -1.2;      ///< not published [rad]
   double crank_high = 1.4;
   double greatest_lean = 1.05;   ///< not published: of the universal joints [rad]

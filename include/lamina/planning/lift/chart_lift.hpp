@@ -5,37 +5,37 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
-#include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
 
 /// How exactly lifted paths follow their layer.
 struct LiftSettings {
-  double position_tolerance_mm = 0.005;  ///< by which nozzle tips may leave the layer between waypoints
-  double normal_tolerance_deg = 0.1;     ///< by which the nozzle may, if it is held along the normal
-  double height_tolerance = 0.05;        ///< part by which the layer's height may vary along one motion
-  double widest_bead = 2.0;              ///< bead on the layer, in planned widths
-  Jet jet = Jet::Normal;                 ///< Down leaves the nozzle upright
+  double position_tolerance_mm = 0.005;   ///< by which nozzle tips may leave the layer between waypoints
+  double normal_tolerance_deg = 0.1;      ///< by which the nozzle may, if it is held along the normal
+  double height_tolerance = 0.05;         ///< part by which the layer's height may vary along one motion
+  double widest_bead = 2.0;               ///< bead on the layer, in planned widths
+  ToolAxis tool_axis = ToolAxis::Normal;  ///< Down leaves the nozzle upright
 };
 
-/// Adds the keys lifting.*, but for the jet.
+/// Adds the keys lifting.*, but for the tool axis.
 void describe(SettingsSchema& schema, LiftSettings& settings);
 
 /// A planned layer laid on its charts.
 ///
 /// Runs that deposit follow the layer's nozzle tips. They get waypoints where they cross the sides of
-/// triangles, without those that the tolerances make needless; planned waypoints stay. The nozzle's jet is
-/// against the normal, its frame that of `nozzleDown()` turned the shortest way. Each bead is as high as the
-/// layer and holds what the planned one would on the layer's middle:
+/// triangles, without those that the tolerances make needless; planned waypoints stay. The nozzle's tool axis
+/// is against the normal, its frame that of `nozzleDown()` turned the shortest way. Each bead is as high as
+/// the layer and holds what the planned one would on the layer's middle:
 ///
 ///     volume = plan area of the bead * area ratio of the triangle * height of the layer
 ///
 /// Drops likewise. Where tips come together, in a layer that curves about as tightly as it is high, a motion
-/// may be too short for what it is to hold: then it is laid over the neighbouring motions too, within a
+/// may be too short for what it is to hold: then it is deposited over the neighbouring motions too, within a
 /// bead's width. What even so would need a wider bead than allowed is left out, and runs that are too short
 /// as a whole.
 ///

@@ -11,7 +11,7 @@ namespace lamina {
 /// Lifts layers planned in xy onto the bent layers they are cut from. Each layer's chart is made when it is
 /// lifted, and gone after.
 /// @param slices    must outlive the result
-/// @param settings  the jet down for machines that cannot tilt
+/// @param settings  the tool axis down for machines that cannot tilt
 LayerLift heightFieldLift(const HeightFieldSlices& slices, const LiftSettings& settings,
                           const TravelSettings& travel);
 

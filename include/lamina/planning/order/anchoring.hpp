@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// What becomes of runs of inclined layers that would begin where nothing lies beneath along the jet.
+/// What becomes of runs of inclined layers that would begin where nothing lies below along the tool axis.
 enum class Anchoring {
-  None,            ///< they stay as the strategy laid them
+  None,            ///< they stay as the strategy deposited them
   SupportedStart,  ///< they begin on the bed or on the layer before, where they pass over either
 };
 
@@ -22,7 +22,7 @@ struct AnchorSettings {
 /// Adds the key anchoring.strategy.
 void describe(SettingsSchema& schema, AnchorSettings& anchoring);
 
-/// The bed beneath inclined layers, in their frame.
+/// The bed below inclined layers, in their frame.
 struct BedPlane {
   Point3 up = Point3::UnitZ();  ///< away from the bed, of unit length
   double level_mm = 0.0;        ///< of the bed along `up`
@@ -30,7 +30,7 @@ struct BedPlane {
   double heightOf(const Point3& point) const { return up.dot(point) - level_mm; }
 };
 
-/// Runs that begin, or would, with nothing beneath them. Level layers count none.
+/// Runs that begin, or would, with nothing below them. Level layers count none.
 struct AnchoredStarts {
   std::size_t moved = 0;   ///< reversed, started elsewhere or parted so that they begin on bed or material
   std::size_t in_air = 0;  ///< that begin in the air all the same

@@ -30,8 +30,9 @@ inline constexpr double kMatrixCorner = 2.0;
 
 /// Every trajectory that lays material of the part, in order: a path of the toolpath with its first point
 /// first, a closed one with that point again at its end. Skirts and supports are left out, and so is travel.
-/// Moved in x and y so that the lowest coordinates are `kMatrixCorner`; z stays. Empty if nothing is laid.
-/// @param filament_diameter_mm  positive; tells what column E counts
+/// Moved in x and y so that the lowest coordinates are `kMatrixCorner`; z stays. Empty if nothing is
+/// deposited.
+/// @param filament_diameter_mm  positive; reports what column E counts
 /// @throws InvalidInput if the diameter is not positive, or the toolpath is one of drops
 std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double filament_diameter_mm);
 
@@ -41,9 +42,9 @@ std::string toCsv(const std::vector<CoordinateRow>& rows);
 /// How many trajectories the rows are.
 std::size_t trajectoryCount(const std::vector<CoordinateRow>& rows);
 
-/// Extrusion width [mm] of the stadium laid when `filament_mm` is pushed forth over `length_mm` in a layer of
-/// `height_mm` [Vega2023, figures 3 and 20]: h + (E pi (D/2)²/L - pi h²/4) / h, and the upright stadium where
-/// that would be less than the height.
+/// Extrusion width [mm] of the stadium deposited when `filament_mm` is pushed forth over `length_mm` in a
+/// layer of `height_mm` [Vega2023, figures 3 and 20]: h + (E pi (D/2)²/L - pi h²/4) / h, and the upright
+/// stadium where that would be less than the height.
 /// @throws InvalidInput if length, height or diameter is not positive, or the filament is negative
 double extrusionWidth(double filament_mm, double length_mm, double height_mm, double filament_diameter_mm);
 

@@ -16,7 +16,7 @@ namespace lamina {
 struct DropDialect {
   std::string discharge = "M780";     ///< lets one drop go; parameters may follow it
   std::string layer_mark = "LAYER:";  ///< comment that opens a layer
-  std::string role_mark = "TYPE:";    ///< comment that tells the role of the drops that follow
+  std::string role_mark = "TYPE:";    ///< comment that reports the role of the drops that follow
   std::string contour = "CONTOUR";    ///< roles
   std::string infill = "INFILL";
   std::string void_fill = "VOIDFILL";

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Whether the text's header tells of five axes.
+/// Whether the text's header reports of five axes.
 bool isFiveAxisProgram(std::string_view program);
 
 /// Reads a program that `writeFiveAxis` wrote for the machine, in coordinates of the bed: poses come from the
@@ -23,7 +23,8 @@ bool isFiveAxisProgram(std::string_view program);
 /// @throws InvalidProgram naming the line, what was found and what was expected: axes that are not those of
 ///   the machine, instructions that are not known, an axis that has no value yet, a feed that is missing or
 ///   not positive; also if nothing in it moves
-Toolpath readFiveAxis(std::string_view program, const Mechanism& machine, const FiveAxisSettings& settings,
-                      const ProgramSettings& filament, const std::string& part_name);
+Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
+                      const FiveAxisSettings& settings, const ProgramSettings& filament,
+                      const std::string& part_name);
 
 }  // namespace lamina

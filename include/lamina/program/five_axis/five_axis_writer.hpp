@@ -17,7 +17,7 @@ namespace lamina {
 struct FiveAxisMotion {
   const Toolpath& toolpath;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
-  const Mechanism& machine;
+  const KinematicModel& machine;
   const JointPath& joints;
 };
 

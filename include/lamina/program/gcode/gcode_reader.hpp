@@ -20,10 +20,10 @@ struct GcodeMotion {
   double extrusion_mm = 0.0;      ///< filament pushed forth; negative pulls back
   double feed_mm_s = 0.0;
   std::size_t line = 0;                   ///< 1 based
-  std::optional<int> layer;               ///< as the slicer's comments tell; none before the first layer
-  std::optional<PathRole> role;           ///< as the slicer's comments tell
-  std::optional<double> height_mm;        ///< of the bead, as the slicer's comments tell
-  std::optional<double> layer_height_mm;  ///< told first in the layer
+  std::optional<int> layer;               ///< as the slicer's comments report; none before the first layer
+  std::optional<PathRole> role;           ///< as the slicer's comments report
+  std::optional<double> height_mm;        ///< of the bead, as the slicer's comments report
+  std::optional<double> layer_height_mm;  ///< reported first in the layer
   std::size_t section = 0;                ///< changes wherever a comment opens a layer or a path
 };
 

@@ -14,25 +14,24 @@
 namespace lamina {
 
 /// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. These are those of
-/// the program unless its comments tell another frame.
+/// the program unless its comments report another frame.
 ///
 /// A motion that pushes filament forth deposits; every other is travel, which is retracted from where
 /// filament is pulled back alone until it is pushed forth alone. A path ends where kind or role change, where
 /// a comment opens a path or layer, and at retractions; deposition that ends where it started is closed.
 /// Layers are those of the slicer's comments, and what comes before the first and after the last of them is
-/// left out; without comments a layer begins wherever material is laid at another height. Bead height is that
-/// of the comments, motion by motion, or of the layer. Between FullControl's marks everything is of the part,
-/// outside them nothing. Bead width is that of the stadium which holds the
-/// volume laid per length. Where one width explains a path within the rounding of a program (1e-5 mm of
-/// filament, 1e-3 mm of length) the path has one width. A filament diameter that the comments tell goes
-/// before that of the settings.
+/// left out; without comments a layer begins wherever material is deposited at another height. Bead height is
+/// that of the comments, motion by motion, or of the layer. Between FullControl's marks everything is of the
+/// part, outside them nothing. Bead width is that of the stadium which holds the volume deposited per length.
+/// Where one width explains a path within the rounding of a program (1e-5 mm of filament, 1e-3 mm of length)
+/// the path has one width. A filament diameter that the comments report goes before that of the settings.
 class ToolpathBuilder {
  public:
   /// Of the settings, filament diameter and flow are used.
   explicit ToolpathBuilder(const ProgramSettings& settings);
   ~ToolpathBuilder();
 
-  /// Takes in a comment that may tell the program's frame (`readFrameComment`), which stands before the
+  /// Takes in a comment that may report the program's frame (`readFrameComment`), which stands before the
   /// motions, the filament, or where the start code ends and the end code begins.
   void tell(std::string_view comment);
   void add(const GcodeMotion& motion);

@@ -52,7 +52,7 @@ struct RapidSettings {
 
   RapidConfiguration configuration = RapidConfiguration::Fixed;
   std::vector<double> fixed_configuration = {-1, 0, 0, 2};  ///< cf1, cf4, cf6, cfx
-  double external_axis = 0.0;         ///< value of the first external axis [mm, deg] where no joint tells it
+  double external_axis = 0.0;  ///< value of the first external axis [mm, deg] where no joint reports it
   bool is_thesis_compatible = false;  ///< five external axes, as printed in [Flores2018]; RAPID has six
 
   std::string laser_on = "Haz_ON";  ///< procedures of the powder variants

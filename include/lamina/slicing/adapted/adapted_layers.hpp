@@ -17,8 +17,8 @@ namespace lamina {
 struct AdaptedCurve {
   bool is_closed = true;          ///< the last point joins the first, which is not repeated
   std::vector<Point3> points;     ///< where the nozzle tip passes, at the top of the layer [mm, part frame]
-  std::vector<Point3> axis;       ///< against the jet: up along the wall, of unit length
-  std::vector<double> height_mm;  ///< distance from the layer beneath
+  std::vector<Point3> axis;       ///< against the tool axis: up along the wall, of unit length
+  std::vector<double> height_mm;  ///< distance from the layer below
 };
 
 /// Curves of one layer, wall by wall.
@@ -38,7 +38,7 @@ struct AdaptedLayers {
 /// Layers of single walls that grow along the tool by the layer height [Flores2018, section 6.2.3]:
 /// a bead along a wall that leans rises less than the layer is high, so flat layers of that height
 /// would be too far apart along the wall. Each curve is a flat contour drawn down the wall until it is at
-/// most a layer's height from the curve beneath; where walls lean alike all round, layers stay plane. What is
+/// most a layer's height from the curve below; where walls lean alike all round, layers stay plane. What is
 /// left between the last of them and the top of the part is completed by open curves.
 /// Ends of those lower than a quarter of a layer, and curves shorter than a step, at the tip of a wall that
 /// ends in one, are left out. No curve crosses itself or another of its layer seen from above.
@@ -49,7 +49,7 @@ struct AdaptedLayers {
 /// @param mesh  closed, facing outwards [mm, part frame]
 /// @return the same for any number of threads
 /// @throws Unsliceable with the faces in the way if a wall leans too far, splits, merges, begins above the
-///         bottom or ends beneath the top, or if curves of a layer cross; InvalidMesh if a contour is open;
+///         bottom or ends below the top, or if curves of a layer cross; InvalidMesh if a contour is open;
 ///         InvalidConfig if the smoothing window is even or the computing height no multiple of the layer
 ///         height; Cancelled
 AdaptedLayers adaptedLayers(const Mesh& mesh, const SlicingSettings& slicing, const AdaptedSettings& settings,

@@ -6,18 +6,18 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/slicing/conformal/conformal_settings.hpp"
 #include "lamina/slicing/curved/shell_propagation.hpp"
 #include "lamina/slicing/unsliceable.hpp"
-#include "lamina/parameterization/layer_surface.hpp"
 
 namespace lamina {
 
-/// Layers that follow a given surface, in the order in which they are laid.
+/// Layers that follow a given surface, in the order in which they are deposited.
 struct ConformalLayers {
   std::vector<LayerSurface> layers;
   double layer_height_mm = 0.0;  ///< of each
-  double laid_mm3 = 0.0;
+  double deposited_mm3 = 0.0;
   double part_mm3 = 0.0;  ///< of the part that is filled; 0 for a coat
 };
 

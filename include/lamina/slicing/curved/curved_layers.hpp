@@ -7,11 +7,11 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
-#include "lamina/slicing/curved/curved_settings.hpp"
-#include "lamina/slicing/layer.hpp"
-#include "lamina/slicing/curved/shell_propagation.hpp"
-#include "lamina/slicing/unsliceable.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
+#include "lamina/slicing/curved/curved_settings.hpp"
+#include "lamina/slicing/curved/shell_propagation.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
 
@@ -31,7 +31,7 @@ struct LayerVolumes {
   double lower_mm3 = 0.0;
   double middle_mm3 = 0.0;
   double upper_mm3 = 0.0;
-  /// What is left open, of the part's volume; negative if more is laid than the part holds.
+  /// What is left open, of the part's volume; negative if more is deposited than the part holds.
   double gap() const { return 1.0 - (lower_mm3 + middle_mm3 + upper_mm3) / part_mm3; }
 };
 
@@ -42,7 +42,7 @@ struct LayerCoverage {
   double twice = 0.0;  ///< share of samples in more than one
 };
 
-/// A part in curved layers, all in the order in which they are laid: lower, middle, upper.
+/// A part in curved layers, all in the order in which they are deposited: lower, middle, upper.
 struct CurvedLayers {
   CurvedScheme scheme = CurvedScheme::BothSides;
   std::vector<LayerSurface> lower;  ///< outermost first
@@ -71,6 +71,6 @@ CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const 
 /// Level layers between two heights, cut at low + h/2, ..., high - h/2 in equal steps [Guacheta2021,
 /// listing A.7] if these are within 5 % of h; otherwise, in thin plates, as many of equal height as fit best.
 /// None in less than half a height.
-std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm);
+std::vector<LayerBounds> middleBounds(double low_mm, double high_mm, double layer_height_mm);
 
 }  // namespace lamina

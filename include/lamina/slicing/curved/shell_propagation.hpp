@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/parameterization/layer_surface.hpp"
 #include "lamina/slicing/curved/vertex_motion.hpp"
 #include "lamina/slicing/curved/vertex_neighbours.hpp"
 #include "lamina/slicing/curved/vertex_reach.hpp"
-#include "lamina/parameterization/layer_surface.hpp"
 
 namespace lamina {
 
@@ -17,8 +17,9 @@ struct MergedVertices;
 
 /// On which side of a shell the nozzle is.
 enum class NozzleSide {
-  Ahead,   ///< where the surface is propagated to: shells are laid one on the other as they are propagated
-  Behind,  ///< where it comes from: shells are laid in the opposite order
+  Ahead,   ///< where the surface is propagated to: shells are deposited one on the other as they are
+           ///< propagated
+  Behind,  ///< where it comes from: shells are deposited in the opposite order
 };
 
 /// Which shell of a surface.

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/slicing/curved/vertex_motion.hpp"
 #include "lamina/geometry/spatial/signed_distance.hpp"
+#include "lamina/slicing/curved/vertex_motion.hpp"
 
 namespace lamina {
 

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "lamina/geometry/voxel/height_grid.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
-#include "lamina/slicing/planar/layer_stack.hpp"
+#include "lamina/geometry/voxel/height_grid.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
+#include "lamina/slicing/planar/layer_stack.hpp"
 
 namespace lamina {
 
@@ -45,6 +45,6 @@ Mesh levelled(Mesh mesh, const HeightField& field);
 
 /// The chart of a layer over a rectangle of the plan, widened to whole cells: its plan is the xy plane, tips
 /// lie straight above their plan at the layer's top, and normals are those of its middle.
-LayerChart bentLayer(const HeightField& field, const LayerSlab& slab, const Box2& area);
+LayerChart bentLayer(const HeightField& field, const LayerBounds& bounds, const Box2& area);
 
 }  // namespace lamina

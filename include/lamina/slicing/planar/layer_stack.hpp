@@ -9,7 +9,7 @@
 namespace lamina {
 
 /// Where one planar layer lies [mm, part frame].
-struct LayerSlab {
+struct LayerBounds {
   double bottom_mm = 0.0;
   double top_mm = 0.0;
   double height() const { return top_mm - bottom_mm; }
@@ -22,6 +22,6 @@ struct LayerSlab {
 /// meets material. Empty if the part is thinner than half the first layer.
 ///
 /// @throws InvalidConfig if a height is not positive, or more than 10 million layers would result
-std::vector<LayerSlab> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings);
+std::vector<LayerBounds> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings);
 
 }  // namespace lamina

@@ -13,7 +13,8 @@ namespace lamina {
 /// A line of a program as it goes to the machine: no comment, no blanks around it, never empty.
 struct ProgramLine {
   std::string command;
-  std::int32_t layer = -1;  ///< it belongs to, as told by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
+  std::int32_t layer =
+      -1;  ///< it belongs to, as reported by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
 };
 
 /// The commands of a G-code text one by one, in constant memory. Comments (from ';' on, and in parentheses
@@ -56,7 +57,7 @@ class StreamableProgram {
   bool hasChanged() const;
 
  private:
-  /// What tells one state of a file from another.
+  /// What reports one state of a file from another.
   struct FileState {
     std::uint64_t inode = 0;
     std::int64_t bytes = 0;

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "lamina/streaming/client/packml.hpp"
 #include "lamina/streaming/client/stream_settings.hpp"
 #include "lamina/streaming/client/streamable_program.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 
 namespace lamina {
 
-/// How far a job is and what the machine last told.
+/// How far a job is and what the machine last reported.
 struct StreamStatus {
   PackmlState state = PackmlState::Idle;
   std::uint64_t lines_total = 0;
@@ -45,7 +45,7 @@ using ReplyListener = std::function<void(const MarlinReply&)>;
 /// confirms, to Aborted.
 ///
 /// No line is lost and none is run twice, whatever happens on the way: every line carries its number, the
-/// firmware takes them in order only, and before Complete it has told that it has the last one.
+/// firmware takes them in order only, and before Complete it has reported that it has the last one.
 class Streamer {
  public:
   /// @param heard  may be empty
@@ -62,7 +62,7 @@ class Streamer {
   /// The link is gone: the job is Aborting, and over unless the link comes back for the safe stop before
   /// `stream.safe_stop_timeout_s` are over.
   void disconnect(const std::string& why, double now);
-  /// The link is back: what the machine still has to be told is sent. Without effect unless offline.
+  /// The link is back: what the machine still has to be reported is sent. Without effect unless offline.
   void reconnect(double now);
   /// Whether the safe stop waits for the link.
   bool isOffline() const;

@@ -46,9 +46,9 @@ struct EmulatedCounts {
 /// for the end of the motions, so that the same program gives the same motions however busy the computer is.
 ///
 /// Known: N and checksum, G0 to G4, G20, G21, G28, G29 (prints a height map), G90 to G92, M18, M82 to M84,
-/// M104, M105, M108, M109, M110, M112, M114, M115, M119 (tells the homed axes), M140, M154, M155, M190, M220,
-/// M221, M400, M410; with a dryer M141 and M191; with vacuum zones M42 and M43; and those that change nothing
-/// here (fans, limits). Anything else is answered by "echo:Unknown command" and ok.
+/// M104, M105, M108, M109, M110, M112, M114, M115, M119 (reports the homed axes), M140, M154, M155, M190,
+/// M220, M221, M400, M410; with a dryer M141 and M191; with vacuum zones M42 and M43; and those that change
+/// nothing here (fans, limits). Anything else is answered by "echo:Unknown command" and ok.
 class EmulatedFirmware {
  public:
   EmulatedFirmware(const EmulatedSettings& settings, std::vector<Fault> faults, EmulatedObserver observer);

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// What a transport tells. Called from the thread that runs its io_context.
+/// What a transport reports. Called from the thread that runs its io_context.
 struct TransportEvents {
   std::function<void(std::string_view bytes)> received;
   std::function<void(const std::string& why)> closed;  ///< by the other end or by an error; at most once

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_bodies.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
 
@@ -25,7 +25,7 @@ const char* toString(Obstacle obstacle);
 struct MachineRun {
   const Toolpath& toolpath;
   Eigen::Isometry3d bed_from_part;  ///< [mm]
-  const Machine& machine;
+  const CartesianMachine& machine;
 };
 
 /// A place where a body of the machine is in bed, material or another body.
@@ -34,9 +34,9 @@ struct Collision {
   Point3 tip = Point3::Zero();  ///< of the nozzle [mm, bed frame]
   std::string link;             ///< that collides
   Obstacle obstacle = Obstacle::Bed;
-  std::string other;   ///< link that it is in; empty but for `Machine`
-  WaypointIndex laid;  ///< on the way to which the material was laid; of no meaning for others
-  /// Middle of that piece of material, beneath the tip on the bed, or middle of the body [mm, bed frame].
+  std::string other;        ///< link that it is in; empty but for `CartesianMachine`
+  WaypointIndex deposited;  ///< on the way to which the material was deposited; of no meaning for others
+  /// Middle of that piece of material, below the tip on the bed, or middle of the body [mm, bed frame].
   Point3 place = Point3::Zero();
 };
 
@@ -47,16 +47,16 @@ struct ClearanceReport {
   std::vector<Collision> first_of_layers;  ///< of each layer in which one does, in the order of the motion
 };
 
-/// Checks a machine's bodies against the bed and all material laid before, at every waypoint and between them
-/// every `spacing_mm` at most, travels too.
+/// Checks a machine's bodies against the bed and all material deposited before, at every waypoint and between
+/// them every `spacing_mm` at most, travels too.
 ///
-/// The bed is all that is beneath z = 0, wider than the plate. A bead is a box as long as its motion and as
-/// wide and high as the bead, beneath the nozzle tip along the layers' normal; all of it is there once the
+/// The bed is all that is below z = 0, wider than the plate. A bead is a box as long as its motion and as
+/// wide and high as the bead, below the nozzle tip along the layers' normal; all of it is there once the
 /// next motion begins, and what the nozzle is just laying is not yet. Bed, top and flanks of beads are taken
 /// to be `tolerance_mm` farther in than they are: the tip stands on the top of what it lays beside.
 ///
-/// Shapes are tested by FCL; which of the beads laid so far are near a body is found by a tree of their boxes
-/// in the order of deposition. The same whatever the number of threads.
+/// Shapes are tested by FCL; which of the beads deposited so far are near a body is found by a tree of their
+/// boxes in the order of deposition. The same whatever the number of threads.
 ///
 /// @param bodies    none of which is the bed
 /// @param progress  stage "clearance"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/verification/collision/clearance.hpp"
-#include "lamina/verification/collision/clearance_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/link_bodies.hpp"
+#include "lamina/verification/collision/clearance.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 
 namespace lamina {
 
@@ -17,7 +17,7 @@ namespace lamina {
 struct JointRun {
   const Toolpath& toolpath;
   Eigen::Isometry3d bed_from_part;  ///< [mm]
-  const Mechanism& mechanism;
+  const KinematicModel& model;
   const JointPath& path;  ///< of that toolpath
 };
 
@@ -28,15 +28,15 @@ struct JointClearanceReport {
 };
 
 /// Checks every link of a machine or robot, whatever its joints, at every waypoint and on the way there,
-/// travels too: against the material laid before and against the other links and the bed's plate, but for
-/// links that hang on each other by one joint (`linkBodies`). Between waypoints the joints go in proportion;
-/// the places looked at are `spacing_mm` apart at the nozzle tip at most, and 5 deg of any joint.
+/// travels too: against the material deposited before and against the other links and the bed's plate, but
+/// for links that hang on each other by one joint (`linkBodies`). Between waypoints the joints go in
+/// proportion; the places looked at are `spacing_mm` apart at the nozzle tip at most, and 5 deg of any joint.
 ///
-/// Material is as `checkClearance` has it, but for what the nozzle has just laid, within one and a half bead
-/// widths of its way. On layers that are not plane a bead lies beneath the tip along the jet, as wide as its
-/// flat top: such layers lean against each other. It moves with the bed. Links that never move against the
-/// bed are not looked for in it. Waypoints without joint values are left out, and so is the way from and to
-/// them.
+/// Material is as `checkClearance` has it, but for what the nozzle has just deposited, within one and a half
+/// bead widths of its way. On layers that are not plane a bead lies below the tip along the tool axis, as
+/// wide as its flat top: such layers lean against each other. It moves with the bed. Links that never move
+/// against the bed are not looked for in it. Waypoints without joint values are left out, and so is the way
+/// from and to them.
 ///
 /// The same whatever the number of threads; n log n in waypoints.
 ///

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lamina/kinematics/joint_path/joint_guard.hpp"
-#include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
 
 namespace lamina {
 
@@ -22,8 +22,8 @@ class CollisionTable;
 class SelfCollisionGuard final : public JointGuard {
  public:
   /// Nothing given is needed afterwards.
-  /// @param bodies  of the mechanism's own description
-  SelfCollisionGuard(const Mechanism& mechanism, const LinkBodies& bodies);
+  /// @param bodies  of the kinematic model's own description
+  SelfCollisionGuard(const KinematicModel& model, const LinkBodies& bodies);
   ~SelfCollisionGuard() override;
   SelfCollisionGuard(const SelfCollisionGuard&) = delete;
   SelfCollisionGuard& operator=(const SelfCollisionGuard&) = delete;

@@ -10,7 +10,7 @@ namespace lamina {
 /// How far walls lean outwards over what carries them. A wall that leans by an angle t from the direction of
 /// growth puts each layer of height h out by h tan t over the one before; what goes beyond a bead's width is
 /// laid on air. Faces that the first layer lies along rest on the bed, or on what takes its place.
-struct WallLean {
+struct OverhangAngle {
   double steepest_rad = 0.0;         ///< greatest lean of a wall, 0 to pi / 2; 0 if none leans outwards
   Point3 steepest = Point3::Zero();  ///< where [mm, frame of the mesh]
   double overhang_mm = 0.0;          ///< h tan t there; infinite on level undersides
@@ -25,13 +25,13 @@ struct WallLean {
 /// A wall must not lean by more than a bead a layer [Flores2018, section 4.3.3].
 /// @param growth  unit vector, the layers' normal [frame of the mesh]
 /// @param bead    width, and height of the layers [mm]
-WallLean wallLean(const Mesh& mesh, const Point3& growth, const Bead& bead);
+OverhangAngle overhangAngle(const Mesh& mesh, const Point3& growth, const Bead& bead);
 
-/// Layers that grow against the jet: at each triangle as at the nearest waypoint of the outer walls, or of
-/// all that is deposited if there are no walls. n log n.
+/// Layers that grow against the tool axis: at each triangle as at the nearest waypoint of the outer walls, or
+/// of all that is deposited if there are no walls. n log n.
 /// @param toolpath   in the frame of the mesh
 /// @param width_mm   of a bead
 /// @throws InvalidInput if nothing is deposited
-WallLean wallLean(const Mesh& mesh, const Toolpath& toolpath, double width_mm);
+OverhangAngle overhangAngle(const Mesh& mesh, const Toolpath& toolpath, double width_mm);
 
 }  // namespace lamina

@@ -13,7 +13,7 @@ namespace lamina {
 /// Which voids are filled by runs of their own.
 struct RefillSettings {
   double least_area = 0.25;   ///< of a void, in squared pitches
-  double least_width = 0.25;  ///< in pitches: no bead is laid where a void is narrower
+  double least_width = 0.25;  ///< in pitches: no bead is deposited where a void is narrower
 };
 
 /// Runs of role GapFill along the medial axes of a layer's voids, as wide as the voids are; a void with room

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "lamina/voids/beads/void_class.hpp"
 #include "lamina/voids/drops/drop_layer.hpp"
 #include "lamina/voids/drops/drop_void_settings.hpp"
-#include "lamina/voids/beads/void_class.hpp"
 
 namespace lamina {
 
@@ -15,15 +15,15 @@ struct DropVoid {
   VoidClass kind = VoidClass::Between;
   std::vector<VoidPoint> points;  ///< that mark it; those of a later pass behind those of the first
   double greatest_clearance_mm = 0.0;
-  std::vector<Point2> drops;          ///< new ones, in the order they are laid
+  std::vector<Point2> drops;          ///< new ones, in the order they are deposited
   double uncovered_before_mm2 = 0.0;  ///< of the material within the clearance of its points
   double uncovered_after_mm2 = 0.0;   ///< of that, left by the new drops of all voids
 };
 
 /// Finds the voids of a layer and fills each by itself [Sobreviela2014, section 4.1]: the points of a void
 /// are ordered into a line, starting at the one farthest from their middle and going on to the nearest, and
-/// along it a drop is laid wherever it keeps its distance to all others. A layer without a contour has no
-/// inside and gets none.
+/// along it a drop is deposited wherever it keeps its distance to all others. A layer without a contour has
+/// no inside and gets none.
 /// @return in the order of their first points by x, then y; those found by later passes behind
 /// @throws InvalidInput if the diameter is not positive
 std::vector<DropVoid> fillDropVoids(const DropLayer& layer, const DropVoidSettings& settings);

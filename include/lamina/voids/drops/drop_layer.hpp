@@ -13,14 +13,14 @@ namespace lamina {
 /// What a drop belongs to.
 enum class DropRole : std::uint8_t { Contour, Infill, VoidFill };
 
-/// Drops laid one after the other: the drops [begin, end) of their layer.
+/// Drops deposited one after the other: the drops [begin, end) of their layer.
 struct DropChain {
   DropRole role = DropRole::Infill;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-/// The drops of one layer, all of one diameter, in the order they are laid.
+/// The drops of one layer, all of one diameter, in the order they are deposited.
 struct DropLayer {
   double diameter_mm = 0.0;
   std::vector<Point2> drops;  ///< centres [mm]
@@ -47,7 +47,7 @@ std::vector<DropContour> contoursOf(const DropLayer& layer);
 /// contours. None if the layer has no contour.
 std::vector<Polygon> borders(const std::vector<DropContour>& contours);
 
-/// Chains of a layer whose program does not tell contours from infill. Drops no farther from the one before
+/// Chains of a layer whose program does not report contours from infill. Drops no farther from the one before
 /// than two diameters are a chain, which ends where it returns to its start. Closed chains that lie in no
 /// other are contours, and so are those inside of them round a space without drops and wider than 1.2
 /// diameters: holes.

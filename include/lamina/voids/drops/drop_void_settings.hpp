@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lamina/base/settings.hpp"
-#include "lamina/voids/drops/drop_overlap.hpp"
 #include "lamina/voids/beads/void_points.hpp"
+#include "lamina/voids/drops/drop_overlap.hpp"
 
 namespace lamina {
 

@@ -15,8 +15,8 @@ constexpr double kGrowth = 1e-6;  // mm: less is no growth but rounding
 /// From a tip to where the radius grows no more.
 struct Tail {
   std::vector<std::size_t> whole;  ///< pieces that belong to it
-  std::size_t end = kNoArc;         ///< vertex where it ends, unless within a piece
-  std::size_t last = kNoArc;        ///< piece within which it ends
+  std::size_t end = kNoArc;        ///< vertex where it ends, unless within a piece
+  std::size_t last = kNoArc;       ///< piece within which it ends
   std::size_t last_points = 0;     ///< of that piece
   AxisPoint tip;
   AxisPoint inmost;

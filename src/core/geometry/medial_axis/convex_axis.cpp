@@ -34,9 +34,9 @@ bool isConvex(const Polygon& outline) {
   return turned < 3.0 * M_PI;  // once round
 }
 
-class ShrinkingOutline {
+class CollapsingOutline {
  public:
-  explicit ShrinkingOutline(const Polygon& outline) : graph_(0) {
+  explicit CollapsingOutline(const Polygon& outline) : graph_(0) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const Point2 along = (outline[i + 1 < outline.size() ? i + 1 : 0] - outline[i]).normalized();
       edges_.push_back({{outline[i], 0.0, along}, addNode({outline[i], 0.0})});
@@ -45,7 +45,7 @@ class ShrinkingOutline {
 
   MedialAxis axis() && {
     while (edges_.size() > 3) {
-      const std::size_t first = firstToVanish();
+      const std::size_t first = firstToCollapse();
       const std::size_t node = nodeAt(first);
       reach(node, edges_[first].node);
       Edge& next = edges_[after(first)];
@@ -68,11 +68,12 @@ class ShrinkingOutline {
   std::size_t before(std::size_t i) const { return i > 0 ? i - 1 : edges_.size() - 1; }
 
   AxisPoint meeting(std::size_t i) const {
-    const Vanishing place = vanishingBetween(edges_[before(i)].line, edges_[i].line, edges_[after(i)].line);
+    const EdgeCollapseEvent place =
+        collapseBetween(edges_[before(i)].line, edges_[i].line, edges_[after(i)].line);
     return {place.point, place.moved_mm};
   }
 
-  std::size_t firstToVanish() const {
+  std::size_t firstToCollapse() const {
     std::size_t first = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -112,7 +113,7 @@ std::optional<MedialAxis> convexAxis(const Region& region) {
   if (!region.holes.empty() || region.outer.size() < 3 || region.outer.size() > kMostCorners ||
       !isConvex(region.outer))
     return std::nullopt;
-  return ShrinkingOutline(region.outer).axis();
+  return CollapsingOutline(region.outer).axis();
 }
 
 }  // namespace lamina

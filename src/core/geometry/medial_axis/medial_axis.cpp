@@ -30,7 +30,7 @@ enum class Side : std::uint8_t { Unknown, Inside, Outside };
 Point2 toPoint(const GridPoint& point) { return {double(point.x()), double(point.y())}; }
 Point2 toPoint(const Vertex& vertex) { return {vertex.x(), vertex.y()}; }
 
-/// Tells which edges of the diagram are the medial axis.
+/// Reports which edges of the diagram are the medial axis.
 class InsideEdges {
  public:
   InsideEdges(const BorderSegments& border, const Diagram& diagram)

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "geometry/spatial/box_tree.hpp"
 #include "geometry/mesh/triangle_crossing.hpp"
+#include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/parallel.hpp"
 
 namespace lamina {

@@ -55,7 +55,8 @@ class RecordWelder {
     std::array<std::uint64_t, 3 * kBlock> hashes;
     for (std::size_t i = 0; i < 3 * count; ++i) {
       Welder::Coordinates corner;
-      std::memcpy(corner.data(), records + i / 3 * kReadRecord + kNormal + i % 3 * sizeof corner, sizeof corner);
+      std::memcpy(corner.data(), records + i / 3 * kReadRecord + kNormal + i % 3 * sizeof corner,
+                  sizeof corner);
       keys[i] = Welder::keyOf(corner);
       hashes[i] = Welder::hash(keys[i]);
       welder_.prefetch(hashes[i]);

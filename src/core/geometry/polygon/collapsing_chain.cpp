@@ -14,25 +14,25 @@ constexpr double kChainTolerance = 1e-7;
 
 }  // namespace
 
-VanishingChain::VanishingChain(const Point2& direction) {
+CollapsingChain::CollapsingChain(const Point2& direction) {
   edges_.push_back({Point2::Zero(), 0.0, direction});
 }
 
-void VanishingChain::add(const Point2& start, const Point2& direction) {
+void CollapsingChain::add(const Point2& start, const Point2& direction) {
   edges_.push_back({start, 0.0, direction});
 }
 
-VanishingChain::Next VanishingChain::nextAfter(double distance) const {
+CollapsingChain::Next CollapsingChain::nextAfter(double distance) const {
   Next next{0, {Point2::Zero(), std::numeric_limits<double>::infinity()}};
   for (std::size_t i = 1; i + 1 < edges_.size(); ++i) {
-    const Vanishing vanishing = vanishingBetween(edges_[i - 1], edges_[i], edges_[i + 1]);
+    const EdgeCollapseEvent vanishing = collapseBetween(edges_[i - 1], edges_[i], edges_[i + 1]);
     if (vanishing.moved_mm >= distance - kChainTolerance && vanishing.moved_mm < next.vanishing.moved_mm)
       next = {i, vanishing};
   }
   return next;
 }
 
-bool VanishingChain::isHidden(const Next& next) const {
+bool CollapsingChain::isHidden(const Next& next) const {
   const MovingEdge& before = edges_[next.edge - 1];
   const MovingEdge& own = edges_[next.edge];
   const MovingEdge& after = edges_[next.edge + 1];
@@ -45,7 +45,7 @@ bool VanishingChain::isHidden(const Next& next) const {
   return true;
 }
 
-bool VanishingChain::vanishesWithin(double distance_mm) {
+bool CollapsingChain::collapsesWithin(double distance_mm) {
   double distance = 0.0;
   while (edges_.size() > 2) {
     const Next next = nextAfter(distance);

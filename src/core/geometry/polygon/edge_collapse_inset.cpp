@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/polygon/collapsing_chain.hpp"
 #include "geometry/polygon/nesting.hpp"
 #include "geometry/polygon/outline_crossings.hpp"
 #include "geometry/polygon/plane_vectors.hpp"
-#include "geometry/polygon/collapsing_chain.hpp"
 
 namespace lamina {
 namespace {
@@ -119,10 +119,10 @@ class MovingOutline {
   }
 
   bool cellsAreSound(std::uint32_t first, std::uint32_t last) const {
-    VanishingChain chain(edges_[first].direction);
+    CollapsingChain chain(edges_[first].direction);
     for (std::uint32_t i = after(first);; i = after(i)) {
       chain.add(points_[i], edges_[i].direction);
-      if (i == last) return chain.vanishesWithin(distance_);
+      if (i == last) return chain.collapsesWithin(distance_);
     }
   }
 
@@ -135,7 +135,7 @@ class MovingOutline {
 
 }  // namespace
 
-std::optional<Region> shrinkDirectly(const Region& region, double distance_mm) {
+std::optional<Region> insetByEdgeCollapse(const Region& region, double distance_mm) {
   std::vector<Polygon> outlines;
   outlines.reserve(1 + region.holes.size());
   std::optional<Polygon> outer = MovingOutline(region.outer, distance_mm).moved();

@@ -20,6 +20,6 @@ namespace lamina {
 /// nearer, if one of the two turns away from it: then it vanishes behind what that one sweeps.
 ///
 /// @param region  winds round each point once or not at all, as all functions of `offset.hpp` return them
-std::optional<Region> shrinkDirectly(const Region& region, double distance_mm);
+std::optional<Region> insetByEdgeCollapse(const Region& region, double distance_mm);
 
 }  // namespace lamina

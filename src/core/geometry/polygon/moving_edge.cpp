@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-Vanishing vanishingBetween(const MovingEdge& before, const MovingEdge& edge, const MovingEdge& after) {
+EdgeCollapseEvent collapseBetween(const MovingEdge& before, const MovingEdge& edge, const MovingEdge& after) {
   const Point2 inwards = leftOf(edge.direction);
   const Point2 first = inwards - leftOf(before.direction);
   const Point2 second = leftOf(after.direction) - inwards;

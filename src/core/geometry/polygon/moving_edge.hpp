@@ -14,13 +14,13 @@ struct MovingEdge {
 };
 
 /// Where an edge has shrunk to a point.
-struct Vanishing {
+struct EdgeCollapseEvent {
   Point2 point;
   double moved_mm;  ///< how far the edge has moved then; infinite if it never shrinks to a point
 };
 
 /// Where an edge vanishes between the ones before and after it. It and the one after it start where each
 /// meets the edge before it.
-Vanishing vanishingBetween(const MovingEdge& before, const MovingEdge& edge, const MovingEdge& after);
+EdgeCollapseEvent collapseBetween(const MovingEdge& before, const MovingEdge& edge, const MovingEdge& after);
 
 }  // namespace lamina

@@ -116,10 +116,10 @@ Regions offsetMitred(const Regions& regions, double delta_mm) {
 }
 
 /// Regions that shrink do not meet, so that each can be shrunk by itself.
-Regions shrinkEach(const Regions& regions, double distance_mm) {
+Regions insetEach(const Regions& regions, double distance_mm) {
   Regions result;
   for (const Region& region : regions) {
-    if (std::optional<Region> shrunk = shrinkDirectly(region, distance_mm)) {
+    if (std::optional<Region> shrunk = insetByEdgeCollapse(region, distance_mm)) {
       result.push_back(std::move(*shrunk));
     } else {
       Regions clipped = offsetMitred({region}, -distance_mm);
@@ -146,7 +146,7 @@ Regions unite(const std::vector<Polygon>& polygons) {
 Regions offset(const Regions& regions, double delta_mm, Join join) {
   refuseFarPoints(regions);
   if (join == Join::Round) return offsetRound(regions, delta_mm);
-  return delta_mm < 0.0 ? shrinkEach(regions, -delta_mm) : offsetMitred(regions, delta_mm);
+  return delta_mm < 0.0 ? insetEach(regions, -delta_mm) : offsetMitred(regions, delta_mm);
 }
 
 Regions difference(const Regions& regions, const Regions& subtracted) {

@@ -12,8 +12,8 @@ namespace lamina {
 
 using PointDiagram = boost::polygon::voronoi_diagram<double>;
 
-/// Fills the empty Voronoi diagram of points, taken to a grid as fine as it can be. It tells which points are
-/// neighbours; where its vertices are has to be computed from the points themselves.
+/// Fills the empty Voronoi diagram of points, taken to a grid as fine as it can be. It reports which points
+/// are neighbours; where its vertices are has to be computed from the points themselves.
 /// @param points  no two the same within a billionth of their extent
 void construct(PointDiagram& diagram, const std::vector<Point2>& points);
 

@@ -26,7 +26,7 @@ struct CubeLoop {
   bool is_fan = true;
 };
 
-/// The loops of a cube. Bit x + 2 y + 4 z of the case tells whether that corner is inside.
+/// The loops of a cube. Bit x + 2 y + 4 z of the case reports whether that corner is inside.
 const std::vector<CubeLoop>& cubeLoops(unsigned corners_inside);
 
 }  // namespace lamina

@@ -11,15 +11,15 @@
 namespace lamina {
 
 std::vector<FillPath> contour(const Regions& regions, const InfillRequest& request) {
-  std::vector<FillPath> cycles;
+  std::vector<FillPath> joined_loops;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const ContourTree tree = contourTree(regions[i], request);
-    RingNet net = ringsOf(tree);
-    joinRings(net, tree, request, i);
+    LoopGraph net = loopsOf(tree);
+    joinLoops(net, tree, request, i);
     std::vector<FillPath> lines = net.lines();
-    std::move(lines.begin(), lines.end(), std::back_inserter(cycles));
+    std::move(lines.begin(), lines.end(), std::back_inserter(joined_loops));
   }
-  return cycles;
+  return joined_loops;
 }
 
 }  // namespace lamina

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "geometry/polygon/edge_collapse_inset.hpp"
-#include "infill/medial/narrow_loops.hpp"
 #include "infill/contour/parted_area.hpp"
-#include "infill/medial/sharp_tips.hpp"
 #include "infill/contour/straightened.hpp"
+#include "infill/medial/narrow_loops.hpp"
+#include "infill/medial/sharp_tips.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
@@ -85,7 +85,7 @@ class TreeGrower {
 
   /// The next contour, if it follows all of this one.
   std::optional<Region> shrunk(const Region& centre_lines) const {
-    std::optional<Region> direct = shrinkDirectly(centre_lines, pitch_);
+    std::optional<Region> direct = insetByEdgeCollapse(centre_lines, pitch_);
     if (direct) return direct;
     Regions clipped = offset({centre_lines}, -pitch_);
     if (clipped.size() != 1 || !sweepsStripe(centre_lines, clipped.front(), pitch_)) return std::nullopt;
@@ -93,7 +93,7 @@ class TreeGrower {
   }
 
   void growSolid(const Growing& from, std::size_t node) {
-    // What the next contour but one leaves tells whether there is room for the next one everywhere.
+    // What the next contour but one leaves reports whether there is room for the next one everywhere.
     std::optional<Region> next = from.next ? from.next : shrunk(from.centre_lines);
     std::optional<Region> after;
     if (next) after = shrunk(*next);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/contour/smoothing_settings.hpp"
+#include "lamina/infill/fill_path.hpp"
 
 namespace lamina {
 

@@ -8,12 +8,12 @@
 
 namespace lamina {
 
-/// The loops of a tree as rings, nothing cut yet; ring i is loop i.
-RingNet ringsOf(const ContourTree& tree);
+/// The loops of a tree as loops, nothing cut yet; loop i is loop i.
+LoopGraph loopsOf(const ContourTree& tree);
 
-/// Joins all rings that do not hang together yet: neighbours are cut open by a gap nearly as wide as they are
+/// Joins all loops that do not hang together yet: neighbours are cut open by a gap nearly as wide as they are
 /// apart, and joined by two links across. Rings that have no neighbour near enough stay by themselves.
 /// @param region  its index among those that are filled, for the seed
-void joinRings(RingNet& net, const ContourTree& tree, const InfillRequest& request, std::size_t region);
+void joinLoops(LoopGraph& net, const ContourTree& tree, const InfillRequest& request, std::size_t region);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-/// A link may touch rings at its ends: what lies within this part of its length there is left aside.
+/// A link may touch loops at its ends: what lies within this part of its length there is left aside.
 constexpr double kTouching = 1e-3;
 
 struct EdgePlace {
@@ -28,7 +28,7 @@ EdgePlace nearestOnEdge(const Point2& from, const Point2& to, const Point2& poin
 
 }  // namespace
 
-Ring::Ring(Polygon points, std::vector<double> width_mm)
+Loop::Loop(Polygon points, std::vector<double> width_mm)
     : points_(std::move(points)), width_(std::move(width_mm)) {
   at_.reserve(points_.size() + 1);
   at_.push_back(0.0);
@@ -38,27 +38,27 @@ Ring::Ring(Polygon points, std::vector<double> width_mm)
   }
 }
 
-double Ring::wrapped(double position) const {
+double Loop::wrapped(double position) const {
   const double rest = std::fmod(position, length());
   const double positive = rest < 0.0 ? rest + length() : rest;
   return positive < length() ? positive : 0.0;
 }
 
-std::size_t Ring::edgeAt(double position) const {
+std::size_t Loop::edgeAt(double position) const {
   const auto after = std::upper_bound(at_.begin() + 1, at_.end() - 1, position);
   return static_cast<std::size_t>(after - at_.begin()) - 1;
 }
 
-Point2 Ring::pointAt(double position) const {
+Point2 Loop::pointAt(double position) const {
   const double inside = wrapped(position);
   const std::size_t edge = edgeAt(inside);
   const double part = (inside - at_[edge]) / (at_[edge + 1] - at_[edge]);
   return points_[edge] + part * (endOf(edge) - points_[edge]);
 }
 
-double Ring::widthAt(double position) const { return edgeWidth(edgeAt(wrapped(position))); }
+double Loop::widthAt(double position) const { return edgeWidth(edgeAt(wrapped(position))); }
 
-RingPlace Ring::nearest(const Point2& point) const {
+LoopPlace Loop::nearest(const Point2& point) const {
   EdgePlace best;
   std::size_t best_edge = 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -71,7 +71,7 @@ RingPlace Ring::nearest(const Point2& point) const {
 }
 
 template <class Visit>
-void Ring::visitEdges(const RingStretch& stretch, const Visit& visit) const {
+void Loop::visitEdges(const LoopStretch& stretch, const Visit& visit) const {
   const double start = wrapped(stretch.middle_mm - std::min(stretch.reach_mm, 0.5 * length()));
   std::size_t edge = edgeAt(start);
   double left = start - at_[edge] + 2.0 * stretch.reach_mm;
@@ -82,8 +82,8 @@ void Ring::visitEdges(const RingStretch& stretch, const Visit& visit) const {
   }
 }
 
-RingPlace Ring::nearest(const Point2& point, const RingStretch& stretch) const {
-  RingPlace best{stretch.middle_mm, std::numeric_limits<double>::infinity()};
+LoopPlace Loop::nearest(const Point2& point, const LoopStretch& stretch) const {
+  LoopPlace best{stretch.middle_mm, std::numeric_limits<double>::infinity()};
   visitEdges(stretch, [&](std::size_t edge) {
     const EdgePlace place = nearestOnEdge(points_[edge], endOf(edge), point);
     const double distance = std::sqrt(place.squared);
@@ -92,9 +92,9 @@ RingPlace Ring::nearest(const Point2& point, const RingStretch& stretch) const {
   return best;
 }
 
-std::optional<RingPlace> Ring::hit(const Point2& from, const Point2& direction,
-                                   const RingStretch& stretch) const {
-  std::optional<RingPlace> best;
+std::optional<LoopPlace> Loop::hit(const Point2& from, const Point2& direction,
+                                   const LoopStretch& stretch) const {
+  std::optional<LoopPlace> best;
   visitEdges(stretch, [&](std::size_t edge) {
     const Point2 along = endOf(edge) - points_[edge];
     const double turn = cross(direction, along);
@@ -102,12 +102,12 @@ std::optional<RingPlace> Ring::hit(const Point2& from, const Point2& direction,
     const double distance = cross(points_[edge] - from, along) / turn;
     const double part = cross(points_[edge] - from, direction) / turn;
     if (part < 0.0 || part > 1.0 || distance < 0.0 || (best && distance >= best->distance_mm)) return;
-    best = RingPlace{at_[edge] + part * (at_[edge + 1] - at_[edge]), distance};
+    best = LoopPlace{at_[edge] + part * (at_[edge + 1] - at_[edge]), distance};
   });
   return best;
 }
 
-bool Ring::isCrossedBy(const Point2& from, const Point2& to) const {
+bool Loop::isCrossedBy(const Point2& from, const Point2& to) const {
   const Point2 a = from + kTouching * (to - from);
   const Point2 b = to - kTouching * (to - from);
   const Point2 low = a.cwiseMin(b);

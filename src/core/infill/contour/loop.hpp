@@ -10,24 +10,24 @@
 
 namespace lamina {
 
-/// A place on a ring.
-struct RingPlace {
-  double position_mm = 0.0;  ///< along the ring, from its first point
+/// A place on a loop.
+struct LoopPlace {
+  double position_mm = 0.0;  ///< along the loop, from its first point
   double distance_mm = 0.0;  ///< of what was asked for
 };
 
-/// A stretch of a ring around a place.
-struct RingStretch {
+/// A stretch of a loop around a place.
+struct LoopStretch {
   double middle_mm = 0.0;
   double reach_mm = 0.0;  ///< to either side
 };
 
 /// A closed line measured by arc length. Positions along it [mm] may be any number: they go round.
-class Ring {
+class Loop {
  public:
   /// @param points    at least three, no two neighbours the same
   /// @param width_mm  plan width on the way to each point
-  Ring(Polygon points, std::vector<double> width_mm);
+  Loop(Polygon points, std::vector<double> width_mm);
 
   double length() const { return at_.back(); }
   const Box2& box() const { return box_; }
@@ -38,12 +38,12 @@ class Ring {
   double widthAt(double position) const;
 
   /// The nearest place to a point.
-  RingPlace nearest(const Point2& point) const;
+  LoopPlace nearest(const Point2& point) const;
   /// The nearest place to a point on a stretch.
-  RingPlace nearest(const Point2& point, const RingStretch& stretch) const;
+  LoopPlace nearest(const Point2& point, const LoopStretch& stretch) const;
   /// Where a ray first hits a stretch; the distance along it, which has unit length.
-  std::optional<RingPlace> hit(const Point2& from, const Point2& direction, const RingStretch& stretch) const;
-  /// Whether the open line from one point to the other crosses the ring, touching at its ends left aside.
+  std::optional<LoopPlace> hit(const Point2& from, const Point2& direction, const LoopStretch& stretch) const;
+  /// Whether the open line from one point to the other crosses the loop, touching at its ends left aside.
   bool isCrossedBy(const Point2& from, const Point2& to) const;
 
   /// Index of the point at or before a position within [0, length).
@@ -56,7 +56,7 @@ class Ring {
  private:
   const Point2& endOf(std::size_t edge) const { return points_[edge + 1 < points_.size() ? edge + 1 : 0]; }
   template <class Visit>
-  void visitEdges(const RingStretch& stretch, const Visit& visit) const;
+  void visitEdges(const LoopStretch& stretch, const Visit& visit) const;
 
   Polygon points_;
   std::vector<double> width_;

@@ -18,87 +18,87 @@ constexpr double kSame = 1e-7;
 
 }  // namespace
 
-RingNet::RingNet(std::vector<Ring> rings)
-    : rings_(std::move(rings)), gaps_(rings_.size()), joints_(rings_.size()), parent_(rings_.size()) {
+LoopGraph::LoopGraph(std::vector<Loop> loops)
+    : loops_(std::move(loops)), gaps_(loops_.size()), joints_(loops_.size()), parent_(loops_.size()) {
   std::iota(parent_.begin(), parent_.end(), 0);
 }
 
-std::size_t RingNet::groupOf(std::size_t ring) const {
-  while (parent_[ring] != ring) ring = parent_[ring];
-  return ring;
+std::size_t LoopGraph::groupOf(std::size_t loop) const {
+  while (parent_[loop] != loop) loop = parent_[loop];
+  return loop;
 }
 
-void RingNet::merge(std::size_t a, std::size_t b) {
+void LoopGraph::merge(std::size_t a, std::size_t b) {
   const std::size_t low = std::min(groupOf(a), groupOf(b));
-  for (std::size_t ring : {a, b}) {
-    while (parent_[ring] != ring) ring = std::exchange(parent_[ring], low);
-    parent_[ring] = low;
+  for (std::size_t loop : {a, b}) {
+    while (parent_[loop] != loop) loop = std::exchange(parent_[loop], low);
+    parent_[loop] = low;
   }
 }
 
-bool RingNet::isFree(const RingGap& gap, double margin_mm) const {
-  const double length = rings_[gap.ring].length();
+bool LoopGraph::isFree(const LoopGap& gap, double margin_mm) const {
+  const double length = loops_[gap.loop].length();
   if (gap.length() + margin_mm > length) return false;
-  for (const RingGap& made : gaps_[gap.ring]) {
-    const double behind = rings_[gap.ring].wrapped(gap.from_mm - made.to_mm);
-    const double ahead = rings_[gap.ring].wrapped(made.from_mm - gap.to_mm);
-    // Both distances round the ring, with both gaps, make the whole ring if they do not overlap.
+  for (const LoopGap& made : gaps_[gap.loop]) {
+    const double behind = loops_[gap.loop].wrapped(gap.from_mm - made.to_mm);
+    const double ahead = loops_[gap.loop].wrapped(made.from_mm - gap.to_mm);
+    // Both distances round the loop, with both gaps, make the whole loop if they do not overlap.
     if (behind < margin_mm || ahead < margin_mm) return false;
     if (std::abs(behind + ahead + gap.length() + made.length() - length) > 1e-6 * length) return false;
   }
   return true;
 }
 
-std::size_t RingNet::cut(const RingGap& gap) {
-  gaps_[gap.ring].push_back(gap);
-  joints_[gap.ring].emplace_back();
-  return gaps_[gap.ring].size() - 1;
+std::size_t LoopGraph::cut(const LoopGap& gap) {
+  gaps_[gap.loop].push_back(gap);
+  joints_[gap.loop].emplace_back();
+  return gaps_[gap.loop].size() - 1;
 }
 
-void RingNet::joinEnds(const End& a, const End& b) {
-  joints_[a.ring][a.gap].to[a.side] = b;
-  joints_[b.ring][b.gap].to[b.side] = a;
+void LoopGraph::joinEnds(const End& a, const End& b) {
+  joints_[a.loop][a.gap].to[a.side] = b;
+  joints_[b.loop][b.gap].to[b.side] = a;
   links_.push_back({pointOf(a), pointOf(b)});
 }
 
-Point2 RingNet::pointOf(const End& end) const {
-  const RingGap& gap = gaps_[end.ring][end.gap];
-  return rings_[end.ring].pointAt(end.side == 0 ? gap.from_mm : gap.to_mm);
+Point2 LoopGraph::pointOf(const End& end) const {
+  const LoopGap& gap = gaps_[end.loop][end.gap];
+  return loops_[end.loop].pointAt(end.side == 0 ? gap.from_mm : gap.to_mm);
 }
 
-bool RingNet::isLinkCrossedBy(const Point2& from, const Point2& to) const {
+bool LoopGraph::isLinkCrossedBy(const Point2& from, const Point2& to) const {
   return std::any_of(links_.begin(), links_.end(), [&](const std::array<Point2, 2>& link) {
     return areCrossing(link[0], link[1], from, to);
   });
 }
 
-void RingNet::join(const RingGap& a, const RingGap& b, LinkEnds ends) {
+void LoopGraph::join(const LoopGap& a, const LoopGap& b, LinkEnds ends) {
   const std::size_t gap_a = cut(a);
   const std::size_t gap_b = cut(b);
   for (const int side : {0, 1})
-    joinEnds({a.ring, gap_a, side}, {b.ring, gap_b, ends == LinkEnds::Alike ? side : 1 - side});
-  merge(a.ring, b.ring);
+    joinEnds({a.loop, gap_a, side}, {b.loop, gap_b, ends == LinkEnds::Alike ? side : 1 - side});
+  merge(a.loop, b.loop);
 }
 
-void RingNet::chain(const std::vector<RingGap>& gaps) {
+void LoopGraph::chain(const std::vector<LoopGap>& gaps) {
   std::optional<End> before;
-  for (const RingGap& gap : gaps) {
+  for (const LoopGap& gap : gaps) {
     const std::size_t index = cut(gap);
     if (before) {
-      joinEnds(*before, {gap.ring, index, 1});
-      merge(before->ring, gap.ring);
+      joinEnds(*before, {gap.loop, index, 1});
+      merge(before->loop, gap.loop);
     }
-    before = End{gap.ring, index, 0};
+    before = End{gap.loop, index, 0};
   }
 }
 
 /// Follows one line through the net.
-class RingNet::Walk {
+class LoopGraph::Walk {
  public:
-  explicit Walk(const RingNet& net) : net_(net) {}
+  explicit Walk(const LoopGraph& net) : net_(net) {}
 
-  FillPath whole(std::size_t ring) {
-    const Ring& only = net_.rings_[ring];
+  FillPath whole(std::size_t loop) {
+    const Loop& only = net_.loops_[loop];
     path_.points = only.points();
     for (std::size_t i = 0; i < only.size(); ++i)
       path_.width_mm.push_back(only.edgeWidth(i > 0 ? i - 1 : only.size() - 1));
@@ -110,11 +110,11 @@ class RingNet::Walk {
     End at = start;
     put(net_.pointOf(at), 0.0);
     while (true) {
-      const End end = alongRing(at);
-      const std::optional<End>& next = net_.joints_[end.ring][end.gap].to[end.side];
+      const End end = alongLoop(at);
+      const std::optional<End>& next = net_.joints_[end.loop][end.gap].to[end.side];
       if (!next) return std::move(path_);
       const double width = 0.5 * (widthAt(end) + widthAt(*next));
-      if (next->ring == start.ring && next->gap == start.gap && next->side == start.side) {
+      if (next->loop == start.loop && next->gap == start.gap && next->side == start.side) {
         path_.width_mm.front() = width;
         path_.is_closed = true;
         return std::move(path_);
@@ -126,10 +126,10 @@ class RingNet::Walk {
 
  private:
   double positionOf(const End& end) const {
-    const RingGap& gap = net_.gaps_[end.ring][end.gap];
-    return net_.rings_[end.ring].wrapped(end.side == 0 ? gap.from_mm : gap.to_mm);
+    const LoopGap& gap = net_.gaps_[end.loop][end.gap];
+    return net_.loops_[end.loop].wrapped(end.side == 0 ? gap.from_mm : gap.to_mm);
   }
-  double widthAt(const End& end) const { return net_.rings_[end.ring].widthAt(positionOf(end)); }
+  double widthAt(const End& end) const { return net_.loops_[end.loop].widthAt(positionOf(end)); }
 
   void put(const Point2& point, double width) {
     if (!path_.points.empty() && (point - path_.points.back()).squaredNorm() < kSame * kSame) return;
@@ -138,71 +138,71 @@ class RingNet::Walk {
   }
 
   /// From an end of a gap, away from it, to the next gap.
-  End alongRing(const End& at) {
-    const Ring& ring = net_.rings_[at.ring];
+  End alongLoop(const End& at) {
+    const Loop& loop = net_.loops_[at.loop];
     const bool goes_forward = at.side == 1;
     const double start = positionOf(at);
-    End end{at.ring, 0, 1 - at.side};
+    End end{at.loop, 0, 1 - at.side};
     double shortest = std::numeric_limits<double>::infinity();
-    for (std::size_t gap = 0; gap < net_.gaps_[at.ring].size(); ++gap) {
-      const double there = positionOf({at.ring, gap, end.side});
-      const double way = ring.wrapped(goes_forward ? there - start : start - there);
+    for (std::size_t gap = 0; gap < net_.gaps_[at.loop].size(); ++gap) {
+      const double there = positionOf({at.loop, gap, end.side});
+      const double way = loop.wrapped(goes_forward ? there - start : start - there);
       if (way >= shortest) continue;
       shortest = way;
       end.gap = gap;
     }
     if (goes_forward)
-      putForward(ring, start, shortest);
+      putForward(loop, start, shortest);
     else
-      putBackward(ring, start, shortest);
-    put(net_.pointOf(end), ring.widthAt(goes_forward ? start + shortest - kSame : start - shortest));
+      putBackward(loop, start, shortest);
+    put(net_.pointOf(end), loop.widthAt(goes_forward ? start + shortest - kSame : start - shortest));
     return end;
   }
 
-  void putForward(const Ring& ring, double start, double way) {
-    std::size_t edge = ring.edgeAt(start);
-    double gone = ring.positionOf(edge) - start;
+  void putForward(const Loop& loop, double start, double way) {
+    std::size_t edge = loop.edgeAt(start);
+    double gone = loop.positionOf(edge) - start;
     while (true) {
-      gone += ring.positionOf(edge + 1) - ring.positionOf(edge);
-      const std::size_t next = edge + 1 < ring.size() ? edge + 1 : 0;
+      gone += loop.positionOf(edge + 1) - loop.positionOf(edge);
+      const std::size_t next = edge + 1 < loop.size() ? edge + 1 : 0;
       if (gone >= way) return;
-      put(ring.points()[next], ring.edgeWidth(edge));
+      put(loop.points()[next], loop.edgeWidth(edge));
       edge = next;
     }
   }
 
-  void putBackward(const Ring& ring, double start, double way) {
-    std::size_t edge = ring.edgeAt(start);
-    double gone = start - ring.positionOf(edge);
+  void putBackward(const Loop& loop, double start, double way) {
+    std::size_t edge = loop.edgeAt(start);
+    double gone = start - loop.positionOf(edge);
     while (gone < way) {
-      put(ring.points()[edge], ring.edgeWidth(edge));
-      edge = edge > 0 ? edge - 1 : ring.size() - 1;
-      gone += ring.positionOf(edge + 1) - ring.positionOf(edge);
+      put(loop.points()[edge], loop.edgeWidth(edge));
+      edge = edge > 0 ? edge - 1 : loop.size() - 1;
+      gone += loop.positionOf(edge + 1) - loop.positionOf(edge);
     }
   }
 
-  const RingNet& net_;
+  const LoopGraph& net_;
   FillPath path_;
 };
 
-std::vector<FillPath> RingNet::lines() const {
-  std::vector<std::optional<End>> start(rings_.size());  // of each group; open ends go first
-  std::vector<bool> is_open(rings_.size(), false);
-  for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-    const std::size_t group = groupOf(ring);
-    for (std::size_t gap = 0; gap < gaps_[ring].size(); ++gap)
+std::vector<FillPath> LoopGraph::lines() const {
+  std::vector<std::optional<End>> start(loops_.size());  // of each group; open ends go first
+  std::vector<bool> is_open(loops_.size(), false);
+  for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
+    const std::size_t group = groupOf(loop);
+    for (std::size_t gap = 0; gap < gaps_[loop].size(); ++gap)
       for (const int side : {1, 0}) {
-        const bool ends_here = !joints_[ring][gap].to[side];
+        const bool ends_here = !joints_[loop][gap].to[side];
         if (start[group] && (is_open[group] || !ends_here)) continue;
-        start[group] = End{ring, gap, side};
+        start[group] = End{loop, gap, side};
         is_open[group] = ends_here;
       }
   }
   std::vector<FillPath> lines;
-  for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
-    if (groupOf(ring) != ring) continue;
+  for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
+    if (groupOf(loop) != loop) continue;
     Walk walk(*this);
-    lines.push_back(start[ring] ? walk.from(*start[ring]) : walk.whole(ring));
+    lines.push_back(start[loop] ? walk.from(*start[loop]) : walk.whole(loop));
   }
   return lines;
 }

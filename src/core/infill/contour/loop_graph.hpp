@@ -12,9 +12,9 @@
 
 namespace lamina {
 
-/// A piece of a ring to be taken out [mm along it]: from one position forward to the other.
-struct RingGap {
-  std::size_t ring = 0;
+/// A piece of a loop to be taken out [mm along it]: from one position forward to the other.
+struct LoopGap {
+  std::size_t loop = 0;
   double from_mm = 0.0;  ///< within [0, length)
   double to_mm = 0.0;    ///< greater than `from_mm`, by less than the length
 
@@ -29,33 +29,33 @@ enum class LinkEnds {
 
 /// Rings that are cut open and joined by links. Joining two that hang together through no others makes one
 /// closed line of both.
-class RingNet {
+class LoopGraph {
  public:
-  explicit RingNet(std::vector<Ring> rings);
+  explicit LoopGraph(std::vector<Loop> loops);
 
-  const std::vector<Ring>& rings() const { return rings_; }
+  const std::vector<Loop>& loops() const { return loops_; }
   /// Rings with the same number hang together.
-  std::size_t groupOf(std::size_t ring) const;
-  /// Gaps made so far in a ring.
-  const std::vector<RingGap>& gapsOf(std::size_t ring) const { return gaps_[ring]; }
+  std::size_t groupOf(std::size_t loop) const;
+  /// Gaps made so far in a loop.
+  const std::vector<LoopGap>& gapsOf(std::size_t loop) const { return gaps_[loop]; }
   /// Whether a gap keeps a margin from those made so far [mm].
-  bool isFree(const RingGap& gap, double margin_mm) const;
+  bool isFree(const LoopGap& gap, double margin_mm) const;
 
   /// Whether the line from one point to the other crosses a link made so far.
   bool isLinkCrossedBy(const Point2& from, const Point2& to) const;
 
   /// Cuts both and joins them by two links.
-  void join(const RingGap& a, const RingGap& b, LinkEnds ends);
-  /// Cuts each ring and leads from the start of each gap to the end of the next one: the first gap's end and
+  void join(const LoopGap& a, const LoopGap& b, LinkEnds ends);
+  /// Cuts each loop and leads from the start of each gap to the end of the next one: the first gap's end and
   /// the last one's start stay open.
-  void chain(const std::vector<RingGap>& gaps);
+  void chain(const std::vector<LoopGap>& gaps);
 
-  /// One line for each group, in the order of their first rings: closed, or open from the first open end.
+  /// One line for each group, in the order of their first loops: closed, or open from the first open end.
   std::vector<FillPath> lines() const;
 
  private:
   struct End {
-    std::size_t ring;
+    std::size_t loop;
     std::size_t gap;
     int side;  ///< 0 is where the gap starts
   };
@@ -64,13 +64,13 @@ class RingNet {
   };
   class Walk;
 
-  std::size_t cut(const RingGap& gap);
+  std::size_t cut(const LoopGap& gap);
   void joinEnds(const End& a, const End& b);
   Point2 pointOf(const End& end) const;
   void merge(std::size_t a, std::size_t b);
 
-  std::vector<Ring> rings_;
-  std::vector<std::vector<RingGap>> gaps_;   ///< ring by ring
+  std::vector<Loop> loops_;
+  std::vector<std::vector<LoopGap>> gaps_;   ///< loop by loop
   std::vector<std::vector<Joints>> joints_;  ///< of each gap
   std::vector<std::array<Point2, 2>> links_;
   std::vector<std::size_t> parent_;  ///< union-find

@@ -12,7 +12,7 @@
 namespace lamina {
 
 /// Chooses where the perimeters of one layer start. Progressive: `perimeters.seam_step` farther along from
-/// the leftmost point of the loop for each layer beneath and each perimeter outside. Random: anywhere, by
+/// the leftmost point of the loop for each layer below and each perimeter outside. Random: anywhere, by
 /// seed, layer and island.
 class LoopSeam {
  public:

@@ -9,7 +9,8 @@ namespace lamina {
 /// What perimeters leave of an area, and what they leave it to.
 struct PerimeterFill {
   std::vector<FillPath> runs;  ///< closed perimeters, and beads where the area is too narrow for them
-  Regions links;  ///< the area inside, shrunk by half the narrowest bead of a solid raster (`stripRuns`)
+  Regions
+      links;  ///< the area inside, shrunk by half the narrowest bead of a solid raster (`variableWidthRuns`)
 };
 
 /// Perimeters side by side from the border of an area inwards. Where it is too narrow for them, and for a

@@ -9,8 +9,8 @@
 
 #include "infill/contour/contour_tree.hpp"
 #include "infill/contour/loop_seam.hpp"
-#include "infill/medial/medial_beads.hpp"
 #include "infill/contour/normal_loop.hpp"
+#include "infill/medial/medial_beads.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
@@ -105,14 +105,14 @@ bool isInsideOut(const InfillRequest& request) {
 }
 
 /// Moves runs to the end of others, always the one that begins nearest to where the last one ended.
-void appendByDistance(std::vector<FillPath> runs, const Point2& start, std::vector<FillPath>& laid) {
+void appendByDistance(std::vector<FillPath> runs, const Point2& start, std::vector<FillPath>& deposited) {
   while (!runs.empty()) {
-    const Point2 from = laid.empty() ? start : lastPoint(laid.back());
+    const Point2 from = deposited.empty() ? start : lastPoint(deposited.back());
     const auto nearest =
         std::min_element(runs.begin(), runs.end(), [&](const FillPath& a, const FillPath& b) {
           return (a.points.front() - from).squaredNorm() < (b.points.front() - from).squaredNorm();
         });
-    laid.push_back(std::move(*nearest));
+    deposited.push_back(std::move(*nearest));
     runs.erase(nearest);
   }
 }
@@ -133,16 +133,17 @@ std::vector<FillPath> runsOf(Level level, std::size_t k, const InfillRequest& re
 
 std::vector<FillPath> perimeters(const Regions& regions, const InfillRequest& request) {
   LoopSeam seam(request);
-  std::vector<FillPath> laid;
+  std::vector<FillPath> deposited;
   for (const Region& region : regions) {
     requireContourSpacing(region, request.spacing_mm);
     std::vector<std::vector<FillPath>> runs;
     for (Level& level : levelsOf(region, request))
       runs.push_back(runsOf(std::move(level), runs.size(), request, seam));
     if (isInsideOut(request)) std::reverse(runs.begin(), runs.end());
-    for (std::vector<FillPath>& of_level : runs) appendByDistance(std::move(of_level), request.start, laid);
+    for (std::vector<FillPath>& of_level : runs)
+      appendByDistance(std::move(of_level), request.start, deposited);
   }
-  return laid;
+  return deposited;
 }
 
 }  // namespace lamina

@@ -169,7 +169,7 @@ Polyline dropsAlong(const Polygon& outline, double pitch_mm, double least_mm) {
 DropFill::DropFill(const Regions& regions, const DropSettings& settings)
     : settings_(checked(settings, regions)),
       least_distance_((1.0 - settings.most_overlap - kRounding) * settings.diameter_mm),
-      laid_(boundingBox(outlines(regions)), settings.diameter_mm) {}
+      deposited_(boundingBox(outlines(regions)), settings.diameter_mm) {}
 
 Regions DropFill::inside(const Regions& regions, std::size_t contours) const {
   return offset(regions,
@@ -223,8 +223,8 @@ void DropFill::add(const Polyline& drops, PathRole role) {
   path.role = role;
   path.deposit = Deposit::Drops;
   for (const Point2& drop : drops) {
-    if (laid_.hasNearer(drop, least_distance_)) continue;
-    laid_.insert(drop);
+    if (deposited_.hasNearer(drop, least_distance_)) continue;
+    deposited_.insert(drop);
     path.points.push_back(drop);
   }
   if (!path.points.empty()) paths_.push_back(std::move(path));

@@ -30,7 +30,7 @@ class DropFill {
   DropFill(const Regions& regions, const DropSettings& settings);
 
   /// Contours round the regions, from outside: the first at half a diameter from the border, the next a line
-  /// spacing further inside, until `most` are laid or none fits. Each starts beside where the one before
+  /// spacing further inside, until `most` are deposited or none fits. Each starts beside where the one before
   /// ended. Those of the border are outer walls, the others inner ones. Where the first would run back beside
   /// itself too near for two rows there is one row instead, as infill.
   void addContours(const Regions& regions, std::size_t most);
@@ -51,7 +51,7 @@ class DropFill {
 
   DropSettings settings_;
   double least_distance_;
-  PointGrid laid_;
+  PointGrid deposited_;
   std::vector<FillPath> paths_;
 };
 

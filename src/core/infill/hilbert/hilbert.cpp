@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "infill/hilbert/angle_search.hpp"
-#include "infill/lattice/lattice.hpp"
 #include "infill/hilbert/outline_links.hpp"
+#include "infill/lattice/lattice.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {

@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "infill/medial/axis_loops.hpp"
-#include "infill/medial/skeleton_paths.hpp"
 #include "infill/medial/bead_axis.hpp"
 #include "infill/medial/skeleton_beads.hpp"
+#include "infill/medial/skeleton_paths.hpp"
 
 namespace lamina {
 namespace {
@@ -22,8 +22,8 @@ std::vector<FillPath> medialBeads(const Regions& regions, const MedialBeadSettin
   requirePitch(settings);
   std::vector<FillPath> runs;
   for (const Region& region : regions)
-    for (const AxisTrail& trail : trailsOf(beadAxis(region, settings)))
-      append(runs, trailBeads(trail, settings));
+    for (const SkeletonPath& skeleton_path : skeletonPathsOf(beadAxis(region, settings)))
+      append(runs, skeletonBeads(skeleton_path, settings));
   return runs;
 }
 

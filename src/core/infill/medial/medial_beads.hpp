@@ -12,7 +12,7 @@ namespace lamina {
 /// How narrow regions are filled along their medial axis. T is the local thickness, twice the clearance.
 struct MedialBeadSettings {
   double pitch_mm = 0.4;      ///< plan width of a nominal bead
-  double least_width = 0.3;   ///< in pitches: where T is less, nothing is laid
+  double least_width = 0.3;   ///< in pitches: where T is less, nothing is deposited
   double widest_bead = 1.6;   ///< in pitches: up to this T one bead fills, then two up to one pitch more, ...
   double least_length = 0.5;  ///< in pitches: shorter runs that branch off others are left out
 };

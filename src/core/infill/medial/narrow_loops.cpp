@@ -7,16 +7,16 @@
 #include <optional>
 #include <utility>
 
+#include "infill/contour/straightened.hpp"
 #include "infill/medial/axis_loops.hpp"
 #include "infill/medial/axis_steps.hpp"
 #include "infill/medial/bead_axis.hpp"
-#include "infill/contour/straightened.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
 namespace {
 
-/// Thickness below which nothing is laid, in pitches.
+/// Thickness below which nothing is deposited, in pitches.
 constexpr double kLeastWidth = 0.3;
 /// So far the border may be straightened before its axis is sought, in pitches.
 constexpr double kStraight = 0.02;

@@ -14,9 +14,9 @@ namespace {
 
 /// Along a run, widths change by steps of this at most, in pitches.
 constexpr double kBeadWidthStep = 0.1;
-/// A trail that branches off another starts this far from the middle of that, in radii there, and a lane that
-/// begins beside a bead this far from where that ends, in radii of its own: its round end then overlaps the
-/// other bead about as much as its corners leave open.
+/// A skeleton path that branches off another starts this far from the middle of that, in radii there, and a
+/// lane that begins beside a bead this far from where that ends, in radii of its own: its round end then
+/// overlaps the other bead about as much as its corners leave open.
 constexpr double kBesideBranch = 0.75;
 /// Of its first motion a lane keeps this part.
 constexpr double kShortestStart = 0.05;
@@ -24,8 +24,8 @@ constexpr double kShortestStart = 0.05;
 constexpr double kDotReach = 0.25;
 constexpr double kDotWidth = 1.5;
 constexpr double kSteepestMitre = 1.5;
-/// A short section of a trail may take the number of lanes beside it while the lanes stay within this part of
-/// the widest bead; they are then no wider than that bead all the same.
+/// A short section of a skeleton path may take the number of lanes beside it while the lanes stay within this
+/// part of the widest bead; they are then no wider than that bead all the same.
 constexpr double kTolerated = 1.25;
 /// Corners of a round loop.
 constexpr int kRoundCorners = 12;
@@ -52,10 +52,11 @@ std::vector<AxisPoint> withoutStart(std::vector<AxisPoint> points, double radius
   return points;
 }
 
-std::vector<AxisPoint> withoutBranchEnds(const AxisTrail& trail) {
-  std::vector<AxisPoint> points = trail.points;
-  if (trail.is_closed) return points;
-  const bool cuts[2] = {trail.start == TrailEnd::Branch, trail.end == TrailEnd::Branch};
+std::vector<AxisPoint> withoutBranchEnds(const SkeletonPath& skeleton_path) {
+  std::vector<AxisPoint> points = skeleton_path.points;
+  if (skeleton_path.is_closed) return points;
+  const bool cuts[2] = {skeleton_path.start == SkeletonPathEnd::Branch,
+                        skeleton_path.end == SkeletonPathEnd::Branch};
   for (const bool is_cut : cuts) {
     if (is_cut && !points.empty()) {
       const double radius = kBesideBranch * points.front().radius_mm;
@@ -99,9 +100,9 @@ FillPath dot(const AxisPoint& at) {
 /// Lines side by side along an axis: segment i of the axis has count_[i] of them.
 class Lanes {
  public:
-  Lanes(std::vector<AxisPoint> points, const AxisTrail& trail, const MedialBeadSettings& settings)
+  Lanes(std::vector<AxisPoint> points, const SkeletonPath& skeleton_path, const MedialBeadSettings& settings)
       : points_(std::move(points)),
-        is_closed_(trail.is_closed),
+        is_closed_(skeleton_path.is_closed),
         widest_(settings.widest_bead * settings.pitch_mm) {
     if (is_closed_) points_.push_back(points_.front());
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
@@ -110,8 +111,8 @@ class Lanes {
       count_.push_back(std::max(1, static_cast<int>(count)));
     }
     dissolveShortSections();
-    if (!is_closed_ && trail.start == TrailEnd::Tip) prolong(1, 0, count_.front());
-    if (!is_closed_ && trail.end == TrailEnd::Tip)
+    if (!is_closed_ && skeleton_path.start == SkeletonPathEnd::Tip) prolong(1, 0, count_.front());
+    if (!is_closed_ && skeleton_path.end == SkeletonPathEnd::Tip)
       prolong(points_.size() - 2, points_.size() - 1, count_.back());
     findNormals();
   }
@@ -258,23 +259,25 @@ class Lanes {
 
 }  // namespace
 
-std::vector<FillPath> trailBeads(const AxisTrail& trail, const MedialBeadSettings& settings) {
-  std::vector<AxisPoint> points = withoutBranchEnds(trail);
+std::vector<FillPath> skeletonBeads(const SkeletonPath& skeleton_path, const MedialBeadSettings& settings) {
+  std::vector<AxisPoint> points = withoutBranchEnds(skeleton_path);
   if (points.empty()) return {};
-  const bool branches_off = trail.start == TrailEnd::Branch || trail.end == TrailEnd::Branch;
-  if (!trail.is_closed && branches_off && lengthOf(points) < settings.least_length * settings.pitch_mm)
+  const bool branches_off =
+      skeleton_path.start == SkeletonPathEnd::Branch || skeleton_path.end == SkeletonPathEnd::Branch;
+  if (!skeleton_path.is_closed && branches_off &&
+      lengthOf(points) < settings.least_length * settings.pitch_mm)
     return {};
   const AxisPoint widest =
       *std::max_element(points.begin(), points.end(),
                         [](const AxisPoint& a, const AxisPoint& b) { return a.radius_mm < b.radius_mm; });
-  if (!trail.is_closed && lengthOf(points) < 2.0 * kDotReach * widest.radius_mm) {
+  if (!skeleton_path.is_closed && lengthOf(points) < 2.0 * kDotReach * widest.radius_mm) {
     const bool is_dot = kDotWidth * widest.radius_mm <= settings.widest_bead * settings.pitch_mm;
     return is_dot ? std::vector<FillPath>{dot(widest)} : roundLoops(widest, settings.pitch_mm);
   }
-  if (trail.is_closed) points.push_back(points.front());
+  if (skeleton_path.is_closed) points.push_back(points.front());
   points = inRadiusSteps(points, 0.5 * kBeadWidthStep * settings.pitch_mm);
-  if (trail.is_closed) points.pop_back();
-  return Lanes(std::move(points), trail, settings).runs();
+  if (skeleton_path.is_closed) points.pop_back();
+  return Lanes(std::move(points), skeleton_path, settings).runs();
 }
 
 }  // namespace lamina

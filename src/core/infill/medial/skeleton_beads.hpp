@@ -4,12 +4,13 @@
 
 #include <vector>
 
-#include "infill/medial/skeleton_paths.hpp"
 #include "infill/medial/medial_beads.hpp"
+#include "infill/medial/skeleton_paths.hpp"
 
 namespace lamina {
 
-/// The beads along one trail of a medial axis: one or more side by side, as thick as the region there.
-std::vector<FillPath> trailBeads(const AxisTrail& trail, const MedialBeadSettings& settings);
+/// The beads along one skeleton path of a medial axis: one or more side by side, as thick as the region
+/// there.
+std::vector<FillPath> skeletonBeads(const SkeletonPath& skeleton_path, const MedialBeadSettings& settings);
 
 }  // namespace lamina

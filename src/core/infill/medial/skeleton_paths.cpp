@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// Ends of branches are numbered: 2 i where branch i starts, 2 i + 1 where it ends.
-class TrailBuilder {
+class SkeletonPathBuilder {
  public:
-  explicit TrailBuilder(const MedialAxis& axis)
+  explicit SkeletonPathBuilder(const MedialAxis& axis)
       : axis_(axis), partner_(2 * axis.branches.size(), kNone), is_done_(axis.branches.size()) {
     std::vector<std::vector<std::size_t>> ends(axis.nodes.size());
     for (std::size_t i = 0; i < axis.branches.size(); ++i) {
@@ -28,13 +28,13 @@ class TrailBuilder {
         is_tip_[end] = at.size() == 1 || axis.branches[end / 2].points.size() == 1;
   }
 
-  std::vector<AxisTrail> build() {
-    std::vector<AxisTrail> trails;
+  std::vector<SkeletonPath> build() {
+    std::vector<SkeletonPath> skeleton_paths;
     for (std::size_t end = 0; end < partner_.size(); ++end)
-      if (partner_[end] == kNone && !is_done_[end / 2]) trails.push_back(follow(end));
+      if (partner_[end] == kNone && !is_done_[end / 2]) skeleton_paths.push_back(follow(end));
     for (std::size_t end = 0; end < partner_.size(); end += 2)
-      if (!is_done_[end / 2]) trails.push_back(follow(end));
-    return trails;
+      if (!is_done_[end / 2]) skeleton_paths.push_back(follow(end));
+    return skeleton_paths;
   }
 
  private:
@@ -64,21 +64,21 @@ class TrailBuilder {
     if (a != kNone) partner_[a] = b, partner_[b] = a;
   }
 
-  AxisTrail follow(std::size_t start) {
-    AxisTrail trail;
-    trail.start = is_tip_[start] ? TrailEnd::Tip : TrailEnd::Branch;
+  SkeletonPath follow(std::size_t start) {
+    SkeletonPath skeleton_path;
+    skeleton_path.start = is_tip_[start] ? SkeletonPathEnd::Tip : SkeletonPathEnd::Branch;
     std::size_t end = start;
     while (true) {
-      append(trail.points, end);
+      append(skeleton_path.points, end);
       is_done_[end / 2] = true;
       const std::size_t far_end = end ^ 1U;
-      trail.end = is_tip_[far_end] ? TrailEnd::Tip : TrailEnd::Branch;
+      skeleton_path.end = is_tip_[far_end] ? SkeletonPathEnd::Tip : SkeletonPathEnd::Branch;
       end = partner_[far_end];
       if (end == kNone || is_done_[end / 2]) break;
     }
-    trail.is_closed = end == start && trail.points.size() > 2;
-    if (trail.is_closed) trail.points.pop_back();
-    return trail;
+    skeleton_path.is_closed = end == start && skeleton_path.points.size() > 2;
+    if (skeleton_path.is_closed) skeleton_path.points.pop_back();
+    return skeleton_path;
   }
 
   void append(std::vector<AxisPoint>& points, std::size_t end) const {
@@ -95,6 +95,8 @@ class TrailBuilder {
 
 }  // namespace
 
-std::vector<AxisTrail> trailsOf(const MedialAxis& axis) { return TrailBuilder(axis).build(); }
+std::vector<SkeletonPath> skeletonPathsOf(const MedialAxis& axis) {
+  return SkeletonPathBuilder(axis).build();
+}
 
 }  // namespace lamina

@@ -8,22 +8,22 @@
 
 namespace lamina {
 
-/// How a trail ends.
-enum class TrailEnd {
+/// How a skeleton path ends.
+enum class SkeletonPathEnd {
   Tip,     ///< where the axis does
-  Branch,  ///< beside a trail that it branches off
+  Branch,  ///< beside a skeleton path that it branches off
 };
 
 /// Branches of an axis that go straight on into each other.
-struct AxisTrail {
+struct SkeletonPath {
   std::vector<AxisPoint> points;  ///< without the first again if closed; one alone if the axis is a point
   bool is_closed = false;
-  TrailEnd start = TrailEnd::Tip;
-  TrailEnd end = TrailEnd::Tip;
+  SkeletonPathEnd start = SkeletonPathEnd::Tip;
+  SkeletonPathEnd end = SkeletonPathEnd::Tip;
 };
 
-/// Every branch of the axis in one trail: at each node the branches that turn least are joined in pairs, and
-/// of an odd number one ends there.
-std::vector<AxisTrail> trailsOf(const MedialAxis& axis);
+/// Every branch of the axis in one skeleton path: at each node the branches that turn least are joined in
+/// pairs, and of an odd number one ends there.
+std::vector<SkeletonPath> skeletonPathsOf(const MedialAxis& axis);
 
 }  // namespace lamina

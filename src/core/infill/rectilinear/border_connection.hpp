@@ -19,9 +19,10 @@ struct BorderConnection {
 /// Joins runs where the ends of two lie near the same outline and the way along that outline is short enough:
 /// the shorter way round, as a bead of its own width. A thin bead along the border costs hardly any material
 /// and saves a stop and a start of the process. From the end of each run the nearest end of those still to be
-/// laid is taken, turned round if need be; where there is none, the next run in the given order begins anew.
+/// deposited is taken, turned round if need be; where there is none, the next run in the given order begins
+/// anew.
 ///
-/// @param runs    in the order they are laid; closed runs, and those without widths, stay by themselves
+/// @param runs    in the order they are deposited; closed runs, and those without widths, stay by themselves
 /// @param border  along whose outlines the connections run
 std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regions& border,
                                          const BorderConnection& connection);

@@ -6,7 +6,7 @@
 
 namespace lamina {
 
-RasterSections::RasterSections(const RasterWalk& walk, PassLines lines)
+BoustrophedonCells::BoustrophedonCells(const RasterWalk& walk, PassLines lines)
     : walk_(walk), lines_(lines), above_(walk.raster().crossings.size(), kNoCrossing) {
   for (std::size_t i = 0; i < walk.insideLines(); ++i) {
     if (!isPass(i)) continue;
@@ -25,11 +25,11 @@ RasterSections::RasterSections(const RasterWalk& walk, PassLines lines)
   }
 }
 
-bool RasterSections::isPass(std::size_t inside_line) const {
+bool BoustrophedonCells::isPass(std::size_t inside_line) const {
   return lines_ == PassLines::All || walk_.lineOf(walk_.leftEnd(inside_line)) % 2 != 0;
 }
 
-std::uint32_t RasterSections::findAbove(std::uint32_t crossing) const {
+std::uint32_t BoustrophedonCells::findAbove(std::uint32_t crossing) const {
   const int steps = lines_ == PassLines::All ? 1 : 2;
   std::uint32_t reached = crossing;
   for (int step = 0; step < steps; ++step) {
@@ -40,7 +40,7 @@ std::uint32_t RasterSections::findAbove(std::uint32_t crossing) const {
   return reached;
 }
 
-std::uint32_t RasterSections::stackedOn(std::uint32_t left) const {
+std::uint32_t BoustrophedonCells::stackedOn(std::uint32_t left) const {
   const std::uint32_t on_left = above_[left];
   const std::uint32_t on_right = above_[walk_.otherEnd(left)];
   const bool is_joined = on_left != kNoCrossing && on_right != kNoCrossing && walk_.isLeftEnd(on_left) &&
@@ -48,11 +48,11 @@ std::uint32_t RasterSections::stackedOn(std::uint32_t left) const {
   return is_joined ? on_left : kNoCrossing;
 }
 
-std::vector<RasterSection> RasterSections::ends() const {
-  std::vector<RasterSection> ends;
+std::vector<BoustrophedonCell> BoustrophedonCells::ends() const {
+  std::vector<BoustrophedonCell> ends;
   ends.reserve(sections_.size());
   for (const std::vector<std::uint32_t>& section : sections_) {
-    RasterSection sides;
+    BoustrophedonCell sides;
     sides.first = {walk_.pointAt(section.front()), walk_.pointAt(walk_.otherEnd(section.front()))};
     sides.last = {walk_.pointAt(section.back()), walk_.pointAt(walk_.otherEnd(section.back()))};
     sides.lines = section.size();
@@ -61,7 +61,7 @@ std::vector<RasterSection> RasterSections::ends() const {
   return ends;
 }
 
-PassEntries passesOf(const RasterSections& sections, const RasterWalk& walk, const SectionTour& tour) {
+PassEntries passesOf(const BoustrophedonCells& sections, const RasterWalk& walk, const SectionTour& tour) {
   PassEntries entries;
   for (const SectionVisit& visit : tour) {
     std::vector<std::uint32_t> lefts = sections.sections()[visit.section];

@@ -13,21 +13,21 @@ namespace lamina {
 /// Which lines of a raster passes run along.
 enum class PassLines {
   All,
-  Odd,  ///< a pass fills the strip between the even lines beneath and above it
+  Odd,  ///< a pass fills the strip between the even lines below and above it
 };
 
 /// The passes of a raster and the sections they form: a section is a stack of passes of which the outline
 /// joins each with the next on both sides, a monotone cell.
-class RasterSections {
+class BoustrophedonCells {
  public:
-  RasterSections(const RasterWalk& walk, PassLines lines);
+  BoustrophedonCells(const RasterWalk& walk, PassLines lines);
 
   /// Left ends of the passes of each section, from below.
   const std::vector<std::vector<std::uint32_t>>& sections() const { return sections_; }
   /// The crossing on the pass line above that the outline leads to, or none.
   std::uint32_t above(std::uint32_t crossing) const { return above_[crossing]; }
   /// What their order depends on, in the raster frame.
-  std::vector<RasterSection> ends() const;
+  std::vector<BoustrophedonCell> ends() const;
 
  private:
   bool isPass(std::size_t inside_line) const;
@@ -41,10 +41,10 @@ class RasterSections {
   std::vector<std::vector<std::uint32_t>> sections_;
 };
 
-/// A pass in the order laid, by the crossing at which it is entered.
+/// A pass in the order deposited, by the crossing at which it is entered.
 using PassEntries = std::vector<std::uint32_t>;
 
 /// The passes of all sections in the order of the tour.
-PassEntries passesOf(const RasterSections& sections, const RasterWalk& walk, const SectionTour& tour);
+PassEntries passesOf(const BoustrophedonCells& sections, const RasterWalk& walk, const SectionTour& tour);
 
 }  // namespace lamina

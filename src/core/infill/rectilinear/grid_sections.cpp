@@ -89,7 +89,7 @@ class SectionBuilder {
     return other_row < rows_.size() ? beside(rows_[row][run], rows_[other_row]) : std::vector<std::size_t>();
   }
 
-  /// The only run above that has no other run beneath.
+  /// The only run above that has no other run below.
   std::optional<std::size_t> successor(std::size_t row, std::size_t run) const {
     const std::vector<std::size_t> above = neighbours(row, run, row + 1);
     if (above.size() != 1 || is_taken_[row + 1][above[0]]) return std::nullopt;
@@ -100,11 +100,11 @@ class SectionBuilder {
   /// The lowest run of the section that a run belongs to.
   GridSection climb(std::size_t row, std::size_t run) {
     while (row > 0) {
-      const std::vector<std::size_t> beneath = neighbours(row, run, row - 1);
-      if (beneath.size() != 1 || is_taken_[row - 1][beneath[0]]) break;
-      if (neighbours(row - 1, beneath[0], row).size() != 1) break;
+      const std::vector<std::size_t> below = neighbours(row, run, row - 1);
+      if (below.size() != 1 || is_taken_[row - 1][below[0]]) break;
+      if (neighbours(row - 1, below[0], row).size() != 1) break;
       --row;
-      run = beneath[0];
+      run = below[0];
     }
     GridSection section;
     section.is_bordered_below = row == 0 || neighbours(row, run, row - 1).empty();

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "infill/rectilinear/metal_zigzag.hpp"
 #include "infill/contour/perimeter.hpp"
+#include "infill/rectilinear/metal_zigzag.hpp"
 #include "infill/rectilinear/raster_direction.hpp"
 #include "infill/rectilinear/section_order.hpp"
 #include "infill/rectilinear/variable_width_runs.hpp"
@@ -33,7 +33,7 @@ std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillReque
   }
   InfillRequest inside = request;
   if (!runs.empty()) inside.start = lastPoint(runs.back());
-  for (FillPath& run : documentedZigzag(centre_lines, inside)) runs.push_back(std::move(run));
+  for (FillPath& run : metalZigzag(centre_lines, inside)) runs.push_back(std::move(run));
   return runs;
 }
 
@@ -42,7 +42,7 @@ std::vector<FillPath> documentedHybrid(const Regions& regions, const InfillReque
 std::vector<FillPath> orderedInside(std::vector<FillPath> runs, const Point2& start) {
   const auto inside = std::find_if(runs.begin(), runs.end(),
                                    [](const FillPath& run) { return run.role != PathRole::OuterWall; });
-  std::vector<RasterSection> sections;
+  std::vector<BoustrophedonCell> sections;
   for (auto run = inside; run != runs.end(); ++run) {
     const std::array<Point2, 2> ends = {run->points.front(), lastPoint(*run)};
     sections.push_back({ends, ends, 1});
@@ -67,7 +67,7 @@ std::vector<FillPath> hybrid(const Regions& regions, const InfillRequest& reques
   if (!fill.runs.empty()) inside.start = lastPoint(fill.runs.back());
   const std::vector<FillPath> zigzags =
       isSolid(request)
-          ? inBestDirection(fill.links, inside, stripRuns)
+          ? inBestDirection(fill.links, inside, variableWidthRuns)
           : inBestDirection(offset(fill.links, -0.5 * (request.pitch_mm - narrowestBead(request))), inside,
                             rasterRuns);
   for (const FillPath& run : zigzags) fill.runs.push_back(run);

@@ -12,14 +12,14 @@
 namespace lamina {
 namespace {
 
-RasterSection endsOf(const GridSection& section) {
+BoustrophedonCell endsOf(const GridSection& section) {
   return {{section.passes.front().front(), section.passes.front().back()},
           {section.passes.back().front(), section.passes.back().back()},
           section.passes.size()};
 }
 
 /// The section to and fro, from where it is entered.
-Polyline laid(GridSection section, SectionEntry entry) {
+Polyline deposited(GridSection section, SectionEntry entry) {
   if (static_cast<int>(entry) >= 2) {
     std::reverse(section.passes.begin(), section.passes.end());
     std::swap(section.below, section.above);
@@ -38,7 +38,7 @@ Polyline laid(GridSection section, SectionEntry entry) {
 
 }  // namespace
 
-std::vector<FillPath> documentedZigzag(const Regions& perimeters, const InfillRequest& request) {
+std::vector<FillPath> metalZigzag(const Regions& perimeters, const InfillRequest& request) {
   const HybridSettings& settings = request.settings.hybrid;
   const RasterFrame frame(request.angle_rad);
   std::vector<FillPath> runs;
@@ -52,13 +52,13 @@ std::vector<FillPath> documentedZigzag(const Regions& perimeters, const InfillRe
     const PerimeterApproach approach(perimeter, request.spacing_mm, settings);
     adaptLongitudinally(grid, approach);
     adaptTransversally(grid, approach);
-    std::vector<RasterSection> sections;
+    std::vector<BoustrophedonCell> sections;
     sections.reserve(grid.size());
     for (const GridSection& section : grid) sections.push_back(endsOf(section));
     for (const SectionVisit& visit :
          tourOf(sections, frame.intoRaster(next.start), request.settings.raster.order)) {
       FillPath run;
-      for (const Point2& point : laid(grid[visit.section], visit.entry))
+      for (const Point2& point : deposited(grid[visit.section], visit.entry))
         run.points.push_back(frame.outOfRaster(point));
       if (run.points.size() < 2) continue;
       next.start = run.points.back();

@@ -10,6 +10,6 @@ namespace lamina {
 /// longitudinally and transversally; ordered by `raster.order`.
 ///
 /// @param perimeters  areas bounded by the centre lines of perimeters
-std::vector<FillPath> documentedZigzag(const Regions& perimeters, const InfillRequest& request);
+std::vector<FillPath> metalZigzag(const Regions& perimeters, const InfillRequest& request);
 
 }  // namespace lamina

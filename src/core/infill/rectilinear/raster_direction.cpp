@@ -35,11 +35,11 @@ std::vector<Point2> edgesByDirection(const Regions& regions) {
   return edges;
 }
 
-/// Way to the first run and between them. Those of a solid raster are in order, others are laid by their
+/// Way to the first run and between them. Those of a solid raster are in order, others are deposited by their
 /// nearest ends.
 double travelTo(const std::vector<FillPath>& runs, const InfillRequest& request) {
   if (runs.empty()) return 0.0;
-  std::vector<RasterSection> ends;
+  std::vector<BoustrophedonCell> ends;
   ends.reserve(runs.size());
   for (const FillPath& run : runs) {
     const std::array<Point2, 2> line = {run.points.front(), lastPoint(run)};
@@ -75,8 +75,8 @@ class DirectionSearch {
     std::vector<FillPath> runs = fill_(regions_, turned);
     const double travel = std::round(travelTo(runs, request_) / request_.spacing_mm);
     const double extent = extentAcross(regions_, angle);
-    const bool is_better =
-        travel < best_travel_ || (travel == best_travel_ && extent < best_extent_ * (1.0 - kLeastDirectionGain));
+    const bool is_better = travel < best_travel_ ||
+                           (travel == best_travel_ && extent < best_extent_ * (1.0 - kLeastDirectionGain));
     if (!is_better) return;
     best_ = std::move(runs);
     best_angle_ = angle;

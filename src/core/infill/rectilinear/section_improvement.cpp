@@ -17,7 +17,7 @@ constexpr double kLeastGain = 1e-9;
 /// last costs nothing.
 class TourImprover {
  public:
-  TourImprover(const std::vector<RasterSection>& sections, const Point2& start, SectionTour tour)
+  TourImprover(const std::vector<BoustrophedonCell>& sections, const Point2& start, SectionTour tour)
       : sections_(sections), start_(start), tour_(std::move(tour)) {}
 
   SectionTour improve() && {
@@ -120,14 +120,14 @@ class TourImprover {
     return true;
   }
 
-  const std::vector<RasterSection>& sections_;
+  const std::vector<BoustrophedonCell>& sections_;
   Point2 start_;
   SectionTour tour_;
 };
 
 }  // namespace
 
-SectionTour improvedTour(const std::vector<RasterSection>& sections, const Point2& start) {
+SectionTour improvedTour(const std::vector<BoustrophedonCell>& sections, const Point2& start) {
   return TourImprover(sections, start, tourByEnds(sections, start)).improve();
 }
 

@@ -11,56 +11,56 @@ namespace {
 constexpr std::array<SectionEntry, 4> kEntries = {SectionEntry::FirstLeft, SectionEntry::FirstRight,
                                                   SectionEntry::LastLeft, SectionEntry::LastRight};
 
-const std::array<Point2, 2>& lineAt(const RasterSection& section, SectionEntry entry) {
+const std::array<Point2, 2>& lineAt(const BoustrophedonCell& section, SectionEntry entry) {
   return static_cast<int>(entry) < 2 ? section.first : section.last;
 }
 
-Point2 midpointAt(const RasterSection& section, SectionEntry entry) {
+Point2 midpointAt(const BoustrophedonCell& section, SectionEntry entry) {
   const std::array<Point2, 2>& line = lineAt(section, entry);
   return 0.5 * (line[0] + line[1]);
 }
 
 /// The sense of [Flores2018, figure 50]: a section begins at the left of its first line, or is the reverse of
 /// that.
-SectionEntry documentedEntry(const RasterSection& section, bool is_from_last) {
+SectionEntry documentedEntry(const BoustrophedonCell& section, bool is_from_last) {
   return is_from_last ? exitOf(section, SectionEntry::FirstLeft) : SectionEntry::FirstLeft;
 }
 
 }  // namespace
 
-Point2 entryPoint(const RasterSection& section, SectionEntry entry) {
+Point2 entryPoint(const BoustrophedonCell& section, SectionEntry entry) {
   return lineAt(section, entry)[static_cast<std::size_t>(entry) % 2];
 }
 
-SectionEntry exitOf(const RasterSection& section, SectionEntry entry) {
+SectionEntry exitOf(const BoustrophedonCell& section, SectionEntry entry) {
   const int changes_side = static_cast<int>(section.lines % 2);
   return static_cast<SectionEntry>((static_cast<int>(entry) ^ 2) ^ changes_side);
 }
 
-double travelLength(const std::vector<RasterSection>& sections, const SectionTour& tour) {
+double travelLength(const std::vector<BoustrophedonCell>& sections, const SectionTour& tour) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
-    const RasterSection& from = sections[tour[i].section];
-    const RasterSection& to = sections[tour[i + 1].section];
+    const BoustrophedonCell& from = sections[tour[i].section];
+    const BoustrophedonCell& to = sections[tour[i + 1].section];
     sum += (entryPoint(to, tour[i + 1].entry) - entryPoint(from, exitOf(from, tour[i].entry))).norm();
   }
   return sum;
 }
 
-SectionTour tourAsGiven(const std::vector<RasterSection>& sections) {
+SectionTour tourAsGiven(const std::vector<BoustrophedonCell>& sections) {
   SectionTour tour;
   for (std::size_t i = 0; i < sections.size(); ++i) tour.push_back({i, SectionEntry::FirstLeft});
   return tour;
 }
 
-SectionTour tourByMidpoints(const std::vector<RasterSection>& sections) {
+SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections) {
   SectionTour tour;
   std::vector<bool> is_done(sections.size(), false);
   SectionVisit next{0, SectionEntry::FirstLeft};
   while (tour.size() < sections.size()) {
     tour.push_back(next);
     is_done[next.section] = true;
-    const RasterSection& section = sections[next.section];
+    const BoustrophedonCell& section = sections[next.section];
     const Point2 from = midpointAt(section, exitOf(section, next.entry));
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -76,7 +76,7 @@ SectionTour tourByMidpoints(const std::vector<RasterSection>& sections) {
   return tour;
 }
 
-SectionTour tourByEnds(const std::vector<RasterSection>& sections, const Point2& start) {
+SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start) {
   SectionTour tour;
   std::vector<bool> is_done(sections.size(), false);
   Point2 from = start;
@@ -94,18 +94,18 @@ SectionTour tourByEnds(const std::vector<RasterSection>& sections, const Point2&
     }
     tour.push_back(next);
     is_done[next.section] = true;
-    const RasterSection& section = sections[next.section];
+    const BoustrophedonCell& section = sections[next.section];
     from = entryPoint(section, exitOf(section, next.entry));
   }
   return tour;
 }
 
-SectionTour tourOf(const std::vector<RasterSection>& sections, const Point2& start, SectionOrder order) {
+SectionTour tourOf(const std::vector<BoustrophedonCell>& sections, const Point2& start, SectionOrder order) {
   if (order == SectionOrder::Midpoints) return tourByMidpoints(sections);
   return order == SectionOrder::Ends ? tourByEnds(sections, start) : improvedTour(sections, start);
 }
 
-SectionTravels sectionTravels(const std::vector<RasterSection>& sections, const Point2& start) {
+SectionTravels sectionTravels(const std::vector<BoustrophedonCell>& sections, const Point2& start) {
   return {travelLength(sections, tourAsGiven(sections)), travelLength(sections, tourByMidpoints(sections)),
           travelLength(sections, tourByEnds(sections, start)),
           travelLength(sections, improvedTour(sections, start))};

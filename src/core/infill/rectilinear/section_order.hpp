@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// What matters of a section of a raster for the travel between sections: lines laid to and fro, one after
-/// the other, without a jump.
-struct RasterSection {
+/// What matters of a section of a raster for the travel between sections: lines deposited to and fro, one
+/// after the other, without a jump.
+struct BoustrophedonCell {
   std::array<Point2, 2> first;  ///< left and right end of its first line
   std::array<Point2, 2> last;   ///< the same of its last line
   std::size_t lines = 1;
@@ -27,39 +27,39 @@ struct SectionVisit {
   SectionEntry entry = SectionEntry::FirstLeft;
 };
 
-/// Every section once, in the order laid.
+/// Every section once, in the order deposited.
 using SectionTour = std::vector<SectionVisit>;
 
-Point2 entryPoint(const RasterSection& section, SectionEntry entry);
+Point2 entryPoint(const BoustrophedonCell& section, SectionEntry entry);
 
 /// The entry that is left at: entering there runs the section backwards.
-SectionEntry exitOf(const RasterSection& section, SectionEntry entry);
+SectionEntry exitOf(const BoustrophedonCell& section, SectionEntry entry);
 
 /// Length of the jumps between sections [mm]; the way to the first one does not count.
-double travelLength(const std::vector<RasterSection>& sections, const SectionTour& tour);
+double travelLength(const std::vector<BoustrophedonCell>& sections, const SectionTour& tour);
 
 /// The sections as given, each entered at the left end of its first line.
-SectionTour tourAsGiven(const std::vector<RasterSection>& sections);
+SectionTour tourAsGiven(const std::vector<BoustrophedonCell>& sections);
 
 /// Greedy by midpoints [Flores2018, figures 52 and 53]: starts with the first section given; from the
-/// midpoint of the line just laid it goes on to the section whose first or last line has the nearest
+/// midpoint of the line just deposited it goes on to the section whose first or last line has the nearest
 /// midpoint, run backwards if that is its last. Quadratic time.
-SectionTour tourByMidpoints(const std::vector<RasterSection>& sections);
+SectionTour tourByMidpoints(const std::vector<BoustrophedonCell>& sections);
 
 /// Greedy by ends: goes on at whichever end of a first or last line is nearest, from `start` on. Quadratic
 /// time.
-SectionTour tourByEnds(const std::vector<RasterSection>& sections, const Point2& start);
+SectionTour tourByEnds(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 /// `tourByEnds`, improved as long as a move shortens the way that begins at `start`: turning a stretch round
 /// (2-opt), moving a section (or-opt), both within a window of 64 places, and entering elsewhere. Never
 /// longer than it, the way to the first section included.
-SectionTour improvedTour(const std::vector<RasterSection>& sections, const Point2& start);
+SectionTour improvedTour(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 /// The shortest tour from `start`, by dynamic programming over subsets.
 /// @throws InvalidInput for more than 12 sections
-SectionTour shortestTour(const std::vector<RasterSection>& sections, const Point2& start);
+SectionTour shortestTour(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
-SectionTour tourOf(const std::vector<RasterSection>& sections, const Point2& start, SectionOrder order);
+SectionTour tourOf(const std::vector<BoustrophedonCell>& sections, const Point2& start, SectionOrder order);
 
 /// Travel of the orders, to report how far each is from the others [mm], the way to the first section not
 /// included.
@@ -69,6 +69,6 @@ struct SectionTravels {
   double ends = 0.0;
   double optimised = 0.0;
 };
-SectionTravels sectionTravels(const std::vector<RasterSection>& sections, const Point2& start);
+SectionTravels sectionTravels(const std::vector<BoustrophedonCell>& sections, const Point2& start);
 
 }  // namespace lamina

@@ -23,7 +23,7 @@ SectionVisit visitOf(std::size_t number) { return {number / 4, static_cast<Secti
 
 class SubsetTours {
  public:
-  SubsetTours(const std::vector<RasterSection>& sections, const Point2& start)
+  SubsetTours(const std::vector<BoustrophedonCell>& sections, const Point2& start)
       : sections_(sections), start_(start), visits_(4 * sections.size()) {
     stages_.resize((std::size_t{1} << sections.size()) * visits_);
   }
@@ -44,7 +44,7 @@ class SubsetTours {
     return entryPoint(sections_[number / 4], visitOf(number).entry);
   }
   Point2 outPoint(std::size_t number) const {
-    const RasterSection& section = sections_[number / 4];
+    const BoustrophedonCell& section = sections_[number / 4];
     return entryPoint(section, exitOf(section, visitOf(number).entry));
   }
 
@@ -72,7 +72,7 @@ class SubsetTours {
     return tour;
   }
 
-  const std::vector<RasterSection>& sections_;
+  const std::vector<BoustrophedonCell>& sections_;
   Point2 start_;
   std::size_t visits_;
   std::vector<Stage> stages_;  ///< by set and last visit
@@ -80,7 +80,7 @@ class SubsetTours {
 
 }  // namespace
 
-SectionTour shortestTour(const std::vector<RasterSection>& sections, const Point2& start) {
+SectionTour shortestTour(const std::vector<BoustrophedonCell>& sections, const Point2& start) {
   if (sections.size() > kMostSections)
     throw InvalidInput("the shortest tour is asked for " + std::to_string(sections.size()) +
                        " sections; must be at most " + std::to_string(kMostSections));

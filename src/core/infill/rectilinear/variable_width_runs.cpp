@@ -15,31 +15,33 @@
 namespace lamina {
 namespace {
 
-/// A border that recedes by more than this from strip to strip gets a narrow link, in strips.
+/// A border that recedes by more than this from variable-width line to variable-width line gets a narrow
+/// link, in variable-width lines.
 constexpr double kSteepBorder = 0.6;
-/// A link may be this much longer than the way it goes along the raster, in strips.
+/// A link may be this much longer than the way it goes along the raster, in variable-width lines.
 constexpr double kLongestDetour = 3.0;
-/// A turn keeps this from the border, in strips: it laps over a little, or its bends would leave the corners
-/// empty.
+/// A turn keeps this from the border, in variable-width lines: it laps over a little, or its bends would
+/// leave the corners empty.
 constexpr double kTurnReach = 0.43;
-/// A strip that ends this near to a link goes on there, in strips.
+/// A variable-width line that ends this near to a link goes on there, in variable-width lines.
 constexpr double kNearTip = 0.3;
 /// Motions shorter than this are none [mm].
 constexpr double kShortest = 1e-4;
 
 /// How two passes are joined.
-struct StripLink {
+struct VariableWidthLink {
   enum class Kind { None, Turn, Border } kind = Kind::None;
   std::uint32_t lower = kNoCrossing;
   std::uint32_t upper = kNoCrossing;
   double inset_mm = 0.0;         ///< of a turn
-  bool is_upwards = false;       ///< laid from the lower pass to the upper one
+  bool is_upwards = false;       ///< deposited from the lower pass to the upper one
   bool is_lower_longer = false;  ///< a border link lies on the longer pass
 };
 
-class StripTracer {
+class VariableWidthTracer {
  public:
-  StripTracer(const Strips& strips, const RasterSections& sections, const RasterFrame& frame)
+  VariableWidthTracer(const VariableWidthLines& strips, const BoustrophedonCells& sections,
+                      const RasterFrame& frame)
       : strips_(strips),
         walk_(strips.walk),
         sections_(sections),
@@ -49,12 +51,13 @@ class StripTracer {
   std::vector<FillPath> trace(const PassEntries& entries) {
     std::vector<FillPath> runs;
     FillPath run;
-    StripLink before;
+    VariableWidthLink before;
     FillPath pass_before;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      const StripLink after = i + 1 < entries.size() ? linkBetween(entries[i], entries[i + 1]) : StripLink{};
+      const VariableWidthLink after =
+          i + 1 < entries.size() ? linkBetween(entries[i], entries[i + 1]) : VariableWidthLink{};
       FillPath pass = passOf(entries[i], before, after);
-      if (before.kind == StripLink::Kind::None) {
+      if (before.kind == VariableWidthLink::Kind::None) {
         finish(run, runs);
         run = pass;
       } else {
@@ -68,9 +71,9 @@ class StripTracer {
   }
 
  private:
-  StripLink linkBetween(std::uint32_t entered, std::uint32_t next) const {
+  VariableWidthLink linkBetween(std::uint32_t entered, std::uint32_t next) const {
     const std::uint32_t left_at = walk_.otherEnd(entered);
-    StripLink link;
+    VariableWidthLink link;
     if (sections_.above(left_at) == next) {
       link.lower = left_at;
       link.upper = next;
@@ -87,7 +90,7 @@ class StripTracer {
 
   double outward(std::uint32_t crossing) const { return walk_.isLeftEnd(crossing) ? -1.0 : 1.0; }
 
-  void shape(StripLink& link) const {
+  void shape(VariableWidthLink& link) const {
     const Point2 lower = walk_.pointAt(link.lower);
     const Point2 upper = walk_.pointAt(link.upper);
     const double sign = outward(link.lower);
@@ -98,19 +101,19 @@ class StripTracer {
     link.is_lower_longer = recedes > 0.0;
     link.inset_mm = (kTurnReach * strip_ - 0.5 * strips_.narrowest_mm) * std::hypot(1.0, recedes / strip_);
     link.kind = std::abs(recedes) <= kSteepBorder * strip_ && hasRoomToTurn(link, border)
-                    ? StripLink::Kind::Turn
-                    : StripLink::Kind::Border;
+                    ? VariableWidthLink::Kind::Turn
+                    : VariableWidthLink::Kind::Border;
   }
 
   /// The outline from the lower line to the upper one.
-  Polyline borderBetween(const StripLink& link) const {
+  Polyline borderBetween(const VariableWidthLink& link) const {
     Polyline border = walk_.chain(link.lower, Vertical::Up);
     const Polyline rest = walk_.chain(walk_.next(link.lower, Vertical::Up), Vertical::Up);
     border.insert(border.end(), rest.begin() + 1, rest.end());
     return border;
   }
 
-  bool hasRoomToTurn(const StripLink& link, const Polyline& border) const {
+  bool hasRoomToTurn(const VariableWidthLink& link, const Polyline& border) const {
     const double sign = outward(link.lower);
     const Point2 lower = walk_.pointAt(link.lower) - Point2(sign * link.inset_mm, 0.0);
     const Point2 upper = walk_.pointAt(link.upper) - Point2(sign * link.inset_mm, 0.0);
@@ -128,27 +131,28 @@ class StripTracer {
     return std::abs(walk_.pointAt(crossing).x() - walk_.pointAt(walk_.otherEnd(crossing)).x());
   }
 
-  /// The pass entered there, in the direction it is laid.
-  FillPath passOf(std::uint32_t entered, const StripLink& before, const StripLink& after) const {
+  /// The pass entered there, in the direction it is deposited.
+  FillPath passOf(std::uint32_t entered, const VariableWidthLink& before,
+                  const VariableWidthLink& after) const {
     const PassEndShape entry = endShape(entered, before);
     const PassEndShape exit = endShape(walk_.otherEnd(entered), after);
     if (walk_.isLeftEnd(entered)) return passThrough(strips_, entered, entry, exit);
     return reversed(passThrough(strips_, walk_.otherEnd(entered), exit, entry));
   }
 
-  static PassEndShape endShape(std::uint32_t end, const StripLink& link) {
-    if (link.kind == StripLink::Kind::None) return {};
+  static PassEndShape endShape(std::uint32_t end, const VariableWidthLink& link) {
+    if (link.kind == VariableWidthLink::Kind::None) return {};
     const bool is_lower = end == link.lower;
     const Vertical towards = is_lower ? Vertical::Up : Vertical::Down;
-    if (link.kind == StripLink::Kind::Turn) return {PassEnd::Turn, link.inset_mm, towards};
+    if (link.kind == VariableWidthLink::Kind::Turn) return {PassEnd::Turn, link.inset_mm, towards};
     if (is_lower != link.is_lower_longer) return {PassEnd::Joined, 0.0, towards};
-    // The strip beside the link is open on the other side.
+    // The variable-width line beside the link is open on the other side.
     return {is_lower ? PassEnd::LinkAbove : PassEnd::LinkBelow, 0.0,
             is_lower ? Vertical::Down : Vertical::Up};
   }
 
-  void join(FillPath& run, const StripLink& link, const FillPath& from, const FillPath& to) const {
-    if (link.kind == StripLink::Kind::Turn) {
+  void join(FillPath& run, const VariableWidthLink& link, const FillPath& from, const FillPath& to) const {
+    if (link.kind == VariableWidthLink::Kind::Turn) {
       append(run, to.points.front(), 0.5 * (from.width_mm.back() + to.width_mm.front()));
     } else {
       for (const Point2& point : borderLink(link, from.points.back(), to.points.front()))
@@ -158,8 +162,9 @@ class StripTracer {
     for (std::size_t i = 1; i < to.points.size(); ++i) append(run, to.points[i], to.width_mm[i]);
   }
 
-  /// The border from beside the end of the longer pass to the strip of the other one, or the other way round.
-  Polyline borderLink(const StripLink& link, const Point2& from, const Point2& to) const {
+  /// The border from beside the end of the longer pass to the variable-width line of the other one, or the
+  /// other way round.
+  Polyline borderLink(const VariableWidthLink& link, const Point2& from, const Point2& to) const {
     const std::uint32_t longer = link.is_lower_longer ? link.lower : link.upper;
     const bool begins_at_longer = link.is_lower_longer == link.is_upwards;
     const double end_x = (begins_at_longer ? from : to).x();
@@ -209,9 +214,9 @@ class StripTracer {
     run = {};
   }
 
-  const Strips& strips_;
+  const VariableWidthLines& strips_;
   const RasterWalk& walk_;
-  const RasterSections& sections_;
+  const BoustrophedonCells& sections_;
   const RasterFrame& frame_;
   double strip_;
 };
@@ -229,30 +234,30 @@ std::pair<double, double> extent(const Region& region, double angle_rad) {
   return {low, high};
 }
 
-/// A region cut into strips.
-class StripRegion {
+/// A region cut into variable-width lines.
+class VariableWidthRegion {
  public:
-  StripRegion(const Region& links, const InfillRequest& request)
+  VariableWidthRegion(const Region& links, const InfillRequest& request)
       : narrowest_(narrowestBead(request)),
         frame_(request.angle_rad, extent(links, request.angle_rad).first - 0.5 * narrowest_),
         raster_(rasterise({links}, 0.5 * stripWidth(links, request), frame_)),
         walk_(raster_),
         sections_(walk_, PassLines::Odd),
         strips_{walk_, findNotches(walk_), narrowest_} {}
-  StripRegion(const StripRegion&) = delete;
-  StripRegion& operator=(const StripRegion&) = delete;
+  VariableWidthRegion(const VariableWidthRegion&) = delete;
+  VariableWidthRegion& operator=(const VariableWidthRegion&) = delete;
 
   /// In the plane of the layer.
-  std::vector<RasterSection> ends() const {
-    std::vector<RasterSection> ends = sections_.ends();
-    for (RasterSection& section : ends)
+  std::vector<BoustrophedonCell> ends() const {
+    std::vector<BoustrophedonCell> ends = sections_.ends();
+    for (BoustrophedonCell& section : ends)
       for (std::array<Point2, 2>* line : {&section.first, &section.last})
         for (Point2& point : *line) point = frame_.outOfRaster(point);
     return ends;
   }
 
   std::vector<FillPath> runs(const SectionTour& tour) const {
-    return StripTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
+    return VariableWidthTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
   }
 
  private:
@@ -266,8 +271,8 @@ class StripRegion {
   RasterFrame frame_;
   Raster raster_;
   RasterWalk walk_;
-  RasterSections sections_;
-  Strips strips_;
+  BoustrophedonCells sections_;
+  VariableWidthLines strips_;
 };
 
 }  // namespace
@@ -276,14 +281,14 @@ double narrowestBead(const InfillRequest& request) {
   return request.settings.raster.narrowest * request.pitch_mm;
 }
 
-std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request) {
-  std::vector<std::unique_ptr<StripRegion>> regions;
-  std::vector<RasterSection> sections;
+std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request) {
+  std::vector<std::unique_ptr<VariableWidthRegion>> regions;
+  std::vector<BoustrophedonCell> sections;
   std::vector<std::size_t> begin;
   for (const Region& region : links) {
-    regions.push_back(std::make_unique<StripRegion>(region, request));
+    regions.push_back(std::make_unique<VariableWidthRegion>(region, request));
     begin.push_back(sections.size());
-    const std::vector<RasterSection> more = regions.back()->ends();
+    const std::vector<BoustrophedonCell> more = regions.back()->ends();
     sections.insert(sections.end(), more.begin(), more.end());
   }
   const SectionTour tour = tourOf(sections, request.start, request.settings.raster.order);

@@ -9,14 +9,14 @@ namespace lamina {
 /// Plan width of the narrowest bead of a solid raster [mm].
 double narrowestBead(const InfillRequest& request);
 
-/// Fills an area solidly by a zigzag: strips parallel to the raster divide each region evenly, a bead fills
-/// each strip to its ends, as wide as the strip is there, and links along the border join them. Runs are in
-/// the order of `raster.order`, from `request.start` on.
+/// Fills an area solidly by a zigzag: variable-width lines parallel to the raster divide each region evenly,
+/// a bead fills each variable-width line to its ends, as wide as the variable-width line is there, and links
+/// along the border join them. Runs are in the order of `raster.order`, from `request.start` on.
 ///
-/// Centre lines stay inside the area; beside spikes of the border narrower than a strip they may leave it by
-/// half the narrowest bead.
+/// Centre lines stay inside the area; beside spikes of the border narrower than a variable-width line they
+/// may leave it by half the narrowest bead.
 ///
 /// @param links  the area, shrunk by half the narrowest bead: where links along the border run
-std::vector<FillPath> stripRuns(const Regions& links, const InfillRequest& request);
+std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request);
 
 }  // namespace lamina

@@ -12,11 +12,11 @@ namespace {
 
 /// Steepest border that counts for how far the outlines of the raster lie from the area's.
 constexpr double kSteepest = 3.0;
-/// Steepest border between which and the strip a bead is fitted, as the cosine of its slope: beyond, it keeps
-/// more of its width up to its end, or it would leave the corners empty.
+/// Steepest border between which and the variable-width line a bead is fitted, as the cosine of its slope:
+/// beyond, it keeps more of its width up to its end, or it would leave the corners empty.
 constexpr double kFlankCosine = 0.7;
 /// Slices follow each other so densely that they miss no bend of this size, or stand so near to each other,
-/// in half strips.
+/// in half variable-width lines.
 constexpr double kBend = 0.06;
 constexpr double kShortestStep = 0.2;
 
@@ -26,15 +26,15 @@ struct Flank {
   double cosine = 1.0;  ///< of its slope
 };
 
-/// How far material goes from the centre line of a strip on one side.
+/// How far material goes from the centre line of a variable-width line on one side.
 struct Reach {
   std::vector<Flank> filled;  ///< borders of what the pass fills
   double inside = 0.0;        ///< to the outline of the raster: so far centre lines may run
 };
 
 /// The disc between the borders: where a bead touches them, it neither leaves a gap nor laps over.
-StripSlice sliceAt(double x, const Reach& down, const Reach& up) {
-  StripSlice slice{x, 0.0, std::numeric_limits<double>::infinity()};
+VariableWidthSlice sliceAt(double x, const Reach& down, const Reach& up) {
+  VariableWidthSlice slice{x, 0.0, std::numeric_limits<double>::infinity()};
   for (const Flank& d : down.filled)
     for (const Flank& u : up.filled) {
       const double sum = d.cosine + u.cosine;
@@ -45,7 +45,7 @@ StripSlice sliceAt(double x, const Reach& down, const Reach& up) {
   return slice;
 }
 
-/// Part of an outline within half a strip: x, and height above or below the centre line.
+/// Part of an outline within half a variable-width line: x, and height above or below the centre line.
 struct Border {
   Polyline chain;
   double from_x = 0.0;   ///< where it leaves the centre line
@@ -74,9 +74,9 @@ void edgesAt(const Polyline& chain, double x, const Visit& visit) {
   }
 }
 
-class StripSlicer {
+class VariableWidthSlicer {
  public:
-  StripSlicer(const Strips& strips, std::uint32_t left)
+  VariableWidthSlicer(const VariableWidthLines& strips, std::uint32_t left)
       : strips_(strips),
         walk_(strips.walk),
         left_(left),
@@ -84,37 +84,38 @@ class StripSlicer {
         half_(walk_.raster().spacing_mm),
         centre_(walk_.pointAt(left).y()) {}
 
-  std::vector<StripSlice> slices(const PassEndShape& left_end, const PassEndShape& right_end) {
+  std::vector<VariableWidthSlice> slices(const PassEndShape& left_end, const PassEndShape& right_end) {
     addEnd(left_, left_end);
     addEnd(right_, right_end);
     addNotches();
-    std::vector<StripSlice> all = branch(left_, left_end);
+    std::vector<VariableWidthSlice> all = branch(left_, left_end);
     std::reverse(all.begin(), all.end());
     appendMain(all);
-    const std::vector<StripSlice> beyond = branch(right_, right_end);
+    const std::vector<VariableWidthSlice> beyond = branch(right_, right_end);
     all.insert(all.end(), beyond.begin(), beyond.end());
     return all;
   }
 
  private:
-  StripSlice mainSlice(double x) const {
+  VariableWidthSlice mainSlice(double x) const {
     return sliceAt(x, height(Vertical::Down, x), height(Vertical::Up, x));
   }
 
-  void appendMain(std::vector<StripSlice>& all) const {
+  void appendMain(std::vector<VariableWidthSlice>& all) const {
     const std::vector<double> breaks = mainBreaks();
     all.push_back(mainSlice(breaks.front()));
     for (std::size_t i = 1; i < breaks.size(); ++i) {
-      const StripSlice from = all.back();
+      const VariableWidthSlice from = all.back();
       appendBetween(from, mainSlice(breaks[i]), all);
     }
   }
 
-  /// Slices up to `to` so near to each other that the strip is straight between them: where discs begin to
-  /// touch other borders, it bends.
-  void appendBetween(const StripSlice& from, const StripSlice& to, std::vector<StripSlice>& all) const {
+  /// Slices up to `to` so near to each other that the variable-width line is straight between them: where
+  /// discs begin to touch other borders, it bends.
+  void appendBetween(const VariableWidthSlice& from, const VariableWidthSlice& to,
+                     std::vector<VariableWidthSlice>& all) const {
     const double x = 0.5 * (from.x + to.x);
-    const StripSlice slice = mainSlice(x);
+    const VariableWidthSlice slice = mainSlice(x);
     const double bend = std::max(std::abs(slice.width - 0.5 * (from.width + to.width)),
                                  std::abs(slice.middle - 0.5 * (from.middle + to.middle)));
     if (bend > kBend * half_ && to.x - from.x > kShortestStep * half_) {
@@ -147,7 +148,8 @@ class StripSlicer {
     }
   }
 
-  /// The link goes on beside the next strip, and reaches into this one until it is half its width away.
+  /// The link goes on beside the next variable-width line, and reaches into this one until it is half its
+  /// width away.
   void prolong(Border& border) const {
     const Point2& from = border.chain[border.chain.size() - 2];
     const Point2& to = border.chain.back();
@@ -197,7 +199,8 @@ class StripSlicer {
     return reach;
   }
 
-  /// A border that will come in from the edge of the strip: a bead makes room for it before it gets there.
+  /// A border that will come in from the edge of the variable-width line: a bead makes room for it before it
+  /// gets there.
   static std::optional<Flank> flankAhead(const Border& border, double x) {
     const Point2& a = border.chain[border.chain.size() - 2];
     const Point2& b = border.chain.back();
@@ -227,7 +230,7 @@ class StripSlicer {
     return breaks;
   }
 
-  /// Where the border bends, and where it leaves the edge of the strip.
+  /// Where the border bends, and where it leaves the edge of the variable-width line.
   template <class Add>
   void addBreaks(const Border& border, const Add& add) const {
     for (std::size_t i = 0; i < border.chain.size(); ++i) {
@@ -245,8 +248,8 @@ class StripSlicer {
     }
   }
 
-  /// How far the strip goes on beyond the end of its line between its edge and the outline that leaves there;
-  /// 0 if it does not.
+  /// How far the variable-width line goes on beyond the end of its line between its edge and the outline that
+  /// leaves there; 0 if it does not.
   double branchLength(const Border& border, Vertical side) const {
     const Point2& back = border.chain.back();
     const bool turns_back = std::abs(back.y()) < 1e-9;
@@ -256,7 +259,7 @@ class StripSlicer {
     return reach > 0.25 * half_ && walk_.isInside(edge, border.from_x, end_x) ? reach : 0.0;
   }
 
-  std::vector<StripSlice> branch(std::uint32_t crossing, const PassEndShape& end) const {
+  std::vector<VariableWidthSlice> branch(std::uint32_t crossing, const PassEndShape& end) const {
     if (end.kind == PassEnd::Turn) return {};
     const std::size_t which = crossing == left_ ? 0 : 1;
     const double up = branchLength(borders_[0][which], Vertical::Up);
@@ -267,14 +270,14 @@ class StripSlicer {
     return branchSlices(borders_[goes_up ? 0 : 1][which], goes_up ? up : down, goes_up ? 1.0 : -1.0);
   }
 
-  std::vector<StripSlice> branchSlices(const Border& border, double reach, double up) const {
+  std::vector<VariableWidthSlice> branchSlices(const Border& border, double reach, double up) const {
     std::vector<double> along = {0.0, reach};
     for (const Point2& point : border.chain) {
       const double x = border.outward * (point.x() - border.from_x);
       if (x > 0.0 && x < reach) along.push_back(x);
     }
     std::sort(along.begin(), along.end());
-    std::vector<StripSlice> slices;
+    std::vector<VariableWidthSlice> slices;
     for (const double x : along) {
       const double at = border.from_x + border.outward * x;
       // The outline is the floor here, so that it limits how far material goes back to the centre line.
@@ -286,13 +289,13 @@ class StripSlicer {
         floor.height = std::max(floor.height, -half_);
         down.filled.push_back(floor);
       });
-      const StripSlice slice = sliceAt(at, down, {{{half_, 1.0}}, half_});
+      const VariableWidthSlice slice = sliceAt(at, down, {{{half_, 1.0}}, half_});
       slices.push_back({at, up * slice.middle, slice.width});
     }
     return slices;
   }
 
-  const Strips& strips_;
+  const VariableWidthLines& strips_;
   const RasterWalk& walk_;
   std::uint32_t left_;
   std::uint32_t right_;
@@ -305,9 +308,9 @@ class StripSlicer {
 
 }  // namespace
 
-std::vector<StripSlice> slicesOf(const Strips& strips, std::uint32_t left, const PassEndShape& left_end,
-                                 const PassEndShape& right_end) {
-  return StripSlicer(strips, left).slices(left_end, right_end);
+std::vector<VariableWidthSlice> slicesOf(const VariableWidthLines& strips, std::uint32_t left,
+                                         const PassEndShape& left_end, const PassEndShape& right_end) {
+  return VariableWidthSlicer(strips, left).slices(left_end, right_end);
 }
 
 std::vector<Notch> findNotches(const RasterWalk& walk) {

@@ -11,20 +11,21 @@ namespace lamina {
 
 /// What a pass meets at one of its ends.
 enum class PassEnd {
-  Free,       ///< nothing: it fills its strip as far as that goes
-  Turn,       ///< a link as wide as the strip that keeps half of that from the border
-  LinkAbove,  ///< a narrow link along the border that closes the strip from above
+  Free,       ///< nothing: it fills its variable-width line as far as that goes
+  Turn,       ///< a link as wide as the variable-width line that keeps half of that from the border
+  LinkAbove,  ///< a narrow link along the border that closes the variable-width line from above
   LinkBelow,  ///< the same from below
-  Joined,     ///< such a link of the neighbouring strip, which goes on where this one ends
+  Joined,     ///< such a link of the neighbouring variable-width line, which goes on where this one ends
 };
 
 struct PassEndShape {
   PassEnd kind = PassEnd::Free;
-  double inset_mm = 0.0;            ///< of a turn, from the end of the line
-  Vertical towards = Vertical::Up;  ///< where the strip goes on round the end, if it does both ways
+  double inset_mm = 0.0;  ///< of a turn, from the end of the line
+  Vertical towards =
+      Vertical::Up;  ///< where the variable-width line goes on round the end, if it does both ways
 };
 
-/// An outline that comes into a strip from its edge and goes back to it.
+/// An outline that comes into a variable-width line from its edge and goes back to it.
 struct Notch {
   std::size_t pass = 0;  ///< line inside that it touches
   std::uint32_t crossing = 0;
@@ -35,24 +36,24 @@ struct Notch {
 /// All of them, by pass.
 std::vector<Notch> findNotches(const RasterWalk& walk);
 
-/// Strips of a raster whose passes run along its odd lines.
-struct Strips {
+/// VariableWidthLines of a raster whose passes run along its odd lines.
+struct VariableWidthLines {
   const RasterWalk& walk;
   std::vector<Notch> notches;
   double narrowest_mm = 0.0;  ///< plan width; outlines of the raster keep half of it from the area's border
 };
 
-/// What a strip holds at x.
-struct StripSlice {
+/// What a variable-width line holds at x.
+struct VariableWidthSlice {
   double x = 0.0;
-  double middle = 0.0;  ///< from the strip's centre line
+  double middle = 0.0;  ///< from the variable-width line's centre line
   double width = 0.0;
 };
 
-/// What the strip round the line that begins at `left` holds, from left to right. Beside a border that cuts
-/// into it the slices are those of the largest discs there: a bead through them touches the border and
-/// neither leaves a gap nor laps over.
-std::vector<StripSlice> slicesOf(const Strips& strips, std::uint32_t left, const PassEndShape& left_end,
-                                 const PassEndShape& right_end);
+/// What the variable-width line round the line that begins at `left` holds, from left to right. Beside a
+/// border that cuts into it the slices are those of the largest discs there: a bead through them touches the
+/// border and neither leaves a gap nor laps over.
+std::vector<VariableWidthSlice> slicesOf(const VariableWidthLines& strips, std::uint32_t left,
+                                         const PassEndShape& left_end, const PassEndShape& right_end);
 
 }  // namespace lamina

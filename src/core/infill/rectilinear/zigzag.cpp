@@ -149,7 +149,7 @@ class RunBuilder {
 
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request) {
   if (isSolid(request))
-    return inBestDirection(offset(regions, -0.5 * narrowestBead(request)), request, stripRuns);
+    return inBestDirection(offset(regions, -0.5 * narrowestBead(request)), request, variableWidthRuns);
   return inBestDirection(offset(regions, -0.5 * request.pitch_mm), request, rasterRuns);
 }
 

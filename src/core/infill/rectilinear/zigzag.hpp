@@ -12,7 +12,7 @@ namespace lamina {
 /// Parts of a region that lie between two lines get none.
 std::vector<FillPath> rasterRuns(const Regions& centre_lines, const InfillRequest& request);
 
-/// `stripRuns` if the fill is solid, otherwise `rasterRuns` where centre lines may run.
+/// `variableWidthRuns` if the fill is solid, otherwise `rasterRuns` where centre lines may run.
 std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& request);
 
 }  // namespace lamina

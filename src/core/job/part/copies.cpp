@@ -22,7 +22,7 @@ struct Belt {
   double valueAt(const Point3& point) const { return row * point; }
 };
 
-Belt beltOf(const Machine& machine, const Eigen::Isometry3d& bed_from_part, int copies) {
+Belt beltOf(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_part, int copies) {
   for (int i = 0; i < 3; ++i) {
     const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
     if (!isEndless(axis)) continue;
@@ -84,7 +84,7 @@ void describe(SettingsSchema& schema, CopySettings& settings) {
                 "Way of the belt between one copy's end and the next one's start.");
 }
 
-Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Machine& machine,
+Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const CartesianMachine& machine,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s) {
   if (settings.count == 1) return toolpath;
   const Belt belt = beltOf(machine, bed_from_part, settings.count);

@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-/// Around the beads that are laid for the part, half as wide as they are to each side.
+/// Around the beads that are deposited for the part, half as wide as they are to each side.
 Box3 boxOfPart(const Toolpath& program) {
   Box3 box;
   for (const ToolpathLayer& layer : program.layers)
@@ -26,9 +26,9 @@ Box3 boxOfPart(const Toolpath& program) {
   return box;
 }
 
-Point3 byBox(const Box3& laid, const Box3& part) {
-  const Point3 middle = laid.centre() - part.centre();
-  return {middle.x(), middle.y(), laid.low.z() - part.low.z()};
+Point3 byBox(const Box3& deposited, const Box3& part) {
+  const Point3 middle = deposited.centre() - part.centre();
+  return {middle.x(), middle.y(), deposited.low.z() - part.low.z()};
 }
 
 bool hasLevelLayers(const Toolpath& program) { return !isInclined(program) && hasPlaneLayers(program); }
@@ -50,9 +50,9 @@ PartInProgram findPart(const Toolpath& program, const ComparedPart& part, const 
     if (!given->allFinite()) throw InvalidInput("the part's place in the program is not finite");
     return {*given, PartFinding::Given};
   }
-  const Box3 laid = boxOfPart(program);
-  if (laid.isEmpty()) throw InvalidInput("'" + program.part_name + "' lays nothing for a part");
-  const Point3 by_box = byBox(laid, boundingBox(part.mesh));
+  const Box3 deposited = boxOfPart(program);
+  if (deposited.isEmpty()) throw InvalidInput("'" + program.part_name + "' lays nothing for a part");
+  const Point3 by_box = byBox(deposited, boundingBox(part.mesh));
   if (!hasLevelLayers(program)) return {by_box, PartFinding::Box};
   const Point2 offset = placeContours(program, {part.name, settings, {}, std::nullopt}, progress).offset;
   return {{offset.x(), offset.y(), by_box.z()}, PartFinding::Contours};

@@ -25,9 +25,9 @@ void include(const Path& path, Box3& box) {
   if (path.role == PathRole::Travel) return;
   for (std::size_t w = 0; w < path.points.size(); ++w) {
     box.include(path.points[w]);
-    const Point3 jet = path.orientation.at(w) * Point3::UnitZ();
-    const Point3 beneath(0, 0, path.bead.at(w).height_mm * jet.z());
-    box.include(Point3(path.points[w] + beneath));
+    const Point3 tool_axis = path.orientation.at(w) * Point3::UnitZ();
+    const Point3 below(0, 0, path.bead.at(w).height_mm * tool_axis.z());
+    box.include(Point3(path.points[w] + below));
   }
 }
 
@@ -42,7 +42,7 @@ Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placemen
   return bed_from_part;
 }
 
-Eigen::Isometry3d placePart(const Box3& part, const Machine& machine, Placement placement) {
+Eigen::Isometry3d placePart(const Box3& part, const CartesianMachine& machine, Placement placement) {
   Eigen::Isometry3d bed_from_part = placePart(part, workspace(machine).centre().head<2>(), placement);
   if (placement == Placement::AsIs || part.isEmpty()) return bed_from_part;
   for (int i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ Eigen::Isometry3d placePart(const Box3& part, const Machine& machine, Placement 
   return bed_from_part;
 }
 
-Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const Machine& machine) {
+Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const CartesianMachine& machine) {
   Box3 box;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) include(path, box);

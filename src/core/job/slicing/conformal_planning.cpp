@@ -27,7 +27,7 @@ std::string noteOnConformal(const ConformalLayers& layers, const ConformalSettin
   else
     std::snprintf(text, sizeof text, "%zu layers of %.4g mm on the base; they leave %.2f %% of the part open",
                   layers.layers.size(), layers.layer_height_mm,
-                  100.0 * (1.0 - layers.laid_mm3 / layers.part_mm3));
+                  100.0 * (1.0 - layers.deposited_mm3 / layers.part_mm3));
   return text;
 }
 

@@ -8,9 +8,9 @@
 
 #include "job/laps.hpp"
 #include "job/slicing/layer_stack_planning.hpp"
-#include "lamina/slicing/curved/curved_layers.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
+#include "lamina/slicing/curved/curved_layers.hpp"
 #include "slicing/curved/shell_tidying.hpp"
 
 namespace lamina {
@@ -45,7 +45,7 @@ std::string noteOnSlivers(double left_out_mm3) {
   return text;
 }
 
-/// The first shell begins at the lowest place; what of it lies higher has nothing beneath it.
+/// The first shell begins at the lowest place; what of it lies higher has nothing below it.
 std::string noteOnFirstShell(const CurvedLayers& layers, double layer_height_mm) {
   if (layers.lower.empty()) return "";
   const LayerSurface& first = layers.lower.front();

@@ -20,7 +20,7 @@ PlannedPart planHeightField(SourcePart source, const PlanningRequest& request, P
   planned.counts.slice_s = laps.lap();
   planned.notes = notesOf(slices.report, settings.height_field);
   LiftSettings lifting = settings.lifting;
-  lifting.jet = Jet::Down;
+  lifting.tool_axis = ToolAxis::Down;
   planned.plan = planPart(request.partName(), slices.layers, settings.planning,
                           heightFieldLift(slices, lifting, settings.planning.travel), progress);
   return planned;

@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kJetTolerance = 0.01 * M_PI / 180.0;  // as that of reach
+constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // as that of reach
 constexpr double kDegrees = 180.0 / M_PI;
 
 double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -32,17 +32,17 @@ std::string text(const Point3& direction) {
   return coordinates;
 }
 
-/// The settings that give layers with this jet along their normal.
-std::string planeOf(const Point3& jet) {
+/// The settings that give layers with this tool axis along their normal.
+std::string planeOf(const Point3& tool_axis) {
   // Adding 0 makes -0 a 0.
-  const double angle = std::atan2(jet.head<2>().norm(), -jet.z());
+  const double angle = std::atan2(tool_axis.head<2>().norm(), -tool_axis.z());
   return "slicing.plane.angle_deg " + number(angle * kDegrees) + " and slicing.plane.axis_heading_deg " +
-         number(std::atan2(-jet.x(), jet.y()) * kDegrees + 0.0);
+         number(std::atan2(-tool_axis.x(), tool_axis.y()) * kDegrees + 0.0);
 }
 
 }  // namespace
 
-BedPlane bedBeneath(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_part) {
+BedPlane bedBelow(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_part) {
   const Point3 up = bed_from_part.linear().transpose() * Point3::UnitZ();
   return {partFromLayers(plane).conjugate() * up, -bed_from_part.translation().z()};
 }
@@ -50,19 +50,20 @@ BedPlane bedBeneath(const PlaneSettings& plane, const Eigen::Isometry3d& bed_fro
 Toolpath inPartFrame(Toolpath planned, const PlaneSettings& plane) {
   if (plane.angle_deg == 0.0) return planned;
   Toolpath toolpath = turned(std::move(planned), partFromLayers(plane));
-  return plane.jet == Jet::Down ? withNozzle(std::move(toolpath), nozzleDown()) : toolpath;
+  return plane.tool_axis == ToolAxis::Down ? withNozzle(std::move(toolpath), nozzleDown()) : toolpath;
 }
 
-void requireJet(const PlaneSettings& plane, const Machine& machine) {
+void requireToolAxis(const PlaneSettings& plane, const CartesianMachine& machine) {
   const Point3 own = machine.bed_from_nozzle_at_zero.linear().col(2);
   const Point3 level = -Point3::UnitZ();
-  const Point3 wanted = plane.jet == Jet::Down ? level : Point3(partFromLayers(plane) * level);
-  if (angleBetween(own, wanted) <= kJetTolerance) return;
-  const bool is_upright = angleBetween(own, level) <= kJetTolerance;
-  throw Unreachable("slicing.plane of " + number(plane.angle_deg) + " deg about " +
-                    number(plane.axis_heading_deg) + " deg needs the jet along " + text(wanted) +
-                    "; the head of " + machine.name + " holds it along " + text(own) + ", for " +
-                    (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.jet 'down'" : planeOf(own)));
+  const Point3 wanted = plane.tool_axis == ToolAxis::Down ? level : Point3(partFromLayers(plane) * level);
+  if (angleBetween(own, wanted) <= kToolAxisTolerance) return;
+  const bool is_upright = angleBetween(own, level) <= kToolAxisTolerance;
+  throw Unreachable(
+      "slicing.plane of " + number(plane.angle_deg) + " deg about " + number(plane.axis_heading_deg) +
+      " deg needs the tool axis along " + text(wanted) + "; the head of " + machine.name +
+      " holds it along " + text(own) + ", for " +
+      (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.tool axis 'down'" : planeOf(own)));
 }
 
 }  // namespace lamina

@@ -12,15 +12,15 @@
 namespace lamina {
 
 /// The bed in the frame of the layers.
-BedPlane bedBeneath(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_part);
+BedPlane bedBelow(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_part);
 
 /// A toolpath that was planned in the frame of its layers, in the part frame: it lies in its inclined planes,
-/// with the nozzle as `slicing.plane.jet` says. Level layers stay as they are.
+/// with the nozzle as `slicing.plane.tool_axis` says. Level layers stay as they are.
 Toolpath inPartFrame(Toolpath planned, const PlaneSettings& plane);
 
 /// Refuses early what a fixed head cannot lay.
 /// @throws Unreachable if the nozzle would be held at another angle than the machine's; names the plane for
 /// which the machine is made
-void requireJet(const PlaneSettings& plane, const Machine& machine);
+void requireToolAxis(const PlaneSettings& plane, const CartesianMachine& machine);
 
 }  // namespace lamina

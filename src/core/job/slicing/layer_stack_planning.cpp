@@ -8,11 +8,11 @@
 
 #include "job/laps.hpp"
 #include "lamina/base/parallel.hpp"
-#include "lamina/planning/lift/chart_lift.hpp"
-#include "lamina/slicing/unsliceable.hpp"
+#include "lamina/parameterization/chart_outline.hpp"
 #include "lamina/parameterization/layer_charts.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
-#include "lamina/parameterization/chart_outline.hpp"
+#include "lamina/planning/lift/chart_lift.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
 namespace {
@@ -46,13 +46,13 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
   ChartedLayer result;
   if (layer.surface.middle.triangles.empty()) {
     result.plan = std::move(layer.plane);
-    result.volume_mm3 = signedArea(result.plan.section.contours) * result.plan.slab.height();
-    result.highest_mm = result.plan.slab.top_mm;
+    result.volume_mm3 = signedArea(result.plan.section.contours) * result.plan.bounds.height();
+    result.highest_mm = result.plan.bounds.top_mm;
     return result;
   }
   for (const Point3& tip : layer.surface.tip) result.highest_mm = std::max(result.highest_mm, tip.z());
   result.volume_mm3 = volume(layer.surface);
-  result.plan.slab = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
+  result.plan.bounds = {result.highest_mm - meanHeight(layer.surface), result.highest_mm};
   result.charts = chartsOf(layer.surface, settings);
   result.left_out_mm3 = result.volume_mm3;
   for (const LayerChart& chart : result.charts) result.left_out_mm3 -= volume(chart.surface);

@@ -15,8 +15,8 @@ struct StackedSurface {
   LayerSurface surface;  ///< without triangles if it is
 };
 
-/// Plans layers in the order they are laid: plane ones in their plane, others on their charts, from which
-/// they are lifted back. Surfaces are gone when they are flattened.
+/// Plans layers in the order they are deposited: plane ones in their plane, others on their charts, from
+/// which they are lifted back. Surfaces are gone when they are flattened.
 /// @throws Unsliceable with the region, if a piece of a layer does not lie flat; as `planPart`
 PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& request, Progress& progress);
 

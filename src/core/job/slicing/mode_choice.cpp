@@ -95,8 +95,8 @@ std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job) {
   if (settings.slicing.plane.angle_deg != 0.0)
     return {{SlicingMode::Inclined, "slicing.plane.angle_deg is not 0"}};
   if (!isLoneWall(settings.planning)) return modesBySurface(mesh, job);
-  const WallLean lean =
-      wallLean(mesh, Point3::UnitZ(), {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
+  const OverhangAngle lean = overhangAngle(
+      mesh, Point3::UnitZ(), {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   std::vector<ModeChoice> modes;
   if (lean.steepest_rad > 0.0 && maySteer(job))
     modes.push_back({SlicingMode::Adapted, "a lone wall is asked for, and it leans outwards"});

@@ -90,11 +90,11 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   summary.orientation = oriented.report;
   for (std::string& note : notesOn(oriented.report)) summary.notes.push_back(std::move(note));
   if (!part.triangles.empty())
-    summary.lean = wallLean(part, oriented.toolpath, settings.planning.bead.width_mm);
+    summary.lean = overhangAngle(part, oriented.toolpath, settings.planning.bead.width_mm);
   return std::move(oriented.toolpath);
 }
 
-void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
+void requireWithin(const CartesianMachine& machine, const SliceJob& job, SlicedPart& sliced) {
   const bool is_five_axis = writesFiveAxis(job, machine, sliced);
   const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
   const bool is_as_planned =
@@ -102,7 +102,7 @@ void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& slic
   if (is_program || (is_as_planned && !is_five_axis))
     return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
   if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  const double turn_deg = greatestJetTurn(sliced.toolpath, sliced.bed_from_part, machine) * 180.0 / M_PI;
+  const double turn_deg = greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, machine) * 180.0 / M_PI;
   if (turn_deg < 0.01) return;
   const char* format = machine.rotary_joints.empty()
                            ? "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "

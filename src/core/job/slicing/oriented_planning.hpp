@@ -8,15 +8,15 @@
 namespace lamina {
 
 /// Plans a part by its mode, the best one if that is `Auto`, and holds the nozzle as the settings say. What
-/// there is to tell stands in the summary.
+/// there is to report stands in the summary.
 /// @throws as `planByMode`; InvalidInput if the nozzle would be held too far off the layers' normal
 Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSummary& summary,
                       Progress& progress);
 
 /// A program must be one for the machine: every pose is checked. Of poses in a file, or nowhere, only the
 /// tips are, if the layers or the orientation settings tilt the nozzle; the summary notes what head they
-/// need. Five-axis G-code is left to `leadProgram`.
+/// need. Five-axis G-code is left to `planJointProgram`.
 /// @throws Unreachable
-void requireWithin(const Machine& machine, const SliceJob& job, SlicedPart& sliced);
+void requireWithin(const CartesianMachine& machine, const SliceJob& job, SlicedPart& sliced);
 
 }  // namespace lamina

@@ -17,7 +17,7 @@ LayerCounts countsOf(const std::vector<Layer>& layers) {
   for (const Layer& layer : layers) {
     counts.contours += layer.section.contours.size();
     counts.open_contours += layer.section.open_contours.size();
-    counts.sliced_volume_mm3 += signedArea(layer.section.contours) * layer.slab.height();
+    counts.sliced_volume_mm3 += signedArea(layer.section.contours) * layer.bounds.height();
   }
   return counts;
 }

@@ -19,7 +19,7 @@ namespace lamina {
 /// What a part is planned by, and where it stands.
 struct PlanningRequest {
   const SliceJob& job;
-  const Machine& machine;
+  const CartesianMachine& machine;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
 
   /// Name of the part: its file's without folder and suffix.
@@ -39,7 +39,7 @@ struct LayerCounts {
 struct PlannedPart {
   Plan plan;
   LayerCounts counts;
-  WallLean lean;
+  OverhangAngle lean;
   std::vector<std::string> notes;  ///< what a user should know of the layers, a sentence each
 };
 

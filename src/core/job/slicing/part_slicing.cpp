@@ -23,7 +23,7 @@ bool buildsPart(const ToolpathLayer& layer) {
                      [](const Path& path) { return buildsPart(path); });
 }
 
-/// Layers in which nothing is laid, but in one above.
+/// Layers in which nothing is deposited, but in one above.
 std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
   const auto last = std::find_if(layers.rbegin(), layers.rend(),
                                  [](const ToolpathLayer& layer) { return buildsPart(layer); });
@@ -46,7 +46,7 @@ void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
   for (const ToolpathLayer& layer : toolpath.layers)
     if (buildsPart(layer)) return;
   const std::string part =
-      "of part '" + toolpath.part_name + "' is laid in any of " + std::to_string(toolpath.layers.size());
+      "of part '" + toolpath.part_name + "' is deposited in any of " + std::to_string(toolpath.layers.size());
   if (infillStrategy(settings.infill.strategy).deposit == Deposit::Drops)
     throw InvalidInput("no drop " + part + " layers: it is narrower than drops.diameter_mm, " +
                        std::to_string(settings.fill.drops.diameter_mm) + " mm, everywhere");
@@ -76,7 +76,8 @@ Box3 boxOnBed(const SourcePart& source) {
 }
 
 /// What was read, and where it stands.
-void place(const SourcePart& source, const Machine& machine, const SliceJob& job, SlicedPart& sliced) {
+void place(const SourcePart& source, const CartesianMachine& machine, const SliceJob& job,
+           SlicedPart& sliced) {
   const Box3 box = boxOnBed(source);
   requireFits(box, workspace(machine), machine.name);
   sliced.bed_from_part = placePart(box, machine, job.settings.placement);
@@ -87,9 +88,9 @@ void place(const SourcePart& source, const Machine& machine, const SliceJob& job
 
 }  // namespace
 
-void requireJetFor(const SliceJob& job, const Machine& machine) {
+void requireToolAxisFor(const SliceJob& job, const CartesianMachine& machine) {
   const SlicingSettings& slicing = job.settings.slicing;
-  if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireJet(slicing.plane, machine);
+  if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireToolAxis(slicing.plane, machine);
 }
 
 SourcePart readSource(const SliceJob& job) {
@@ -101,7 +102,8 @@ SourcePart readSource(const SliceJob& job) {
   return source;
 }
 
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const Machine& machine, Progress& progress) {
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const CartesianMachine& machine,
+                       Progress& progress) {
   SlicedPart sliced;
   place(source, machine, job, sliced);
   sliced.toolpath =

@@ -9,9 +9,9 @@
 
 namespace lamina {
 
-/// Plane layers need a jet that the machine has.
+/// Plane layers need a tool axis that the machine has.
 /// @throws Unreachable
-void requireJetFor(const SliceJob& job, const Machine& machine);
+void requireToolAxisFor(const SliceJob& job, const CartesianMachine& machine);
 
 /// Reads what a job prints, and what it is laid on where its mode asks for that.
 /// @throws InvalidMesh, FileError as `readPart`
@@ -20,6 +20,7 @@ SourcePart readSource(const SliceJob& job);
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
 /// machine. Of the times in the summary only that of slicing is set.
 /// @throws as `runSliceJob`
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const Machine& machine, Progress& progress);
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const CartesianMachine& machine,
+                       Progress& progress);
 
 }  // namespace lamina

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "job/slicing/inclined_layers.hpp"
 #include "job/laps.hpp"
+#include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/part_planning.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/voids/drop_void_job.hpp"
@@ -19,17 +19,17 @@ namespace {
 std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettings& settings,
                                    Progress& progress) {
   const Box3 box = boundingBox(source.mesh);
-  const std::vector<LayerSlab> slabs = stackLayers(box.low.z(), box.high.z(), settings);
-  if (slabs.empty())
+  const std::vector<LayerBounds> layer_bounds = stackLayers(box.low.z(), box.high.z(), settings);
+  if (layer_bounds.empty())
     throw InvalidInput("the part is " + std::to_string(box.size().z()) +
                        " mm high across its layers; the first layer of " +
                        std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
   std::vector<double> heights;
-  heights.reserve(slabs.size());
-  for (const LayerSlab& slab : slabs) heights.push_back(slab.cut());
+  heights.reserve(layer_bounds.size());
+  for (const LayerBounds& bounds : layer_bounds) heights.push_back(bounds.cut());
   std::vector<Section> sections = sliceMesh(source.mesh, source.topology, heights, progress);
-  std::vector<Layer> layers(slabs.size());
-  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {slabs[i], std::move(sections[i])};
+  std::vector<Layer> layers(layer_bounds.size());
+  for (std::size_t i = 0; i < layers.size(); ++i) layers[i] = {layer_bounds[i], std::move(sections[i])};
   return layers;
 }
 
@@ -38,7 +38,7 @@ Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Pr
   const PlanSettings& settings = request.job.settings.planning;
   const PlaneSettings& plane = request.job.settings.slicing.plane;
   if (plane.angle_deg == 0.0) return planPart(request.partName(), layers, settings, progress);
-  return planPart(request.partName(), layers, settings, bedBeneath(plane, request.bed_from_part), progress);
+  return planPart(request.partName(), layers, settings, bedBelow(plane, request.bed_from_part), progress);
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
   std::vector<Layer> layers = sliceIntoLayers(source, settings.slicing, progress);
   PlannedPart planned;
-  planned.lean = wallLean(source.mesh, Point3::UnitZ(),
-                          {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
+  planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
+                               {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
   source = {};
   planned.counts = countsOf(layers);

@@ -44,7 +44,7 @@ bool changesOrientation(const OrientationSettings& settings) {
 
 void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
                        const OrientationSettings& settings) {
-  const auto jet = [](const Path& path, std::size_t w) {
+  const auto tool_axis = [](const Path& path, std::size_t w) {
     return Point3(path.orientation.at(w) * Point3::UnitZ());
   };
   double greatest = 0.0;
@@ -54,8 +54,8 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
       const Path& before = as_sliced.layers[l].paths[p];
       if (before.role == PathRole::Travel) continue;
       for (std::size_t w = 0; w < before.points.size(); ++w) {
-        const Point3 normal = jet(before, w);
-        const Point3 held = jet(oriented.layers[l].paths[p], w);
+        const Point3 normal = tool_axis(before, w);
+        const Point3 held = tool_axis(oriented.layers[l].paths[p], w);
         const double angle = std::atan2(normal.cross(held).norm(), normal.dot(held)) * 180.0 / M_PI;
         if (angle <= greatest) continue;
         greatest = angle;
@@ -66,7 +66,7 @@ void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
   char text[256];
   std::snprintf(text, sizeof text,
                 "the nozzle would be held %.1f deg off the layer's normal at %s; expected at most %.4g deg "
-                "(orientation.max_off_normal_deg): it would run into what is laid",
+                "(orientation.max_off_normal_deg): it would run into what is deposited",
                 greatest, toText(place).c_str(), settings.limits.max_off_normal_deg);
   throw InvalidInput(text);
 }
@@ -78,7 +78,7 @@ std::vector<std::string> notesOn(const OrientationReport& report) {
   if (report.waypoints_without_wall > 0)
     notes.push_back("orientation.mode wall found no wall across the path at " +
                     std::to_string(report.waypoints_without_wall) +
-                    " waypoints of walls; their neighbours' jets stand there");
+                    " waypoints of walls; their neighbours' tool axes stand there");
   return notes;
 }
 

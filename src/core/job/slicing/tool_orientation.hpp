@@ -15,8 +15,8 @@ namespace lamina {
 bool changesOrientation(const OrientationSettings& settings);
 
 /// @param as_sliced  empty if nothing was changed
-/// @throws InvalidInput if a jet was turned by more than `orientation.max_off_normal_deg` from the layer's
-/// normal: it names the place; the nozzle would run into what is laid
+/// @throws InvalidInput if a tool axis was turned by more than `orientation.max_off_normal_deg` from the
+/// layer's normal: it names the place; the nozzle would run into what is deposited
 void requireNearNormal(const Toolpath& as_sliced, const Toolpath& oriented,
                        const OrientationSettings& settings);
 

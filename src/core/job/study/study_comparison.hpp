@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Rows to be laid beside each other, and what could not be measured.
+/// Rows to be deposited beside each other, and what could not be measured.
 struct StudyComparison {
   std::vector<ComparedRow> rows;
   std::vector<std::string> notes;

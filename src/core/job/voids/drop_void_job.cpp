@@ -18,8 +18,8 @@ DropRole dropRole(PathRole role) {
   return role == PathRole::Infill ? DropRole::Infill : DropRole::Contour;
 }
 
-/// Programs may tell the role of several contours at once: one that is back at its start ends where the next
-/// drop is far.
+/// Programs may report the role of several contours at once: one that is back at its start ends where the
+/// next drop is far.
 bool isJump(const DropLayer& layer, const DropChain& chain, std::size_t next) {
   if (next < chain.begin + 3) return false;
   const Point2& last = layer.drops[next - 1];
@@ -116,7 +116,8 @@ std::vector<DropLayer> dropLayers(const DropProgram& program) {
   if (program.layers.empty())
     throw InvalidProgram("the program lets no drop go; expected a program of drops");
   if (!program.diameter_mm)
-    throw InvalidProgram("the header of the program tells no diameter of drops; expected drop_diameter=...");
+    throw InvalidProgram(
+        "the header of the program reports no diameter of drops; expected drop_diameter=...");
   std::vector<DropLayer> layers;
   for (const DropProgramLayer& layer : program.layers) layers.push_back(layerOf(layer, program));
   return layers;

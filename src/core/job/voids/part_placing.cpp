@@ -18,7 +18,7 @@ constexpr double kRoundPlace = 0.5;  // mm: slicers put the middle of parts on m
 constexpr double kNearRound = 0.2;   // mm
 /// Nearer places are the same [mm].
 constexpr double kSamePlace = 1e-3;
-/// Sides of boxes are tried one by one where they tell places so far apart [mm].
+/// Sides of boxes are tried one by one where they distinguish places so far [mm].
 constexpr double kSidesDiffer = 0.05;
 /// Placements are compared on so many layers.
 constexpr std::size_t kComparedLayers = 6;
@@ -60,7 +60,7 @@ Point2 centroidOf(const Regions& regions) {
   return sum > 0.0 ? Point2(moment / sum) : Point2(Point2::Zero());
 }
 
-/// Places along one axis that layers tell, by their low sides, their middles, their high sides.
+/// Places along one axis that layers report, by their low sides, their middles, their high sides.
 struct AxisPlaces {
   std::vector<double> low;
   std::vector<double> middle;

@@ -60,7 +60,7 @@ void requireWhole(const VoidReport& found, const VoidFillingJob& job) {
 
 /// What the program reaches, its machine does.
 void requireReachable(const std::vector<std::vector<Path>>& runs, const Toolpath& program,
-                      const Machine& machine) {
+                      const CartesianMachine& machine) {
   const Box3 reached = depositionBox(program);
   const auto isReached = [&](const Point3& point) {
     return (point.array() >= reached.low.array()).all() && (point.array() <= reached.high.array()).all();
@@ -84,7 +84,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   const JobSettings& settings = job.map.settings;
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
-  const Machine machine = machineOf(settings.machine);
+  const CartesianMachine machine = machineOf(settings.machine);
   VoidReport found = runVoidJob(program, job.map, progress);
   requirePlausible(program, found, job.map);
   requireWhole(found, job);

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "job/voids/missing_layers.hpp"
-#include "job/voids/part_placing.hpp"
 #include "job/part/part_source.hpp"
 #include "job/slicing/wall_contours.hpp"
+#include "job/voids/missing_layers.hpp"
+#include "job/voids/part_placing.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/slicing/planar/planar_slicer.hpp"

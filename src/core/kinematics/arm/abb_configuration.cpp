@@ -16,11 +16,9 @@ int quarterTurn(double angle) { return static_cast<int>(std::floor((angle + kRou
 
 }  // namespace
 
-bool isSixAxisArm(const Mechanism& mechanism) {
-  return dynamic_cast<const SixAxisArm*>(&mechanism) != nullptr;
-}
+bool isSixAxisArm(const KinematicModel& model) { return dynamic_cast<const SixAxisArm*>(&model) != nullptr; }
 
-AbbConfiguration abbConfiguration(const Mechanism& arm, const JointValues& values) {
+AbbConfiguration abbConfiguration(const KinematicModel& arm, const JointValues& values) {
   const SixAxisArm& six_axes = requireSixAxisArm(arm);
   const ArmValues joints = armValues(six_axes.chain(), values);
   return {quarterTurn(joints[0]), quarterTurn(joints[3]), quarterTurn(joints[5]),

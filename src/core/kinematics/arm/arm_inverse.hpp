@@ -35,7 +35,7 @@ class ArmInverse {
   /// At most one per branch, by branch.
   virtual ArmSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle, const ArmValues& near) const = 0;
   virtual ArmSines sines(const ArmValues& values) const = 0;
-  /// As `Mechanism::singularityMargin`.
+  /// As `KinematicModel::singularityMargin`.
   virtual double singularityMargin(const ArmValues& values) const = 0;
 };
 

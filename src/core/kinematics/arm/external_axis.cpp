@@ -11,8 +11,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kAlong = 1e-9;    // sine: a jet along the axis
-constexpr double kBeneath = 1e-6;  // mm: axis 1 on the table's axis
+constexpr double kAlong = 1e-9;  // sine: a tool axis along the axis
+constexpr double kBelow = 1e-6;  // mm: axis 1 on the table's axis
 
 /// About which a table turns its bed, and the direction in which it stands.
 struct Table {
@@ -20,10 +20,12 @@ struct Table {
   Point3 away = Point3::UnitX();
 };
 
-Point3 acrossAxis(const Point3& direction, const Point3& axis) { return direction - axis.dot(direction) * axis; }
+Point3 acrossAxis(const Point3& direction, const Point3& axis) {
+  return direction - axis.dot(direction) * axis;
+}
 
-Table tableOf(const Mechanism& mechanism) {
-  const SixAxisArm& arm = requireSixAxisArm(mechanism);
+Table tableOf(const KinematicModel& model) {
+  const SixAxisArm& arm = requireSixAxisArm(model);
   const SerialChain& chain = arm.chain().external;
   const auto joint = std::find_if(chain.joints.begin(), chain.joints.end(),
                                   [](const DrivenJoint& each) { return each.name == "external_1"; });
@@ -34,28 +36,31 @@ Table tableOf(const Mechanism& mechanism) {
   // The screw moves the nozzle over the bed: the bed turns the other way over the base.
   const Point3 axis = -screw.direction;
   const Point3 away = acrossAxis(screw.point - arm.chain().arm.screws[0].point, axis);
-  return {axis, away.norm() > kBeneath ? away.normalized() : axis.unitOrthogonal()};
+  return {axis, away.norm() > kBelow ? away.normalized() : axis.unitOrthogonal()};
 }
 
-double azimuthAtZero(const Table& table, const Point3& jet) {
-  return std::atan2(table.axis.dot(table.away.cross(jet)), table.away.dot(jet));
+double azimuthAtZero(const Table& table, const Point3& tool_axis) {
+  return std::atan2(table.axis.dot(table.away.cross(tool_axis)), table.away.dot(tool_axis));
 }
 
-bool isAlong(const Table& table, const Point3& jet) { return acrossAxis(jet, table.axis).norm() < kAlong; }
+bool isAlong(const Table& table, const Point3& tool_axis) {
+  return acrossAxis(tool_axis, table.axis).norm() < kAlong;
+}
 
 }  // namespace
 
-double tableValue(const Mechanism& arm, const Point3& jet, const TableHeading& heading, double near) {
+double tableValue(const KinematicModel& arm, const Point3& tool_axis, const TableHeading& heading,
+                  double near) {
   const Table table = tableOf(arm);
-  if (isAlong(table, jet)) return near;
-  const double value = heading.azimuth - azimuthAtZero(table, jet);
+  if (isAlong(table, tool_axis)) return near;
+  const double value = heading.azimuth - azimuthAtZero(table, tool_axis);
   return near + std::remainder(value - near, 2.0 * M_PI);
 }
 
-double jetAzimuth(const Mechanism& arm, const Point3& jet, double table_value) {
+double toolAxisAzimuth(const KinematicModel& arm, const Point3& tool_axis, double table_value) {
   const Table table = tableOf(arm);
-  if (isAlong(table, jet)) return 0.0;
-  const double azimuth = std::remainder(azimuthAtZero(table, jet) + table_value, 2.0 * M_PI);
+  if (isAlong(table, tool_axis)) return 0.0;
+  const double azimuth = std::remainder(azimuthAtZero(table, tool_axis) + table_value, 2.0 * M_PI);
   return azimuth <= -M_PI ? azimuth + 2.0 * M_PI : azimuth;
 }
 

@@ -10,11 +10,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kRefinedGoal = 1e-8;        // mm: where rounding ends the gain
-constexpr double kEnough = 1e-7;      // mm
-constexpr double kLever = 1e3;        // mm: what a turn of 1 rad counts as
-constexpr double kLargestStep = 0.3;  // rad: beyond it the linear model is none
-constexpr double kDependent = 1e-10;  // pivots of columns that a singularity makes dependent
+constexpr double kRefinedGoal = 1e-8;  // mm: where rounding ends the gain
+constexpr double kEnough = 1e-7;       // mm
+constexpr double kLever = 1e3;         // mm: what a turn of 1 rad counts as
+constexpr double kLargestStep = 0.3;   // rad: beyond it the linear model is none
+constexpr double kDependent = 1e-10;   // pivots of columns that a singularity makes dependent
 constexpr int kMostSteps = 12;
 
 using Twist = Eigen::Matrix<double, 6, 1>;

@@ -39,14 +39,13 @@ std::map<std::string, double> SixAxisArm::urdfJoints(const JointValues& values) 
   return lamina::urdfJoints(chain_.whole, values);
 }
 
-const SixAxisArm& requireSixAxisArm(const Mechanism& mechanism) {
-  const auto* arm = dynamic_cast<const SixAxisArm*>(&mechanism);
-  if (arm == nullptr)
-    throw InvalidConfig("machine '" + mechanism.name() + "' is no six-axis arm; expected one");
+const SixAxisArm& requireSixAxisArm(const KinematicModel& model) {
+  const auto* arm = dynamic_cast<const SixAxisArm*>(&model);
+  if (arm == nullptr) throw InvalidConfig("machine '" + model.name() + "' is no six-axis arm; expected one");
   return *arm;
 }
 
-std::unique_ptr<Mechanism> sixAxisArm(const urdf::ModelInterface& model, const std::string& text) {
+std::unique_ptr<KinematicModel> sixAxisArm(const urdf::ModelInterface& model, const std::string& text) {
   return std::make_unique<SixAxisArm>(armChain(serialChain(model, text)));
 }
 

@@ -13,14 +13,14 @@
 namespace lamina {
 
 /// An arm of six rotary joints, alone or with external axes.
-class SixAxisArm : public Mechanism {
+class SixAxisArm : public KinematicModel {
  public:
   explicit SixAxisArm(ArmChain chain);
 
   const std::string& name() const override { return chain_.whole.name; }
   const std::string& urdf() const override { return chain_.whole.urdf; }
   const std::vector<DrivenJoint>& joints() const override { return chain_.whole.joints; }
-  JetSpin jetSpin() const override { return JetSpin::Given; }
+  ToolAxisSpin toolAxisSpin() const override { return ToolAxisSpin::Given; }
 
   Eigen::Isometry3d bedFromNozzle(const JointValues& values) const override;
   Jacobian jacobian(const JointValues& values) const override;
@@ -38,10 +38,10 @@ class SixAxisArm : public Mechanism {
   std::unique_ptr<const ArmInverse> inverse_;
 };
 
-/// @throws InvalidConfig if the mechanism is none; names it
-const SixAxisArm& requireSixAxisArm(const Mechanism& mechanism);
+/// @throws InvalidConfig if the kinematic model is none; names it
+const SixAxisArm& requireSixAxisArm(const KinematicModel& model);
 
 /// @throws InvalidConfig as `serialChain` and `armChain`
-std::unique_ptr<Mechanism> sixAxisArm(const urdf::ModelInterface& model, const std::string& text);
+std::unique_ptr<KinematicModel> sixAxisArm(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

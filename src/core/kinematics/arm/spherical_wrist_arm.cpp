@@ -8,7 +8,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kOnAxis = 1e-7;    // mm: beneath what results are held to
+constexpr double kOnAxis = 1e-7;    // mm: below what results are held to
 constexpr double kInLine = 1e-10;   // rad
 constexpr double kStretch = 1e-10;  // by how much rounding brings the cosine of an elbow beyond 1
 

@@ -35,14 +35,14 @@ bool isRobot(const urdf::ModelInterface& model) {
   return !model.getJoint(kAxisNames[0]) && (model.getJoint("joint_1") || model.getJoint("crank_1"));
 }
 
-Machine roomOverBed(const urdf::ModelInterface& model, const std::string& text) {
+CartesianMachine roomOverBed(const urdf::ModelInterface& model, const std::string& text) {
   const auto bed = model.getLink("bed");
   if (!bed) throw InvalidConfig("machine '" + model.getName() + "' has no link 'bed'");
   if (bed->collision_array.empty())
     throw InvalidConfig("machine '" + model.getName() +
                         "': link 'bed' has no collision body; expected one of the size of the plate");
   const Box3 box = bedBox(*bed);
-  Machine machine;
+  CartesianMachine machine;
   machine.name = model.getName();
   machine.urdf = text;
   for (int i = 0; i < 3; ++i) {
@@ -54,7 +54,7 @@ Machine roomOverBed(const urdf::ModelInterface& model, const std::string& text) 
     axis.max_speed_mm_s = kSpeed;
   }
   machine.bed_from_nozzle_at_zero.linear() = nozzleDown().toRotationMatrix();
-  const std::unique_ptr<Mechanism> robot = mechanismFromUrdf(text);
+  const std::unique_ptr<KinematicModel> robot = kinematicModelFromUrdf(text);
   for (const DrivenJoint& joint : robot->joints()) machine.rotary_joints.push_back(joint.name);
   return machine;
 }

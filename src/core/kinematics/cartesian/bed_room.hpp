@@ -10,12 +10,12 @@
 
 namespace lamina {
 
-/// Whether it is an arm or a platform, told by joint_1 or crank_1: no machine of axes x, y and z.
+/// Whether it is an arm or a platform, reported by joint_1 or crank_1: no machine of axes x, y and z.
 bool isRobot(const urdf::ModelInterface& model);
 
 /// A robot as slicing and placing see it: the room over the bodies of its bed, in which axes along the bed's
-/// carry an upright nozzle. What of it the robot reaches, and how, a joint path tells.
+/// carry an upright nozzle. What of it the robot reaches, and how, a joint path reports.
 /// @throws InvalidConfig if it has no link `bed`, or that no collision body
-Machine roomOverBed(const urdf::ModelInterface& model, const std::string& text);
+CartesianMachine roomOverBed(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

@@ -13,12 +13,12 @@
 namespace lamina {
 namespace {
 
-constexpr double kJetTolerance = 0.01 * M_PI / 180.0;  // far beneath what a head is built to
-constexpr double kEndless = 1e6;                       // mm
-constexpr double kRightAngle = 1e-6;                   // rad: digits of a URDF
-constexpr double kLimitTolerance = 1e-6;               // mm: rounding of transforms
+constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // far below what a head is built to
+constexpr double kEndless = 1e6;                            // mm
+constexpr double kRightAngle = 1e-6;                        // rad: digits of a URDF
+constexpr double kLimitTolerance = 1e-6;                    // mm: rounding of transforms
 
-Eigen::Matrix3d directions(const Machine& machine) {
+Eigen::Matrix3d directions(const CartesianMachine& machine) {
   Eigen::Matrix3d columns;
   for (int i = 0; i < 3; ++i) columns.col(i) = machine.axes[static_cast<std::size_t>(i)].direction;
   return columns;
@@ -31,7 +31,7 @@ std::string number(double value) {
 }
 
 /// Why the values are out of the limits; empty if they are not.
-std::string limitFault(const Machine& machine, const AxisValues& values) {
+std::string limitFault(const CartesianMachine& machine, const AxisValues& values) {
   for (int i = 0; i < 3; ++i) {
     const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
     const double high_mm = isEndless(axis) ? std::numeric_limits<double>::max() : axis.high_mm;
@@ -42,11 +42,11 @@ std::string limitFault(const Machine& machine, const AxisValues& values) {
   return "";
 }
 
-/// Why the jet is out of reach; empty if it is not.
-std::string jetFault(const Machine& machine, const Point3& jet) {
+/// Why the tool axis is out of reach; empty if it is not.
+std::string toolAxisFault(const CartesianMachine& machine, const Point3& tool_axis) {
   const Point3 own = machine.bed_from_nozzle_at_zero.linear().col(2);
-  const double angle = std::atan2(own.cross(jet).norm(), own.dot(jet));
-  if (angle <= kJetTolerance) return "";
+  const double angle = std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis));
+  if (angle <= kToolAxisTolerance) return "";
   const std::string turn = "the nozzle would have to turn by " + number(angle * 180.0 / M_PI) + " deg; ";
   if (machine.rotary_joints.empty()) return turn + "the head of " + machine.name + " is fixed";
   return turn + "the linear axes of " + machine.name + " alone hold it as it is with joints " +
@@ -58,7 +58,7 @@ enum class Checked { Pose, Tip };
 /// Checks the paths of one layer with what it needs once.
 class ReachCheck {
  public:
-  ReachCheck(const Machine& machine, const Eigen::Isometry3d& bed_from_part, Checked checked)
+  ReachCheck(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_part, Checked checked)
       : machine_(machine),
         bed_from_part_(bed_from_part),
         values_from_bed_(directions(machine).inverse()),
@@ -69,12 +69,13 @@ class ReachCheck {
     const AxisValues values = values_from_bed_ * (position - machine_.bed_from_nozzle_at_zero.translation());
     std::string found = limitFault(machine_, values);
     if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
-      found = jetFault(machine_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
+      found = toolAxisFault(machine_,
+                            bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
     return found;
   }
 
  private:
-  const Machine& machine_;
+  const CartesianMachine& machine_;
   const Eigen::Isometry3d& bed_from_part_;
   Eigen::Matrix3d values_from_bed_;
   Checked checked_;
@@ -107,14 +108,14 @@ void requireNoFault(const Toolpath& toolpath, const ReachCheck& check) {
 
 bool isEndless(const MachineAxis& axis) { return axis.high_mm - axis.low_mm >= kEndless; }
 
-Machine withUprightHead(Machine machine) {
+CartesianMachine withUprightHead(CartesianMachine machine) {
   const Eigen::Isometry3d bed_from_sensor = machine.bed_from_nozzle_at_zero * machine.nozzle_from_sensor;
   machine.bed_from_nozzle_at_zero.linear() = nozzleDown().toRotationMatrix();
   machine.nozzle_from_sensor = machine.bed_from_nozzle_at_zero.inverse() * bed_from_sensor;
   return machine;
 }
 
-Box3 workspace(const Machine& machine) {
+Box3 workspace(const CartesianMachine& machine) {
   Box3 box;
   for (int corner = 0; corner < 8; ++corner) {
     AxisValues values;
@@ -127,11 +128,11 @@ Box3 workspace(const Machine& machine) {
   return box;
 }
 
-Eigen::Isometry3d bedFromNozzle(const Machine& machine, const AxisValues& values) {
+Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValues& values) {
   return Eigen::Translation3d(directions(machine) * values) * machine.bed_from_nozzle_at_zero;
 }
 
-Point2 sensorOffset(const Machine& machine) {
+Point2 sensorOffset(const CartesianMachine& machine) {
   const Eigen::Matrix3d bed_from_nozzle = machine.bed_from_nozzle_at_zero.linear();
   const Point3 position = bed_from_nozzle * machine.nozzle_from_sensor.translation();
   const Point3 view = bed_from_nozzle * machine.nozzle_from_sensor.linear().col(2);
@@ -139,25 +140,25 @@ Point2 sensorOffset(const Machine& machine) {
   return (position - view * (position.z() / view.z())).head<2>();
 }
 
-AxisValues axisValues(const Machine& machine, const Point3& position) {
+AxisValues axisValues(const CartesianMachine& machine, const Point3& position) {
   return directions(machine).inverse() * (position - machine.bed_from_nozzle_at_zero.translation());
 }
 
-Eigen::Affine3d axesFromBed(const Machine& machine) {
+Eigen::Affine3d axesFromBed(const CartesianMachine& machine) {
   Eigen::Affine3d axes = Eigen::Affine3d::Identity();
   axes.linear() = directions(machine).inverse();
   axes.translation() = -axes.linear() * machine.bed_from_nozzle_at_zero.translation();
   return axes;
 }
 
-Eigen::Affine3d programFromBed(const Machine& machine) {
+Eigen::Affine3d programFromBed(const CartesianMachine& machine) {
   const Eigen::Matrix3d columns = directions(machine);
   const bool has_right_angles = (columns.transpose() * columns).isIdentity(kRightAngle);
   return has_right_angles ? Eigen::Affine3d::Identity() : axesFromBed(machine);
 }
 
-AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed_from_nozzle) {
-  const std::string turned = jetFault(machine, bed_from_nozzle.linear().col(2));
+AxisValues axisValuesWithin(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_nozzle) {
+  const std::string turned = toolAxisFault(machine, bed_from_nozzle.linear().col(2));
   if (!turned.empty()) throw Unreachable(turned);
   AxisValues values = axisValues(machine, bed_from_nozzle.translation());
   const std::string outside = limitFault(machine, values);
@@ -166,25 +167,25 @@ AxisValues axisValuesWithin(const Machine& machine, const Eigen::Isometry3d& bed
 }
 
 void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const Machine& machine) {
+                      const CartesianMachine& machine) {
   requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Pose));
 }
 
-double greatestJetTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                       const Machine& machine) {
+double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                            const CartesianMachine& machine) {
   const Point3 own = bed_from_part.linear().transpose() * machine.bed_from_nozzle_at_zero.linear().col(2);
   double greatest = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
       for (const Eigen::Quaterniond& orientation : path.orientation.values()) {
-        const Point3 jet = orientation * Point3::UnitZ();
-        greatest = std::max(greatest, std::atan2(own.cross(jet).norm(), own.dot(jet)));
+        const Point3 tool_axis = orientation * Point3::UnitZ();
+        greatest = std::max(greatest, std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis)));
       }
   return greatest;
 }
 
 void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                          const Machine& machine) {
+                          const CartesianMachine& machine) {
   requireNoFault(toolpath, ReachCheck(machine, bed_from_part, Checked::Tip));
 }
 

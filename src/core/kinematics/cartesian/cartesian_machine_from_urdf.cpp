@@ -44,14 +44,14 @@ std::vector<std::string> machineNames() {
   return names;
 }
 
-Machine machineByName(const std::string& name) {
+CartesianMachine machineByName(const std::string& name) {
   for (const auto* texts : {&machineTexts(), &robotTexts()})
     for (const MachineText& text : *texts)
       if (text.name == name) return machineFromUrdf(text.urdf);
-  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(mechanismNames()));
+  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(kinematicModelNames()));
 }
 
-Machine machineFromUrdf(const std::string& text) {
+CartesianMachine machineFromUrdf(const std::string& text) {
   const auto model = parseMachine(text);
   if (isRobot(*model)) return roomOverBed(*model, text);
   const LinkMotion bed = motionOf(*model, "bed");
@@ -65,7 +65,7 @@ Machine machineFromUrdf(const std::string& text) {
   if (!(std::abs(directions.determinant()) > kLeastVolume))
     throw InvalidConfig("machine '" + model->getName() + "': the axes x, y and z do not span space");
 
-  Machine machine;
+  CartesianMachine machine;
   machine.name = model->getName();
   machine.urdf = text;
   for (int i = 0; i < 3; ++i)

@@ -34,7 +34,7 @@ double extent(const BodyShape& shape, const Point3& direction) {
   return std::visit([&](const auto& solid) { return extentOf(solid, direction); }, shape);
 }
 
-std::vector<MachineBody> movingBodies(const Machine& machine) {
+std::vector<MachineBody> movingBodies(const CartesianMachine& machine) {
   const auto model = parseMachine(machine.urdf);
   const LinkMotion bed = motionOf(*model, "bed");
   const Eigen::Isometry3d bed_from_root = bed.root_from_link.inverse();

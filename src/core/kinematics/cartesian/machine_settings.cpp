@@ -7,16 +7,17 @@
 namespace lamina {
 
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning) {
-  schema.choice("machine.name", settings.name, mechanismNames(), meaning);
+  schema.choice("machine.name", settings.name, kinematicModelNames(), meaning);
   schema.text("machine.urdf", settings.urdf, "File that describes the machine; empty takes the named one.");
 }
 
-Machine machineOf(const MachineSettings& settings) {
+CartesianMachine machineOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
 }
 
-std::unique_ptr<Mechanism> mechanismOf(const MachineSettings& settings) {
-  return settings.urdf.empty() ? mechanismByName(settings.name) : mechanismFromUrdf(readFile(settings.urdf));
+std::unique_ptr<KinematicModel> kinematicModelOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? kinematicModelByName(settings.name)
+                               : kinematicModelFromUrdf(readFile(settings.urdf));
 }
 
 }  // namespace lamina

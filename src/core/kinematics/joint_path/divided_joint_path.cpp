@@ -17,19 +17,19 @@ constexpr int kMostSteps = 64;  // that a motion is divided into at once
 
 double angleBetween(const Point3& a, const Point3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-MotionDeviation deviation(const JointValues& from, const JointValues& to, const Mechanism& mechanism) {
-  const Eigen::Isometry3d start = mechanism.bedFromNozzle(from);
-  const Eigen::Isometry3d end = mechanism.bedFromNozzle(to);
-  const Eigen::Isometry3d half = mechanism.bedFromNozzle(0.5 * (from + to));
+MotionDeviation deviation(const JointValues& from, const JointValues& to, const KinematicModel& model) {
+  const Eigen::Isometry3d start = model.bedFromNozzle(from);
+  const Eigen::Isometry3d end = model.bedFromNozzle(to);
+  const Eigen::Isometry3d half = model.bedFromNozzle(0.5 * (from + to));
   const Point3 middle = 0.5 * (start.translation() + end.translation());
   const Eigen::Quaterniond turned =
       Eigen::Quaterniond(start.linear()).slerp(0.5, Eigen::Quaterniond(end.linear()));
-  Point3 jet = turned * Point3::UnitZ();
-  if (mechanism.jetSpin() == JetSpin::Free) {
+  Point3 tool_axis = turned * Point3::UnitZ();
+  if (model.toolAxisSpin() == ToolAxisSpin::Free) {
     const Point3 mean = start.linear().col(2) + end.linear().col(2);
-    if (mean.norm() > 0.0) jet = mean;
+    if (mean.norm() > 0.0) tool_axis = mean;
   }
-  return {(half.translation() - middle).norm(), angleBetween(jet, half.linear().col(2))};
+  return {(half.translation() - middle).norm(), angleBetween(tool_axis, half.linear().col(2))};
 }
 
 bool isSteady(const JointValues& from, const JointValues& to, const std::vector<JointRange>& ranges,
@@ -44,18 +44,18 @@ bool isSteady(const JointValues& from, const JointValues& to, const std::vector<
 /// The deviation of a motion that is curved shrinks with the square of the steps.
 int stepsFor(const MotionDeviation& deviation, const MotionDivision& division) {
   const double excess = std::max(deviation.tip_mm / division.tip_tolerance_mm,
-                                 deviation.jet / (division.jet_tolerance_deg * M_PI / 180.0));
+                                 deviation.tool_axis / (division.tool_axis_tolerance_deg * M_PI / 180.0));
   if (!(excess > 1.0)) return 1;
   return std::min(kMostSteps, std::max(2, static_cast<int>(std::ceil(std::sqrt(excess)))));
 }
 
 /// Where the joints start anew by whole turns, for each waypoint: both lists are in the order of the motion.
-std::vector<char> woundUpAt(const JointPath& path) {
+std::vector<char> unwindingAt(const JointPath& path) {
   std::vector<char> is_wound_up(path.at.size(), 0);
   std::size_t i = 0;
   for (const FaultyWaypoint& faulty : path.faults) {
     while (i + 1 < path.at.size() && path.at[i] != faulty.at) ++i;
-    if (faulty.fault == JointFault::WindUp) is_wound_up[i] = 1;
+    if (faulty.fault == JointFault::JointUnwinding) is_wound_up[i] = 1;
   }
   return is_wound_up;
 }
@@ -64,7 +64,7 @@ MotionDeviation greatestOf(const std::vector<MotionDeviation>& deviations) {
   MotionDeviation greatest;
   for (const MotionDeviation& one : deviations) {
     greatest.tip_mm = std::max(greatest.tip_mm, one.tip_mm);
-    greatest.jet = std::max(greatest.jet, one.jet);
+    greatest.tool_axis = std::max(greatest.tool_axis, one.tool_axis);
   }
   return greatest;
 }
@@ -72,10 +72,11 @@ MotionDeviation greatestOf(const std::vector<MotionDeviation>& deviations) {
 }  // namespace
 
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
-                                              const Mechanism& mechanism, const JointPathSettings& settings) {
-  const std::vector<JointRange> ranges = jointRanges(mechanism.joints());
+                                              const KinematicModel& model,
+                                              const JointPathSettings& settings) {
+  const std::vector<JointRange> ranges = jointRanges(model.joints());
   const double most_turn = settings.max_turn_deg * M_PI / 180.0;
-  const std::vector<char> is_wound_up = woundUpAt(path);
+  const std::vector<char> is_wound_up = unwindingAt(path);
   std::vector<MotionDeviation> deviations(path.at.size());
   NoProgress silent;
   const auto measure = [&](std::size_t i) {
@@ -86,20 +87,20 @@ std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolp
     const bool is_travel = toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel;
     if (is_wound_up[i]) return;
     if (is_travel && !isSteady(path.values[i - 1], path.values[i], ranges, most_turn)) return;
-    deviations[i] = deviation(path.values[i - 1], path.values[i], mechanism);
+    deviations[i] = deviation(path.values[i - 1], path.values[i], model);
   };
   parallelFor(path.at.size(), measure, silent, "joints");
   return deviations;
 }
 
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                                      const Mechanism& mechanism, const JointPathSettings& settings,
+                                      const KinematicModel& model, const JointPathSettings& settings,
                                       Progress& progress) {
-  return planDividedJointPath(std::move(toolpath), bed_from_part, {mechanism, NoGuard()}, settings, progress);
+  return planDividedJointPath(std::move(toolpath), bed_from_part, {model, NoGuard()}, settings, progress);
 }
 
 DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
-                                      const GuardedMechanism& guarded, const JointPathSettings& settings,
+                                      const GuardedModel& guarded, const JointPathSettings& settings,
                                       Progress& progress) {
   validate(settings);
   DividedJointPath result;
@@ -107,7 +108,7 @@ DividedJointPath planDividedJointPath(Toolpath toolpath, const Eigen::Isometry3d
   for (int division = 0;; ++division) {
     result.joints = planJointPath(result.divided.toolpath, bed_from_part, guarded, settings, progress);
     const std::vector<MotionDeviation> deviations =
-        motionDeviations(result.joints, result.divided.toolpath, guarded.mechanism, settings);
+        motionDeviations(result.joints, result.divided.toolpath, guarded.model, settings);
     result.greatest = greatestOf(deviations);
     std::vector<int> steps;
     steps.reserve(deviations.size());

@@ -16,8 +16,8 @@ const char* toString(JointFault fault) {
       return "singular";
     case JointFault::Jump:
       return "jump";
-    case JointFault::WindUp:
-      return "wind_up";
+    case JointFault::JointUnwinding:
+      return "joint_unwinding";
   }
   return "unknown";
 }

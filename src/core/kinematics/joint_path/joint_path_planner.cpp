@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "kinematics/joint_path/station_joints.hpp"
 #include "kinematics/joint_path/joint_unwinding.hpp"
+#include "kinematics/joint_path/station_joints.hpp"
 
 namespace lamina {
 
@@ -27,10 +27,10 @@ std::vector<WindLink> windLinks(const std::vector<StationJoints>& joints,
   return links;
 }
 
-StationFault woundUp(const WoundUp& at, const RungSolver& solver, const Mechanism& mechanism) {
+StationFault woundUp(const WoundUp& at, const RungSolver& solver, const KinematicModel& model) {
   const JointRange& range = solver.ranges()[at.joint];
-  return {at.index, JointFault::WindUp,
-          "joint " + mechanism.joints()[at.joint].name + " runs out of its limits, " +
+  return {at.index, JointFault::JointUnwinding,
+          "joint " + model.joints()[at.joint].name + " runs out of its limits, " +
               jointValueText(range, range.low) + " to " + jointValueText(range, range.high) +
               ", since the travel before, and would have to be wound back while depositing"};
 }
@@ -44,7 +44,7 @@ std::size_t unwindStations(StationWayThrough& way, const StationTask& task) {
   for (std::size_t i = 0; i < way.stations.size(); ++i) way.stations[i].values = unwound.values[i];
   for (const WoundUp& at : unwound.wound_up) {
     way.stations[at.index].is_linked = false;
-    way.faults.push_back(woundUp(at, task.solver, task.mechanism));
+    way.faults.push_back(woundUp(at, task.solver, task.model));
   }
   return unwound.rewinds;
 }
@@ -72,19 +72,18 @@ JointPath jointPathOf(const StationList& list, StationWayThrough way, std::size_
 }  // namespace
 
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                        const Mechanism& mechanism, const JointPathSettings& settings, Progress& progress) {
-  return planJointPath(toolpath, bed_from_part, {mechanism, NoGuard()}, settings, progress);
+                        const KinematicModel& model, const JointPathSettings& settings, Progress& progress) {
+  return planJointPath(toolpath, bed_from_part, {model, NoGuard()}, settings, progress);
 }
 
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                        const GuardedMechanism& guarded, const JointPathSettings& settings,
-                        Progress& progress) {
+                        const GuardedModel& guarded, const JointPathSettings& settings, Progress& progress) {
   validate(settings);
   StationList list = stationsOf(toolpath, bed_from_part);
   if (list.stations.empty()) return {};
-  setExternalAxes(list.stations, guarded.mechanism, settings);
+  setExternalAxes(list.stations, guarded.model, settings);
   const RungSolver solver(guarded, settings);
-  const StationTask task{list.stations, guarded.mechanism, solver, settings};
+  const StationTask task{list.stations, guarded.model, solver, settings};
   StationWayThrough way = searchLadder(task, progress);
   if (settings.is_yaw_smoothed) smoothSamples(way.stations, task, progress);
   steadySwings(way.stations, task);

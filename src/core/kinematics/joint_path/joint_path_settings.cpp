@@ -7,17 +7,19 @@ namespace lamina {
 namespace {
 
 void describeYaw(SettingsSchema& schema, JointPathSettings& settings) {
-  schema.choice<YawChoice>("joints.yaw", settings.yaw, {{"free", YawChoice::Free}, {"held", YawChoice::Held}},
-                           "Whether the turn of the nozzle about its jet is chosen or held as the toolpath "
-                           "has it.");
+  schema.choice<YawChoice>(
+      "joints.yaw", settings.yaw, {{"free", YawChoice::Free}, {"held", YawChoice::Held}},
+      "Whether the turn of the nozzle about its tool axis is chosen or held as the toolpath "
+      "has it.");
   schema.integer("joints.yaw_samples", settings.yaw_samples, {1, 360, false},
-                 "Turns about the jet that are looked at.");
-  schema.integer("joints.yaw_reach", settings.yaw_reach, {0, 180, false},
-                 "Samples by which the turn about the jet may change from a waypoint to the next, at most.");
+                 "Turns about the tool axis that are looked at.");
+  schema.integer(
+      "joints.yaw_reach", settings.yaw_reach, {0, 180, false},
+      "Samples by which the turn about the tool axis may change from a waypoint to the next, at most.");
   schema.number("joints.yaw_weight", settings.yaw_weight, {0.0, 1000.0, false},
-                "What turning about the jet costs; a joint costs 1 over its greatest speed, squared.");
+                "What turning about the tool axis costs; a joint costs 1 over its greatest speed, squared.");
   schema.flag("joints.smooth_yaw", settings.is_yaw_smoothed,
-              "Whether the turn about the jet is smoothed after the samples are chosen.");
+              "Whether the turn about the tool axis is smoothed after the samples are chosen.");
 }
 
 void describeSingularities(SettingsSchema& schema, JointPathSettings& settings) {
@@ -27,11 +29,14 @@ void describeSingularities(SettingsSchema& schema, JointPathSettings& settings) 
                 "What a second in a singularity costs.");
   schema.number("joints.least_margin_deg", settings.least_margin_deg, {0.0, 90.0, false},
                 "Angle from a singularity below which a waypoint cannot be run.");
-  schema.number("joints.singular_jet_tolerance_deg", settings.singular_jet_tolerance_deg, {0.0, 20.0, false},
-                "Angle by which the jet may leave the toolpath's so that a machine passes a singularity.");
   schema.number(
-      "joints.swing_tolerance_deg", settings.swing_tolerance_deg, {0.0, 20.0, false},
-      "Angle by which the jet may leave the toolpath's so that a rotary joint of a machine swings less.");
+      "joints.singular_tool_axis_tolerance_deg", settings.singular_tool_axis_tolerance_deg,
+      {0.0, 20.0, false},
+      "Angle by which the tool axis may leave the toolpath's so that a machine passes a singularity.");
+  schema.renamed("joints.singular_jet_tolerance_deg", "joints.singular_tool_axis_tolerance_deg");
+  schema.number("joints.swing_tolerance_deg", settings.swing_tolerance_deg, {0.0, 20.0, false},
+                "Angle by which the tool axis may leave the toolpath's so that a rotary joint of a machine "
+                "swings less.");
   schema.number("joints.max_slowdown", settings.max_slowdown, {1.0, 1e6, false},
                 "How many times longer than at its feed a motion near a singularity may take, at most.");
 }
@@ -39,11 +44,12 @@ void describeSingularities(SettingsSchema& schema, JointPathSettings& settings) 
 void describeExternal(SettingsSchema& schema, JointPathSettings& settings) {
   schema.choice<ExternalChoice>("joints.external", settings.external,
                                 {{"held", ExternalChoice::Held}, {"follow", ExternalChoice::Follow}},
-                                "Whether the table of an arm is held or turned with the jet.");
+                                "Whether the table of an arm is held or turned with the tool axis.");
   schema.number("joints.external_deg", settings.external_deg, {-3600.0, 3600.0, false},
                 "Where external axes are held, or where the one that follows starts.");
-  schema.number("joints.external_azimuth_deg", settings.external_azimuth_deg, {-180.0, 180.0, false},
-                "Direction over the table, from away from the robot, in which jets go if the table follows.");
+  schema.number(
+      "joints.external_azimuth_deg", settings.external_azimuth_deg, {-180.0, 180.0, false},
+      "Direction over the table, from away from the robot, in which tool axes go if the table follows.");
 }
 
 }  // namespace
@@ -54,7 +60,7 @@ void describe(SettingsSchema& schema, JointPathSettings& settings) {
                 "Turn of a joint in one motion, other than a travel, above which it is a jump.");
   schema.choice<BranchChange>("joints.branch_change", settings.branch_change,
                               {{"travel", BranchChange::OnTravel}, {"never", BranchChange::Never}},
-                              "Where the mechanism may go over to another of its branches.");
+                              "Where the kinematic model may go over to another of its branches.");
   schema.number("joints.branch_change_cost", settings.branch_change_cost, {0.0, 1e6, false},
                 "What a change of branch costs.");
   schema.number("joints.limit_margin_deg", settings.limit_margin_deg, {0.0, 90.0, false},

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "kinematics/model/joint_ranges.hpp"
 #include "kinematics/joint_path/rung.hpp"
 #include "kinematics/joint_path/stations.hpp"
+#include "kinematics/model/joint_ranges.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 
 namespace lamina {

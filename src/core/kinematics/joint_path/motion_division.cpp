@@ -105,8 +105,9 @@ void describe(SettingsSchema& schema, MotionDivision& division) {
                 "Turn of the nozzle above which a motion is divided before joints are found.");
   schema.number("joints.tip_tolerance_mm", division.tip_tolerance_mm, {1e-4, 100.0, false},
                 "How far steady joints may lead the nozzle tip off a motion's straight line.");
-  schema.number("joints.jet_tolerance_deg", division.jet_tolerance_deg, {1e-3, 90.0, false},
-                "How far steady joints may lead the jet off a motion's steady turn.");
+  schema.number("joints.tool_axis_tolerance_deg", division.tool_axis_tolerance_deg, {1e-3, 90.0, false},
+                "How far steady joints may lead the tool axis off a motion's steady turn.");
+  schema.renamed("joints.jet_tolerance_deg", "joints.tool_axis_tolerance_deg");
 }
 
 DividedToolpath undivided(Toolpath toolpath) {

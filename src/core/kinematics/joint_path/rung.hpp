@@ -10,7 +10,7 @@ namespace lamina {
 /// What the samples of a rung are.
 enum class SampleKind : std::uint8_t {
   Single,     ///< one: the pose as it is
-  Yaw,        ///< turns of the nozzle about its jet
+  Yaw,        ///< turns of the nozzle about its tool axis
   FreeJoint,  ///< values of the joint that is free in a singularity
 };
 

@@ -15,7 +15,7 @@ constexpr double kDegree = M_PI / 180.0;
 /// a waypoint's orientation is accurate to.
 constexpr double kExactlySingular = 1e-7;
 
-/// The pose with the nozzle turned about its jet.
+/// The pose with the nozzle turned about its tool axis.
 Eigen::Isometry3d yawed(const Eigen::Isometry3d& bed_from_nozzle, double yaw) {
   const double c = std::cos(yaw);
   const double s = std::sin(yaw);
@@ -31,10 +31,10 @@ std::string marginText(double margin) {
 
 }  // namespace
 
-RungSolver::RungSolver(const GuardedMechanism& guarded, const JointPathSettings& settings)
-    : mechanism_(&guarded.mechanism), guard_(&guarded.guard), settings_(settings) {
-  ranges_ = jointRanges(mechanism_->joints());
-  for (const DrivenJoint& joint : mechanism_->joints()) is_external_.push_back(isExternal(joint.name));
+RungSolver::RungSolver(const GuardedModel& guarded, const JointPathSettings& settings)
+    : model_(&guarded.model), guard_(&guarded.guard), settings_(settings) {
+  ranges_ = jointRanges(model_->joints());
+  for (const DrivenJoint& joint : model_->joints()) is_external_.push_back(isExternal(joint.name));
 }
 
 JointValues RungSolver::nearFor(double external) const {
@@ -52,48 +52,47 @@ JointValues RungSolver::withFree(JointValues near, double free_value) const {
 
 RungSolver::Asked RungSolver::askedAt(const Station& station) const {
   Asked asked{SampleKind::Single, station.pose(), nearFor(station.external)};
-  const bool is_free = mechanism_->jetSpin() == JetSpin::Free;
+  const bool is_free = model_->toolAxisSpin() == ToolAxisSpin::Free;
   if (!is_free && settings_.yaw == YawChoice::Free) {
     asked.kind = SampleKind::Yaw;
     return asked;
   }
-  const auto solutions = mechanism_->solutions(asked.bed_from_nozzle, asked.near);
+  const auto solutions = model_->solutions(asked.bed_from_nozzle, asked.near);
   if (solutions.empty()) return asked;
   const JointValues& values = solutions.front().values;
-  const double margin = mechanism_->singularityMargin(values);
+  const double margin = model_->singularityMargin(values);
   const double tolerance =
-      std::max(kExactlySingular, is_free ? settings_.singular_jet_tolerance_deg * kDegree : 0.0);
+      std::max(kExactlySingular, is_free ? settings_.singular_tool_axis_tolerance_deg * kDegree : 0.0);
   if (margin > std::sin(tolerance)) return asked;
   asked.kind = SampleKind::FreeJoint;
   if (is_free) asked.bed_from_nozzle = passing(asked.bed_from_nozzle, values);
   return asked;
 }
 
-/// The pose with its jet along the rotary axis next to it, about which the joint is then free.
+/// The pose with its tool axis along the rotary axis next to it, about which the joint is then free.
 Eigen::Isometry3d RungSolver::passing(const Eigen::Isometry3d& bed_from_nozzle,
                                       const JointValues& values) const {
-  const Jacobian jacobian = mechanism_->jacobian(values);
-  const Point3 jet = bed_from_nozzle.linear().col(2);
-  Point3 nearest = jet;
+  const Jacobian jacobian = model_->jacobian(values);
+  const Point3 tool_axis = bed_from_nozzle.linear().col(2);
+  Point3 nearest = tool_axis;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < ranges_.size(); ++j) {
     if (!ranges_[j].is_rotary || is_external_[j]) continue;
     const Point3 axis = jacobian.col(static_cast<Eigen::Index>(j)).tail<3>().normalized();
-    const double sine = axis.cross(jet).norm();
+    const double sine = axis.cross(tool_axis).norm();
     if (sine >= least) continue;
     least = sine;
-    nearest = axis.dot(jet) < 0.0 ? Point3(-axis) : axis;
+    nearest = axis.dot(tool_axis) < 0.0 ? Point3(-axis) : axis;
   }
   Eigen::Isometry3d passed = bed_from_nozzle;
-  passed.linear() = Eigen::Quaterniond::FromTwoVectors(jet, nearest) * bed_from_nozzle.linear();
+  passed.linear() = Eigen::Quaterniond::FromTwoVectors(tool_axis, nearest) * bed_from_nozzle.linear();
   return passed;
 }
 
 InverseSolutions RungSolver::solutionsAt(const Asked& asked, double coordinate) const {
-  InverseSolutions found =
-      asked.kind == SampleKind::FreeJoint
-          ? mechanism_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate))
-          : mechanism_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
+  InverseSolutions found = asked.kind == SampleKind::FreeJoint
+                               ? model_->solutions(asked.bed_from_nozzle, withFree(asked.near, coordinate))
+                               : model_->solutions(yawed(asked.bed_from_nozzle, coordinate), asked.near);
   for (InverseSolution& solution : found)
     for (std::size_t j = 0; j < ranges_.size(); ++j) {
       double& value = solution.values[static_cast<Eigen::Index>(j)];
@@ -113,7 +112,7 @@ bool RungSolver::isAllowed(const JointValues& values) const {
 }
 
 double RungSolver::penaltyOf(const JointValues& values) const {
-  const double margin = mechanism_->singularityMargin(values);
+  const double margin = model_->singularityMargin(values);
   if (margin < std::sin(settings_.least_margin_deg * kDegree)) return std::numeric_limits<double>::infinity();
   const double avoided = std::sin(settings_.singular_margin_deg * kDegree);
   double penalty = margin < avoided ? settings_.singular_weight * std::pow(1.0 - margin / avoided, 2) : 0.0;
@@ -179,7 +178,7 @@ RungSolver::Hindrance RungSolver::limitHindrance(const JointValues& values) cons
     if (isWithin(range, value) || outside <= furthest) continue;
     furthest = outside;
     const bool is_low = value < range.low;
-    hindrance.reason = "joint " + mechanism_->joints()[j].name + " would have to be at " +
+    hindrance.reason = "joint " + model_->joints()[j].name + " would have to be at " +
                        jointValueText(range, value) + "; its " + (is_low ? "least" : "greatest") +
                        " value is " + jointValueText(range, is_low ? range.low : range.high);
   }
@@ -205,7 +204,7 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
       if (outside == 0.0 && !guard_->allows(solution.values)) {
         if (collision.empty()) collision = guard_->hindrance(solution.values);
       } else if (outside == 0.0) {
-        best_margin = std::max(best_margin, mechanism_->singularityMargin(solution.values));
+        best_margin = std::max(best_margin, model_->singularityMargin(solution.values));
       }
       if (outside >= least_outside) continue;
       least_outside = outside;
@@ -217,8 +216,7 @@ RungSolver::Hindrance RungSolver::hindrance(const Station& station) const {
                                       " or more"};
   if (!collision.empty()) return {JointFault::SelfCollision, collision};
   if (std::isfinite(least_outside)) return limitHindrance(least);
-  return {JointFault::OutOfReach,
-          "no values of the joints of " + mechanism_->name() + " bring the nozzle there"};
+  return {JointFault::OutOfReach, "no values of the joints of " + model_->name() + " bring the nozzle there"};
 }
 
 }  // namespace lamina

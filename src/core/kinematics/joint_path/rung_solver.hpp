@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "kinematics/model/joint_ranges.hpp"
 #include "kinematics/joint_path/rung.hpp"
 #include "kinematics/joint_path/stations.hpp"
+#include "kinematics/model/joint_ranges.hpp"
 #include "lamina/kinematics/joint_path/joint_guard.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
@@ -15,11 +15,11 @@
 
 namespace lamina {
 
-/// Finds all ways in which a mechanism stands at a station. Values that never change; calls may be made from
-/// several threads. Mechanism and guard must outlive it.
+/// Finds all ways in which a kinematic model stands at a station. Values that never change; calls may be made
+/// from several threads. Kinematic model and guard must outlive it.
 class RungSolver {
  public:
-  RungSolver(const GuardedMechanism& guarded, const JointPathSettings& settings);
+  RungSolver(const GuardedModel& guarded, const JointPathSettings& settings);
 
   /// Nodes are within the limits, allowed by the guard and no nearer to a singularity than the settings
   /// allow; rotary values are those next to the middle of the limits. No node at all if the station cannot be
@@ -30,7 +30,7 @@ class RungSolver {
   /// @return nothing if there is none
   std::optional<JointValues> at(const Station& station, SampleKind kind, double coordinate, int branch) const;
 
-  /// What keeps the mechanism from a station whose rung has no node.
+  /// What keeps the kinematic model from a station whose rung has no node.
   struct Hindrance {
     JointFault fault = JointFault::OutOfReach;
     std::string reason;
@@ -59,7 +59,7 @@ class RungSolver {
   double penaltyOf(const JointValues& values) const;
   Hindrance limitHindrance(const JointValues& values) const;
 
-  const Mechanism* mechanism_;
+  const KinematicModel* model_;
   const JointGuard* guard_;
   JointPathSettings settings_;
   std::vector<JointRange> ranges_;

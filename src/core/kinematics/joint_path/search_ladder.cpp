@@ -12,15 +12,15 @@ namespace lamina {
 
 namespace {
 
-constexpr std::size_t kBlock = 64;                 // rungs held at a time, twice
-constexpr double kSteadyJet = 0.1 * M_PI / 180.0;  // far beneath what a head is held to
+constexpr std::size_t kBlock = 64;                      // rungs held at a time, twice
+constexpr double kSteadyToolAxis = 0.1 * M_PI / 180.0;  // far below what a head is held to
 const std::string kStage = "joints";
 
 /// Whether half of the steps of the joints turn the nozzle half of the way.
 class HalfWayTest {
  public:
-  HalfWayTest(const Mechanism& mechanism, const std::vector<JointRange>& ranges)
-      : mechanism_(&mechanism), ranges_(&ranges) {}
+  HalfWayTest(const KinematicModel& model, const std::vector<JointRange>& ranges)
+      : model_(&model), ranges_(&ranges) {}
 
   bool operator()(const double* from, const double* to) const {
     const auto count = static_cast<Eigen::Index>(ranges_->size());
@@ -29,28 +29,28 @@ class HalfWayTest {
     JointValues half = start;
     for (std::size_t j = 0; j < ranges_->size(); ++j)
       half[static_cast<Eigen::Index>(j)] += 0.5 * stepBetween((*ranges_)[j], from[j], to[j]);
-    const Eigen::Quaterniond a(mechanism_->bedFromNozzle(start).linear());
-    const Eigen::Quaterniond b(mechanism_->bedFromNozzle(end).linear());
-    const Eigen::Quaterniond between(mechanism_->bedFromNozzle(half).linear());
-    if (mechanism_->jetSpin() == JetSpin::Given)
-      return a.slerp(0.5, b).angularDistance(between) <= kSteadyJet;
-    const Point3 jet = between * Point3::UnitZ();
+    const Eigen::Quaterniond a(model_->bedFromNozzle(start).linear());
+    const Eigen::Quaterniond b(model_->bedFromNozzle(end).linear());
+    const Eigen::Quaterniond between(model_->bedFromNozzle(half).linear());
+    if (model_->toolAxisSpin() == ToolAxisSpin::Given)
+      return a.slerp(0.5, b).angularDistance(between) <= kSteadyToolAxis;
+    const Point3 tool_axis = between * Point3::UnitZ();
     const Point3 mean = a * Point3::UnitZ() + b * Point3::UnitZ();
-    return std::atan2(mean.cross(jet).norm(), mean.dot(jet)) <= kSteadyJet;
+    return std::atan2(mean.cross(tool_axis).norm(), mean.dot(tool_axis)) <= kSteadyToolAxis;
   }
 
  private:
-  const Mechanism* mechanism_;
+  const KinematicModel* model_;
   const std::vector<JointRange>* ranges_;
 };
 
 StationFault jump(const StationTask& task, std::size_t station, const LadderSearch::Cut& cut) {
   if (!std::isfinite(cut.turn))
     return {station, JointFault::Jump, "no solution here is of a branch that the waypoint before has"};
-  const std::string joint = "joint " + task.mechanism.joints()[cut.joint].name;
+  const std::string joint = "joint " + task.model.joints()[cut.joint].name;
   const std::string turn = jointValueText(task.solver.ranges()[cut.joint], std::abs(cut.turn));
   if (cut.is_wound)
-    return {station, JointFault::WindUp,
+    return {station, JointFault::JointUnwinding,
             joint + " is at its limit and would have to be wound back by " + turn + " while depositing"};
   const std::string length = jointValueText({}, task.stations[station].motion.length_mm);
   const std::string most = jointValueText({true}, task.settings.max_turn_deg * M_PI / 180.0);
@@ -64,7 +64,7 @@ class BlockSearch {
   BlockSearch(const StationTask& task, StationWayThrough& way)
       : task_(task),
         way_(way),
-        search_(task.solver.ranges(), task.settings, HalfWayTest(task.mechanism, task.solver.ranges())) {}
+        search_(task.solver.ranges(), task.settings, HalfWayTest(task.model, task.solver.ranges())) {}
 
   /// Solves the rungs from a station on while those solved before are searched.
   void step(std::size_t first) {

@@ -42,12 +42,12 @@ std::vector<StationFault> slowPassages(const std::vector<StationJoints>& joints,
     const Slowest slow = slowest(joints[i - 1].values, joints[i].values, task.solver.ranges());
     const double slowdown = slow.duration_s / motion.duration_s;
     if (slowdown <= task.settings.max_slowdown) continue;
-    const double margin = std::min(task.mechanism.singularityMargin(joints[i - 1].values),
-                                   task.mechanism.singularityMargin(joints[i].values));
+    const double margin = std::min(task.model.singularityMargin(joints[i - 1].values),
+                                   task.model.singularityMargin(joints[i].values));
     if (margin >= near) continue;
     std::ostringstream reason;
     reason.precision(4);
-    reason << "joint " << task.mechanism.joints()[slow.joint].name << " turns by "
+    reason << "joint " << task.model.joints()[slow.joint].name << " turns by "
            << jointValueText(task.solver.ranges()[slow.joint], slow.turn)
            << " beside a singularity, which takes " << slowdown
            << " times as long as the motion at its feed; at most " << task.settings.max_slowdown;

@@ -9,9 +9,9 @@ namespace lamina {
 
 bool isExternal(const std::string& joint) { return joint.rfind("external_", 0) == 0; }
 
-void setExternalAxes(std::vector<Station>& stations, const Mechanism& mechanism,
+void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
                      const JointPathSettings& settings) {
-  const auto& joints = mechanism.joints();
+  const auto& joints = model.joints();
   const bool has_external = std::any_of(joints.begin(), joints.end(),
                                         [](const DrivenJoint& joint) { return isExternal(joint.name); });
   if (!has_external) return;
@@ -20,7 +20,7 @@ void setExternalAxes(std::vector<Station>& stations, const Mechanism& mechanism,
   double value = settings.external_deg * kDegree;
   for (Station& station : stations) {
     if (settings.external == ExternalChoice::Follow)
-      value = tableValue(mechanism, station.orientation * Point3::UnitZ(), heading, value);
+      value = tableValue(model, station.orientation * Point3::UnitZ(), heading, value);
     station.external = value;
   }
 }

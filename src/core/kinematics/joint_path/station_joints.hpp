@@ -17,7 +17,7 @@ namespace lamina {
 /// What joints are looked for. The values must outlive it.
 struct StationTask {
   const std::vector<Station>& stations;
-  const Mechanism& mechanism;
+  const KinematicModel& model;
   const RungSolver& solver;
   const JointPathSettings& settings;
 };
@@ -50,9 +50,9 @@ StationWayThrough searchLadder(const StationTask& task, Progress& progress);
 /// run so, or a joint would turn further than the settings allow, stays as it was.
 void smoothSamples(std::vector<StationJoints>& joints, const StationTask& task, Progress& progress);
 
-/// Lets the rotary joint that a machine's jet is nearly along swing no further than it must for the jet to
-/// stay within `swing_tolerance_deg` of what is asked; the tip stays where it is. A run of which a station
-/// could not be run so stays as it was, as does all on machines of other kinds.
+/// Lets the rotary joint that a machine's tool axis is nearly along swing no further than it must for the
+/// tool axis to stay within `swing_tolerance_deg` of what is asked; the tip stays where it is. A run of which
+/// a station could not be run so stays as it was, as does all on machines of other kinds.
 void steadySwings(std::vector<StationJoints>& stations, const StationTask& task);
 
 /// Where near a singularity a joint is too slow for the feed, by more than the settings allow.

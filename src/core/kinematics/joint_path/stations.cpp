@@ -19,7 +19,7 @@ struct ClearMotion {
   double lift_mm = 0.0;
 };
 
-/// The highest motion of a travel, of these the longest; heights are along the jet, from the part away.
+/// The highest motion of a travel, of these the longest; heights are along the tool axis, from the part away.
 ClearMotion clearMotion(const Path& path) {
   const Point3 up = -(path.orientation.at(0) * Point3::UnitZ());
   const double ground = std::max(up.dot(path.firstPoint()), up.dot(path.lastPoint()));

@@ -17,7 +17,7 @@ namespace lamina {
 /// A motion in place is counted as one of this time [s].
 constexpr double kLeastDuration = 1e-3;
 
-/// What a mechanism may do with its joints on the way to a station.
+/// What a kinematic model may do with its joints on the way to a station.
 enum class StationWay : std::uint8_t {
   Deposition,   ///< or a join of two paths: only what the path asks for
   Travel,       ///< any turn, but no change of branch
@@ -56,10 +56,10 @@ struct StationList {
 
 StationList stationsOf(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part);
 
-/// Puts external axes to the values that the settings ask for; a jet along the table's axis leaves the table
-/// as it was. Does nothing on mechanisms without external axes.
+/// Puts external axes to the values that the settings ask for; a tool axis along the table's axis leaves the
+/// table as it was. Does nothing on kinematic models without external axes.
 /// @throws InvalidConfig if the table is to follow, and the only external axes are no table that turns
-void setExternalAxes(std::vector<Station>& stations, const Mechanism& mechanism,
+void setExternalAxes(std::vector<Station>& stations, const KinematicModel& model,
                      const JointPathSettings& settings);
 
 }  // namespace lamina

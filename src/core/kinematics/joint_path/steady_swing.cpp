@@ -14,30 +14,31 @@ namespace lamina {
 
 namespace {
 
-constexpr double kAlong = 1e-9;  // sine: of a jet along an axis
+constexpr double kAlong = 1e-9;  // sine: of a tool axis along an axis
 constexpr double kSlack = 1e-9;  // rad, of the tolerance
 
-/// The joints of a machine of five axes whose jet is along the axis of one rotary joint while the other is at
-/// zero.
+/// The joints of a machine of five axes whose tool axis is along the axis of one rotary joint while the other
+/// is at zero.
 struct SwingJoints {
   Eigen::Index swinging = 0;
   Eigen::Index tilting = 0;
   std::array<Eigen::Index, 3> linear{};
 };
 
-std::optional<SwingJoints> swingJoints(const Mechanism& mechanism, const std::vector<JointRange>& ranges) {
+std::optional<SwingJoints> swingJoints(const KinematicModel& model, const std::vector<JointRange>& ranges) {
   std::vector<Eigen::Index> linear;
   std::vector<Eigen::Index> rotary;
   for (std::size_t j = 0; j < ranges.size(); ++j)
     (ranges[j].is_rotary ? rotary : linear).push_back(static_cast<Eigen::Index>(j));
-  if (mechanism.jetSpin() == JetSpin::Given || linear.size() != 3 || rotary.size() != 2) return std::nullopt;
+  if (model.toolAxisSpin() == ToolAxisSpin::Given || linear.size() != 3 || rotary.size() != 2)
+    return std::nullopt;
   const JointValues zero = JointValues::Zero(static_cast<Eigen::Index>(ranges.size()));
-  const Point3 jet = mechanism.bedFromNozzle(zero).linear().col(2);
-  const Jacobian jacobian = mechanism.jacobian(zero);
+  const Point3 tool_axis = model.bedFromNozzle(zero).linear().col(2);
+  const Jacobian jacobian = model.jacobian(zero);
   for (std::size_t i = 0; i < 2; ++i) {
     const Point3 axis = jacobian.col(rotary[i]).tail<3>();
     const JointRange& range = ranges[static_cast<std::size_t>(rotary[i])];
-    if (axis.cross(jet).norm() < kAlong && range.winds)
+    if (axis.cross(tool_axis).norm() < kAlong && range.winds)
       return SwingJoints{rotary[i], rotary[1 - i], {linear[0], linear[1], linear[2]}};
   }
   return std::nullopt;
@@ -61,12 +62,12 @@ class SwingSteadying {
   }
 
  private:
-  static Point3 jetOf(const Station& station) { return station.orientation * Point3::UnitZ(); }
+  static Point3 toolAxisOf(const Station& station) { return station.orientation * Point3::UnitZ(); }
 
-  /// By how much the joint may swing off the azimuth of the jet; infinite if it may stand anywhere.
+  /// By how much the joint may swing off the azimuth of the tool axis; infinite if it may stand anywhere.
   double room(const JointValues& values, const Station& station) const {
-    const Point3 axis = task_.mechanism.jacobian(values).col(joints_.swinging).tail<3>().normalized();
-    const double sine = axis.cross(jetOf(station)).norm();
+    const Point3 axis = task_.model.jacobian(values).col(joints_.swinging).tail<3>().normalized();
+    const double sine = axis.cross(toolAxisOf(station)).norm();
     if (sine <= std::sin(tolerance_)) return std::numeric_limits<double>::infinity();
     return std::asin(std::sin(tolerance_) / sine);
   }
@@ -99,25 +100,25 @@ class SwingSteadying {
     return gates;
   }
 
-  /// The jet as near to the station's as the other joint brings it, and the tip there.
+  /// The tool axis as near to the station's as the other joint brings it, and the tip there.
   std::optional<JointValues> swungTo(JointValues values, double swing, const Station& station) const {
-    const Mechanism& mechanism = task_.mechanism;
+    const KinematicModel& model = task_.model;
     const auto& ranges = task_.solver.ranges();
     values[joints_.swinging] = nearMiddle(ranges[static_cast<std::size_t>(joints_.swinging)], swing);
-    const Point3 asked = jetOf(station);
-    Jacobian jacobian = mechanism.jacobian(values);
+    const Point3 asked = toolAxisOf(station);
+    Jacobian jacobian = model.jacobian(values);
     const Point3 axis = jacobian.col(joints_.tilting).tail<3>().normalized();
-    const Point3 jet = mechanism.bedFromNozzle(values).linear().col(2);
-    values[joints_.tilting] +=
-        std::atan2(axis.dot(jet.cross(asked)), jet.dot(asked) - axis.dot(jet) * axis.dot(asked));
+    const Point3 tool_axis = model.bedFromNozzle(values).linear().col(2);
+    values[joints_.tilting] += std::atan2(axis.dot(tool_axis.cross(asked)),
+                                          tool_axis.dot(asked) - axis.dot(tool_axis) * axis.dot(asked));
     // The tip goes straight with the linear joints.
-    jacobian = mechanism.jacobian(values);
+    jacobian = model.jacobian(values);
     Eigen::Matrix3d rates;
     for (std::size_t j = 0; j < 3; ++j)
       rates.col(static_cast<Eigen::Index>(j)) = jacobian.col(joints_.linear[j]).head<3>();
-    const Point3 way = rates.inverse() * (station.position - mechanism.bedFromNozzle(values).translation());
+    const Point3 way = rates.inverse() * (station.position - model.bedFromNozzle(values).translation());
     for (std::size_t j = 0; j < 3; ++j) values[joints_.linear[j]] += way[static_cast<Eigen::Index>(j)];
-    const Point3 own = mechanism.bedFromNozzle(values).linear().col(2);
+    const Point3 own = model.bedFromNozzle(values).linear().col(2);
     const double off = std::atan2(own.cross(asked).norm(), own.dot(asked));
     if (off > tolerance_ + kSlack || !task_.solver.isAllowed(values)) return std::nullopt;
     return values;
@@ -131,7 +132,7 @@ class SwingSteadying {
 }  // namespace
 
 void steadySwings(std::vector<StationJoints>& stations, const StationTask& task) {
-  const auto joints = swingJoints(task.mechanism, task.solver.ranges());
+  const auto joints = swingJoints(task.model, task.solver.ranges());
   if (!joints || !(task.settings.swing_tolerance_deg > 0.0)) return;
   const SwingSteadying steadying(task, *joints);
   for (std::size_t begin = 0; begin < stations.size();) {

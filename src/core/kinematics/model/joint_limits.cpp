@@ -14,9 +14,9 @@ std::string shown(JointKind kind, double value) {
 
 }  // namespace
 
-std::optional<std::string> limitFault(const JointValues& values, const Mechanism& mechanism) {
-  for (std::size_t j = 0; j < mechanism.joints().size(); ++j) {
-    const DrivenJoint& joint = mechanism.joints()[j];
+std::optional<std::string> limitFault(const JointValues& values, const KinematicModel& model) {
+  for (std::size_t j = 0; j < model.joints().size(); ++j) {
+    const DrivenJoint& joint = model.joints()[j];
     const double value = values[static_cast<Eigen::Index>(j)];
     if (value >= joint.low - kJointLimitSlack && value <= joint.high + kJointLimitSlack) continue;
     const std::string unit = joint.kind == JointKind::Linear ? " mm" : " deg";

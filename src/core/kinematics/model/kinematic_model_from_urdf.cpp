@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "kinematics/arm/six_axis_arm.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/machine_urdf.hpp"
 #include "kinematics/model/multi_axis_machine.hpp"
 #include "kinematics/platform/rus_from_urdf.hpp"
-#include "kinematics/arm/six_axis_arm.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
@@ -14,16 +14,16 @@
 namespace lamina {
 namespace {
 
-/// A kind of mechanism and the joint by which it is told.
+/// A kind of kinematic model and the joint by which it is reported.
 struct Kind {
   const char* joint;
-  std::unique_ptr<Mechanism> (*read)(const urdf::ModelInterface& model, const std::string& text);
+  std::unique_ptr<KinematicModel> (*read)(const urdf::ModelInterface& model, const std::string& text);
 };
 
 constexpr Kind kKinds[] = {
     {"x", multiAxisMachine},
     {"joint_1", sixAxisArm},
-    {"crank_1", rusMechanism},
+    {"crank_1", rusKinematicModel},
 };
 
 std::string listedKinds() {
@@ -34,7 +34,7 @@ std::string listedKinds() {
 
 }  // namespace
 
-std::vector<std::string> mechanismNames() {
+std::vector<std::string> kinematicModelNames() {
   std::vector<std::string> names;
   for (const MachineText& text : machineTexts()) names.push_back(text.name);
   for (const MachineText& text : robotTexts()) names.push_back(text.name);
@@ -42,19 +42,19 @@ std::vector<std::string> mechanismNames() {
   return names;
 }
 
-std::unique_ptr<Mechanism> mechanismByName(const std::string& name) {
+std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name) {
   for (const auto* texts : {&machineTexts(), &robotTexts()})
     for (const MachineText& text : *texts)
-      if (text.name == name) return mechanismFromUrdf(text.urdf);
-  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(mechanismNames()));
+      if (text.name == name) return kinematicModelFromUrdf(text.urdf);
+  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(kinematicModelNames()));
 }
 
-std::unique_ptr<Mechanism> mechanismFromUrdf(const std::string& text) {
+std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text) {
   const auto model = parseMachine(text);
   for (const Kind& kind : kKinds)
     if (model->getJoint(kind.joint)) return kind.read(*model, text);
   throw InvalidConfig("machine '" + model->getName() +
-                      "' has no joint by which its kind is told; expected one of " + listedKinds());
+                      "' has no joint by which its kind is reported; expected one of " + listedKinds());
 }
 
 }  // namespace lamina

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kinematics/model/tool_axis_turn.hpp"
 #include "kinematics/model/serial_chain.hpp"
+#include "kinematics/model/tool_axis_turn.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
@@ -28,8 +28,8 @@ std::vector<int> rotariesOf(const SerialChain& chain) {
   return rotaries;
 }
 
-JetTurner turnerOf(const SerialChain& chain) {
-  JetTurner turner;
+ToolAxisTurner turnerOf(const SerialChain& chain) {
+  ToolAxisTurner turner;
   for (const int j : rotariesOf(chain))
     turner.axes.push_back(chain.screws[static_cast<std::size_t>(j)].direction);
   turner.at_zero = chain.bed_from_nozzle_at_zero.linear().col(2);
@@ -45,7 +45,7 @@ JointValues zeroOf(const SerialChain& chain) {
   return JointValues::Zero(static_cast<Eigen::Index>(chain.joints.size()));
 }
 
-class MultiAxisMachine : public Mechanism {
+class MultiAxisMachine : public KinematicModel {
  public:
   explicit MultiAxisMachine(SerialChain chain)
       : chain_(std::move(chain)),
@@ -56,7 +56,7 @@ class MultiAxisMachine : public Mechanism {
   const std::string& name() const override { return chain_.name; }
   const std::string& urdf() const override { return chain_.urdf; }
   const std::vector<DrivenJoint>& joints() const override { return chain_.joints; }
-  JetSpin jetSpin() const override { return JetSpin::Free; }
+  ToolAxisSpin toolAxisSpin() const override { return ToolAxisSpin::Free; }
 
   Eigen::Isometry3d bedFromNozzle(const JointValues& values) const override {
     return lamina::bedFromNozzle(chain_, values);
@@ -72,13 +72,13 @@ class MultiAxisMachine : public Mechanism {
   double singularityMargin(const JointValues& values) const override {
     // Changes only where a rotary joint stands between linear ones.
     const double volume = std::abs(linearDirections(chain_, values).determinant()) / volume_at_zero_;
-    return std::min(volume, jetMargin(turner_, anglesOf(values)));
+    return std::min(volume, toolAxisMargin(turner_, anglesOf(values)));
   }
 
   InverseSolutions solutions(const Eigen::Isometry3d& bed_from_nozzle,
                              const JointValues& near) const override {
     InverseSolutions found;
-    for (const JetTurn& turn : jetTurns(turner_, bed_from_nozzle.linear().col(2), anglesOf(near))) {
+    for (const ToolAxisTurn& turn : toolAxisTurns(turner_, bed_from_nozzle.linear().col(2), anglesOf(near))) {
       InverseSolution solution{turn.branch, zeroOf(chain_)};
       for (std::size_t r = 0; r < rotaries_.size(); ++r)
         solution.values[rotaries_[r]] = turn.angles[static_cast<Eigen::Index>(r)];
@@ -101,7 +101,7 @@ class MultiAxisMachine : public Mechanism {
 
   SerialChain chain_;
   std::vector<int> rotaries_;  ///< that next to the bed first
-  JetTurner turner_;
+  ToolAxisTurner turner_;
   double volume_at_zero_;
 };
 
@@ -133,18 +133,18 @@ void requireRotaryAxes(const SerialChain& chain) {
   if (rotaries.empty()) return;
   if (rotaries.size() > kMostRotaries)
     refuse(chain, " has " + std::to_string(rotaries.size()) + " rotary joints; at most two are understood");
-  const JetTurner turner = turnerOf(chain);
+  const ToolAxisTurner turner = turnerOf(chain);
   if (rotaries.size() == 2 && sineBetween(turner.axes[0], turner.axes[1]) < kLeastSine)
     refuse(chain, ": the axes of joints " + nameOf(0) + " and " + nameOf(1) +
-                      " are parallel; expected two that tilt the jet to any side");
+                      " are parallel; expected two that tilt the tool axis to any side");
   if (sineBetween(turner.axes.back(), turner.at_zero) < kLeastSine)
-    refuse(chain,
-           ": joint " + nameOf(rotaries.size() - 1) + " turns about the jet; expected an axis that tilts it");
+    refuse(chain, ": joint " + nameOf(rotaries.size() - 1) +
+                      " turns about the tool axis; expected an axis that tilts it");
 }
 
 }  // namespace
 
-std::unique_ptr<Mechanism> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text) {
+std::unique_ptr<KinematicModel> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text) {
   SerialChain chain = serialChain(model, text);
   requireKnownJoints(chain);
   requireLinearAxes(chain);

@@ -14,7 +14,7 @@ namespace lamina {
 /// A machine of three linear axes x, y and z and up to two rotary ones of a, b and c, wherever they stand
 /// between bed and nozzle and at whatever angles. A branch is a side of the plane of both rotary axes.
 /// @throws InvalidConfig as `serialChain`, if another joint moves, the linear axes do not span space, two
-///   rotary ones are parallel, or the last of them turns about the jet
-std::unique_ptr<Mechanism> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text);
+///   rotary ones are parallel, or the last of them turns about the tool axis
+std::unique_ptr<KinematicModel> multiAxisMachine(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

@@ -13,7 +13,7 @@ namespace lamina {
 namespace {
 
 constexpr double kChainMillimetres = 1e3;  // in the metre of URDF
-constexpr double kEndless = 1e6;      // mm, as of `isEndless`
+constexpr double kEndless = 1e6;           // mm, as of `isEndless`
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Model = urdf::ModelInterface;
@@ -87,7 +87,7 @@ std::vector<PlacedJoint> jointsFromBedToNozzle(const Model& model) {
   return joints;
 }
 
-/// Where a joint stands in the order of the mechanism.
+/// Where a joint stands in the order of the kinematic model.
 auto rankOf(const Model& model, const urdf::Joint& joint) {
   const bool is_external = joint.name.rfind("external_", 0) == 0;
   return std::make_tuple(is_external, is_external ? JointKind::Linear : kindOf(model, joint), joint.name);
@@ -100,7 +100,7 @@ void requireFew(const Model& model, std::size_t count) {
                       " are understood");
 }
 
-/// The driven joints in the order of the mechanism.
+/// The driven joints in the order of the kinematic model.
 std::vector<const urdf::Joint*> inOrder(const Model& model, const std::vector<PlacedJoint>& placed) {
   std::vector<const urdf::Joint*> joints;
   for (const PlacedJoint& each : placed) {

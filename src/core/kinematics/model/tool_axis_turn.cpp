@@ -9,11 +9,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kJetTolerance = 0.01 * M_PI / 180.0;  // far beneath what a head is built to
-constexpr double kOnAxis = 1e-10;                      // sine: less than any pose is known to
+constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // far below what a head is built to
+constexpr double kOnAxis = 1e-10;                           // sine: less than any pose is known to
 
 /// A direction as seen along an axis. The part across it is kept beside that along it, since near the axis
-/// the cosine no longer tells the angle.
+/// the cosine no longer reports the angle.
 struct AxisView {
   double along;
   Eigen::Vector2d across;
@@ -49,12 +49,12 @@ double angleAbout(const Point3& axis, const Point3& from, const Point3& to) {
 double angleOf(const Eigen::Vector2d& direction) { return std::atan2(direction.y(), direction.x()); }
 
 bool isNear(const Point3& a, const Point3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) <= kJetTolerance;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) <= kToolAxisTolerance;
 }
 
-/// Part along `side` of the jet between both turns: its height over the second axis is that at zero, its
-/// height over the first that of the wanted one.
-double sidePart(const JetTurner& turner, double along, double across) {
+/// Part along `side` of the tool axis between both turns: its height over the second axis is that at zero,
+/// its height over the first that of the wanted one.
+double sidePart(const ToolAxisTurner& turner, double along, double across) {
   const double cosine = turner.axes[0].dot(turner.axes[1]);
   const double height = turner.at_zero.dot(turner.axes[1]);
   // height - along * cosine, where 1 - |along| is known better than along.
@@ -65,13 +65,13 @@ double sidePart(const JetTurner& turner, double along, double across) {
 }
 
 /// Both ways by two turns (subproblem 2).
-JetTurns turnsOfTwo(const JetTurner& turner, const Point3& wanted, double near_first) {
+ToolAxisTurns turnsOfTwo(const ToolAxisTurner& turner, const Point3& wanted, double near_first) {
   const AxisFrame frame(turner.axes[0], turner.axes[1]);
   const AxisView seen = frame.view(wanted);
   const double across = seen.across.norm();
   const double side = std::clamp(sidePart(turner, seen.along, across), -across, across);
   const double off_plane = std::sqrt((across - side) * (across + side));
-  JetTurns turns;
+  ToolAxisTurns turns;
   for (const int branch : {0, 1}) {
     const AxisView between{seen.along, {side, branch == 0 ? off_plane : -off_plane}};
     const double first =
@@ -86,23 +86,25 @@ JetTurns turnsOfTwo(const JetTurner& turner, const Point3& wanted, double near_f
 
 double sineBetween(const Point3& a, const Point3& b) { return a.cross(b).norm(); }
 
-Point3 jetAt(const JetTurner& turner, const Eigen::Vector2d& angles) {
-  Point3 jet = turner.at_zero;
+Point3 toolAxisAt(const ToolAxisTurner& turner, const Eigen::Vector2d& angles) {
+  Point3 tool_axis = turner.at_zero;
   for (std::size_t j = turner.axes.size(); j-- > 0;)
-    jet = Eigen::AngleAxisd(angles[static_cast<Eigen::Index>(j)], turner.axes[j]) * jet;
-  return jet;
+    tool_axis = Eigen::AngleAxisd(angles[static_cast<Eigen::Index>(j)], turner.axes[j]) * tool_axis;
+  return tool_axis;
 }
 
-JetTurns jetTurns(const JetTurner& turner, const Point3& wanted, const Eigen::Vector2d& near) {
-  JetTurns turns(1);
+ToolAxisTurns toolAxisTurns(const ToolAxisTurner& turner, const Point3& wanted, const Eigen::Vector2d& near) {
+  ToolAxisTurns turns(1);
   if (turner.axes.size() == 1) turns[0].angles[0] = angleAbout(turner.axes[0], turner.at_zero, wanted);
   if (turner.axes.size() == 2) turns = turnsOfTwo(turner, wanted, near[0]);
-  const auto misses = [&](const JetTurn& turn) { return !isNear(jetAt(turner, turn.angles), wanted); };
+  const auto misses = [&](const ToolAxisTurn& turn) {
+    return !isNear(toolAxisAt(turner, turn.angles), wanted);
+  };
   turns.erase(std::remove_if(turns.begin(), turns.end(), misses), turns.end());
   return turns;
 }
 
-double jetMargin(const JetTurner& turner, const Eigen::Vector2d& angles) {
+double toolAxisMargin(const ToolAxisTurner& turner, const Eigen::Vector2d& angles) {
   if (turner.axes.size() < 2) return 1.0;
   const Point3 between = Eigen::AngleAxisd(angles[1], turner.axes[1]) * turner.at_zero;
   const Point3 normal = turner.axes[0].cross(turner.axes[1]).normalized();

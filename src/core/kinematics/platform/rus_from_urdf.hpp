@@ -17,8 +17,8 @@ namespace lamina {
 /// @throws InvalidConfig as that
 RusDescription rusDescription(const urdf::ModelInterface& model, const LinkTree& links);
 
-/// The mechanism of such a URDF.
+/// The kinematic model of such a URDF.
 /// @throws InvalidConfig as above
-std::unique_ptr<Mechanism> rusMechanism(const urdf::ModelInterface& model, const std::string& text);
+std::unique_ptr<KinematicModel> rusKinematicModel(const urdf::ModelInterface& model, const std::string& text);
 
 }  // namespace lamina

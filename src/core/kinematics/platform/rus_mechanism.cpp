@@ -11,9 +11,9 @@ namespace lamina {
 namespace {
 
 /// A 6-RUS platform that carries the nozzle over a bed that stands.
-class RusMechanism final : public Mechanism {
+class RusKinematicModel final : public KinematicModel {
  public:
-  RusMechanism(const urdf::ModelInterface& model, std::string text)
+  RusKinematicModel(const urdf::ModelInterface& model, std::string text)
       : name_(model.getName()),
         urdf_(std::move(text)),
         links_(model),
@@ -22,7 +22,7 @@ class RusMechanism final : public Mechanism {
   const std::string& name() const override { return name_; }
   const std::string& urdf() const override { return urdf_; }
   const std::vector<DrivenJoint>& joints() const override { return description_.cranks; }
-  JetSpin jetSpin() const override { return JetSpin::Given; }
+  ToolAxisSpin toolAxisSpin() const override { return ToolAxisSpin::Given; }
 
   Eigen::Isometry3d bedFromNozzle(const JointValues& values) const override {
     return description_.base_from_bed.inverse() * pose(values) * description_.platform_from_nozzle;
@@ -101,8 +101,9 @@ class RusMechanism final : public Mechanism {
 
 }  // namespace
 
-std::unique_ptr<Mechanism> rusMechanism(const urdf::ModelInterface& model, const std::string& text) {
-  return std::make_unique<RusMechanism>(model, text);
+std::unique_ptr<KinematicModel> rusKinematicModel(const urdf::ModelInterface& model,
+                                                  const std::string& text) {
+  return std::make_unique<RusKinematicModel>(model, text);
 }
 
 }  // namespace lamina

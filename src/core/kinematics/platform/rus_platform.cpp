@@ -67,7 +67,7 @@ RusPlatform huntPlatform(const HuntDimensions& dimensions) {
   const auto cranks = crankAnglesIfReached(platform, platform.home);
   if (!cranks)
     throw InvalidConfig("the legs of the platform do not reach its home " +
-                        std::to_string(dimensions.home_drop_mm) + " mm beneath the base");
+                        std::to_string(dimensions.home_drop_mm) + " mm below the base");
   for (std::size_t i = 0; i < kLegs; ++i) {
     RusLeg& leg = platform.legs[i];
     leg.socket = (leg.elbow((*cranks)[static_cast<Eigen::Index>(i)]) - platform.home * leg.ball).normalized();

@@ -76,9 +76,9 @@ class LoadSpreading {
 
   void share(const Group& group) {
     const double room = limits_.fullest * group.sum.usual_mm3;
-    const double laid = std::min(group.sum.mm3, room);
-    const double fullness = room > 0.0 ? laid / group.sum.usual_mm3 : 0.0;
-    bounded_.left_out_mm3 += group.sum.mm3 - laid;
+    const double deposited = std::min(group.sum.mm3, room);
+    const double fullness = room > 0.0 ? deposited / group.sum.usual_mm3 : 0.0;
+    bounded_.left_out_mm3 += group.sum.mm3 - deposited;
     for (std::size_t k = 0; k < group.count; ++k) {
       const std::size_t motion = wrapped(group.first + k);
       const double part = motion == group.last_added ? group.share_of_last : 1.0;

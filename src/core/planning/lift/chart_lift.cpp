@@ -11,8 +11,8 @@
 #include "lamina/parameterization/chart_lookup.hpp"
 #include "planning/lift/held_along.hpp"
 #include "planning/lift/lifted_line.hpp"
-#include "planning/nozzle_frame.hpp"
 #include "planning/lift/path_lift.hpp"
+#include "planning/nozzle_frame.hpp"
 #include "planning/travel/space_travel.hpp"
 
 namespace lamina {
@@ -73,7 +73,8 @@ class LayerLifter {
     for (const std::size_t i : needed) {
       const SurfacePoint& point = line->points[i];
       path.points.emplace_back(point.tip + kRaise * settings_.position_tolerance_mm * point.normal);
-      orientations.push_back(settings_.jet == Jet::Down ? nozzleDown() : nozzleAgainst(point.normal));
+      orientations.push_back(settings_.tool_axis == ToolAxis::Down ? nozzleDown()
+                                                                   : nozzleAgainst(point.normal));
     }
     path.points.front() = from.point;
     path.points.back() = to.point;

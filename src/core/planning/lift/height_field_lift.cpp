@@ -15,11 +15,11 @@ LayerLift heightFieldLift(const HeightFieldSlices& slices, const LiftSettings& s
   return [&slices, settings, travel, thickest](std::size_t index, ToolpathLayer planned) {
     const Layer& layer = slices.layers.at(index);
     std::vector<LayerChart> charts;
-    charts.push_back(bentLayer(slices.field, layer.slab, boundingBox(layer.section.contours)));
+    charts.push_back(bentLayer(slices.field, layer.bounds, boundingBox(layer.section.contours)));
     const double base = slices.field.base_mm;
     // No place of a layer is higher than this, nor than the part by more than a layer.
-    const double highest = std::min(base + (layer.slab.top_mm - base) * thickest,
-                                    slices.top_mm + layer.slab.height() * thickest);
+    const double highest = std::min(base + (layer.bounds.top_mm - base) * thickest,
+                                    slices.top_mm + layer.bounds.height() * thickest);
     return liftOnto(charts, std::move(planned), settings, travel, highest);
   };
 }

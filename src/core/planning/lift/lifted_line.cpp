@@ -73,7 +73,7 @@ class Thinning {
     const double squared = along.squaredNorm();
     const double part = squared > 0.0 ? std::clamp((point.tip - a.tip).dot(along) / squared, 0.0, 1.0) : 0.0;
     const double distance = (a.tip + part * along - point.tip).norm() / settings_.position_tolerance_mm;
-    if (settings_.jet == Jet::Down) return distance;
+    if (settings_.tool_axis == ToolAxis::Down) return distance;
     const Point3 normal = (a.normal + part * (b.normal - a.normal)).normalized();
     return std::max(distance, (normal - point.normal).norm() / chord_);
   }

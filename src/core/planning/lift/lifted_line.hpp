@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/parameterization/chart_lookup.hpp"
+#include "lamina/planning/lift/chart_lift.hpp"
 
 namespace lamina {
 

@@ -24,7 +24,7 @@ constexpr double kShortest = 1e-9;
 constexpr double kRounding = 1e-9;
 
 /// What lies on the layer between two waypoints.
-struct Laid {
+struct Deposited {
   double mm3 = 0.0;
   double plan_mm = 0.0;
   double height_mm2 = 0.0;  ///< height times length in the plan
@@ -32,7 +32,7 @@ struct Laid {
   /// Of the layer, in the mean.
   double height() const { return plan_mm > 0.0 ? height_mm2 / plan_mm : 0.0; }
 
-  void add(const Laid& more) {
+  void add(const Deposited& more) {
     mm3 += more.mm3;
     plan_mm += more.plan_mm;
     height_mm2 += more.height_mm2;
@@ -47,7 +47,7 @@ class RunLifter {
   LiftedRun lift() && {
     waypoint(charts_.lifted(charts_.at(planned_.points.front().head<2>())), 0, {});
     for (std::size_t m = 0; m < planned_.motionCount(); ++m) addMotion(m);
-    laid_.back().add(carried_);
+    deposited_.back().add(carried_);
     if (planned_.is_closed) close();
     if (points_.size() < 2) return leftOut();
     const std::vector<MotionLoad> loads = loadsOfMotions();
@@ -60,7 +60,7 @@ class RunLifter {
       limits.reach_mm = std::max(limits.reach_mm, bead.width_mm);
     BoundedLoads bounded = boundLoads(loads, limits);
     if (bounded.left_out_mm3 > 0.0 && length < limits.reach_mm) return leftOut();
-    for (std::size_t m = 0; m < loads.size(); ++m) laid_[endOf(m)].mm3 = bounded.mm3[m];
+    for (std::size_t m = 0; m < loads.size(); ++m) deposited_[endOf(m)].mm3 = bounded.mm3[m];
     return {path(), bounded.left_out_mm3};
   }
 
@@ -77,42 +77,44 @@ class RunLifter {
     const double width = planWidth(planned_.bead.at(end));
     const std::vector<std::size_t> needed = neededPoints(*line, settings_);
     for (std::size_t k = 1; k < needed.size(); ++k)
-      waypoint(line->points[needed[k]], end, laidBetween(*line, needed[k - 1], needed[k], width));
+      waypoint(line->points[needed[k]], end, depositedBetween(*line, needed[k - 1], needed[k], width));
   }
 
-  static Laid laidBetween(const LiftedLine& line, std::size_t first, std::size_t last, double width) {
-    Laid laid;
+  static Deposited depositedBetween(const LiftedLine& line, std::size_t first, std::size_t last,
+                                    double width) {
+    Deposited deposited;
     for (std::size_t i = first; i < last; ++i) {
       const double length = line.plan_mm[i + 1] - line.plan_mm[i];
       const double height = 0.5 * (line.points[i].height_mm + line.points[i + 1].height_mm);
-      laid.add({width * length * line.area_ratio[i] * height, length, height * length});
+      deposited.add({width * length * line.area_ratio[i] * height, length, height * length});
     }
-    return laid;
+    return deposited;
   }
 
-  void waypoint(const SurfacePoint& point, std::size_t of_plan, Laid laid) {
-    carried_.add(laid);
+  void waypoint(const SurfacePoint& point, std::size_t of_plan, Deposited deposited) {
+    carried_.add(deposited);
     if (!points_.empty() && (point.tip - points_.back()).norm() < kShortest) return;
     points_.push_back(point.tip);
-    orientations_.push_back(settings_.jet == Jet::Down ? nozzleDown() : nozzleAgainst(point.normal));
+    orientations_.push_back(settings_.tool_axis == ToolAxis::Down ? nozzleDown()
+                                                                  : nozzleAgainst(point.normal));
     of_plan_.push_back(of_plan);
-    laid_.push_back(std::exchange(carried_, {}));
+    deposited_.push_back(std::exchange(carried_, {}));
   }
 
-  /// The return to the first waypoint is told by that one.
+  /// The return to the first waypoint is reported by that one.
   void close() {
     if (points_.size() < 2 || (points_.back() - points_.front()).norm() >= kShortest) return;
-    laid_.front() = laid_.back();
+    deposited_.front() = deposited_.back();
     of_plan_.front() = of_plan_.back();
     points_.pop_back();
     orientations_.pop_back();
-    laid_.pop_back();
+    deposited_.pop_back();
     of_plan_.pop_back();
   }
 
   LiftedRun leftOut() const {
     double sum = 0.0;
-    for (const Laid& laid : laid_) sum += laid.mm3;
+    for (const Deposited& deposited : deposited_) sum += deposited.mm3;
     return {std::nullopt, sum};
   }
 
@@ -129,14 +131,14 @@ class RunLifter {
       const std::size_t end = endOf(m);
       const double length = lengthTo(end);
       const double width = planWidth(planned_.bead.at(of_plan_[end]));
-      loads[m] = {laid_[end].mm3, width * laid_[end].height() * length, length};
+      loads[m] = {deposited_[end].mm3, width * deposited_[end].height() * length, length};
     }
     return loads;
   }
 
   Bead beadAt(std::size_t waypoint) const {
-    const Laid& laid = laid_[waypoint];
-    return beadOfArea(laid.mm3 / lengthTo(waypoint), laid.height());
+    const Deposited& deposited = deposited_[waypoint];
+    return beadOfArea(deposited.mm3 / lengthTo(waypoint), deposited.height());
   }
 
   Path path() {
@@ -165,9 +167,9 @@ class RunLifter {
   const LiftSettings& settings_;
   std::vector<Point3> points_;
   std::vector<Eigen::Quaterniond> orientations_;
-  std::vector<Laid> laid_;            // on the way to each waypoint
-  std::vector<std::size_t> of_plan_;  // waypoint of the plan that tells of this way
-  Laid carried_;                      // where tips coincided, on the way to the next waypoint
+  std::vector<Deposited> deposited_;  // on the way to each waypoint
+  std::vector<std::size_t> of_plan_;  // waypoint of the plan that reports of this way
+  Deposited carried_;                 // where tips coincided, on the way to the next waypoint
 };
 
 Path liftedDrops(const ChartLookup& charts, const Path& planned, const LiftSettings& settings) {
@@ -178,7 +180,7 @@ Path liftedDrops(const ChartLookup& charts, const Path& planned, const LiftSetti
     const ChartPlace place = charts.at(planned.points[i].head<2>());
     const SurfacePoint point = charts.lifted(place);
     path.points[i] = point.tip;
-    orientations.push_back(settings.jet == Jet::Down ? nozzleDown() : nozzleAgainst(point.normal));
+    orientations.push_back(settings.tool_axis == ToolAxis::Down ? nozzleDown() : nozzleAgainst(point.normal));
     drops.push_back({planned.bead.at(i).width_mm * std::sqrt(charts.areaRatio(place.in)), point.height_mm});
   }
   path.orientation = heldAlong(std::move(orientations));

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/parameterization/chart_lookup.hpp"
+#include "lamina/planning/lift/chart_lift.hpp"
 
 namespace lamina {
 

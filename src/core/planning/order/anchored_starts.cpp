@@ -18,12 +18,12 @@ bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {
          before->paths.back().lastPoint() == layer.paths.front().firstPoint();
 }
 
-std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const Footing& footing) {
+std::size_t startsInAir(const ToolpathLayer& layer, bool continues, const SupportTest& support_test) {
   std::size_t count = 0;
   bool is_laying = continues;
   for (const Path& path : layer.paths) {
     const bool is_start = laysBeads(path) && !is_laying;
-    if (is_start && !footing.carries(path.firstPoint().head<2>())) ++count;
+    if (is_start && !support_test.carries(path.firstPoint().head<2>())) ++count;
     is_laying = laysBeads(path);
   }
   return count;
@@ -36,9 +36,10 @@ std::size_t countStartsInAir(const std::vector<Layer>& layers, const std::vector
   std::vector<std::size_t> counts(layers.size(), 0);
   const auto count = [&](std::size_t i) {
     if (toolpath[i].paths.empty()) return;
-    const Footing footing(layers[i], i > 0 ? &layers[i - 1] : nullptr, bed,
-                          {bead_width_mm, layers[i].slab.height()});
-    counts[i] = startsInAir(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr), footing);
+    const SupportTest support_test(layers[i], i > 0 ? &layers[i - 1] : nullptr, bed,
+                                   {bead_width_mm, layers[i].bounds.height()});
+    counts[i] =
+        startsInAir(toolpath[i], continues(toolpath[i], i > 0 ? &toolpath[i - 1] : nullptr), support_test);
   };
   NoProgress nobody;
   parallelFor(layers.size(), count, nobody, "plan");

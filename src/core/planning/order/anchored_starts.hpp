@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// How many runs of beads begin with neither bed nor the layer before beneath them. A run that goes on where
+/// How many runs of beads begin with neither bed nor the layer before below them. A run that goes on where
 /// the one before ended does not begin.
 /// @param layers    as sliced
 /// @param toolpath  their plan, in the same frame

@@ -8,7 +8,7 @@ void describe(SettingsSchema& schema, AnchorSettings& anchoring) {
   schema.choice<Anchoring>(
       "anchoring.strategy", anchoring.strategy,
       {{"none", Anchoring::None}, {"supported_start", Anchoring::SupportedStart}},
-      "Runs of inclined layers begin as laid, or where bed or the layer before is beneath them.");
+      "Runs of inclined layers begin as deposited, or where bed or the layer before is below them.");
 }
 
 }  // namespace lamina

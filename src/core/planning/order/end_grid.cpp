@@ -64,7 +64,7 @@ void EndGrid::searchCell(std::int64_t x, std::int64_t y, const Point2& point, Ca
   }
 }
 
-void EndGrid::searchRing(std::int64_t radius, const Point2& point, Candidate& best) {
+void EndGrid::searchLoop(std::int64_t radius, const Point2& point, Candidate& best) {
   const std::int64_t x = column(point.x());
   const std::int64_t y = row(point.y());
   const std::int64_t left = std::max<std::int64_t>(0, x - radius);
@@ -83,13 +83,13 @@ void EndGrid::searchRing(std::int64_t radius, const Point2& point, Candidate& be
 
 OrderedRun EndGrid::takeNearest(const Point2& point) {
   Candidate best{std::numeric_limits<double>::infinity(), 0};
-  const std::int64_t last_ring = std::max(columns_, rows_);
-  for (std::int64_t radius = 0; radius <= last_ring; ++radius) {
-    // Seen from a point in the middle cell, all of this ring is at least this far away; from one outside the
+  const std::int64_t last_loop = std::max(columns_, rows_);
+  for (std::int64_t radius = 0; radius <= last_loop; ++radius) {
+    // Seen from a point in the middle cell, all of this loop is at least this far away; from one outside the
     // grid even farther.
     const double least = static_cast<double>(radius - 1) * cell_;
     if (radius > 0 && least > 0.0 && least * least > best.squared_distance) break;
-    searchRing(radius, point, best);
+    searchLoop(radius, point, best);
   }
   is_taken_[best.end / 2] = true;
   return {best.end / 2, best.end % 2 == 1};

@@ -30,7 +30,7 @@ class EndGrid {
   std::int64_t column(double x) const;
   std::int64_t row(double y) const;
   void searchCell(std::int64_t x, std::int64_t y, const Point2& point, Candidate& best);
-  void searchRing(std::int64_t radius, const Point2& point, Candidate& best);
+  void searchLoop(std::int64_t radius, const Point2& point, Candidate& best);
   const Point2& pointOf(std::uint32_t end) const;
 
   const std::vector<RunEnds>& runs_;

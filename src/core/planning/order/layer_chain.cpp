@@ -8,17 +8,17 @@
 #include <utility>
 
 #include "planning/nozzle_frame.hpp"
-#include "planning/walls/opened_loop.hpp"
 #include "planning/travel/space_travel.hpp"
+#include "planning/walls/opened_loop.hpp"
 
 namespace lamina {
 namespace {
 
-/// Of a cycle, in pitches, left out at its end: its two round ends leave corners open, and come so much
+/// Of a joined loop, in pitches, left out at its end: its two round ends leave corners open, and come so much
 /// nearer to each other.
 constexpr double kLeftOut = 0.9;
 
-bool isCycle(const Path& path, double pitch) {
+bool isJoinedLoop(const Path& path, double pitch) {
   return path.is_closed && path.role == PathRole::Infill && path.deposit == Deposit::Bead &&
          length(path) > 2.0 * pitch;
 }
@@ -67,15 +67,15 @@ class LayerChain {
     for (std::size_t i = 0; i < layer.paths.size(); ++i) {
       Path& path = layer.paths[i];
       const bool is_last = i + 1 == layer.paths.size();
-      const bool is_cycle = isCycle(path, pitch);
-      if (is_cycle) {
+      const bool is_joined_loop = isJoinedLoop(path, pitch);
+      if (is_joined_loop) {
         if (!has_begun_ && places_[index]) nozzle_.point = *places_[index];
         path = openedTowards(path, pitch, is_last ? places_[index + 1] : std::nullopt);
       }
       if (!paths.empty()) {
         std::optional<Path> travel = travel_(paths.back(), path, index);
         if (travel) paths.push_back(std::move(*travel));
-      } else if (is_cycle && has_begun_ && isWithinReach(path, pitch, layer.height_mm)) {
+      } else if (is_joined_loop && has_begun_ && isWithinReach(path, pitch, layer.height_mm)) {
         path = risingFrom(nozzle_, path);
       }
       has_begun_ = true;
@@ -88,20 +88,21 @@ class LayerChain {
   /// Whether the path starts where a bead from the nozzle can rise to.
   bool isWithinReach(const Path& path, double pitch, double height) const {
     const Point3 way = path.firstPoint() - nozzle_.point;
-    const Point3 up = againstJet(path.orientation.at(0));
+    const Point3 up = againstToolAxis(path.orientation.at(0));
     const double rise = up.dot(way);
     return (way - rise * up).norm() <= pitch && std::abs(rise) <= 2.0 * height;
   }
 
-  Path openedTowards(const Path& cycle, double pitch, const std::optional<Point3>& next) const {
-    const CycleOpening as_given = {nearestPlace(cycle, nozzle_.point), CycleSense::AsGiven, kLeftOut * pitch};
-    if (!next) return opened(cycle, as_given);
-    CycleOpening reversed = as_given;
-    reversed.sense = CycleSense::Reversed;
-    const auto distance = [&](const CycleOpening& opening) {
-      return (endOfOpened(cycle, opening) - *next).norm();
+  Path openedTowards(const Path& joined_loop, double pitch, const std::optional<Point3>& next) const {
+    const LoopOpening as_given = {nearestPlace(joined_loop, nozzle_.point), LoopSense::AsGiven,
+                                  kLeftOut * pitch};
+    if (!next) return opened(joined_loop, as_given);
+    LoopOpening reversed = as_given;
+    reversed.sense = LoopSense::Reversed;
+    const auto distance = [&](const LoopOpening& opening) {
+      return (endOfOpened(joined_loop, opening) - *next).norm();
     };
-    return opened(cycle, distance(reversed) < distance(as_given) ? reversed : as_given);
+    return opened(joined_loop, distance(reversed) < distance(as_given) ? reversed : as_given);
   }
 
   /// The path with a bead from that point to its start put first.

@@ -11,15 +11,14 @@
 namespace lamina {
 
 /// Opens the closed infill of each layer at the place nearest to where the nozzle comes from, leaves the last
-/// nine tenths of a pitch out, and joins the layers: where the layer beneath ended within a pitch, seen along
-/// the jet, and no farther than two layers beneath, a bead rises from there to the start, as the first motion
-/// of the layer's path. With one such cycle
-/// per layer the part becomes one path without travel. Elsewhere, and between the runs of a layer, travels
-/// stay.
+/// nine tenths of a pitch out, and joins the layers: where the layer below ended within a pitch, seen along
+/// the tool axis, and no farther than two layers below, a bead rises from there to the start, as the first
+/// motion of the layer's path. With one such joined loop per layer the part becomes one path without travel.
+/// Elsewhere, and between the runs of a layer, travels stay.
 ///
-/// Which way round a cycle is run is chosen so that it ends near the cycle above. Cycles shorter than two
-/// pitches stay closed. Travels between layers are not made here. Distances are measured in space, so that
-/// layers need not be level [Guacheta2021, algorithm 3-3].
+/// Which way round a joined loop is run is chosen so that it ends near the joined loop above. Cycles shorter
+/// than two pitches stay closed. Travels between layers are not made here. Distances are measured in space,
+/// so that layers need not be level [Guacheta2021, algorithm 3-3].
 /// @param anchor  where the first layer starts [mm]
 /// @param travel  makes those between the runs of a layer
 void chainLayers(std::vector<ToolpathLayer>& layers, const PlanSettings& settings, const Point3& anchor,

@@ -16,13 +16,13 @@ constexpr double kTouching = 1e-6;  // mm: rounding of rotations
 
 }  // namespace
 
-Footing::Footing(const Layer& layer, const Layer* beneath, const BedPlane& bed, const Bead& bead)
+SupportTest::SupportTest(const Layer& layer, const Layer* below, const BedPlane& bed, const Bead& bead)
     : bed_(bed),
-      top_mm_(layer.slab.top_mm),
-      reach_mm_(bed.up.z() * layer.slab.height() + 0.5 * bead.width_mm * bed.up.head<2>().norm()) {
-  if (beneath == nullptr) return;
-  origin_ = distanceFromOrigin(*beneath);
-  const Regions material = unite(moved(*beneath, -origin_).section.contours);
+      top_mm_(layer.bounds.top_mm),
+      reach_mm_(bed.up.z() * layer.bounds.height() + 0.5 * bead.width_mm * bed.up.head<2>().norm()) {
+  if (below == nullptr) return;
+  origin_ = distanceFromOrigin(*below);
+  const Regions material = unite(moved(*below, -origin_).section.contours);
   const std::vector<Polygon> borders = outlines(offset(material, kOverhang * bead.width_mm));
   const Box2 box = boundingBox(borders);
   if (box.isEmpty()) return;
@@ -39,18 +39,18 @@ Footing::Footing(const Layer& layer, const Layer* beneath, const BedPlane& bed, 
     }
 }
 
-std::size_t Footing::rowOf(double y) const {
+std::size_t SupportTest::rowOf(double y) const {
   const double row = std::floor((y - low_y_) / row_mm_);
   return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
-bool Footing::carries(const Point2& point) const { return touchesBed(point) || isOverMaterial(point); }
+bool SupportTest::carries(const Point2& point) const { return touchesBed(point) || isOverMaterial(point); }
 
-bool Footing::touchesBed(const Point2& point) const {
+bool SupportTest::touchesBed(const Point2& point) const {
   return bed_.heightOf({point.x(), point.y(), top_mm_}) <= reach_mm_ + kTouching;
 }
 
-bool Footing::isOverMaterial(const Point2& anywhere) const {
+bool SupportTest::isOverMaterial(const Point2& anywhere) const {
   if (rows_.empty()) return false;
   const Point2 point = anywhere - origin_;
   bool is_inside = false;

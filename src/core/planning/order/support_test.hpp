@@ -12,13 +12,13 @@
 
 namespace lamina {
 
-/// What lies beneath the beads of an inclined layer along the jet: the layer before, and the bed. A bead is
-/// carried where it touches the bed with its flank or its foot, or where its middle is at most a quarter of
-/// its width beyond the edge of the layer before, so that a quarter of it lies on that.
-class Footing {
+/// What lies below the beads of an inclined layer along the tool axis: the layer before, and the bed. A bead
+/// is carried where it touches the bed with its flank or its foot, or where its middle is at most a quarter
+/// of its width beyond the edge of the layer before, so that a quarter of it lies on that.
+class SupportTest {
  public:
-  /// @param beneath  the layer before; null for the first
-  Footing(const Layer& layer, const Layer* beneath, const BedPlane& bed, const Bead& bead);
+  /// @param below  the layer before; null for the first
+  SupportTest(const Layer& layer, const Layer* below, const BedPlane& bed, const Bead& bead);
 
   /// @param point  of a run, in the plane of the layer [mm]
   bool carries(const Point2& point) const;
@@ -30,7 +30,7 @@ class Footing {
 
   BedPlane bed_;
   double top_mm_;
-  double reach_mm_;                 ///< of a bead beneath its waypoint, towards the bed
+  double reach_mm_;                 ///< of a bead below its waypoint, towards the bed
   Point2 origin_ = Point2::Zero();  ///< of the rows
   double low_y_ = 0.0;
   double row_mm_ = 1.0;

@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 /// Whether a disc fits, by the area that would be left without: outlines that move inwards by r sweep at most
-/// r times their length, and holes a disc of r more each. False tells nothing.
+/// r times their length, and holes a disc of r more each. False reports nothing.
 bool isRoomyAtOnce(const Region& region, double radius) {
   double length = perimeter(region.outer);
   for (const Polygon& hole : region.holes) length += perimeter(hole);
@@ -19,9 +19,10 @@ bool isRoomyAtOnce(const Region& region, double radius) {
   return area({region}) > radius * length + discs;
 }
 
-double travelOf(const std::vector<RunEnds>& laid) {
+double travelOf(const std::vector<RunEnds>& deposited) {
   double sum = 0.0;
-  for (std::size_t i = 1; i < laid.size(); ++i) sum += (laid[i].first - laid[i - 1].last).norm();
+  for (std::size_t i = 1; i < deposited.size(); ++i)
+    sum += (deposited[i].first - deposited[i - 1].last).norm();
   return sum;
 }
 
@@ -42,14 +43,15 @@ std::size_t regionsWithRoom(const Regions& regions, double width_mm) {
   }));
 }
 
-FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& laid, double pitch_mm) {
+FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& deposited, double pitch_mm) {
   FillStarts starts;
-  starts.runs = laid.size();
+  starts.runs = deposited.size();
   starts.regions = regionsWithRoom(area, pitch_mm);
-  if (laid.empty()) return starts;
-  starts.travel_mm = travelOf(laid);
-  const Point2& start = laid.front().first;
-  starts.best_travel_mm = std::min(starts.travel_mm, travelLength(laid, orderRuns(laid, start), start));
+  if (deposited.empty()) return starts;
+  starts.travel_mm = travelOf(deposited);
+  const Point2& start = deposited.front().first;
+  starts.best_travel_mm =
+      std::min(starts.travel_mm, travelLength(deposited, orderRuns(deposited, start), start));
   return starts;
 }
 

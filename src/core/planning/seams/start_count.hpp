@@ -14,7 +14,7 @@ namespace lamina {
 std::size_t regionsWithRoom(const Regions& regions, double width_mm);
 
 /// Starts of the runs that fill an area.
-/// @param laid  in their order, as they are run
-FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& laid, double pitch_mm);
+/// @param deposited  in their order, as they are run
+FillStarts startsOf(const Regions& area, const std::vector<RunEnds>& deposited, double pitch_mm);
 
 }  // namespace lamina

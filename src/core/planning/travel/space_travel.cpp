@@ -48,18 +48,18 @@ class Route {
 
 Point3 atHeight(const Point3& point, double z) { return {point.x(), point.y(), z}; }
 
-/// How far the straight line between two poses may lie beneath a layer that bends evenly between them, twice:
+/// How far the straight line between two poses may lie below a layer that bends evenly between them, twice:
 /// for normals an angle a apart, a distance d on the arc has a rise of d a / 8.
 double riseBetween(const NozzlePose& from, const NozzlePose& to) {
-  const Point3 one = againstJet(from.orientation);
-  const Point3 other = againstJet(to.orientation);
+  const Point3 one = againstToolAxis(from.orientation);
+  const Point3 other = againstToolAxis(to.orientation);
   return 0.25 * (to.point - from.point).norm() * std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
 Route nearby(const NozzlePose& from, const NozzlePose& to) {
   const double rise = riseBetween(from, to);
   const auto raised = [rise](const NozzlePose& pose, const NozzlePose& other) {
-    const Point3 up = againstJet(pose.orientation);
+    const Point3 up = againstToolAxis(pose.orientation);
     return Point3(pose.point + (std::max(0.0, up.dot(other.point - pose.point)) + rise) * up);
   };
   Route route;
@@ -71,8 +71,8 @@ Route nearby(const NozzlePose& from, const NozzlePose& to) {
 }
 
 Route above(const NozzlePose& from, const NozzlePose& to, double hop, double highest) {
-  const Point3 off = from.point + hop * againstJet(from.orientation);
-  const Point3 onto = to.point + hop * againstJet(to.orientation);
+  const Point3 off = from.point + hop * againstToolAxis(from.orientation);
+  const Point3 onto = to.point + hop * againstToolAxis(to.orientation);
   const double z = std::max({highest + hop, from.point.z() + hop, to.point.z() + hop, off.z(), onto.z()});
   Route route;
   route.add(from.point, from.orientation);

@@ -24,15 +24,16 @@ NozzlePose startPose(const Path& path);
 NozzlePose endPose(const Path& path);
 
 /// The motion without deposition from one pose to another over layers that need not be level, none if their
-/// tips are the same within 1e-6 mm. Up to the threshold it draws back against the jet until it is level with
-/// the other tip, goes over, and comes down along the other jet. Farther ones are retracted: against the jet
-/// by the hop, straight up to the hop above the highest tip, over, where the nozzle turns, and down likewise.
-/// On level layers that is what `makeTravel` makes.
+/// tips are the same within 1e-6 mm. Up to the threshold it draws back against the tool axis until it is
+/// level with the other tip, goes over, and comes down along the other tool axis. Farther ones are retracted:
+/// against the tool axis by the hop, straight up to the hop above the highest tip, over, where the nozzle
+/// turns, and down likewise. On level layers that is what `makeTravel` makes.
 /// @param highest_mm  z of the highest tip that may be in the way [part frame]
 std::optional<Path> makeSpaceTravel(const NozzlePose& from, const NozzlePose& to,
                                     const TravelSettings& settings, double highest_mm);
 
-/// That of `makeSpaceTravel`, over what is laid up to the layer the travel leads to, and all of that one.
+/// That of `makeSpaceTravel`, over what is deposited up to the layer the travel leads to, and all of that
+/// one.
 TravelMaker spaceTravels(const std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
 
 }  // namespace lamina

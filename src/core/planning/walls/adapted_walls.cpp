@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
-#include "planning/walls/curve_inset.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/walls/curve_inset.hpp"
 
 namespace lamina {
 namespace {

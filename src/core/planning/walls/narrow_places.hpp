@@ -18,7 +18,7 @@ struct SplitArea {
 /// @param tolerance_mm2  of what is too narrow
 bool isWideEverywhere(const Regions& whole, const Regions& shrunk, double distance_mm, double tolerance_mm2);
 
-/// Tells what is thicker than twice the distance from what is not.
+/// Reports what is thicker than twice the distance from what is not.
 /// @param shrunk     the area shrunk by `distance_mm`
 /// @param least_mm2  smaller narrow places are left out
 SplitArea splitByThickness(const Regions& whole, const Regions& shrunk, double distance_mm, double least_mm2);

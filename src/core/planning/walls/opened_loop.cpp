@@ -19,7 +19,7 @@ struct Pose {
   Eigen::Quaterniond orientation;
 };
 
-/// Waypoints of an open path: where each is, and which waypoint of the cycle tells of the way to it.
+/// Waypoints of an open path: where each is, and which waypoint of the joined loop reports of the way to it.
 struct Waypoints {
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> orientations;
@@ -51,19 +51,19 @@ struct Waypoints {
   }
 };
 
-Point3 startOf(const Path& cycle, const CyclePlace& place) {
-  const Point3& from = cycle.points[place.motion];
-  return from + place.part * (cycle.points[cycle.motionEnd(place.motion)] - from);
+Point3 startOf(const Path& joined_loop, const JoinedLoopPlace& place) {
+  const Point3& from = joined_loop.points[place.motion];
+  return from + place.part * (joined_loop.points[joined_loop.motionEnd(place.motion)] - from);
 }
 
-Pose poseAt(const Path& cycle, std::size_t waypoint) {
-  return {cycle.points[waypoint], cycle.orientation.at(waypoint)};
+Pose poseAt(const Path& joined_loop, std::size_t waypoint) {
+  return {joined_loop.points[waypoint], joined_loop.orientation.at(waypoint)};
 }
 
-Pose startPoseOf(const Path& cycle, const CyclePlace& place) {
-  const Eigen::Quaterniond& from = cycle.orientation.at(place.motion);
-  const Eigen::Quaterniond& to = cycle.orientation.at(cycle.motionEnd(place.motion));
-  return {startOf(cycle, place), from.slerp(place.part, to)};
+Pose startPoseOf(const Path& joined_loop, const JoinedLoopPlace& place) {
+  const Eigen::Quaterniond& from = joined_loop.orientation.at(place.motion);
+  const Eigen::Quaterniond& to = joined_loop.orientation.at(joined_loop.motionEnd(place.motion));
+  return {startOf(joined_loop, place), from.slerp(place.part, to)};
 }
 
 template <class Value>
@@ -77,12 +77,12 @@ AlongPath<Value> taken(const AlongPath<Value>& quantity, const std::vector<std::
 
 }  // namespace
 
-CyclePlace nearestPlace(const Path& cycle, const Point3& point) {
-  CyclePlace best;
+JoinedLoopPlace nearestPlace(const Path& joined_loop, const Point3& point) {
+  JoinedLoopPlace best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t motion = 0; motion < cycle.motionCount(); ++motion) {
-    const Point3& from = cycle.points[motion];
-    const Point3 along = cycle.points[cycle.motionEnd(motion)] - from;
+  for (std::size_t motion = 0; motion < joined_loop.motionCount(); ++motion) {
+    const Point3& from = joined_loop.points[motion];
+    const Point3 along = joined_loop.points[joined_loop.motionEnd(motion)] - from;
     const double squared = along.squaredNorm();
     const double part = squared > 0.0 ? std::clamp((point - from).dot(along) / squared, 0.0, 1.0) : 0.0;
     const Point3 place = from + part * along;
@@ -94,45 +94,46 @@ CyclePlace nearestPlace(const Path& cycle, const Point3& point) {
   return best;
 }
 
-Path opened(const Path& cycle, const CycleOpening& opening) {
-  const std::size_t count = cycle.points.size();
+Path opened(const Path& joined_loop, const LoopOpening& opening) {
+  const std::size_t count = joined_loop.points.size();
   const std::size_t motion = opening.start.motion;
-  const std::size_t end = cycle.motionEnd(motion);
-  const Pose start = startPoseOf(cycle, opening.start);
+  const std::size_t end = joined_loop.motionEnd(motion);
+  const Pose start = startPoseOf(joined_loop, opening.start);
   Waypoints waypoints;
   waypoints.add(start, end);
   for (std::size_t i = 0; i < count; ++i) {
-    // The way to a waypoint is told by itself forwards, and by the one after it backwards.
-    if (opening.sense == CycleSense::AsGiven)
-      waypoints.add(poseAt(cycle, (end + i) % count), (end + i) % count);
+    // The way to a waypoint is reported by itself forwards, and by the one after it backwards.
+    if (opening.sense == LoopSense::AsGiven)
+      waypoints.add(poseAt(joined_loop, (end + i) % count), (end + i) % count);
     else
-      waypoints.add(poseAt(cycle, (motion + count - i) % count), (motion + count - i + 1) % count);
+      waypoints.add(poseAt(joined_loop, (motion + count - i) % count), (motion + count - i + 1) % count);
   }
   waypoints.add(start, end);
   waypoints.shorten(opening.left_out_mm);
-  Path path = cycle;
+  Path path = joined_loop;
   path.is_closed = false;
   path.points = std::move(waypoints.points);
-  path.bead = taken(cycle.bead, waypoints.from);
-  path.feed_mm_s = taken(cycle.feed_mm_s, waypoints.from);
-  if (!cycle.orientation.isCommon())
+  path.bead = taken(joined_loop.bead, waypoints.from);
+  path.feed_mm_s = taken(joined_loop.feed_mm_s, waypoints.from);
+  if (!joined_loop.orientation.isCommon())
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(waypoints.orientations));
   return path;
 }
 
-Point3 endOfOpened(const Path& cycle, const CycleOpening& opening) {
-  const std::size_t count = cycle.points.size();
+Point3 endOfOpened(const Path& joined_loop, const LoopOpening& opening) {
+  const std::size_t count = joined_loop.points.size();
   const std::size_t motion = opening.start.motion;
-  Point3 end = startOf(cycle, opening.start);
+  Point3 end = startOf(joined_loop, opening.start);
   double left_out = opening.left_out_mm;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t next = opening.sense == CycleSense::AsGiven ? (motion + count - i) % count
-                                                                  : (cycle.motionEnd(motion) + i) % count;
-    const Point3 back = cycle.points[next] - end;
+    const std::size_t next = opening.sense == LoopSense::AsGiven
+                                 ? (motion + count - i) % count
+                                 : (joined_loop.motionEnd(motion) + i) % count;
+    const Point3 back = joined_loop.points[next] - end;
     const double length = back.norm();
     if (length > left_out) return length > 0.0 ? Point3(end + left_out / length * back) : end;
     left_out -= length;
-    end = cycle.points[next];
+    end = joined_loop.points[next];
   }
   return end;
 }

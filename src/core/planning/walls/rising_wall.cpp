@@ -11,15 +11,15 @@
 #include "geometry/spatial/box_tree.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
-#include "planning/walls/opened_loop.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/walls/opened_loop.hpp"
 
 namespace lamina {
 namespace {
 
 /// Motions of a turn whose height changes are no longer than this part of it.
 constexpr int kRampSteps = 64;
-/// Points nearer to the loop beneath than this are drawn on it, those from twice that on are not [widths].
+/// Points nearer to the loop below than this are drawn on it, those from twice that on are not [widths].
 constexpr double kNear = 1.0;
 
 Polygon seenFromAbove(const Path& path) {
@@ -55,9 +55,9 @@ std::vector<TurnPoint> turnOf(const Path& loop) {
 }
 
 /// A loop that another one is laid on.
-class LoopBeneath {
+class LoopBelow {
  public:
-  explicit LoopBeneath(Polygon points) : points_(std::move(points)), edges_(boxesOf(points_)) {}
+  explicit LoopBelow(Polygon points) : points_(std::move(points)), edges_(boxesOf(points_)) {}
 
   /// The nearest place no farther than `reach`.
   std::optional<Point2> nearest(const Point2& point, double reach) const {
@@ -156,19 +156,19 @@ class WallRaiser {
     }
     const Point2 start = nozzle_ ? Point2(nozzle_->head<2>()) : Point2(loop.firstPoint().head<2>());
     Path own = opened(
-        loop, {nearestPlace(loop, {start.x(), start.y(), loop.firstPoint().z()}), CycleSense::AsGiven, 0.0});
+        loop, {nearestPlace(loop, {start.x(), start.y(), loop.firstPoint().z()}), LoopSense::AsGiven, 0.0});
     std::vector<TurnPoint> turn = turnOf(own);
-    if (beneath_) {
-      drawDown(turn, *beneath_, own.bead.at(1).width_mm);
+    if (below_) {
+      drawDown(turn, *below_, own.bead.at(1).width_mm);
       turn.front().point = start;
     }
     const double height = layer.height_mm;
     Path raised = own;
     raised.points.clear();
-    lay(turn, own, {layer.z_mm - height, layer.z_mm, beneath_ ? bead_height_ : 0.0, height}, raised);
+    lay(turn, own, {layer.z_mm - height, layer.z_mm, below_ ? bead_height_ : 0.0, height}, raised);
     add(std::move(raised), paths);
     layer.paths = std::move(paths);
-    beneath_.emplace(seenFromAbove(loop));
+    below_.emplace(seenFromAbove(loop));
     last_ = std::move(own);
     bead_height_ = height;
   }
@@ -181,9 +181,9 @@ class WallRaiser {
     paths.push_back(std::move(path));
   }
 
-  static void drawDown(std::vector<TurnPoint>& turn, const LoopBeneath& beneath, double width) {
+  static void drawDown(std::vector<TurnPoint>& turn, const LoopBelow& below, double width) {
     for (TurnPoint& at : turn) {
-      const std::optional<Point2> place = beneath.nearest(at.point, 2.0 * kNear * width);
+      const std::optional<Point2> place = below.nearest(at.point, 2.0 * kNear * width);
       if (!place) continue;
       const double share = std::min(1.0, 2.0 - (*place - at.point).norm() / (kNear * width));
       at.point += (1.0 - at.part) * share * (*place - at.point);
@@ -216,9 +216,9 @@ class WallRaiser {
   std::size_t first_;
   const TravelSettings& travel_;
   std::optional<Point3> nozzle_;
-  std::optional<LoopBeneath> beneath_;  ///< of the layer beneath
-  Path last_;                           ///< the same, open where the turn on it ended
-  double bead_height_ = 0.0;            ///< of the layer beneath
+  std::optional<LoopBelow> below_;  ///< of the layer below
+  Path last_;                       ///< the same, open where the turn on it ended
+  double bead_height_ = 0.0;        ///< of the layer below
 };
 
 }  // namespace

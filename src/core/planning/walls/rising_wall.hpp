@@ -14,10 +14,10 @@ namespace lamina {
 /// counter-clockwise loop.
 ///
 /// Along a loop of length L the nozzle rises from the bottom of its layer to the top, in proportion to the
-/// way. Seen from above, the loop begins on that of the layer beneath and ends on its own, so that there is
-/// no step between two: each point is drawn towards the loop beneath by the part of the loop that is still to
-/// come. The bead is as high as the nozzle is above the turn beneath. The first turn thus grows from nothing
-/// on what is flat beneath it; after the last one the nozzle goes round once more at the top, where the bead
+/// way. Seen from above, the loop begins on that of the layer below and ends on its own, so that there is
+/// no step between two: each point is drawn towards the loop below by the part of the loop that is still to
+/// come. The bead is as high as the nozzle is above the turn below. The first turn thus grows from nothing
+/// on what is flat below it; after the last one the nozzle goes round once more at the top, where the bead
 /// shrinks to nothing.
 ///
 /// Layers that hold no loop may only follow the last one that does. Skirts stay; travels between layers are

@@ -29,7 +29,7 @@ struct Walls {
   Regions infill;
   /// What is too narrow for lines to and fro that fit between the walls: beads along its middle.
   std::vector<FillPath> narrow_infill;
-  /// Area [mm²] of what is thinner than the narrowest bead that is laid, `walls.narrowest` pitches.
+  /// Area [mm²] of what is thinner than the narrowest bead that is deposited, `walls.narrowest` pitches.
   double unprinted_mm2 = 0.0;
 };
 

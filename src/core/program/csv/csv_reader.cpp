@@ -46,8 +46,8 @@ class Rows {
     throw InvalidProgram("CSV line " + std::to_string(line_) + ": " + what);
   }
 
-  ToldFrame readHeader() {
-    ToldFrame told;
+  StatedFrame readHeader() {
+    StatedFrame told;
     std::string_view header = nextLine();
     for (; !header.empty() && header.front() == '#'; header = nextLine()) {
       if (!readFrameComment(header.substr(1), told)) refuse("a comment tells no frame");
@@ -137,7 +137,7 @@ Path pathOf(std::vector<Row> rows, const Rows& source) {
   if (path.is_closed) {
     if (rows.size() < 3 || rows.back().point() != rows.front().point())
       source.refuse("the closed path before does not return to where it starts");
-    // The last row tells of the way back to the first waypoint.
+    // The last row reports of the way back to the first waypoint.
     rows.front() = rows.back();
     rows.pop_back();
   }

@@ -99,7 +99,7 @@ class PathRows {
 
 /// Empty for level layers.
 std::string frameComment(const Toolpath& toolpath) {
-  ToldFrame told;
+  StatedFrame told;
   told.bed_from_layers = toolpath.part_from_layers;
   std::string comment = frameComments(told);
   if (!comment.empty()) comment.front() = '#';

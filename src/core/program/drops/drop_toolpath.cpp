@@ -8,8 +8,8 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameDropHeight = 1e-4;     // mm
-constexpr double kFallbackHeight = 0.2;  // mm: of a layer no higher than the one before, as for beads
+constexpr double kSameDropHeight = 1e-4;  // mm
+constexpr double kFallbackHeight = 0.2;   // mm: of a layer no higher than the one before, as for beads
 
 double heightOf(const DropProgram& program, std::size_t index) {
   const DropProgramLayer& layer = program.layers[index];

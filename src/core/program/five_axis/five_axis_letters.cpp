@@ -23,7 +23,7 @@ char letterOf(const DrivenJoint& joint, const std::string& machine) {
 
 }  // namespace
 
-std::vector<AxisLetter> axisLetters(const Mechanism& machine) {
+std::vector<AxisLetter> axisLetters(const KinematicModel& machine) {
   std::vector<AxisLetter> letters;
   for (std::size_t j = 0; j < machine.joints().size(); ++j) {
     const DrivenJoint& joint = machine.joints()[j];

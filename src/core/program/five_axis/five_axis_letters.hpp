@@ -18,7 +18,7 @@ struct AxisLetter {
 
 /// In the order of XYZABC.
 /// @throws InvalidConfig if a joint has no letter, or x, y and z are not among them, linear
-std::vector<AxisLetter> axisLetters(const Mechanism& machine);
+std::vector<AxisLetter> axisLetters(const KinematicModel& machine);
 
 /// "X Y Z A C".
 std::string toText(const std::vector<AxisLetter>& letters);

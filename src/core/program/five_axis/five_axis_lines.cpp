@@ -23,7 +23,7 @@ std::string fixed(char letter, std::int64_t units) {
 
 }  // namespace
 
-FiveAxisLines::FiveAxisLines(const Mechanism& machine, const FiveAxisSettings& settings,
+FiveAxisLines::FiveAxisLines(const KinematicModel& machine, const FiveAxisSettings& settings,
                              const ProgramSettings& program)
     : machine_(machine),
       letters_(axisLetters(machine)),

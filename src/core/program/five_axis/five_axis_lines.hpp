@@ -27,7 +27,8 @@ struct FiveAxisTarget {
 /// Writes the lines of a five-axis program; words that hold are left out.
 class FiveAxisLines {
  public:
-  FiveAxisLines(const Mechanism& machine, const FiveAxisSettings& settings, const ProgramSettings& program);
+  FiveAxisLines(const KinematicModel& machine, const FiveAxisSettings& settings,
+                const ProgramSettings& program);
 
   /// Rotary axes first, then tip control, then over the first waypoint and down.
   void approach(const JointValues& joints, const Point3& tip, const std::string& tip_control,
@@ -48,7 +49,7 @@ class FiveAxisLines {
   std::string changes(std::size_t begin, std::size_t end, const JointValues& joints, const Point3& tip);
   std::string feedWord(double per_minute);
 
-  const Mechanism& machine_;
+  const KinematicModel& machine_;
   std::vector<AxisLetter> letters_;
   bool has_joints_;  ///< and inverse-time feed
   double retraction_feed_mm_s_;

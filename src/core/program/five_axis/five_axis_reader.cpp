@@ -9,8 +9,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/gcode_line.hpp"
-#include "lamina/program/program_frame.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "lamina/program/program_frame.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
@@ -38,7 +38,7 @@ struct Words {
 /// The lines of a part, one after the other.
 class FiveAxisInterpreter {
  public:
-  FiveAxisInterpreter(const Mechanism& machine, const FiveAxisSettings& settings,
+  FiveAxisInterpreter(const KinematicModel& machine, const FiveAxisSettings& settings,
                       const ProgramSettings& filament)
       : machine_(machine),
         settings_(settings),
@@ -185,7 +185,8 @@ class FiveAxisInterpreter {
     filament_mm_ = time_s_ = way_mm_ = 0.0;
   }
 
-  /// The last of its lines, before which no layer is told, gives the place that the first motion starts from.
+  /// The last of its lines, before which no layer is reported, gives the place that the first motion starts
+  /// from.
   void approach() {
     for (const double value : values_)
       if (std::isnan(value)) return;
@@ -236,7 +237,7 @@ class FiveAxisInterpreter {
     return toolpath;
   }
 
-  const Mechanism& machine_;
+  const KinematicModel& machine_;
   const FiveAxisSettings& settings_;
   std::vector<AxisLetter> letters_;
   ToolpathBuilder builder_;
@@ -269,8 +270,9 @@ bool isFiveAxisProgram(std::string_view program) {
   return head.find("\n" + std::string(kMark)) != std::string_view::npos;
 }
 
-Toolpath readFiveAxis(std::string_view program, const Mechanism& machine, const FiveAxisSettings& settings,
-                      const ProgramSettings& filament, const std::string& part_name) {
+Toolpath readFiveAxis(std::string_view program, const KinematicModel& machine,
+                      const FiveAxisSettings& settings, const ProgramSettings& filament,
+                      const std::string& part_name) {
   FiveAxisInterpreter interpreter(machine, settings, filament);
   for (std::size_t line = 1; !program.empty(); ++line) {
     const std::size_t end = std::min(program.find('\n'), program.size());

@@ -9,12 +9,12 @@
 #include "lamina/base/error.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
-#include "program/gcode/extrusion.hpp"
 #include "program/five_axis/five_axis_lines.hpp"
 #include "program/five_axis/joint_chords.hpp"
+#include "program/gcode/extrusion.hpp"
+#include "program/gcode/start_code.hpp"
 #include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
-#include "program/gcode/start_code.hpp"
 
 namespace lamina {
 namespace {
@@ -76,7 +76,7 @@ class FiveAxisProgram {
 
  private:
   std::string head() const {
-    ToldFrame told;
+    StatedFrame told;
     told.bed_from_layers =
         Eigen::Quaterniond(motion_.bed_from_part.linear()) * motion_.toolpath.part_from_layers;
     const bool has_joints = settings_.coordinates == FiveAxisCoordinates::Joints;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPieces = 1000;
 constexpr double kTurn = 2.0 * M_PI;
 
-bool isWoundBack(const Mechanism& machine, const JointValues& begin, const JointValues& end) {
+bool isWoundBack(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
   for (std::size_t j = 0; j < machine.joints().size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
     if (machine.joints()[j].kind == JointKind::Rotary && std::abs(end[joint] - begin[joint]) > M_PI)
@@ -23,7 +23,7 @@ bool isWoundBack(const Mechanism& machine, const JointValues& begin, const Joint
 }
 
 /// How far the tip is from the middle of its line halfway between the joints.
-double chordError(const Mechanism& machine, const JointValues& begin, const JointValues& end) {
+double chordError(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
   const Point3 halfway = machine.bedFromNozzle(0.5 * (begin + end)).translation();
   const Point3 middle =
       0.5 * (machine.bedFromNozzle(begin).translation() + machine.bedFromNozzle(end).translation());
@@ -31,7 +31,7 @@ double chordError(const Mechanism& machine, const JointValues& begin, const Join
 }
 
 /// The values with rotary joints turned by whole turns to be next to others.
-JointValues wound(JointValues values, const Mechanism& machine, const JointValues& near) {
+JointValues wound(JointValues values, const KinematicModel& machine, const JointValues& near) {
   for (std::size_t j = 0; j < machine.joints().size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
     if (machine.joints()[j].kind == JointKind::Rotary)
@@ -40,7 +40,7 @@ JointValues wound(JointValues values, const Mechanism& machine, const JointValue
   return values;
 }
 
-double rotaryWay(const Mechanism& machine, const JointValues& from, const JointValues& to) {
+double rotaryWay(const KinematicModel& machine, const JointValues& from, const JointValues& to) {
   double most = 0.0;
   for (std::size_t j = 0; j < machine.joints().size(); ++j) {
     const auto joint = static_cast<Eigen::Index>(j);
@@ -50,7 +50,7 @@ double rotaryWay(const Mechanism& machine, const JointValues& from, const JointV
   return most;
 }
 
-JointValues nearest(const Mechanism& machine, const Eigen::Isometry3d& pose, const JointValues& near) {
+JointValues nearest(const KinematicModel& machine, const Eigen::Isometry3d& pose, const JointValues& near) {
   JointValues best;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& solution : machine.solutions(pose, near)) {
@@ -63,7 +63,7 @@ JointValues nearest(const Mechanism& machine, const Eigen::Isometry3d& pose, con
 
 }  // namespace
 
-std::vector<JointValues> jointsBetween(const Mechanism& machine, const JointValues& begin,
+std::vector<JointValues> jointsBetween(const KinematicModel& machine, const JointValues& begin,
                                        const JointValues& end, double tolerance_mm) {
   const double error = chordError(machine, begin, end);
   if (!(error > tolerance_mm) || isWoundBack(machine, begin, end)) return {};

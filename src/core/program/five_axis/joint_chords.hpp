@@ -10,11 +10,11 @@
 namespace lamina {
 
 /// Joints between two stations such that the tip, while all joints move evenly from one to the next, stays on
-/// its straight line within the tolerance; the jet turns evenly. Empty where the two will do, or where a
-/// rotary joint is wound back by more than half a turn, which leaves the line whatever stands between.
+/// its straight line within the tolerance; the tool axis turns evenly. Empty where the two will do, or where
+/// a rotary joint is wound back by more than half a turn, which leaves the line whatever stands between.
 /// @param tolerance_mm  positive
 /// @throws Unreachable if the machine has no joints for a pose between that follow those before steadily
-std::vector<JointValues> jointsBetween(const Mechanism& machine, const JointValues& begin,
+std::vector<JointValues> jointsBetween(const KinematicModel& machine, const JointValues& begin,
                                        const JointValues& end, double tolerance_mm);
 
 }  // namespace lamina

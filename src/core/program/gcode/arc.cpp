@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kSameArcPoint = 1e-6;       // mm: beneath what programs resolve
+constexpr double kSameArcPoint = 1e-6;    // mm: below what programs resolve
 constexpr double kRadiusRounding = 1e-3;  // mm: last decimal of programs
 constexpr double kWidestStep = M_PI / 8;
 

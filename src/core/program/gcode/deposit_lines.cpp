@@ -101,18 +101,18 @@ class ModalState {
 std::vector<LayerEnd> layerEnds(std::string_view program, const Toolpath& toolpath) {
   const std::vector<Deposition> depositions = depositionsOf(program);
   std::vector<LayerEnd> ends(toolpath.layers.size());
-  std::size_t laid = 0;
+  std::size_t deposited = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::size_t count = depositionCount(toolpath.layers[i]);
-    laid += count;
-    if (laid > depositions.size())
+    deposited += count;
+    if (deposited > depositions.size())
       throw InvalidInput("the toolpath deposits by more motions than the program, " +
                          std::to_string(depositions.size()) + "; it must be that of the program");
     if (count == 0) continue;
-    ends[i].line = depositions[laid - 1].line;
-    ends[i].nozzle = depositions[laid - 1].end;
-    ends[i].feed_mm_s = depositions[laid - 1].feed_mm_s;
-    ends[i].height_mm = depositions[laid - 1].height_mm;
+    ends[i].line = depositions[deposited - 1].line;
+    ends[i].nozzle = depositions[deposited - 1].end;
+    ends[i].feed_mm_s = depositions[deposited - 1].feed_mm_s;
+    ends[i].height_mm = depositions[deposited - 1].height_mm;
   }
   GcodeLineParser parser;
   ModalState state;

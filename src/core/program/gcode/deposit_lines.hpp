@@ -17,8 +17,8 @@ struct LayerEnd {
   double feed_mm_s = 0.0;
   double filament_mm = 0.0;          ///< as an absolute E counts it
   bool is_filament_absolute = true;  ///< M82
-  std::optional<double> height_mm;   ///< of the beads, if a comment told it
-  std::string_view type;             ///< the comment that told the role last: ";TYPE:infill"; empty if none
+  std::optional<double> height_mm;   ///< of the beads, if a comment reported it
+  std::string_view type;  ///< the comment that reported the role last: ";TYPE:infill"; empty if none
 };
 
 /// The ends of all layers of the toolpath that was read from this program.

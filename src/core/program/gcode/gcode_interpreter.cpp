@@ -12,9 +12,9 @@ namespace lamina {
 namespace {
 
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
-constexpr double kLargestCoordinate = 1e7;          // mm: 10 km
-constexpr double kOffCircle = 0.05;       // mm, and
-constexpr double kOffCirclePart = 0.001;  // of the radius: what rounding and arc fitting leave
+constexpr double kLargestCoordinate = 1e7;  // mm: 10 km
+constexpr double kOffCircle = 0.05;         // mm, and
+constexpr double kOffCirclePart = 0.001;    // of the radius: what rounding and arc fitting leave
 
 }  // namespace
 

@@ -20,15 +20,17 @@ namespace {
 
 constexpr double kApproach = 1e-6;  // mm
 
-constexpr double kLargestWritten = 1e7;   // mm and mm/s: 10 km, far inside what the counts of units can hold
-constexpr double kSameJet = 1e-6;  // rad: what rounding leaves of a rotation
+constexpr double kLargestWritten = 1e7;  // mm and mm/s: 10 km, far inside what the counts of units can hold
+constexpr double kSameToolAxis = 1e-6;   // rad: what rounding leaves of a rotation
 
 [[noreturn]] void refuse(const Path& path, std::size_t waypoint, const std::string& what) {
   throw InvalidInput(std::string(toString(path.role)) + " path, waypoint " + std::to_string(waypoint) + ": " +
                      what);
 }
 
-bool isWritable(const Point3& point) { return point.cwiseAbs().maxCoeff() < kLargestWritten && !point.hasNaN(); }
+bool isWritable(const Point3& point) {
+  return point.cwiseAbs().maxCoeff() < kLargestWritten && !point.hasNaN();
+}
 
 void requireWritable(const Path& path) {
   const std::size_t least = path.deposit == Deposit::Drops ? 1 : 2;
@@ -46,27 +48,27 @@ void requireWritable(const Path& path) {
       refuse(path, i, "bead width and height must be finite and not negative");
 }
 
-/// @param jet  of the head, in the part frame
-void requireJet(const Path& path, const Point3& jet) {
+/// @param tool axis  of the head, in the part frame
+void requireToolAxis(const Path& path, const Point3& tool_axis) {
   const auto& orientations = path.orientation.values();
   for (std::size_t i = 0; i < orientations.size(); ++i) {
     const Point3 wanted = orientations[i] * Point3::UnitZ();
-    const double turn = std::atan2(jet.cross(wanted).norm(), jet.dot(wanted));
-    if (!(turn <= kSameJet))
+    const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
+    if (!(turn <= kSameToolAxis))
       refuse(path, i,
              "the nozzle would have to turn by " + std::to_string(turn * 180.0 / M_PI) +
                  " deg; a three-axis program holds it as at the first waypoint");
   }
 }
 
-Point3 jetOf(const Path& path) { return path.orientation.at(0) * Point3::UnitZ(); }
+Point3 toolAxisOf(const Path& path) { return path.orientation.at(0) * Point3::UnitZ(); }
 
 /// @return filament the layer lays [mm]
-double checkLayer(const ToolpathLayer& layer, const Point3& jet, double filament_per_volume) {
+double checkLayer(const ToolpathLayer& layer, const Point3& tool_axis, double filament_per_volume) {
   double sum = 0.0;
   for (const Path& path : layer.paths) {
     requireWritable(path);
-    requireJet(path, jet);
+    requireToolAxis(path, tool_axis);
     if (path.deposit == Deposit::Drops) continue;
     const PathExtrusion extrusion(path, filament_per_volume);
     const std::size_t motions = path.motionCount();
@@ -78,14 +80,14 @@ double checkLayer(const ToolpathLayer& layer, const Point3& jet, double filament
   return sum;
 }
 
-std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Point3& jet,
+std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Point3& tool_axis,
                                     const ProgramSettings& settings) {
   const double filament_per_volume = filamentPerVolume(settings);
   std::vector<double> filament_mm(toolpath.layers.size());
   NoProgress nobody;
   const auto check = [&](std::size_t l) {
     try {
-      filament_mm[l] = checkLayer(toolpath.layers[l], jet, filament_per_volume);
+      filament_mm[l] = checkLayer(toolpath.layers[l], tool_axis, filament_per_volume);
     } catch (const InvalidInput& error) {
       throw InvalidInput("toolpath layer " + std::to_string(l) + ", " + error.what());
     }
@@ -127,7 +129,8 @@ const Path& firstPath(const Toolpath& toolpath) {
 }
 
 /// The first run of drops, if the toolpath lays drops.
-/// @throws InvalidInput if it lays beads besides, or drops of several diameters: no dialect tells them apart
+/// @throws InvalidInput if it lays beads besides, or drops of several diameters: no dialect distinguishes
+/// them
 const Path* requireDropsAlike(const Toolpath& toolpath) {
   const Path* first = nullptr;
   bool has_beads = false;
@@ -183,13 +186,13 @@ std::string dropHeader(const Path& drops, const ProgramSettings& settings) {
          oneLine(settings.strategy) + "\n;" + dialect.units_key + "=mm\n";
 }
 
-ToldFrame toldFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
+StatedFrame statedFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
   const Eigen::Quaterniond bed_from_part(frame.bed_from_part.linear());
-  ToldFrame told;
+  StatedFrame told;
   told.bed_from_layers = bed_from_part * toolpath.part_from_layers;
-  const Point3 jet = bed_from_part * jetOf(firstPath(toolpath));
-  // The turn about the jet is free: none where it points straight down.
-  told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), jet) * nozzleDown();
+  const Point3 tool_axis = bed_from_part * toolAxisOf(firstPath(toolpath));
+  // The turn about the tool axis is free: none where it points straight down.
+  told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), tool_axis) * nozzleDown();
   told.bed_from_program = frame.program_from_bed.inverse();
   return told;
 }
@@ -209,14 +212,14 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
-  std::vector<LayerStart> starts = checkLayers(toolpath, jetOf(first), settings);
+  std::vector<LayerStart> starts = checkLayers(toolpath, toolAxisOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);
   const std::string end_code = expandCode("program.end_code", settings.end_code, settings, frame);
 
   sink("; generated by Lamina\n; part: " + oneLine(toolpath.part_name) + "\n" +
        (drops != nullptr ? dropHeader(*drops, settings) : "") + ";LAYER_COUNT:" +
-       std::to_string(toolpath.layers.size()) + "\n" + frameComments(toldFrame(toolpath, frame)) +
+       std::to_string(toolpath.layers.size()) + "\n" + frameComments(statedFrame(toolpath, frame)) +
        start_code + (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
   sink("; start of the part\n" + approach(first,
                                           frame.program_from_bed * (frame.bed_from_part * first.firstPoint()),

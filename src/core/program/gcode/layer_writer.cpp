@@ -97,10 +97,10 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
   for (std::size_t m = 0; m < motions; ++m) {
     const std::size_t end = path.motionEnd(m);
     const double length_mm = (path.points[end] - path.points[m]).norm();
-    const double laid_mm = extrusion.along(length_mm, end);
-    modal.filament_mm += laid_mm;
+    const double deposited_mm = extrusion.along(length_mm, end);
+    modal.filament_mm += deposited_mm;
     // Too little to be written: without E it would read as a travel. The next motion takes it along.
-    if (laid_mm > 0.0 && toUnits(modal.filament_mm, kFilamentScale) == modal.filament) continue;
+    if (deposited_mm > 0.0 && toUnits(modal.filament_mm, kFilamentScale) == modal.filament) continue;
     if (path.role != PathRole::Travel) writeHeight(path.bead.at(end).height_mm, modal, text);
     writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
                 modal, text);

@@ -16,7 +16,7 @@ namespace lamina {
 /// What is known where a layer begins.
 struct LayerStart {
   std::size_t index = 0;
-  double filament_mm = 0.0;        ///< laid by the layers before, without retractions
+  double filament_mm = 0.0;        ///< deposited by the layers before, without retractions
   bool is_retracted = false;       ///< by the path before
   bool next_is_retracted = false;  ///< the path after the layer's last one is a retracted one
 };

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kSamePoint = 1e-6;         // mm: beneath what programs resolve
+constexpr double kSamePoint = 1e-6;         // mm: below what programs resolve
 constexpr double kFilamentRounding = 1e-5;  // mm: last decimal of E
 constexpr double kLengthRounding = 1.5e-3;  // mm: diagonal of the last decimals of X and Y at both ends
 

@@ -21,11 +21,11 @@ class PathBuilder {
   bool accepts(const GcodeMotion& motion, bool is_retracted) const;
   void add(const GcodeMotion& motion);
 
-  /// Layer height the comments told where the run begins, if they did.
+  /// Layer height the comments reported where the run begins, if they did.
   std::optional<double> layerHeight() const { return layer_height_mm_; }
   double lastZ() const { return points_.back().z(); }
 
-  /// @param layer_height_mm  bead height where no comment told another
+  /// @param layer_height_mm  bead height where no comment reported another
   /// @param volume_per_filament  [mm³/mm]
   Path build(double layer_height_mm, double volume_per_filament) const;
 

@@ -83,7 +83,7 @@ class BlockWriter {
   const LayerEnd& end_;
   const InsertionSettings& settings_;
   Point3 nozzle_;
-  std::optional<double> height_mm_;  ///< that holds, if the program tells heights
+  std::optional<double> height_mm_;  ///< that holds, if the program reports heights
   std::string text_;
 };
 

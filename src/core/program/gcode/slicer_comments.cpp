@@ -55,7 +55,7 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
     {"Gap infill", PathRole::GapFill},
 };
 
-/// Slic3r tells the role beside each motion.
+/// Slic3r reports the role beside each motion.
 constexpr std::pair<std::string_view, PathRole> kMotionRemarks[] = {
     {"perimeter", PathRole::InnerWall},
     {"infill", PathRole::Infill},
@@ -108,7 +108,7 @@ void setHeight(std::string_view text, SlicerContext& context) {
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 /// Simplify3D names what follows in plain words ("feature outer perimeter", before version 4 "outer
-/// perimeter"), which its settings, told in the header, are not.
+/// perimeter"), which its settings, reported in the header, are not.
 std::optional<PathRole> featureRole(std::string_view comment) {
   const bool says_feature = takePrefix(comment, "feature ");
   for (const char letter : comment)

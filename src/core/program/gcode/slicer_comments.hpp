@@ -11,27 +11,28 @@
 
 namespace lamina {
 
-/// What the comments of Lamina, Cura, PrusaSlicer, Slic3r (verbose) and Simplify3D tell of the motions that
+/// What the comments of Lamina, Cura, PrusaSlicer, Slic3r (verbose) and Simplify3D report of the motions that
 /// follow.
 struct SlicerContext {
   SlicerDialect dialect = SlicerDialect::Unknown;
   std::optional<int> layer;         ///< as numbered by the slicer; none before the first and after the part
-  std::optional<PathRole> role;     ///< none if not told, or of a kind Lamina has no name for
+  std::optional<PathRole> role;     ///< none if not reported, or of a kind Lamina has no name for
   std::optional<double> height_mm;  ///< of the beads
-  std::optional<double> layer_height_mm;  ///< the first height told since the layer opened, or that before
-  bool is_layer_height_open = true;       ///< the next height is the layer's
-  std::size_t section = 0;                ///< counts the comments that open a layer or a path
+  std::optional<double>
+      layer_height_mm;               ///< the first height reported since the layer opened, or that before
+  bool is_layer_height_open = true;  ///< the next height is the layer's
+  std::size_t section = 0;           ///< counts the comments that open a layer or a path
 };
 
 /// Updates the context; other comments change nothing.
 void readComment(std::string_view comment, SlicerContext& context);
 
-/// The diameter [mm] of the filament the program was made for, if the comment tells it: `filament_diameter =
-/// 1.75` as PrusaSlicer and Slic3r have it, `filamentDiameters,1.75|2.85` as Simplify3D; the first of
+/// The diameter [mm] of the filament the program was made for, if the comment reports it: `filament_diameter
+/// = 1.75` as PrusaSlicer and Slic3r have it, `filamentDiameters,1.75|2.85` as Simplify3D; the first of
 /// several.
 std::optional<double> filamentDiameterTold(std::string_view comment);
 
-/// A motion of which nothing is known but what the comments tell.
+/// A motion of which nothing is known but what the comments report.
 GcodeMotion motionIn(const SlicerContext& context);
 
 }  // namespace lamina

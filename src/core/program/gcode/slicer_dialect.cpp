@@ -19,7 +19,9 @@ constexpr std::pair<std::string_view, SlicerDialect> kNames[] = {
     {"Cura", SlicerDialect::Cura},
 };
 
-bool holdsMark(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+bool holdsMark(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/drops/drop_program.hpp"
-#include "lamina/program/program_frame.hpp"
 #include "lamina/program/gcode/slicer_dialect.hpp"
+#include "lamina/program/program_frame.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/path_builder.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
 
-/// The builder's, and what tells a program of drops.
+/// The builder's, and what reports a program of drops.
 GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
   GcodeHandlers handlers;
   handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
@@ -116,7 +116,7 @@ class ToolpathBuilder::State {
   /// What was read was no part of the part.
   void forget() { toolpath_.layers.clear(), runs_.clear(), reached_.reset(); }
 
-  /// A slicer may tell the filament only after the motions.
+  /// A slicer may report the filament only after the motions.
   void scaleBeads(double area_factor) {
     for (ToolpathLayer& layer : toolpath_.layers)
       for (Path& path : layer.paths) {
@@ -158,8 +158,8 @@ class ToolpathBuilder::State {
   double filament_diameter_mm_;  ///< of the settings
   double told_diameter_mm_;      ///< by the program, else as set
   bool is_over_ = false;         ///< end code has begun
-  ToldFrame told_;
-  std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that tells its frame
+  StatedFrame told_;
+  std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that reports its frame
   std::optional<int> layer_;
   bool has_comments_ = false;
   std::optional<Point3> reached_;  ///< by the motions that are kept

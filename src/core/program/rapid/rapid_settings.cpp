@@ -40,7 +40,7 @@ void describeNames(SettingsSchema& schema, RapidSettings& settings) {
   schema.text("rapid.laser_off", settings.laser_off, "Procedure that stops the laser (powder).");
   schema.text("rapid.laser_signal", settings.laser_signal, "Output that asks for the laser.");
   schema.text("rapid.laser_ready_signal", settings.laser_ready_signal,
-              "Input that tells that the laser is ready (wire).");
+              "Input that reports that the laser is ready (wire).");
   schema.text("rapid.wire_signal", settings.wire_signal, "Output that feeds the wire.");
   schema.text("rapid.powder_signal", settings.powder_signal, "Output that feeds the powder.");
   schema.text("rapid.gas_signal", settings.gas_signal, "Output that opens the gas (powder).");
@@ -73,7 +73,7 @@ void describeCell(SettingsSchema& schema, RapidSettings& settings) {
   schema.numbers("rapid.fixed_configuration", settings.fixed_configuration, 4,
                  "Configuration cf1, cf4, cf6, cfx where it is the same in all targets.");
   schema.number("rapid.external_axis", settings.external_axis, {-1e5, 1e5},
-                "Value of the first external axis [mm, deg] where no joint of the machine tells it.");
+                "Value of the first external axis [mm, deg] where no joint of the machine gives it.");
   schema.flag("rapid.thesis_compat", settings.is_thesis_compatible,
               "Five external axes in targets, as printed in [Flores2018]; RAPID has six.");
 }

@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kBeneathTop = 1e-6;  // mm: at the very top a plane cuts nothing
+constexpr double kBelowTop = 1e-6;  // mm: at the very top a plane cuts nothing
 constexpr double kMostContours = 1e6;
 
 std::size_t partsOf(double computing_height_mm, double layer_height_mm) {
@@ -38,10 +38,10 @@ void requireOdd(int window) {
     throw InvalidConfig("adapted.smoothing_window is " + std::to_string(window) + "; must be odd");
 }
 
-/// Of flat contours: at the bottom, then a step apart, the last just beneath the top.
+/// Of flat contours: at the bottom, then a step apart, the last just below the top.
 std::vector<double> contourHeights(const Box3& box, const GrowthSteps& steps) {
   const double bottom = box.low.z();
-  const double top = box.high.z() - kBeneathTop;
+  const double top = box.high.z() - kBelowTop;
   const double first = bottom + steps.first.height_mm;
   const double count = std::floor((top - first) / steps.other.height_mm + 1e-6) + 1.0;
   if (!(count < kMostContours))

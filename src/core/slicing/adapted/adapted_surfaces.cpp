@@ -77,10 +77,10 @@ std::vector<Point3> normalsOf(const Mesh& mesh) {
   return normals;
 }
 
-/// @param beneath  none for the lowest layer
-LayerSurface surfaceOn(const Mesh* beneath, double bottom_mm, const Mesh& tip) {
+/// @param below  none for the lowest layer
+LayerSurface surfaceOn(const Mesh* below, double bottom_mm, const Mesh& tip) {
   std::optional<NearestTriangle> places;
-  if (beneath != nullptr) places.emplace(*beneath);
+  if (below != nullptr) places.emplace(*below);
   LayerSurface surface;
   surface.tip = tip.vertices;
   surface.normal = normalsOf(tip);
@@ -94,7 +94,7 @@ LayerSurface surfaceOn(const Mesh* beneath, double bottom_mm, const Mesh& tip) {
   return surface;
 }
 
-/// What is left of a layer that lies on the one beneath it in parts.
+/// What is left of a layer that lies on the one below it in parts.
 LayerSurface whereThick(const LayerSurface& surface, const AdaptedLayer& layer) {
   double most = 0.0;
   for (const AdaptedCurve& curve : layer.curves)

@@ -12,8 +12,8 @@ namespace lamina {
 namespace {
 
 constexpr double kGrowthRounding = 1e-9;  // of a height, so that vertical walls keep their own points
-constexpr int kMostRounds = 12;     // in which the place stood on becomes the nearest one
-constexpr double kSettled = 1e-5;   // of a height: the point moves no more
+constexpr int kMostRounds = 12;           // in which the place stood on becomes the nearest one
+constexpr double kSettled = 1e-5;         // of a height: the point moves no more
 
 /// The upper of the points of the line from `low` to `high` at a distance from a point; if the line passes it
 /// farther away, the point at that distance nearest to the line.
@@ -30,13 +30,13 @@ Point3 onLineAt(const Point3& low, const Point3& high, const Point3& from, doubl
 PlacedCurve::PlacedCurve(AdaptedCurve placed)
     : curve(std::move(placed)), places(curve.points, curve.is_closed), length(curve) {}
 
-AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& beneath) {
+AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& below) {
   std::vector<double> feet_mm;
   feet_mm.reserve(grown.size());
   for (const GrownPoint& point : grown) feet_mm.push_back(point.foot_mm);
   AdaptedCurve curve;
   curve.is_closed = is_closed;
-  for (const std::size_t i : pointsInOrder(feet_mm, beneath.curve.is_closed ? beneath.length.total() : 0.0)) {
+  for (const std::size_t i : pointsInOrder(feet_mm, below.curve.is_closed ? below.length.total() : 0.0)) {
     curve.points.push_back(grown[i].point);
     curve.axis.push_back(grown[i].axis);
     curve.height_mm.push_back(grown[i].height_mm);
@@ -55,41 +55,41 @@ std::size_t Growth::firstAbove(double z) const {
   return static_cast<std::size_t>(std::upper_bound(heights_.begin(), heights_.end(), z) - heights_.begin());
 }
 
-void Growth::putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& beneath) const {
-  const CurvePlace foot = beneath.places.nearest(grown.point);
-  grown.foot_mm = beneath.length.at(foot);
+void Growth::putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& below) const {
+  const CurvePlace foot = below.places.nearest(grown.point);
+  grown.foot_mm = below.length.at(foot);
   const CurvePlace high = places_[above]->nearest(grown.point);
   const CurvePlace low = places_[above - 1]->nearest(high.point);
   grown.point = onLineAt(low.point, high.point, foot.point, grown.height_mm);
   grown.axis =
-      (directionAt(strand_.levels[above].axis, high) + directionAt(beneath.curve.axis, foot)).normalized();
+      (directionAt(strand_.levels[above].axis, high) + directionAt(below.curve.axis, foot)).normalized();
 }
 
 void Growth::returnToWall(GrownPoint& grown, std::size_t level, double foot_z,
-                          const PlacedCurve& beneath) const {
+                          const PlacedCurve& below) const {
   // Levels higher than the point can be would all be gone through without effect on where it ends.
   std::size_t above = std::min(level, firstAbove(foot_z + grown.height_mm));
-  for (; above > 1 && grown.point.z() < heights_[above - 1]; --above) putOnWall(grown, above, beneath);
+  for (; above > 1 && grown.point.z() < heights_[above - 1]; --above) putOnWall(grown, above, below);
   for (int round = 0; round < kMostRounds; ++round) {
     const Point3 before = grown.point;
-    putOnWall(grown, above, beneath);
+    putOnWall(grown, above, below);
     if ((grown.point - before).norm() < kSettled * grown.height_mm) break;
   }
 }
 
-GrownPoint Growth::towards(std::size_t level, std::size_t i, const PlacedCurve& beneath,
+GrownPoint Growth::towards(std::size_t level, std::size_t i, const PlacedCurve& below,
                            double height_mm) const {
   const WallContour& contour = strand_.levels[level];
   const Point3& wanted = contour.points[i];
-  const CurvePlace foot = beneath.places.nearest(wanted);
+  const CurvePlace foot = below.places.nearest(wanted);
   if (foot.distance_mm <= height_mm * (1.0 + kGrowthRounding))
-    return {wanted, contour.axis[i], foot.distance_mm, beneath.length.at(foot), true};
-  const Point3 foot_axis = directionAt(beneath.curve.axis, foot);
+    return {wanted, contour.axis[i], foot.distance_mm, below.length.at(foot), true};
+  const Point3 foot_axis = directionAt(below.curve.axis, foot);
   GrownPoint grown;
   grown.point = foot.point + height_mm / foot.distance_mm * (wanted - foot.point);
   grown.axis = (contour.axis[i] + foot_axis).normalized();
   grown.height_mm = height_mm;
-  returnToWall(grown, level, foot.point.z(), beneath);
+  returnToWall(grown, level, foot.point.z(), below);
   return grown;
 }
 

@@ -25,15 +25,15 @@ struct PlacedCurve {
 struct GrownPoint {
   Point3 point = Point3::Zero();
   Point3 axis = Point3::Zero();
-  double height_mm = 0.0;   ///< from the curve beneath
-  double foot_mm = 0.0;     ///< length along the curve beneath at which it stands
+  double height_mm = 0.0;   ///< from the curve below
+  double foot_mm = 0.0;     ///< length along the curve below at which it stands
   bool is_reached = false;  ///< whether the flat contour was near enough, so that its point was taken
 };
 
 /// The curve through grown points, without those that would make it fold (`pointsInOrder`).
-AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& beneath);
+AdaptedCurve curveThrough(const std::vector<GrownPoint>& grown, bool is_closed, const PlacedCurve& below);
 
-/// Draws flat contours of one wall down to a layer's height from the curve beneath.
+/// Draws flat contours of one wall down to a layer's height from the curve below.
 class Growth {
  public:
   /// @param strand  must outlive this
@@ -42,17 +42,17 @@ class Growth {
   /// The lowest flat contour above a height, or the number of contours if there is none.
   std::size_t firstAbove(double z) const;
 
-  /// The point of the layer on `beneath` that grows towards point `i` of the flat contour `level`
+  /// The point of the layer on `below` that grows towards point `i` of the flat contour `level`
   /// [Flores2018, figure 78]. If that is no farther than `height_mm`, it is taken itself.
-  /// Otherwise the way there from the nearest place beneath is followed by that height, and the point put on
+  /// Otherwise the way there from the nearest place below is followed by that height, and the point put on
   /// the line between the two flat contours that enclose it, which lies along the wall, again at that height
-  /// from the place beneath that is nearest then; of two such points the upper one. If the line is farther
+  /// from the place below that is nearest then; of two such points the upper one. If the line is farther
   /// away than that, the point at that height nearest to it is taken.
-  GrownPoint towards(std::size_t level, std::size_t i, const PlacedCurve& beneath, double height_mm) const;
+  GrownPoint towards(std::size_t level, std::size_t i, const PlacedCurve& below, double height_mm) const;
 
  private:
-  void returnToWall(GrownPoint& grown, std::size_t level, double foot_z, const PlacedCurve& beneath) const;
-  void putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& beneath) const;
+  void returnToWall(GrownPoint& grown, std::size_t level, double foot_z, const PlacedCurve& below) const;
+  void putOnWall(GrownPoint& grown, std::size_t above, const PlacedCurve& below) const;
 
   const WallStrand& strand_;
   std::vector<double> heights_;

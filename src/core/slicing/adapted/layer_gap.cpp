@@ -15,12 +15,12 @@ constexpr double kMostHeights = 2.0;
 
 }  // namespace
 
-void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& beneath, const GapLimit& limit,
+void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& below, const GapLimit& limit,
                   std::size_t layer, const Mesh& mesh) {
   const CurvePlaces places(curve.points, curve.is_closed);
   double greatest = 0.0;
   Point3 at = Point3::Zero();
-  for (const Point3& point : beneath.curve.points) {
+  for (const Point3& point : below.curve.points) {
     const double distance = places.nearest(point).distance_mm;
     if (distance > greatest) at = point;
     greatest = std::max(greatest, distance);

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kFlat = 1e-6;      // mm within which a corner lies in the bottom or the top
+constexpr double kFlat = 1e-6;           // mm within which a corner lies in the bottom or the top
 constexpr double kSteepRounding = 1e-6;  // deg
 
 bool isAt(const Mesh& mesh, const Triangle& corner, double z) {

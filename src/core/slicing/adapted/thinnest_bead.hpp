@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-/// Part of a layer's height below which nothing is laid where it runs out on the one beneath.
+/// Part of a layer's height below which nothing is deposited where it runs out on the one below.
 constexpr double kThinnest = 0.25;
 
 }  // namespace lamina

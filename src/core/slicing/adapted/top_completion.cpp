@@ -77,7 +77,7 @@ class TopCompletion {
   }
 
  private:
-  /// Whether any point is still active: as far from the curve beneath it as the least height.
+  /// Whether any point is still active: as far from the curve below it as the least height.
   bool grow(std::vector<bool>& is_active, double height_mm, double least_mm) {
     bool is_any = false;
     for (std::size_t i = 0; i < top_.size(); ++i) {
@@ -91,17 +91,17 @@ class TopCompletion {
 
   void addCurve(const PointRun& run, const GrowthStep& step, std::vector<AdaptedLayer>& divided) {
     const std::size_t count = top_.size();
-    const std::size_t beneath = front_of_[run.first];
+    const std::size_t below = front_of_[run.first];
     const bool is_closed = run.count == count;
     std::vector<GrownPoint> points;
     const auto appendReached = [&](std::size_t i) {
-      points.push_back(growth_.towards(level_, i, *fronts_[beneath], step.height_mm));
+      points.push_back(growth_.towards(level_, i, *fronts_[below], step.height_mm));
     };
     if (!is_closed) appendReached((run.first + count - 1) % count);
     for (std::size_t k = 0; k < run.count; ++k) points.push_back(grown_[(run.first + k) % count]);
     if (!is_closed) appendReached((run.first + run.count) % count);
-    AdaptedCurve curve = curveThrough(points, is_closed, *fronts_[beneath]);
-    std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[beneath], curve, step.parts);
+    AdaptedCurve curve = curveThrough(points, is_closed, *fronts_[below]);
+    std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[below], curve, step.parts);
     for (std::size_t part = 0; part < parts.size(); ++part)
       divided[part].curves.push_back(std::move(parts[part]));
     for (std::size_t k = 0; k < run.count; ++k) front_of_[(run.first + k) % count] = fronts_.size();

@@ -12,8 +12,8 @@ namespace lamina {
 
 /// Layers between the last adapted curve of a wall and the top of the part: grown towards the highest flat
 /// contour where that is far enough, so that curves are open where the top is reached elsewhere. Open curves
-/// end on the point next to them that is not grown. Where less than a layer is left, it is laid as high as it
-/// is if that is half of it at least.
+/// end on the point next to them that is not grown. Where less than a layer is left, it is deposited as high
+/// as it is if that is half of it at least.
 ///
 /// @param mesh   the part, to show where it cannot be sliced
 /// @param last   the last adapted curve

@@ -23,9 +23,9 @@ struct GrowthSteps {
 };
 
 /// Grows one wall from its lowest flat contour to its highest, layer by layer. Each layer grows towards the
-/// lowest flat contour that is a step above all of the layer beneath, and in the end to the top.
+/// lowest flat contour that is a step above all of the layer below, and in the end to the top.
 /// @param mesh  the part, to show where it cannot be sliced
-/// @throws Unsliceable if a layer leaves a gap over the one beneath it, or the top is not reached; Cancelled
+/// @throws Unsliceable if a layer leaves a gap over the one below it, or the top is not reached; Cancelled
 std::vector<AdaptedLayer> growWall(const Mesh& mesh, const WallStrand& strand, const GrowthSteps& steps,
                                    Progress& progress);
 

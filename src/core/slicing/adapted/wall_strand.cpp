@@ -11,9 +11,9 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/wall_normals.hpp"
 #include "lamina/slicing/planar/planar_slicer.hpp"
 #include "lamina/slicing/unsliceable.hpp"
-#include "lamina/geometry/mesh/wall_normals.hpp"
 #include "slicing/adapted/curve_places.hpp"
 #include "slicing/adapted/mesh_region.hpp"
 
@@ -52,28 +52,28 @@ WallContour contourOf(const Polygon& outline, double z, double step_mm, const Wa
   return contour;
 }
 
-/// For each loop of a level the wall it belongs to, given the loops of the walls beneath; empty if they do
+/// For each loop of a level the wall it belongs to, given the loops of the walls below; empty if they do
 /// not go one to one.
-std::vector<std::size_t> wallsOf(const std::vector<Polygon>& loops, const std::vector<Polygon>& beneath) {
-  if (loops.size() != beneath.size()) return {};
+std::vector<std::size_t> wallsOf(const std::vector<Polygon>& loops, const std::vector<Polygon>& below) {
+  if (loops.size() != below.size()) return {};
   if (loops.size() == 1) return {0};
   std::vector<std::unique_ptr<CurvePlaces>> places;
-  places.reserve(beneath.size());
-  for (const Polygon& loop : beneath)
+  places.reserve(below.size());
+  for (const Polygon& loop : below)
     places.push_back(
         std::make_unique<CurvePlaces>(spaced(loop, 0.0, std::numeric_limits<double>::max()), true));
   std::vector<std::size_t> walls;
-  std::vector<bool> is_taken(beneath.size(), false);
+  std::vector<bool> is_taken(below.size(), false);
   for (const Polygon& loop : loops) {
-    std::size_t nearest = beneath.size();
+    std::size_t nearest = below.size();
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t w = 0; w < beneath.size(); ++w) {
-      if ((signedArea(loop) > 0.0) != (signedArea(beneath[w]) > 0.0)) continue;
+    for (std::size_t w = 0; w < below.size(); ++w) {
+      if ((signedArea(loop) > 0.0) != (signedArea(below[w]) > 0.0)) continue;
       const double distance = places[w]->nearest({loop[0].x(), loop[0].y(), 0.0}).distance_mm;
       if (distance < least) nearest = w;
       least = std::min(least, distance);
     }
-    if (nearest == beneath.size() || is_taken[nearest]) return {};
+    if (nearest == below.size() || is_taken[nearest]) return {};
     is_taken[nearest] = true;
     walls.push_back(nearest);
   }

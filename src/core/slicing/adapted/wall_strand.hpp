@@ -21,7 +21,7 @@ struct WallStrand {
 };
 
 /// The walls of a part cut at these heights. Points are at most `step_mm` apart.
-/// @param heights  ascending, the first at the bottom, the last just beneath the top
+/// @param heights  ascending, the first at the bottom, the last just below the top
 /// @throws Unsliceable if the number of loops changes from one height to the next; InvalidMesh if a contour
 /// is open
 std::vector<WallStrand> wallStrands(const Mesh& mesh, const std::vector<double>& heights, double step_mm,

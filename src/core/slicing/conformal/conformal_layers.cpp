@@ -11,9 +11,9 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
-#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "slicing/curved/unreached_surface.hpp"
 
 namespace lamina {
@@ -79,14 +79,14 @@ LayerSurface insideOf(const SignedDistance& part, const Box3& box, double margin
 
 void requireFilled(const ConformalLayers& result, const Mesh& part, const Mesh& base,
                    const ConformalSettings& settings) {
-  const double gap = 1.0 - result.laid_mm3 / result.part_mm3;
+  const double gap = 1.0 - result.deposited_mm3 / result.part_mm3;
   if (100.0 * std::abs(gap) <= settings.largest_gap_percent) return;
   TriangleNumbers all(part.triangles.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
   Mesh region = patchOf(part, unreached(part, all, base, 2.0 * result.layer_height_mm));
   const double beyond_mm2 = surfaceArea(region);
-  throw Unsliceable("layers on the base fill " + std::to_string(result.laid_mm3) + " mm³ of the part's " +
-                        std::to_string(result.part_mm3) + " mm³; expected within " +
+  throw Unsliceable("layers on the base fill " + std::to_string(result.deposited_mm3) +
+                        " mm³ of the part's " + std::to_string(result.part_mm3) + " mm³; expected within " +
                         std::to_string(settings.largest_gap_percent) +
                         " % (conformal.largest_gap_percent). " + std::to_string(beyond_mm2) +
                         " mm² of its surface lie beyond the base's edges, behind it or beside it",
@@ -115,7 +115,7 @@ ConformalLayers coatingLayers(const Mesh& mesh, const ConformalSettings& setting
   limits.step_mm = result.layer_height_mm;
   const ShellPropagation propagation({patchOf(mesh, chosen), {}}, settings.longest_edge_mm, limits, progress);
   result.layers = propagation.shells(result.layer_height_mm, NozzleSide::Ahead, progress);
-  result.laid_mm3 = volume(result.layers);
+  result.deposited_mm3 = volume(result.layers);
   return result;
 }
 
@@ -142,7 +142,7 @@ ConformalLayers layersOnBase(const Mesh& part, const Mesh& base, const Conformal
   parallelFor(shells.size(), cut, progress, "cut shells");
   for (LayerSurface& shell : shells)
     if (!shell.middle.triangles.empty()) result.layers.push_back(std::move(shell));
-  result.laid_mm3 = volume(result.layers);
+  result.deposited_mm3 = volume(result.layers);
   requireFilled(result, part, source.surface, settings);
   return result;
 }

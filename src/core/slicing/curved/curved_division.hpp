@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lamina/geometry/mesh/mesh_topology.hpp"
-#include "lamina/slicing/curved/curved_layers.hpp"
-#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/geometry/spatial/signed_distance.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
+#include "lamina/slicing/curved/curved_layers.hpp"
 
 namespace lamina {
 

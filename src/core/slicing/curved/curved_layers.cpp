@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "slicing/curved/curved_division.hpp"
 #include "slicing/curved/curved_refusal.hpp"
 #include "slicing/curved/layer_coverage.hpp"
@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-// Part of a layer's height by which the level layers of [Guacheta2021, listing A.7] may lie in those beneath
+// Part of a layer's height by which the level layers of [Guacheta2021, listing A.7] may lie in those below
 // and above them.
 constexpr double kLargestOverlap = 0.05;
 
@@ -74,20 +74,21 @@ ShellFamily upperFamily(const CurvedPart& part, const CurvedDivision& division, 
 
 std::vector<Layer> levelLayers(const CurvedPart& part, const CurvedDivision& division, Progress& progress) {
   if (!division.lower_top_mm) return {};
-  const auto slabs = middleSlabs(*division.lower_top_mm, division.upper_bottom_mm, part.height_mm);
+  const auto layer_bounds = middleBounds(*division.lower_top_mm, division.upper_bottom_mm, part.height_mm);
   std::vector<double> cuts;
-  cuts.reserve(slabs.size());
-  for (const LayerSlab& slab : slabs) cuts.push_back(slab.cut());
+  cuts.reserve(layer_bounds.size());
+  for (const LayerBounds& bounds : layer_bounds) cuts.push_back(bounds.cut());
   std::vector<Section> sections = sliceMesh(part.mesh, part.topology, cuts, progress);
   std::vector<Layer> layers;
-  for (std::size_t i = 0; i < slabs.size(); ++i) layers.push_back({slabs[i], std::move(sections[i])});
+  for (std::size_t i = 0; i < layer_bounds.size(); ++i)
+    layers.push_back({layer_bounds[i], std::move(sections[i])});
   return layers;
 }
 
 LayerVolumes volumesOf(const CurvedPart& part, const CurvedLayers& layers) {
   LayerVolumes volumes{volume(part.mesh), volume(layers.lower), 0.0, volume(layers.upper)};
   for (const Layer& layer : layers.middle)
-    volumes.middle_mm3 += signedArea(layer.section.contours) * layer.slab.height();
+    volumes.middle_mm3 += signedArea(layer.section.contours) * layer.bounds.height();
   return volumes;
 }
 
@@ -112,7 +113,7 @@ std::vector<Point3> besideOf(const CurvedPart& part, const PartSamples& samples,
   return beside;
 }
 
-/// What is open or laid twice below a height.
+/// What is open or deposited twice below a height.
 CurvedFlaws flawsBelow(double ceiling_mm, const CurvedLayers& layers, const PartSamples& samples,
                        Progress& progress) {
   CurvedFlaws flaws;
@@ -185,25 +186,25 @@ const char* toString(CurvedScheme scheme) {
 
 namespace {
 
-std::vector<LayerSlab> slabsOf(double bottom_mm, double height_mm, double count) {
-  std::vector<LayerSlab> slabs;
+std::vector<LayerBounds> boundsOf(double bottom_mm, double height_mm, double count) {
+  std::vector<LayerBounds> layer_bounds;
   for (double i = 0.0; i < count; ++i)
-    slabs.push_back({bottom_mm + i * height_mm, bottom_mm + (i + 1.0) * height_mm});
-  return slabs;
+    layer_bounds.push_back({bottom_mm + i * height_mm, bottom_mm + (i + 1.0) * height_mm});
+  return layer_bounds;
 }
 
 }  // namespace
 
-std::vector<LayerSlab> middleSlabs(double low_mm, double high_mm, double layer_height_mm) {
+std::vector<LayerBounds> middleBounds(double low_mm, double high_mm, double layer_height_mm) {
   const double room = high_mm - low_mm;
   if (room < 0.5 * layer_height_mm) return {};
   if (room < 1.5 * layer_height_mm) return {{low_mm, high_mm}};
   const double of_source = std::max(2.0, std::floor((room - layer_height_mm) / layer_height_mm + 1.01));
   const double step = (room - layer_height_mm) / (of_source - 1.0);
   if (std::abs(step - layer_height_mm) <= kLargestOverlap * layer_height_mm)
-    return slabsOf(low_mm + 0.5 * (layer_height_mm - step), step, of_source);
+    return boundsOf(low_mm + 0.5 * (layer_height_mm - step), step, of_source);
   const double count = std::round(room / layer_height_mm);
-  return slabsOf(low_mm, room / count, count);
+  return boundsOf(low_mm, room / count, count);
 }
 
 CurvedLayers curvedLayers(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,

@@ -74,7 +74,7 @@ Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
     return {flaws.open, " of the part would be left open, because layers that follow its " + sides +
                             " break up where these are rough or bend sharply for layers of " +
                             rounded(part.height_mm, 3) + " mm"};
-  return {flaws.twice, " of the part would be laid twice, because layers that grow from its " + sides +
+  return {flaws.twice, " of the part would be deposited twice, because layers that grow from its " + sides +
                            " run into each other"};
 }
 

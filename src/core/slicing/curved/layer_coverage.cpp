@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-// Of a layer's height: tips nearer to the middle than that do not tell the way to the lower side.
+// Of a layer's height: tips nearer to the middle than that do not report the way to the lower side.
 constexpr double kTooNear = 0.05;
 
 using Tetrahedron = std::array<Point3, 4>;
@@ -100,11 +100,11 @@ Hits hitsOf(const LayerSurface& layer, const PartSamples& samples) {
 }
 
 Hits hitsOf(const Layer& layer, const Box3& box, const PartSamples& samples) {
-  Box3 slab = box;
-  slab.low.z() = layer.slab.bottom_mm;
-  slab.high.z() = layer.slab.top_mm;
+  Box3 bounds = box;
+  bounds.low.z() = layer.bounds.bottom_mm;
+  bounds.high.z() = layer.bounds.top_mm;
   Hits hits;
-  samples.visitIn(slab, [&](std::uint32_t sample) {
+  samples.visitIn(bounds, [&](std::uint32_t sample) {
     if (contains(layer.section.contours, samples.points()[sample].head<2>())) hits.emplace_back(sample, 1);
   });
   return hits;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
-#include "lamina/slicing/layer.hpp"
 #include "lamina/parameterization/layer_surface.hpp"
+#include "lamina/slicing/layer.hpp"
 #include "slicing/curved/part_samples.hpp"
 
 namespace lamina {

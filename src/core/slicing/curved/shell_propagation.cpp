@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "lamina/parameterization/surface_cut.hpp"
+#include "lamina/slicing/conformal/facing_surface.hpp"
 #include "slicing/curved/vertex_merging.hpp"
 
 namespace lamina {

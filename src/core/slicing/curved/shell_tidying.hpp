@@ -12,8 +12,8 @@ struct TidyLimits {
   double largest_hole_mm2 = 0.0;  ///< smaller holes are closed
 };
 
-/// A shell without what cannot be laid. Holes are closed by triangles from their middle, if these face as the
-/// shell does around them. Cuts along creases and walls leave both.
+/// A shell without what cannot be deposited. Holes are closed by triangles from their middle, if these face
+/// as the shell does around them. Cuts along creases and walls leave both.
 LayerSurface tidied(const LayerSurface& shell, const TidyLimits& limits);
 
 }  // namespace lamina

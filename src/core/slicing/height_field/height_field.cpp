@@ -21,15 +21,15 @@ Point2 gradientAt(const HeightField& field, int column, int row) {
               ((above - below) * cell)};
 }
 
-void addCorner(const HeightField& field, const LayerSlab& slab, int column, int row, LayerChart& chart) {
+void addCorner(const HeightField& field, const LayerBounds& bounds, int column, int row, LayerChart& chart) {
   const Point2 plan = field.cornerPoint(column, row);
-  const Point2 slope = (slab.cut() - field.base_mm) * gradientAt(field, column, row);
+  const Point2 slope = (bounds.cut() - field.base_mm) * gradientAt(field, column, row);
   const Point3 normal = Point3(-slope.x(), -slope.y(), 1.0).normalized();
   LayerSurface& surface = chart.surface;
-  surface.middle.vertices.push_back(field.bent({plan.x(), plan.y(), slab.cut()}));
-  surface.tip.push_back(field.bent({plan.x(), plan.y(), slab.top_mm}));
+  surface.middle.vertices.push_back(field.bent({plan.x(), plan.y(), bounds.cut()}));
+  surface.tip.push_back(field.bent({plan.x(), plan.y(), bounds.top_mm}));
   surface.normal.push_back(normal);
-  surface.height_mm.push_back(slab.height() * field.factor[field.corner(column, row)] * normal.z());
+  surface.height_mm.push_back(bounds.height() * field.factor[field.corner(column, row)] * normal.z());
   chart.plan.push_back(plan);
 }
 
@@ -68,7 +68,7 @@ Mesh levelled(Mesh mesh, const HeightField& field) {
   return mesh;
 }
 
-LayerChart bentLayer(const HeightField& field, const LayerSlab& slab, const Box2& area) {
+LayerChart bentLayer(const HeightField& field, const LayerBounds& bounds, const Box2& area) {
   LayerChart chart;
   if (area.isEmpty()) return chart;
   const HeightGrid& cells = field.cells;
@@ -81,7 +81,7 @@ LayerChart bentLayer(const HeightField& field, const LayerSlab& slab, const Box2
   const int last_row = index(area.high.y() + 1e-3, cells.origin.y(), cells.rows);
   for (int row = first_row; row <= last_row + 1; ++row)
     for (int column = first_column; column <= last_column + 1; ++column)
-      addCorner(field, slab, column, row, chart);
+      addCorner(field, bounds, column, row, chart);
   const auto width = static_cast<std::uint32_t>(last_column - first_column + 2);
   for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(last_row - first_row + 1); ++row)
     for (std::uint32_t column = 0; column + 1 < width; ++column) {

@@ -89,7 +89,7 @@ std::vector<SurfacePlace> followedPlaces(const std::vector<char>& is_followed, c
   return places;
 }
 
-/// Tells of the bend and what it follows.
+/// Reports of the bend and what it follows.
 HeightFieldReport reportOf(const HeightField& field, const std::vector<char>& is_followed,
                            const TopSurface& top, const SlicingSettings& slicing) {
   HeightFieldReport report;
@@ -176,9 +176,9 @@ HeightFieldSlices sliceByHeightField(const Mesh& mesh, const SlicingSettings& sl
   const Mesh level = levelled(std::move(fine), slices.field);
   progress.report("bend", 1.0);
   std::vector<double> heights;
-  for (const LayerSlab& slab : stackLayers(box.low.z(), level_top, slicing)) {
-    slices.layers.push_back({slab, {}});
-    heights.push_back(slab.cut());
+  for (const LayerBounds& bounds : stackLayers(box.low.z(), level_top, slicing)) {
+    slices.layers.push_back({bounds, {}});
+    heights.push_back(bounds.cut());
   }
   std::vector<Section> sections = sliceMesh(level, heights, progress);
   for (std::size_t i = 0; i < sections.size(); ++i) slices.layers[i].section = std::move(sections[i]);

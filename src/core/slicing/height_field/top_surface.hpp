@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "lamina/geometry/voxel/height_grid.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/voxel/height_grid.hpp"
 
 namespace lamina {
 

@@ -19,7 +19,7 @@ void requirePositive(const std::string& key, double height_mm) {
 
 }  // namespace
 
-std::vector<LayerSlab> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings) {
+std::vector<LayerBounds> stackLayers(double bottom_mm, double top_mm, const SlicingSettings& settings) {
   requirePositive("slicing.layer_height_mm", settings.layer_height_mm);
   requirePositive("slicing.first_layer_height_mm", settings.first_layer_height_mm);
   const double first_top = bottom_mm + settings.first_layer_height_mm;
@@ -28,15 +28,15 @@ std::vector<LayerSlab> stackLayers(double bottom_mm, double top_mm, const Slicin
     throw InvalidConfig("slicing.layer_height_mm is " + std::to_string(settings.layer_height_mm) +
                         " mm; a part " + std::to_string(top_mm - bottom_mm) +
                         " mm high would have more than 10 million layers");
-  std::vector<LayerSlab> slabs;
-  if (!(bottom_mm + 0.5 * settings.first_layer_height_mm < top_mm)) return slabs;
-  slabs.push_back({bottom_mm, first_top});
+  std::vector<LayerBounds> layer_bounds;
+  if (!(bottom_mm + 0.5 * settings.first_layer_height_mm < top_mm)) return layer_bounds;
+  layer_bounds.push_back({bottom_mm, first_top});
   // Multiplied, not added up, so that the thousandth layer is as exact as the second.
   for (double i = 0.0; i < more; ++i)
-    slabs.push_back(
+    layer_bounds.push_back(
         {first_top + i * settings.layer_height_mm, first_top + (i + 1.0) * settings.layer_height_mm});
-  while (!(slabs.back().cut() < top_mm)) slabs.pop_back();
-  return slabs;
+  while (!(layer_bounds.back().cut() < top_mm)) layer_bounds.pop_back();
+  return layer_bounds;
 }
 
 }  // namespace lamina

@@ -136,7 +136,7 @@ void Streamer::Machine::proceed(double now) {
   if (status_.state == PackmlState::Holding) {
     enter(PackmlState::Held);
   } else if (status_.state == PackmlState::Execute || isStopping()) {
-    // Nothing is left to send either: the machine must tell that it has all.
+    // Nothing is left to send either: the machine must report that it has all.
     beginPhase(Phase::Probing, now);
     probe(now);
   }
@@ -200,7 +200,7 @@ void Streamer::Machine::elapse(double now) {
   if (isStopping() && now >= safe_stop_by_) {
     finishAborted(
         phase_ == Phase::Offline
-            ? "; the link did not come back, so that the machine was not told to stop: look after it"
+            ? "; the link did not come back, so that the machine was not reported to stop: look after it"
             : "; the machine did not confirm the safe stop");
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
@@ -304,7 +304,7 @@ void Streamer::Machine::prepareSafeStop(double now) {
   must_send_one_ = false;
 }
 
-/// A machine whose link is lost goes on heating: it is told to stop as soon as it can be reached again.
+/// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
 void Streamer::Machine::disconnect(const std::string& why, double now) {
   if (isFinal(status_.state) || phase_ == Phase::Offline) return;
   if (!isStopping()) {

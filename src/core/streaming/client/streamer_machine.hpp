@@ -36,7 +36,7 @@ class Streamer::Machine {
   /// What is being waited for.
   enum class Phase {
     Idle,       ///< nothing
-    Numbering,  ///< the firmware to count lines from base_ on, and to tell so
+    Numbering,  ///< the firmware to count lines from base_ on, and to report so
     Reporting,  ///< the ok to each of reports_
     Feeding,    ///< answers to the lines under way
     Probing,    ///< which line the firmware has

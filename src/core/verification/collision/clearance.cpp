@@ -7,13 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "verification/collision/deposited_boxes.hpp"
 #include "verification/collision/deposited_tree.hpp"
 #include "verification/collision/head_body.hpp"
 #include "verification/collision/nozzle_places.hpp"
-#include "lamina/base/error.hpp"
-#include "lamina/base/parallel.hpp"
-#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -45,7 +45,7 @@ struct LayerClearance {
 /// Of the layers, in the frame of the bed.
 Point3 normalOf(const MachineRun& run) { return run.bed_from_part.linear() * layerNormal(run.toolpath); }
 
-std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const Machine& machine,
+std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const CartesianMachine& machine,
                                  const Point3& normal) {
   std::vector<HeadBody> head;
   head.reserve(bodies.size());
@@ -53,7 +53,7 @@ std::vector<HeadBody> headBodies(const std::vector<MachineBody>& bodies, const M
   return head;
 }
 
-/// Checks the places of a toolpath against what is laid before.
+/// Checks the places of a toolpath against what is deposited before.
 class ClearanceCheck {
  public:
   ClearanceCheck(const MachineRun& run, const std::vector<MachineBody>& bodies,
@@ -111,11 +111,11 @@ class ClearanceCheck {
         all.include(extents[i]);
         if (!hits[i] && extents[i].box.low.z() < -settings_.tolerance_mm) hits[i] = Hit{b, Obstacle::Bed, 0};
       }
-      tree_.visitMeeting(all, (range.end - 1)->laid, [&](std::size_t box, const Extents& of_box) {
+      tree_.visitMeeting(all, (range.end - 1)->deposited, [&](std::size_t box, const Extents& of_box) {
         bool is_done = true;
         for (std::size_t i = 0; i < range.size(); ++i) {
           if (hits[i]) continue;
-          const bool meets = box < range.begin[i].laid && extents[i].meets(of_box) &&
+          const bool meets = box < range.begin[i].deposited && extents[i].meets(of_box) &&
                              bodies_[b].meets(deposited_.boxes[box], origins[i]);
           if (meets) hits[i] = Hit{b, Obstacle::Material, box};
           is_done = is_done && meets;
@@ -134,7 +134,7 @@ class ClearanceCheck {
     collision.obstacle = hit.obstacle;
     collision.place = {place.tip.x(), place.tip.y(), 0.0};
     if (hit.obstacle == Obstacle::Bed) return collision;
-    collision.laid = deposited_.boxes[hit.box].laid;
+    collision.deposited = deposited_.boxes[hit.box].deposited;
     collision.place = deposited_.boxes[hit.box].middle;
     return collision;
   }

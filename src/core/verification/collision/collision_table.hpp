@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "lamina/kinematics/model/link_bodies.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
 
 namespace lamina {
 
@@ -18,7 +18,7 @@ namespace lamina {
 struct JointedPair {
   const RigidGroup* near = nullptr;
   const RigidGroup* far = nullptr;
-  std::array<Eigen::Index, 2> joints{};     ///< of the mechanism; the first next to `near`
+  std::array<Eigen::Index, 2> joints{};     ///< of the kinematic model; the first next to `near`
   std::array<std::string, 2> axis_links{};  ///< whose origins lie on the axes of the joints
 };
 

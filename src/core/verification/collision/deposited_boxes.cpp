@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidthsPerPiece = 10.0;
 constexpr double kLeastTop = 0.25;  // of the width: what a bead as high as wide has of a top
-constexpr double kUpright = 1e-6;   // sine of the angle to the normal beneath which a bead goes along it
+constexpr double kUpright = 1e-6;   // sine of the angle to the normal below which a bead goes along it
 
 /// x along the bead, y across it, z off the layer as far as x allows.
 Eigen::Matrix3d axesOf(const Point3& along, const Point3& normal) {
@@ -35,7 +35,7 @@ class BoxLayer {
         tolerance_mm_(tolerance_mm) {}
 
   void lay(const Path& path, const WaypointIndex& at, std::vector<DepositedBox>& boxes) const {
-    const std::size_t pieces = piecesLaidAt(path, at.waypoint, tolerance_mm_);
+    const std::size_t pieces = piecesDepositedAt(path, at.waypoint, tolerance_mm_);
     if (pieces == 0) return;
     const Point3 end = bed_from_part_ * path.points[at.waypoint];
     const bool is_drop = path.deposit == Deposit::Drops;
@@ -49,7 +49,7 @@ class BoxLayer {
     DepositedBox box;
     box.rotation = Eigen::Quaterniond(axes).cast<float>();
     box.size = Point3(length, width, bead.height_mm - tolerance_mm_).cast<float>();
-    box.laid = at;
+    box.deposited = at;
     const Point3 down = 0.5 * (bead.height_mm + tolerance_mm_) * axes.col(2);
     for (std::size_t i = 0; i < pieces; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(pieces);
@@ -66,7 +66,7 @@ class BoxLayer {
     return std::max(bead.width_mm - bead.height_mm, kLeastTop * bead.width_mm);
   }
 
-  /// Layers that are not plane are laid against the jet.
+  /// Layers that are not plane are deposited against the tool axis.
   Point3 normalAt(const Path& path, std::size_t waypoint) const {
     if (has_plane_layers_) return layer_normal_;
     return bed_from_part_.linear() * (path.orientation.at(waypoint) * -Point3::UnitZ());
@@ -84,7 +84,7 @@ Eigen::Isometry3d DepositedBox::pose() const {
   return Eigen::Translation3d(middle) * rotation.cast<double>().normalized();
 }
 
-std::size_t piecesLaidAt(const Path& path, std::size_t waypoint, double tolerance_mm) {
+std::size_t piecesDepositedAt(const Path& path, std::size_t waypoint, double tolerance_mm) {
   const Bead& bead = path.bead.at(waypoint);
   if (path.role == PathRole::Travel || !(bead.width_mm > 2.0 * tolerance_mm) ||
       !(bead.height_mm > tolerance_mm))

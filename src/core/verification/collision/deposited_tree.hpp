@@ -11,9 +11,9 @@
 
 namespace lamina {
 
-/// Finds the boxes near a place among the first so many. A node bounds boxes that are laid one after the
-/// other, which lie near each other, so that what is not laid yet is left out by its place in the order: one
-/// tree, never changed, serves all threads. (A tree of collision objects of FCL would have to grow box by
+/// Finds the boxes near a place among the first so many. A node bounds boxes that are deposited one after the
+/// other, which lie near each other, so that what is not deposited yet is left out by its place in the order:
+/// one tree, never changed, serves all threads. (A tree of collision objects of FCL would have to grow box by
 /// box, one per thread, and takes half a kilobyte a box.)
 class DepositedTree {
  public:

@@ -4,7 +4,7 @@
 
 namespace lamina {
 
-HeadBody::HeadBody(const MachineBody& body, const Machine& machine, const Point3& normal)
+HeadBody::HeadBody(const MachineBody& body, const CartesianMachine& machine, const Point3& normal)
     : link_(body.link),
       rotation_(body.bed_from_body_at_zero.linear()),
       normal_(normal),

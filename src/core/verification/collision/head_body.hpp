@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "lamina/kinematics/cartesian/machine_bodies.hpp"
 #include "verification/collision/deposited_boxes.hpp"
 #include "verification/collision/extents.hpp"
 #include "verification/collision/solid.hpp"
-#include "lamina/kinematics/cartesian/machine_bodies.hpp"
 
 namespace lamina {
 
@@ -16,7 +16,7 @@ namespace lamina {
 class HeadBody {
  public:
   /// @param normal  of the layers [bed frame]
-  HeadBody(const MachineBody& body, const Machine& machine, const Point3& normal);
+  HeadBody(const MachineBody& body, const CartesianMachine& machine, const Point3& normal);
 
   const std::string& link() const { return link_; }
   /// Origin of the body's frame [mm, bed frame].

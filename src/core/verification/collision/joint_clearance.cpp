@@ -7,13 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "verification/collision/deposited_boxes.hpp"
 #include "verification/collision/deposited_tree.hpp"
 #include "verification/collision/joint_places.hpp"
 #include "verification/collision/solid.hpp"
-#include "lamina/base/error.hpp"
-#include "lamina/base/parallel.hpp"
-#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
@@ -46,7 +46,7 @@ class JointClearanceCheck {
         normal_(run.bed_from_part.linear() * layerNormal(run.toolpath)),
         deposited_(depositedBoxes(run.toolpath, run.bed_from_part, settings.tolerance_mm)),
         tree_(deposited_.boxes, normal_),
-        laid_(laidBeforeStations(run, settings.tolerance_mm)) {
+        deposited_before_(depositedBeforeStations(run, settings.tolerance_mm)) {
     for (const RigidGroup& group : bodies.groups) {
       solids_.emplace_back();
       for (const LinkBody& body : group.bodies) solids_.back().emplace_back(body.shape);
@@ -55,7 +55,7 @@ class JointClearanceCheck {
 
   std::optional<Collision> check(std::size_t station) const {
     for (const JointValues& values : placesBefore(run_, station, settings_))
-      if (const std::optional<JointHit> hit = hitAt(values, laid_[station]))
+      if (const std::optional<JointHit> hit = hitAt(values, deposited_before_[station]))
         return collisionOf(station, values, *hit);
     return std::nullopt;
   }
@@ -74,13 +74,13 @@ class JointClearanceCheck {
     return all;
   }
 
-  std::optional<JointHit> hitAt(const JointValues& values, std::size_t laid) const {
-    const Placed bodies = placed(run_.mechanism.bedFromLinks(values));
+  std::optional<JointHit> hitAt(const JointValues& values, std::size_t deposited) const {
+    const Placed bodies = placed(run_.model.bedFromLinks(values));
     for (const auto& [a, b] : bodies_.pairs)
       if (std::optional<JointHit> hit = hitBetween(a, b, bodies)) return hit;
     for (std::size_t g = 0; g < bodies.size(); ++g)
       if (g != bodies_.bed)
-        if (std::optional<JointHit> hit = hitInMaterial(g, bodies[g], laid)) return hit;
+        if (std::optional<JointHit> hit = hitInMaterial(g, bodies[g], deposited)) return hit;
     return std::nullopt;
   }
 
@@ -93,18 +93,19 @@ class JointClearanceCheck {
           continue;
         // What carries the part is what is run into.
         if (a == bodies_.bed)
-          return JointHit{&bodies_.groups[b].bodies[k], other.pose.translation(), &bodies_.groups[a].bodies[i]};
+          return JointHit{&bodies_.groups[b].bodies[k], other.pose.translation(),
+                          &bodies_.groups[a].bodies[i]};
         return JointHit{&bodies_.groups[a].bodies[i], one.pose.translation(), &bodies_.groups[b].bodies[k]};
       }
     return std::nullopt;
   }
 
   std::optional<JointHit> hitInMaterial(std::size_t group, const std::vector<PlacedBody>& bodies,
-                                   std::size_t laid) const {
+                                        std::size_t deposited) const {
     std::optional<JointHit> hit;
     for (std::size_t b = 0; b < bodies.size() && !hit; ++b)
-      tree_.visitMeeting(bodies[b].extents, laid, [&](std::size_t box, const Extents& of_box) {
-        if (box >= laid || !bodies[b].extents.meets(of_box) ||
+      tree_.visitMeeting(bodies[b].extents, deposited, [&](std::size_t box, const Extents& of_box) {
+        if (box >= deposited || !bodies[b].extents.meets(of_box) ||
             !solids_[group][b].meets(deposited_.boxes[box], bodies[b].pose))
           return false;
         hit = JointHit{&bodies_.groups[group].bodies[b], bodies[b].pose.translation(), nullptr, box};
@@ -116,11 +117,11 @@ class JointClearanceCheck {
   Collision collisionOf(std::size_t station, const JointValues& values, const JointHit& hit) const {
     Collision collision;
     collision.at = run_.path.at[station];
-    collision.tip = run_.mechanism.bedFromNozzle(values).translation();
+    collision.tip = run_.model.bedFromNozzle(values).translation();
     collision.link = hit.body->link;
     if (hit.other == nullptr) {
       collision.obstacle = Obstacle::Material;
-      collision.laid = deposited_.boxes[hit.box].laid;
+      collision.deposited = deposited_.boxes[hit.box].deposited;
       collision.place = deposited_.boxes[hit.box].middle;
     } else if (hit.other->link == "bed") {
       collision.obstacle = Obstacle::Bed;
@@ -139,7 +140,7 @@ class JointClearanceCheck {
   Point3 normal_;
   DepositedBoxes deposited_;
   DepositedTree tree_;
-  std::vector<std::size_t> laid_;
+  std::vector<std::size_t> deposited_before_;
   std::vector<std::vector<Solid>> solids_;  // as the bodies of the groups
 };
 
@@ -154,7 +155,7 @@ bool hasMovingBodies(const LinkBodies& bodies) {
 JointClearanceReport checkJointClearance(const JointRun& run, const LinkBodies& bodies,
                                          const ClearanceSettings& settings, Progress& progress) {
   if (!hasMovingBodies(bodies))
-    throw InvalidConfig("machine '" + run.mechanism.name() +
+    throw InvalidConfig("machine '" + run.model.name() +
                         "' has no collision geometry on any link that moves against the bed; expected some "
                         "on its nozzle and head");
   const JointClearanceCheck check(run, bodies, settings);

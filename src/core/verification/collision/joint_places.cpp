@@ -38,7 +38,7 @@ bool startsPath(const JointRun& run, std::size_t station) {
 
 double greatestTurn(const JointRun& run, const JointValues& from, const JointValues& to) {
   double greatest = 0.0;
-  const std::vector<DrivenJoint>& joints = run.mechanism.joints();
+  const std::vector<DrivenJoint>& joints = run.model.joints();
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const auto i = static_cast<Eigen::Index>(j);
     if (joints[j].kind == JointKind::Rotary) greatest = std::max(greatest, std::abs(to[i] - from[i]));
@@ -48,27 +48,27 @@ double greatestTurn(const JointRun& run, const JointValues& from, const JointVal
 
 }  // namespace
 
-std::vector<std::size_t> laidBeforeStations(const JointRun& run, double tolerance_mm) {
-  std::vector<std::size_t> laid(run.path.at.size());
+std::vector<std::size_t> depositedBeforeStations(const JointRun& run, double tolerance_mm) {
+  std::vector<std::size_t> deposited(run.path.at.size());
   std::deque<Fresh> fresh;
   std::size_t set = 0;  // boxes
   std::size_t all = 0;
   double way_mm = 0.0;
-  for (std::size_t s = 0; s < laid.size(); ++s) {
+  for (std::size_t s = 0; s < deposited.size(); ++s) {
     while (!fresh.empty() && fresh.front().set_at_mm <= way_mm) {
       set = fresh.front().boxes;
       fresh.pop_front();
     }
-    laid[s] = set;
+    deposited[s] = set;
     const Path& path = pathAt(run, s);
     const bool starts = startsPath(run, s);
     if (!starts) way_mm += (pointAt(run, s) - pointAt(run, s - 1)).norm();
     // The first station of a closed path is its start; its return to there comes last.
     if (path.is_closed && starts) continue;
-    all += piecesLaidAt(path, run.path.at[s].waypoint, tolerance_mm);
+    all += piecesDepositedAt(path, run.path.at[s].waypoint, tolerance_mm);
     fresh.push_back({way_mm + kFreshWidths * path.bead.at(run.path.at[s].waypoint).width_mm, all});
   }
-  return laid;
+  return deposited;
 }
 
 std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
@@ -78,8 +78,7 @@ std::vector<JointValues> placesBefore(const JointRun& run, std::size_t station,
   if (station == 0 || run.path.values[station - 1].size() == 0) return {to};
   const JointValues& from = run.path.values[station - 1];
   const double way =
-      (run.mechanism.bedFromNozzle(to).translation() - run.mechanism.bedFromNozzle(from).translation())
-          .norm();
+      (run.model.bedFromNozzle(to).translation() - run.model.bedFromNozzle(from).translation()).norm();
   const int steps = std::max({1, static_cast<int>(std::ceil(way / settings.spacing_mm)),
                               static_cast<int>(std::ceil(greatestTurn(run, from, to) / kJointTurn))});
   std::vector<JointValues> places;

@@ -11,8 +11,8 @@
 namespace lamina {
 
 /// How many boxes (`depositedBoxes`) are there when the nozzle sets out for each station of a joint path.
-/// What it has laid within the last one and a half bead widths of its way is soft still and no obstacle.
-std::vector<std::size_t> laidBeforeStations(const JointRun& run, double tolerance_mm);
+/// What it has deposited within the last one and a half bead widths of its way is soft still and no obstacle.
+std::vector<std::size_t> depositedBeforeStations(const JointRun& run, double tolerance_mm);
 
 /// Joint values at which to look on the way to a station, the station last: the station alone if it is the
 /// first, or the one before has no values; nothing if it has none itself.

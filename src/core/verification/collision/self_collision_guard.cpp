@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
-#include "verification/collision/collision_table.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/link_tree.hpp"
+#include "verification/collision/collision_table.hpp"
 
 namespace lamina {
 namespace {
@@ -48,9 +48,9 @@ std::optional<JointedPair> jointedPair(const LinkBodies& bodies, std::size_t nea
 
 }  // namespace
 
-SelfCollisionGuard::SelfCollisionGuard(const Mechanism& mechanism, const LinkBodies& bodies) {
-  const LinkTree tree(*parseMachine(mechanism.urdf()));
-  const std::vector<DrivenJoint>& joints = mechanism.joints();
+SelfCollisionGuard::SelfCollisionGuard(const KinematicModel& model, const LinkBodies& bodies) {
+  const LinkTree tree(*parseMachine(model.urdf()));
+  const std::vector<DrivenJoint>& joints = model.joints();
   for (const auto& [near, far] : bodies.pairs) {
     const auto pair = jointedPair(bodies, near, far, joints);
     if (!pair) continue;

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "lamina/kinematics/cartesian/machine_bodies.hpp"
 #include "verification/collision/deposited_boxes.hpp"
 #include "verification/collision/extents.hpp"
-#include "lamina/kinematics/cartesian/machine_bodies.hpp"
 
 namespace lamina {
 

@@ -13,18 +13,18 @@ namespace lamina {
 namespace {
 
 constexpr double kMostCells = 4e6;
-constexpr double kMostSlabs = 1e5;
+constexpr double kMostLayers = 1e5;
 constexpr double kWidthsPerCell = 2.5;  // a few beads of a layer cross a cell
 constexpr double kHalfDiagonal = 0.7072;
 
 }  // namespace
 
-BeadGrid::BeadGrid(const std::vector<LaidBead>& beads, double margin_mm) {
+BeadGrid::BeadGrid(const std::vector<DepositedBead>& beads, double margin_mm) {
   if (beads.size() > std::numeric_limits<std::uint32_t>::max())
     throw InvalidInput("the toolpath has " + std::to_string(beads.size()) + " beads; at most 4294967295 fit");
   Box3 box;
   Bead largest;
-  for (const LaidBead& bead : beads) {
+  for (const DepositedBead& bead : beads) {
     box.include(bead.start);
     box.include(bead.end);
     largest.width_mm = std::max(largest.width_mm, bead.section.width_mm);
@@ -36,7 +36,8 @@ BeadGrid::BeadGrid(const std::vector<LaidBead>& beads, double margin_mm) {
   for (std::size_t i = 0; i < beads.size(); ++i) put(beads[i], static_cast<std::uint32_t>(i), margin_mm);
   NoProgress nobody;
   parallelFor(
-      slabs_.size(), [this](std::size_t i) { std::sort(slabs_[i].begin(), slabs_[i].end()); }, nobody,
+      layer_bounds_.size(),
+      [this](std::size_t i) { std::sort(layer_bounds_[i].begin(), layer_bounds_[i].end()); }, nobody,
       "overhang");
 }
 
@@ -50,24 +51,24 @@ void BeadGrid::layOut(const Box3& box, const Bead& largest) {
   cells_.columns = 1 + static_cast<int>(size.x() / cells_.cell_mm);
   cells_.rows = 1 + static_cast<int>(size.y() / cells_.cell_mm);
   low_z_ = box.low.z();
-  slab_mm_ = std::max(largest.height_mm, size.z() / kMostSlabs);
-  slabs_.resize(1 + static_cast<std::size_t>(size.z() / slab_mm_));
+  bounds_mm_ = std::max(largest.height_mm, size.z() / kMostLayers);
+  layer_bounds_.resize(1 + static_cast<std::size_t>(size.z() / bounds_mm_));
 }
 
-void BeadGrid::put(const LaidBead& bead, std::uint32_t index, double margin_mm) {
+void BeadGrid::put(const DepositedBead& bead, std::uint32_t index, double margin_mm) {
   const double reach = 0.5 * bead.section.width_mm + margin_mm + kHalfDiagonal * cells_.cell_mm;
   const auto [low, high] = std::minmax(bead.start.z(), bead.end.z());
-  const std::size_t last = slabOf(high);
-  for (std::size_t slab = slabOf(low); slab <= last; ++slab)
+  const std::size_t last = boundsOf(high);
+  for (std::size_t bounds = boundsOf(low); bounds <= last; ++bounds)
     forCellsNearSegment(cells_, bead.start.head<2>(), bead.end.head<2>(), reach,
                         [&](std::size_t cell, double, double) {
-                          slabs_[slab].push_back({static_cast<std::uint32_t>(cell), index});
+                          layer_bounds_[bounds].push_back({static_cast<std::uint32_t>(cell), index});
                         });
 }
 
-std::size_t BeadGrid::slabOf(double z) const {
-  const double slab = std::floor((z - low_z_) / slab_mm_);
-  return static_cast<std::size_t>(std::clamp(slab, 0.0, static_cast<double>(slabs_.size() - 1)));
+std::size_t BeadGrid::boundsOf(double z) const {
+  const double bounds = std::floor((z - low_z_) / bounds_mm_);
+  return static_cast<std::size_t>(std::clamp(bounds, 0.0, static_cast<double>(layer_bounds_.size() - 1)));
 }
 
 }  // namespace lamina

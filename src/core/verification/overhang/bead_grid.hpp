@@ -12,12 +12,12 @@
 
 namespace lamina {
 
-/// Beads in cells, to find those near a place in a time that does not grow with their number: slabs along z
+/// Beads in cells, to find those near a place in a time that does not grow with their number: layers along z
 /// of the layers, each with its cells in order.
 class BeadGrid {
  public:
   /// @param margin_mm  how far from the edge of a bead, in the plane of the layers, it must be found
-  BeadGrid(const std::vector<LaidBead>& beads, double margin_mm);
+  BeadGrid(const std::vector<DepositedBead>& beads, double margin_mm);
 
   /// Calls visit(bead index) for each bead that may have its middle line between the heights and its edge
   /// within the margin of the place; one may be called twice. Stops when visit returns true.
@@ -35,13 +35,13 @@ class BeadGrid {
   };
 
   void layOut(const Box3& box, const Bead& largest);
-  void put(const LaidBead& bead, std::uint32_t index, double margin_mm);
-  std::size_t slabOf(double z) const;
+  void put(const DepositedBead& bead, std::uint32_t index, double margin_mm);
+  std::size_t boundsOf(double z) const;
 
   HeightGrid cells_;
   double low_z_ = 0.0;
-  double slab_mm_ = 1.0;
-  std::vector<std::vector<Entry>> slabs_;
+  double bounds_mm_ = 1.0;
+  std::vector<std::vector<Entry>> layer_bounds_;
 };
 
 template <class Visit>
@@ -49,8 +49,8 @@ bool BeadGrid::visitNear(const Point2& place, double low_z, double high_z, const
   const std::size_t cell = cells_.cellAt(place);
   if (cell == HeightGrid::kNoCell || high_z < low_z_) return false;
   const Entry first{static_cast<std::uint32_t>(cell), 0};
-  for (std::size_t slab = slabOf(low_z); slab <= slabOf(high_z); ++slab) {
-    const std::vector<Entry>& entries = slabs_[slab];
+  for (std::size_t bounds = boundsOf(low_z); bounds <= boundsOf(high_z); ++bounds) {
+    const std::vector<Entry>& entries = layer_bounds_[bounds];
     for (auto at = std::lower_bound(entries.begin(), entries.end(), first);
          at != entries.end() && at->cell == first.cell; ++at)
       if (visit(static_cast<std::size_t>(at->bead))) return true;

@@ -13,21 +13,21 @@ bool lays(const Path& path) {
          });
 }
 
-LaidBeads laidBeads(const Toolpath& toolpath) {
+DepositedBeads depositedBeads(const Toolpath& toolpath) {
   const Eigen::Matrix3d layers_from_part = toolpath.part_from_layers.conjugate().toRotationMatrix();
-  LaidBeads laid;
+  DepositedBeads deposited;
   for (const ToolpathLayer& layer : toolpath.layers) {
-    laid.first_of_layer.push_back(laid.beads.size());
+    deposited.first_of_layer.push_back(deposited.beads.size());
     for (const Path& path : layer.paths)
-      forEachLaid(path, [&](std::size_t waypoint) {
+      forEachDeposited(path, [&](std::size_t waypoint) {
         const Bead& section = path.bead.at(waypoint);
         const Point3 down(0.0, 0.0, 0.5 * section.height_mm);
-        laid.beads.push_back({layers_from_part * cameFrom(path, waypoint) - down,
-                              layers_from_part * path.points[waypoint] - down, section});
+        deposited.beads.push_back({layers_from_part * cameFrom(path, waypoint) - down,
+                                   layers_from_part * path.points[waypoint] - down, section});
       });
   }
-  laid.first_of_layer.push_back(laid.beads.size());
-  return laid;
+  deposited.first_of_layer.push_back(deposited.beads.size());
+  return deposited;
 }
 
 }  // namespace lamina

@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// A straight bead, or a drop, by the line through the middle of its section [mm, frame of the layers].
-struct LaidBead {
+struct DepositedBead {
   Point3 start = Point3::Zero();
   Point3 end = Point3::Zero();
   Bead section;
@@ -19,10 +19,10 @@ struct LaidBead {
 /// Whether the path lays anything anywhere.
 bool lays(const Path& path);
 
-/// Calls visit(waypoint) for each waypoint on the way to which something is laid, in order; for a drop it is
-/// laid there.
+/// Calls visit(waypoint) for each waypoint on the way to which something is deposited, in order; for a drop
+/// it is deposited there.
 template <class Visit>
-void forEachLaid(const Path& path, const Visit& visit) {
+void forEachDeposited(const Path& path, const Visit& visit) {
   if (!lays(path)) return;
   const bool is_drops = path.deposit == Deposit::Drops;
   const std::size_t count = is_drops ? path.points.size() : path.motionCount();
@@ -39,12 +39,12 @@ inline const Point3& cameFrom(const Path& path, std::size_t waypoint) {
   return path.points[waypoint == 0 ? path.points.size() - 1 : waypoint - 1];
 }
 
-/// All beads in the order in which they are laid, and which of them are of which layer.
-struct LaidBeads {
-  std::vector<LaidBead> beads;
+/// All beads in the order in which they are deposited, and which of them are of which layer.
+struct DepositedBeads {
+  std::vector<DepositedBead> beads;
   std::vector<std::size_t> first_of_layer;  ///< index of a layer's first bead; one more entry than layers
 };
 
-LaidBeads laidBeads(const Toolpath& toolpath);
+DepositedBeads depositedBeads(const Toolpath& toolpath);
 
 }  // namespace lamina

@@ -14,13 +14,13 @@
 namespace lamina {
 namespace {
 
-constexpr double kFlattestJet = 0.1;  // cosine of 84 deg: beyond, a ray runs along the layer
+constexpr double kFlattestToolAxis = 0.1;  // cosine of 84 deg: beyond, a ray runs along the layer
 
-Point3 jetAt(const Path& path, std::size_t waypoint, const Eigen::Quaterniond& layers_from_part) {
+Point3 toolAxisAt(const Path& path, std::size_t waypoint, const Eigen::Quaterniond& layers_from_part) {
   return layers_from_part * (path.orientation.at(waypoint) * Point3::UnitZ());
 }
 
-/// The most that any jet goes along the layers, per depth.
+/// The most that any tool axis goes along the layers, per depth.
 double greatestSideways(const Toolpath& toolpath) {
   const Eigen::Quaterniond layers_from_part = toolpath.part_from_layers.conjugate();
   double greatest = 0.0;
@@ -28,18 +28,18 @@ double greatestSideways(const Toolpath& toolpath) {
     for (const Path& path : toolpath.layers[l].paths) {
       if (!lays(path)) continue;
       for (std::size_t i = 0; i < path.orientation.values().size(); ++i) {
-        const Point3 jet = jetAt(path, i, layers_from_part);
-        if (!(jet.z() <= -kFlattestJet))
-          throw InvalidInput("layer " + std::to_string(l) + ": the jet is inclined by " +
-                             std::to_string(std::acos(std::clamp(-jet.z(), -1.0, 1.0)) * 180.0 / M_PI) +
+        const Point3 tool_axis = toolAxisAt(path, i, layers_from_part);
+        if (!(tool_axis.z() <= -kFlattestToolAxis))
+          throw InvalidInput("layer " + std::to_string(l) + ": the tool axis is inclined by " +
+                             std::to_string(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)) * 180.0 / M_PI) +
                              " deg to the layers' normal; overhangs are found up to 84 deg");
-        greatest = std::max(greatest, jet.head<2>().norm() / -jet.z());
+        greatest = std::max(greatest, tool_axis.head<2>().norm() / -tool_axis.z());
       }
     }
   return greatest;
 }
 
-double lengthLaid(const Path& path, std::size_t waypoint) {
+double lengthDeposited(const Path& path, std::size_t waypoint) {
   if (path.deposit == Deposit::Drops) return path.bead.at(waypoint).width_mm;
   return (path.points[waypoint] - cameFrom(path, waypoint)).norm();
 }
@@ -57,24 +57,24 @@ class Survey {
       : toolpath_(toolpath),
         step_mm_(settings.step_mm),
         layers_from_part_(toolpath.part_from_layers.conjugate()),
-        laid_(laidBeads(toolpath)),
-        support_(laid_.beads, bed_from_part * toolpath.part_from_layers, settings,
+        deposited_(depositedBeads(toolpath)),
+        support_(deposited_.beads, bed_from_part * toolpath.part_from_layers, settings,
                  greatestSideways(toolpath)) {}
 
   /// Whether each piece of the layer is carried, in their order.
   std::vector<bool> lookAt(std::size_t layer) const {
     std::vector<bool> is_carried;
-    std::size_t bead = laid_.first_of_layer[layer];
+    std::size_t bead = deposited_.first_of_layer[layer];
     for (const Path& path : toolpath_.layers[layer].paths)
-      forEachLaid(path, [&](std::size_t waypoint) {
-        const double length = lengthLaid(path, waypoint);
+      forEachDeposited(path, [&](std::size_t waypoint) {
+        const double length = lengthDeposited(path, waypoint);
         const std::size_t pieces = piecesOf(path, length, step_mm_);
         LayingPlace place;
         place.section = path.bead.at(waypoint);
-        place.jet = jetAt(path, waypoint, layers_from_part_);
+        place.tool_axis = toolAxisAt(path, waypoint, layers_from_part_);
         place.bead = bead;
-        const Point3& start = laid_.beads[bead].start;
-        const Point3 along = laid_.beads[bead].end - start;
+        const Point3& start = deposited_.beads[bead].start;
+        const Point3 along = deposited_.beads[bead].end - start;
         place.along = path.deposit == Deposit::Drops ? Point3(Point3::Zero()) : Point3(along.normalized());
         for (std::size_t i = 0; i < pieces; ++i) {
           place.middle = start + (static_cast<double>(i) + 0.5) / static_cast<double>(pieces) * along;
@@ -92,13 +92,13 @@ class Survey {
     for (std::size_t p = 0; p < paths.size(); ++p) {
       const Path& path = paths[p];
       if (!lays(path)) chain.stop();
-      forEachLaid(path, [&](std::size_t waypoint) {
+      forEachDeposited(path, [&](std::size_t waypoint) {
         if (path.deposit == Deposit::Drops) chain.stop();
-        LaidPiece piece;
+        DepositedPiece piece;
         piece.at = {layer, p, waypoint};
         piece.role = path.role;
         piece.section = path.bead.at(waypoint);
-        const double length = lengthLaid(path, waypoint);
+        const double length = lengthDeposited(path, waypoint);
         const std::size_t pieces = piecesOf(path, length, step_mm_);
         piece.length_mm = length / static_cast<double>(pieces);
         const Point3& start = cameFrom(path, waypoint);
@@ -117,7 +117,7 @@ class Survey {
   const Toolpath& toolpath_;
   double step_mm_;
   Eigen::Quaterniond layers_from_part_;
-  LaidBeads laid_;
+  DepositedBeads deposited_;
   Support support_;
 };
 

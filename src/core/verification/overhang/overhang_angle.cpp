@@ -35,7 +35,7 @@ struct Growth {
   Bead bead;
 };
 
-void addFacet(WallLean& lean, const Facet& facet, const Growth& growth) {
+void addFacet(OverhangAngle& lean, const Facet& facet, const Growth& growth) {
   const double sine = std::min(1.0, -facet.normal.dot(growth.direction));
   if (sine <= 0.0) return;
   const double cosine = std::sqrt(1.0 - sine * sine);
@@ -50,14 +50,14 @@ void addFacet(WallLean& lean, const Facet& facet, const Growth& growth) {
   lean.overhang_mm = overhang;
 }
 
-/// The motions along which walls are laid, in the order they are laid, and how they grow.
-struct LaidWalls {
+/// The motions along which walls are deposited, in the order they are deposited, and how they grow.
+struct DepositedWalls {
   Mesh motions;  // each one a triangle without width
   std::vector<Growth> growth;
   std::size_t in_first_layer = 0;
 };
 
-void addMotions(LaidWalls& walls, const Path& path, double width_mm) {
+void addMotions(DepositedWalls& walls, const Path& path, double width_mm) {
   const auto first = static_cast<std::uint32_t>(walls.motions.vertices.size());
   walls.motions.vertices.insert(walls.motions.vertices.end(), path.points.begin(), path.points.end());
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
@@ -70,9 +70,9 @@ void addMotions(LaidWalls& walls, const Path& path, double width_mm) {
   }
 }
 
-LaidWalls laidWalls(const Toolpath& toolpath, double width_mm) {
+DepositedWalls depositedWalls(const Toolpath& toolpath, double width_mm) {
   const auto collect = [&](auto isWanted) {
-    LaidWalls walls;
+    DepositedWalls walls;
     for (std::size_t l = 0; l < toolpath.layers.size(); ++l) {
       for (const Path& path : toolpath.layers[l].paths)
         if (isWanted(path.role)) addMotions(walls, path, width_mm);
@@ -80,7 +80,7 @@ LaidWalls laidWalls(const Toolpath& toolpath, double width_mm) {
     }
     return walls;
   };
-  LaidWalls walls = collect([](PathRole role) { return role == PathRole::OuterWall; });
+  DepositedWalls walls = collect([](PathRole role) { return role == PathRole::OuterWall; });
   if (walls.growth.empty())
     walls = collect([](PathRole role) { return role != PathRole::Travel && role != PathRole::Skirt; });
   if (walls.growth.empty()) throw InvalidInput("the toolpath deposits nothing; expected at least one bead");
@@ -95,9 +95,9 @@ double lowestAlong(const Mesh& mesh, const Point3& growth) {
 
 }  // namespace
 
-WallLean wallLean(const Mesh& mesh, const Point3& growth, const Bead& bead) {
+OverhangAngle overhangAngle(const Mesh& mesh, const Point3& growth, const Bead& bead) {
   const double lowest = lowestAlong(mesh, growth);
-  WallLean lean;
+  OverhangAngle lean;
   for (const Triangle& triangle : mesh.triangles) {
     const Facet facet = facetOf(mesh, triangle);
     lean.area_mm2 += facet.area_mm2;
@@ -106,8 +106,8 @@ WallLean wallLean(const Mesh& mesh, const Point3& growth, const Bead& bead) {
   return lean;
 }
 
-WallLean wallLean(const Mesh& mesh, const Toolpath& toolpath, double width_mm) {
-  const LaidWalls walls = laidWalls(toolpath, width_mm);
+OverhangAngle overhangAngle(const Mesh& mesh, const Toolpath& toolpath, double width_mm) {
+  const DepositedWalls walls = depositedWalls(toolpath, width_mm);
   const NearestTriangle nearest(walls.motions);
   std::vector<std::uint32_t> motion(mesh.triangles.size());
   NoProgress nobody;
@@ -116,7 +116,7 @@ WallLean wallLean(const Mesh& mesh, const Toolpath& toolpath, double width_mm) {
       [&](std::size_t i) { motion[i] = nearest.nearest(facetOf(mesh, mesh.triangles[i]).middle).triangle; },
       nobody, "overhang");
   const double on_bed = lowestAlong(mesh, Point3::UnitZ()) + 0.5 * walls.growth.front().bead.height_mm;
-  WallLean lean;
+  OverhangAngle lean;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const Facet facet = facetOf(mesh, mesh.triangles[i]);
     lean.area_mm2 += facet.area_mm2;

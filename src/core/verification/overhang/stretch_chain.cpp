@@ -19,7 +19,7 @@ double distanceToSegment(const Point3& point, const Point3& start, const Point3&
 
 }  // namespace
 
-void StretchChain::lay(const LaidPiece& piece) {
+void StretchChain::lay(const DepositedPiece& piece) {
   if (end_ && (piece.start - *end_).norm() > kJoined) stop();
   LayerOverhang& layer = report_.layers[piece.at.layer];
   layer.deposited_mm += piece.length_mm;

@@ -10,7 +10,7 @@
 namespace lamina {
 
 /// A piece of a bead that is carried or not as a whole.
-struct LaidPiece {
+struct DepositedPiece {
   WaypointIndex at;
   PathRole role = PathRole::Infill;
   Point3 start = Point3::Zero();  ///< nozzle tip [mm, part frame]
@@ -20,17 +20,17 @@ struct LaidPiece {
   bool is_carried = false;
 };
 
-/// Joins pieces in the order in which they are laid to runs and stretches.
+/// Joins pieces in the order in which they are deposited to runs and stretches.
 class StretchChain {
  public:
   /// @param layers  of the toolpath
   explicit StretchChain(std::size_t layers) { report_.layers.resize(layers); }
 
   /// A piece that does not start where the one before ended begins another run.
-  void lay(const LaidPiece& piece);
-  /// Nothing is laid for a while.
+  void lay(const DepositedPiece& piece);
+  /// Nothing is deposited for a while.
   void stop();
-  /// All that was laid; the chain is empty afterwards.
+  /// All that was deposited; the chain is empty afterwards.
   OverhangReport finish();
 
  private:

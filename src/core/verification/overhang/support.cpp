@@ -9,11 +9,11 @@ namespace lamina {
 namespace {
 
 constexpr double kRounding = 0.005;  // mm: the decimals of a program
-constexpr double kBeneath = 0.25;    // of the height: a middle line less far along the jet lies beside
+constexpr double kBelow = 0.25;      // of the height: a middle line less far along the tool axis lies beside
 
-Bead largestSection(const std::vector<LaidBead>& beads) {
+Bead largestSection(const std::vector<DepositedBead>& beads) {
   Bead largest;
-  for (const LaidBead& bead : beads) {
+  for (const DepositedBead& bead : beads) {
     largest.width_mm = std::max(largest.width_mm, bead.section.width_mm);
     largest.height_mm = std::max(largest.height_mm, bead.section.height_mm);
   }
@@ -27,21 +27,21 @@ double greatestMargin(const Bead& largest, const OverhangSettings& settings, dou
 }
 
 /// Where on the bead, 0 to 1, the plane of the layers sees it nearest to the place.
-double nearestOn(const LaidBead& bead, const Point2& place) {
+double nearestOn(const DepositedBead& bead, const Point2& place) {
   const Point2 along = (bead.end - bead.start).head<2>();
   const double squared = along.squaredNorm();
   if (squared == 0.0) return 0.0;
   return std::clamp((place - bead.start.head<2>()).dot(along) / squared, 0.0, 1.0);
 }
 
-/// Where a ray along the jet is when it has gone so deep.
+/// Where a ray along the tool axis is when it has gone so deep.
 Point2 atDepth(const LayingPlace& place, double depth) {
-  return place.middle.head<2>() - depth / place.jet.z() * place.jet.head<2>();
+  return place.middle.head<2>() - depth / place.tool_axis.z() * place.tool_axis.head<2>();
 }
 
 }  // namespace
 
-Support::Support(const std::vector<LaidBead>& beads, const Eigen::Isometry3d& bed_from_layers,
+Support::Support(const std::vector<DepositedBead>& beads, const Eigen::Isometry3d& bed_from_layers,
                  const OverhangSettings& settings, double sideways)
     : beads_(beads),
       settings_(settings),
@@ -57,22 +57,22 @@ bool Support::bedCarries(const LayingPlace& place) const {
   const Point3 across = place.along.cross(Point3::UnitZ());
   const double beside = besideMiddle(place.section) * std::abs(up_.dot(across));
   const double height = up_.dot(place.middle) - bed_level_ - beside - kRounding;
-  const double length = settings_.reach * place.section.height_mm / -place.jet.z();
-  return height <= std::max(0.0, -up_.dot(place.jet) * length);
+  const double length = settings_.reach * place.section.height_mm / -place.tool_axis.z();
+  return height <= std::max(0.0, -up_.dot(place.tool_axis) * length);
 }
 
 bool Support::beadsCarry(const LayingPlace& place) const {
-  const double least_depth = kBeneath * place.section.height_mm;
+  const double least_depth = kBelow * place.section.height_mm;
   const double reach = settings_.reach * place.section.height_mm + kRounding;
   const double beside = besideMiddle(place.section) + kRounding;
   const auto isMet = [&](std::size_t index) {
     if (index >= place.bead) return false;
-    const LaidBead& bead = beads_[index];
+    const DepositedBead& bead = beads_[index];
     const double half_height = 0.5 * bead.section.height_mm;
     const auto depthAt = [&](double t) {
       return place.middle.z() - (bead.start.z() + t * (bead.end.z() - bead.start.z()));
     };
-    // The jet leads sideways by how deep it goes, which depends on where it meets a bead that rises.
+    // The tool axis leads sideways by how deep it goes, which depends on where it meets a bead that rises.
     const double guess = nearestOn(bead, atDepth(place, depthAt(0.5)));
     const double t = nearestOn(bead, atDepth(place, depthAt(guess)));
     const double depth = depthAt(t);

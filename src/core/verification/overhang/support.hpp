@@ -12,21 +12,21 @@
 
 namespace lamina {
 
-/// A place of a bead that is being laid [frame of the layers].
+/// A place of a bead that is being deposited [frame of the layers].
 struct LayingPlace {
-  Point3 middle = Point3::Zero();  ///< of the section [mm]
-  Point3 along = Point3::UnitX();  ///< of unit length; zero for a drop
-  Point3 jet = -Point3::UnitZ();   ///< of unit length, z negative
+  Point3 middle = Point3::Zero();       ///< of the section [mm]
+  Point3 along = Point3::UnitX();       ///< of unit length; zero for a drop
+  Point3 tool_axis = -Point3::UnitZ();  ///< of unit length, z negative
   Bead section;
-  std::size_t bead = 0;  ///< index; those before it are laid already
+  std::size_t bead = 0;  ///< index; those before it are deposited already
 };
 
-/// What carries beads: the bed, and the beads laid before (`findOverhangs`).
+/// What carries beads: the bed, and the beads deposited before (`findOverhangs`).
 class Support {
  public:
   /// @param beads     must outlive the support
-  /// @param sideways  the most that any jet goes along the layers, per depth
-  Support(const std::vector<LaidBead>& beads, const Eigen::Isometry3d& bed_from_layers,
+  /// @param sideways  the most that any tool axis goes along the layers, per depth
+  Support(const std::vector<DepositedBead>& beads, const Eigen::Isometry3d& bed_from_layers,
           const OverhangSettings& settings, double sideways);
 
   bool carries(const LayingPlace& place) const;
@@ -36,7 +36,7 @@ class Support {
   bool beadsCarry(const LayingPlace& place) const;
   double besideMiddle(const Bead& section) const { return (0.5 - settings_.overlap) * section.width_mm; }
 
-  const std::vector<LaidBead>& beads_;
+  const std::vector<DepositedBead>& beads_;
   OverhangSettings settings_;
   Point3 up_;         ///< away from the bed
   double bed_level_;  ///< along `up_` [mm]

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/voids/drops/drop_overlap.hpp"
 
 namespace lamina {

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Tells how many passes lie on each other along a row.
+/// Reports how many passes lie on each other along a row.
 class PassCounter {
  public:
   /// @param reach_mm  parts of a run no farther apart along it are one pass

@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// Tells the class of voids that beads leave, by what lies around them:
+/// Reports the class of voids that beads leave, by what lies around them:
 ///
 /// | class | around the void |
 /// |---|---|

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/spatial/point_grid.hpp"
 #include "lamina/voids/beads/void_points.hpp"
 
 namespace lamina {
@@ -51,7 +51,7 @@ class PixelWindow {
 
 /// A drop's disc drawn for measuring: a little larger, so that drops that touch leave no way through.
 inline constexpr double kDrawnRadius = 0.5 * (1.0 + 1e-3);  // diameters
-/// Size of a pixel: beneath a 50th, and no part of a lattice's pitch, so that no row of drops hides between
+/// Size of a pixel: below a 50th, and no part of a lattice's pitch, so that no row of drops hides between
 /// pixels.
 inline constexpr double kPixel = 1.0 / 53.0;  // diameters
 

@@ -25,7 +25,7 @@ class LayerFilling {
         borders_(borders(contours_)),
         search_{layer.diameter_mm, leastDistance(settings, layer.diameter_mm)},
         all_(layer.drops),
-        laid_(boundingBox({layer.drops}), layer.diameter_mm),
+        deposited_(boundingBox({layer.drops}), layer.diameter_mm),
         marked_(boundingBox({layer.drops}), layer.diameter_mm) {}
 
   std::vector<DropVoid> fill() && {
@@ -40,14 +40,14 @@ class LayerFilling {
   }
 
  private:
-  /// @return how many drops it laid
+  /// @return how many drops it deposited
   std::size_t pass() {
     const std::vector<VoidPoint> found = inside(borders_, findVoidPoints(settings_.detector, all_, search_));
-    const std::size_t before = laid_.points().size();
+    const std::size_t before = deposited_.points().size();
     for (const std::vector<VoidPoint>& cluster : clusters(found, layer_.diameter_mm)) fillCluster(cluster);
-    all_.insert(all_.end(), laid_.points().begin() + static_cast<std::ptrdiff_t>(before),
-                laid_.points().end());
-    return laid_.points().size() - before;
+    all_.insert(all_.end(), deposited_.points().begin() + static_cast<std::ptrdiff_t>(before),
+                deposited_.points().end());
+    return deposited_.points().size() - before;
   }
 
   void fillCluster(const std::vector<VoidPoint>& cluster) {
@@ -58,9 +58,9 @@ class LayerFilling {
       filled.greatest_clearance_mm = std::max(filled.greatest_clearance_mm, point.clearance_mm);
       marked_.insert(point.position);
       void_of_mark_.push_back(index);
-      if (laid_.hasNearer(point.position, search_.least_distance_mm - kRounding * layer_.diameter_mm))
+      if (deposited_.hasNearer(point.position, search_.least_distance_mm - kRounding * layer_.diameter_mm))
         continue;
-      laid_.insert(point.position);
+      deposited_.insert(point.position);
       filled.drops.push_back(point.position);
     }
   }
@@ -80,7 +80,7 @@ class LayerFilling {
 
   void tell() {
     const VoidKinds kinds(layer_, contours_);
-    const DiscPicture discs(layer_.drops, laid_.points(), layer_.diameter_mm, borders_);
+    const DiscPicture discs(layer_.drops, deposited_.points(), layer_.diameter_mm, borders_);
     for (DropVoid& filled : voids_) {
       filled.kind = kinds.kindOf(filled.points);
       const UncoveredArea area = discs.around(filled.points);
@@ -95,7 +95,7 @@ class LayerFilling {
   std::vector<Polygon> borders_;
   VoidSearch search_;
   std::vector<Point2> all_;  ///< prior drops and new ones
-  PointGrid laid_;           ///< new drops
+  PointGrid deposited_;      ///< new drops
   PointGrid marked_;         ///< points of voids
   std::vector<std::size_t> void_of_mark_;
   std::vector<DropVoid> voids_;

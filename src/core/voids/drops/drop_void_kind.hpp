@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "lamina/geometry/spatial/point_grid.hpp"
-#include "lamina/voids/drops/drop_layer.hpp"
 #include "lamina/voids/beads/void_class.hpp"
 #include "lamina/voids/beads/void_points.hpp"
+#include "lamina/voids/drops/drop_layer.hpp"
 
 namespace lamina {
 
-/// Tells the class of voids by the drops around them [Sobreviela2014, chapter 3].
+/// Reports the class of voids by the drops around them [Sobreviela2014, chapter 3].
 class VoidKinds {
  public:
   VoidKinds(const DropLayer& layer, const std::vector<DropContour>& contours);

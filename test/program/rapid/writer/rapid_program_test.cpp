@@ -192,7 +192,7 @@ TEST(RapidProgram, NumbersFurtherFeeds) {
   EXPECT_EQ(countOf(pointLines(modules), "speed_prueba_2"), 1U);
 }
 
-TEST(RapidProgram, RefusesWhatItCannotTellBeforeTheFirstPiece) {
+TEST(RapidProgram, RefusesWhatItCannotReportBeforeTheFirstPiece) {
   const auto refusal = [](const Toolpath& toolpath, const RapidSettings& settings) -> std::string {
     try {
       writeRapid(toolpath, Eigen::Isometry3d::Identity(), settings, [](std::string_view) { FAIL(); });

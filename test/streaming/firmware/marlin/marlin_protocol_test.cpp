@@ -38,7 +38,7 @@ TEST(MarlinProtocol, ReadsRequestsToResend) {
   EXPECT_FALSE(parseReply("Resend: nonsense").line);
 }
 
-TEST(MarlinProtocol, TellsLineErrorsFromHaltsFromWarnings) {
+TEST(MarlinProtocol, ReportsLineErrorsFromHaltsFromWarnings) {
   EXPECT_EQ(parseReply("Error:checksum mismatch, Last Line: 4").kind, ReplyKind::LineError);
   EXPECT_EQ(parseReply("Error:Line Number is not Last Number+1, Last Line: 4").kind, ReplyKind::LineError);
   EXPECT_EQ(parseReply("Error:Printer halted. kill() called!").kind, ReplyKind::Fatal);

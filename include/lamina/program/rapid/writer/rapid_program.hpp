@@ -17,7 +17,7 @@ namespace lamina {
 
 /// The arm that runs a program, and its joints at the toolpath's waypoints.
 struct RobotMotion {
-  const Mechanism& arm;
+  const KinematicModel& arm;
   const JointPath& joints;
 };
 
@@ -29,7 +29,7 @@ struct RobotMotion {
 /// meet in one pose one run together; travels are air moves. Points where the process starts or ends are in
 /// `end_zone`, all others in `zone`. Positions are those of the work object, which is the bed [mm, 4
 /// decimals]: offsets from the start point with 3 axes, targets with 5, whose orientation (w x y z, 7
-/// decimals) is bed_from_nozzle. Roles, beads and layers are told in comments before each procedure.
+/// decimals) is bed_from_nozzle. Roles, beads and layers are reported in comments before each procedure.
 ///
 /// All is checked when it is made; writing takes linear time and constant memory. The toolpath, and the
 /// robot's motion, must outlive it.

@@ -28,7 +28,7 @@ enum class ReplyKind : std::uint8_t {
 
 struct MarlinTemperatures {
   double nozzle_c = 0.0;
-  std::optional<double> nozzle_target_c;  ///< nothing if the firmware does not tell it
+  std::optional<double> nozzle_target_c;  ///< nothing if the firmware does not report it
   std::optional<double> bed_c;
   std::optional<double> bed_target_c;
 };

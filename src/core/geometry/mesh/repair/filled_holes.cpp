@@ -61,7 +61,7 @@ Point3 middleOfCorners(const Mesh& mesh, const Hole& hole) {
 }  // namespace
 
 RepairStep fillHoles(Mesh mesh, const MeshTopology& topology) {
-  // So many are told one by one; a mesh full of cracks would fill pages.
+  // So many are reported one by one; a mesh full of cracks would fill pages.
   constexpr std::size_t kMostTold = 20;
   std::vector<RepairChange> changes;
   for (const auto& loop : findBorderLoops(topology)) {

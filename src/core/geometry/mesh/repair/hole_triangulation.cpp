@@ -16,7 +16,7 @@ struct Cost {
   double area = 0.0;
 
   bool operator<(const Cost& other) const {
-    // Folds are told apart no finer than rounding leaves them.
+    // Folds are distinguished no finer than rounding leaves them.
     constexpr double kSame = 1e-9;
     if (fold < other.fold - kSame) return true;
     if (fold > other.fold + kSame) return false;

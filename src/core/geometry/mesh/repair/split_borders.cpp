@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "geometry/spatial/box_tree.hpp"
 #include "geometry/mesh/repair/steps.hpp"
+#include "geometry/spatial/box_tree.hpp"
 
 namespace lamina {
 namespace {

@@ -14,7 +14,7 @@ namespace lamina {
 
 enum class ProcessState : std::uint8_t { Off, On };
 
-/// Makes a toolpath of moves, in the order in which they are run, and of the notes that tell their paths.
+/// Makes a toolpath of moves, in the order in which they are run, and of the notes that report their paths.
 class RapidAssembly {
  public:
   /// A procedure with moves begins.

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
-#include "program/rapid/writer/rapid_notes.hpp"
 #include "program/rapid/rapid_words.hpp"
+#include "program/rapid/writer/rapid_notes.hpp"
 
 namespace lamina {
 namespace {
@@ -91,7 +91,8 @@ PathNote pathNote(NoteWords& words) {
 ToolpathLayer layerNote(NoteWords& words) {
   ToolpathLayer layer;
   layer.z_mm = words.number<double>("the height of a layer");
-  if (!(std::abs(layer.z_mm) <= kLargestNote)) words.refuse(std::to_string(layer.z_mm), "the height of a layer");
+  if (!(std::abs(layer.z_mm) <= kLargestNote))
+    words.refuse(std::to_string(layer.z_mm), "the height of a layer");
   layer.height_mm = words.length("how high a layer is");
   return layer;
 }

@@ -17,7 +17,7 @@ struct BeadRun {
   std::size_t motions = 0;
 };
 
-/// What the comments before a procedure tell of a path, or of what is left of one.
+/// What the comments before a procedure report of a path, or of what is left of one.
 struct PathNote {
   std::size_t line = 0;
   std::optional<ToolpathLayer> layer;  ///< that begins with the path; without paths

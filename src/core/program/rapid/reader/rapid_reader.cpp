@@ -94,7 +94,7 @@ class RapidRun {
 };
 
 void readFrame(const RapidSource& source, Toolpath& toolpath) {
-  ToldFrame told;
+  StatedFrame told;
   for (const RapidComment& comment : source.head) {
     try {
       readFrameComment(comment.text, told);

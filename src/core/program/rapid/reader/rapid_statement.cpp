@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <optional>
 
-#include "program/rapid/reader/rapid_source.hpp"
 #include "program/rapid/rapid_words.hpp"
+#include "program/rapid/reader/rapid_source.hpp"
 
 namespace lamina {
 namespace {

@@ -75,7 +75,7 @@ RapidLines::RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds,
   tail_ = settings.tool + "\\WObj:=" + settings.work_object + ";\n";
 }
 
-void RapidLines::setRobot(const Mechanism& arm, const ProgramStations& stations) {
+void RapidLines::setRobot(const KinematicModel& arm, const ProgramStations& stations) {
   arm_ = &arm;
   stations_ = &stations;
 }

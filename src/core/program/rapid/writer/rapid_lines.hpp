@@ -25,8 +25,8 @@ class RapidLines {
   RapidLines(const RapidPlan& plan, const RapidSpeeds& speeds, const Eigen::Isometry3d& bed_from_part,
              const RapidSettings& settings);
 
-  /// From here on targets tell configuration and external axes of the arm. Both must outlive the lines.
-  void setRobot(const Mechanism& arm, const ProgramStations& stations);
+  /// From here on targets report configuration and external axes of the arm. Both must outlive the lines.
+  void setRobot(const KinematicModel& arm, const ProgramStations& stations);
 
   void append(const RapidPlace& place, std::string& text) const;
 
@@ -49,7 +49,7 @@ class RapidLines {
   std::string fixed_axes_;
   std::string on_;
   std::string off_;
-  const Mechanism* arm_ = nullptr;
+  const KinematicModel* arm_ = nullptr;
   const ProgramStations* stations_ = nullptr;
 };
 

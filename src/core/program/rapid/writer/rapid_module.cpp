@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "program/rapid/rapid_words.hpp"
 #include "program/rapid/writer/rapid_lines.hpp"
 #include "program/rapid/writer/rapid_notes.hpp"
-#include "program/rapid/rapid_words.hpp"
 
 namespace lamina {
 namespace {

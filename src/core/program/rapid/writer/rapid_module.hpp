@@ -11,7 +11,7 @@
 
 namespace lamina {
 
-/// What the head of a program's main module tells.
+/// What the head of a program's main module reports.
 struct RapidHead {
   std::string part_name;
   std::string frame_comments;                                       ///< as `frameComments`

@@ -15,7 +15,7 @@ constexpr double kFarthest = 1e5;     // mm: beyond any robot
 constexpr double kSamePose = 1e-6;    // mm and rad: under what targets resolve
 constexpr double kUnitLength = 1e-6;  // of a quaternion
 
-/// Refuses what no program can tell, naming the place.
+/// Refuses what no program can report, naming the place.
 class PathChecks {
  public:
   PathChecks(const RapidPath& at, RapidVariant variant) : at_(at), path_(*at.path), variant_(variant) {}
@@ -33,10 +33,10 @@ class PathChecks {
     if (at_.deposits()) requireBeads();
   }
 
-  void requireJet(const Point3& jet) const {
+  void requireToolAxis(const Point3& tool_axis) const {
     for (std::size_t i = 0; i < path_.orientation.values().size(); ++i) {
       const Point3 wanted = path_.orientation.at(i) * Point3::UnitZ();
-      const double turn = std::atan2(jet.cross(wanted).norm(), jet.dot(wanted));
+      const double turn = std::atan2(tool_axis.cross(wanted).norm(), tool_axis.dot(wanted));
       if (!(turn <= kSamePose))
         refuse(i, "the nozzle would have to turn by " + std::to_string(turn * 180.0 / M_PI) +
                       " deg; a program of rapid.variant " + toString(variant_) +
@@ -164,9 +164,9 @@ RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings) {
   RapidPlan plan;
   plan.paths = pathsOf(toolpath);
   for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireWritable();
-  const Point3 jet = plan.paths.front().path->orientation.at(0) * Point3::UnitZ();
+  const Point3 tool_axis = plan.paths.front().path->orientation.at(0) * Point3::UnitZ();
   if (settings.variant != RapidVariant::Powder5Axes)
-    for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireJet(jet);
+    for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireToolAxis(tool_axis);
   addSwitches(plan.paths, settings.variant);
   plan.chunks = Splitter(plan.paths, settings).split();
   return plan;

@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-/// Feeds are told apart as far as they are written.
+/// Feeds are distinguished as far as they are written.
 std::int64_t unitsOf(double feed_mm_s) { return std::llround(feed_mm_s * 1e3); }
 
 std::string shown(double feed_mm_s) {
