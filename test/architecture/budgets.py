@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The size budget of CONTRIBUTING.md: files of at most 400 lines, functions of at most 60, no names that say nothing,
+"""The size budget of CONTRIBUTING.md: files of at most 600 lines, functions of at most 60, no names that say nothing,
 no unfinished work.
 
 Usage: budgets.py [ROOT]   exits 1 and names each offending place
@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-MAX_FILE_LINES = 400
+MAX_FILE_LINES = 600
 MAX_FUNCTION_LINES = 60
 EMPTY_NAMES = re.compile(r"(^|_)(utils?|helpers?|manager|misc|common)(_|\.|$)")
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
