@@ -4,9 +4,10 @@
 // growing size.
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include <cstdint>
+#include <string>
 
+#include "lamina/base/scratch_folder.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
@@ -23,19 +24,12 @@ Mesh sphere(std::int64_t triangles) {
   return makePart("sphere", {{"segments", std::to_string(segments)}, {"radius_mm", "50"}});
 }
 
-std::string writtenSphere(std::int64_t triangles) {
-  const char* folder = std::getenv("TMPDIR");
-  const std::string path =
-      std::string(folder == nullptr ? "/tmp" : folder) + "/lamina_bench_mesh_reading.stl";
-  writeStl(path, sphere(triangles));
-  return path;
-}
-
 void readStl(benchmark::State& state) {
-  const std::string path = writtenSphere(state.range(0));
+  const ScratchFolder folder;
+  const std::string path = folder.path() + "/sphere.stl";
+  writeStl(path, sphere(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(readMesh(path));
   state.SetComplexityN(state.range(0));
-  std::remove(path.c_str());
 }
 
 void checkSoundMesh(benchmark::State& state) {

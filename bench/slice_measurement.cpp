@@ -4,9 +4,10 @@
 // sliced in memory and measured. Without its metrics, with the surface, and on one thread.
 #include <benchmark/benchmark.h>
 
-#include <filesystem>
+#include <string>
 
 #include "lamina/base/parallel.hpp"
+#include "lamina/base/scratch_folder.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/metrics_job.hpp"
@@ -21,11 +22,10 @@ SliceMeasurement orthohedron() {
                                                     {"slicing.layer_height_mm", "0.2"},
                                                     {"slicing.first_layer_height_mm", "0.2"},
                                                     {"skirt.count", "0"}});
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "lamina_bench_orthohedron.stl";
-  writeStl(file.string(), makePart("box", {{"x_mm", "20"}, {"y_mm", "40"}, {"z_mm", "20"}}));
-  SliceMeasurement measurement({file.string(), "", settings});
-  std::filesystem::remove(file);
-  return measurement;
+  const ScratchFolder folder;
+  const std::string file = folder.path() + "/orthohedron.stl";
+  writeStl(file, makePart("box", {{"x_mm", "20"}, {"y_mm", "40"}, {"z_mm", "20"}}));
+  return SliceMeasurement({file, "", settings});
 }
 
 void evaluate(benchmark::State& state, const std::vector<std::string>& metrics) {

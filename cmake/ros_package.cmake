@@ -6,7 +6,7 @@ find_package(catkin REQUIRED COMPONENTS
 
 add_message_files(FILES
   Bead.msg DepositionState.msg DepositionSummary.msg FilledVoid.msg InclineSummary.msg JointTolerance.msg LayerHeight.msg
-  MachineState.msg ProcessPoint.msg ProcessState.msg
+  MachineState.msg ProcessPoint.msg ProcessState.msg ProfileCounts.msg
   ProcessTrajectory.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
 add_service_files(FILES FillVoids.srv InclineGcode.srv LoadProgram.srv RunStartup.srv SliceMesh.srv)

@@ -24,6 +24,7 @@
 #include <lamina/OptimiseAction.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
+#include <lamina/ProfileCounts.h>
 #include <lamina/RunStartup.h>
 #include <lamina/Setting.h>
 #include <lamina/SimulateDepositionAction.h>

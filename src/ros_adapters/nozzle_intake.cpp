@@ -4,44 +4,23 @@
 
 #include <utility>
 
-#include "names.hpp"
-#include "transforms.hpp"
-
 namespace lamina {
 namespace {
 
-constexpr double kRemembered = 30.0;         // s of transforms
-constexpr double kTurn = 0.02;               // s between looks at what is due
-constexpr std::size_t kNozzleBurst = 20000;  // messages, as `TransformIntake`
+constexpr double kTurn = 0.02;  // s between looks at what is due
 
 }  // namespace
 
 NozzleIntake::NozzleIntake(ros::NodeHandle node, Receiver receiver)
-    : buffer_(ros::Duration(kRemembered)), transforms_(buffer_, node), receiver_(std::move(receiver)) {
-  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> onMessage =
-      [this](const tf2_msgs::TFMessageConstPtr& message) { onTransforms(*message); };
-  subscriber_ = node.subscribe<tf2_msgs::TFMessage>("/tf", kNozzleBurst, onMessage, {},
-                                                    ros::TransportHints().tcpNoDelay());
+    : transforms_(sequence_, node), receiver_(std::move(receiver)) {
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
 }
 
-void NozzleIntake::onTransforms(const tf2_msgs::TFMessage& message) {
-  for (const auto& transform : message.transforms)
-    if (transform.header.stamp > passed_) waiting_.insert(transform.header.stamp);
-  if (waiting_.size() > kNozzleBurst) waiting_.erase(waiting_.begin());
-}
-
 void NozzleIntake::passDue() {
-  while (!waiting_.empty()) {
-    const ros::Time stamp = *waiting_.begin();
-    const Readiness ready = readiness(buffer_, names::kBedFrame, names::kNozzleFrame, stamp);
-    if (ready == Readiness::NotYet) return;
-    waiting_.erase(waiting_.begin());
-    passed_ = stamp;
-    if (ready == Readiness::Never) continue;
-    const auto bed_from_nozzle = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, stamp);
-    if (bed_from_nozzle) receiver_(*bed_from_nozzle);
-  }
+  // Stamp by stamp, so that none is far behind the latest that the buffer has.
+  do {
+    for (const StampedNozzle& nozzle : sequence_.takeNozzles()) receiver_(nozzle.bed_from_nozzle);
+  } while (sequence_.passNext());
 }
 
 }  // namespace lamina

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <ros/ros.h>
-#include <tf2/buffer_core.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
 #include <functional>
-#include <set>
 
 #include "transform_intake.hpp"
+#include "transform_sequence.hpp"
 
 namespace lamina {
 
@@ -26,15 +24,11 @@ class NozzleIntake {
   NozzleIntake(ros::NodeHandle node, Receiver receiver);
 
  private:
-  void onTransforms(const tf2_msgs::TFMessage& message);
   void passDue();
 
-  tf2::BufferCore buffer_;
+  TransformSequence sequence_;
   TransformIntake transforms_;
   Receiver receiver_;
-  std::set<ros::Time> waiting_;  ///< stamps
-  ros::Time passed_;             ///< the last one
-  ros::Subscriber subscriber_;
   ros::WallTimer timer_;
 };
 

@@ -7,30 +7,46 @@
 namespace lamina {
 namespace {
 
-constexpr std::uint32_t kBurst = 20000;  // messages: what a machine in accelerated time sends in some seconds
+constexpr std::uint32_t kNoBound = 0;  // of a queue
 
 }  // namespace
 
 TransformIntake::TransformIntake(tf2::BufferCore& buffer, const ros::NodeHandle& node)
-    : buffer_(buffer), node_(node), spinner_(1, &queue_) {
+    : TransformIntake(
+          node,
+          [&buffer](const auto& transform, const auto& authority) {
+            buffer.setTransform(transform, authority, false);
+          },
+          [&buffer](const auto& transform, const auto& authority) {
+            buffer.setTransform(transform, authority, true);
+          }) {}
+
+TransformIntake::TransformIntake(TransformSequence& sequence, const ros::NodeHandle& node)
+    : TransformIntake(
+          node,
+          [&sequence](const auto& transform, const auto& authority) { sequence.add(transform, authority); },
+          [&sequence](const auto& transform, const auto& authority) {
+            sequence.addFixed(transform, authority);
+          }) {}
+
+TransformIntake::TransformIntake(const ros::NodeHandle& node, Keeper keep_moving, Keeper keep_fixed)
+    : node_(node), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
-  moving_ = subscribe("/tf", false);
-  static_ = subscribe("/tf_static", true);
+  moving_ = subscribe("/tf", keep_moving);
+  static_ = subscribe("/tf_static", keep_fixed);
   spinner_.start();
 }
 
-ros::Subscriber TransformIntake::subscribe(const std::string& topic, bool is_static) {
-  const boost::function<void(const Event&)> onMessage = [this, is_static](const Event& event) {
-    store(event, is_static);
-  };
-  return node_.subscribe<tf2_msgs::TFMessage>(topic, kBurst, onMessage, {},
+ros::Subscriber TransformIntake::subscribe(const std::string& topic, const Keeper& keep) {
+  const boost::function<void(const Event&)> onMessage = [keep](const Event& event) { store(event, keep); };
+  return node_.subscribe<tf2_msgs::TFMessage>(topic, kNoBound, onMessage, {},
                                               ros::TransportHints().tcpNoDelay());
 }
 
-void TransformIntake::store(const Event& event, bool is_static) {
+void TransformIntake::store(const Event& event, const Keeper& keep) {
   for (const auto& transform : event.getMessage()->transforms) {
     try {
-      buffer_.setTransform(transform, event.getPublisherName(), is_static);
+      keep(transform, event.getPublisherName());
     } catch (const tf2::TransformException& error) {
       ROS_ERROR_THROTTLE(10.0, "transform from %s to %s ignored: %s", transform.header.frame_id.c_str(),
                          transform.child_frame_id.c_str(), error.what());

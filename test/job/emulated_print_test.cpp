@@ -130,8 +130,8 @@ class EmulatedPrint {
     }
   }
 
-  void note(const std::optional<LayerHeightReport>& report) {
-    if (report) reports_.push_back(*report);
+  void note(const LayerHeightReports& reports) {
+    reports_.insert(reports_.end(), reports.begin(), reports.end());
   }
 
   static ProfileSensorSettings sensorSettings() {

@@ -31,9 +31,9 @@ void scan(HeightMonitor& monitor, const Surface& surface, double nozzle_height =
 HeightStatistics statisticsOf(const Surface& surface) {
   HeightMonitor monitor = onePlate();
   scan(monitor, surface);
-  const auto report = monitor.finish();
-  EXPECT_TRUE(report.has_value());
-  return report->statistics;
+  const auto reports = monitor.finish();
+  EXPECT_EQ(reports.size(), 1u);
+  return reports.at(0).statistics;
 }
 
 TEST(HeightMonitor, AFlatPlateShowsItsOffset) {
@@ -84,45 +84,98 @@ TEST(HeightMonitor, ALayerIsFinalWhenTheNozzleLeavesItsScanHeight) {
   scan(
       monitor, [](const Point2&) { return 0.21; }, 1.3);
   const auto first = monitor.insert({{10, 10, 0.21}}, 0.4);
-  ASSERT_TRUE(first.has_value());
-  EXPECT_EQ(first->layer, 0u);
-  EXPECT_DOUBLE_EQ(first->expected_height_mm, 0.2);
-  EXPECT_NEAR(first->statistics.mean_mm, 0.01, 1e-12);
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_EQ(first[0].layer, 0u);
+  EXPECT_EQ(first[0].sight, LayerSight::Seen);
+  EXPECT_EQ(first[0].profiles, 119u);  // 120 rows, the first of them as the nozzle arrives
+  EXPECT_DOUBLE_EQ(first[0].expected_height_mm, 0.2);
+  EXPECT_NEAR(first[0].statistics.mean_mm, 0.01, 1e-12);
   scan(
       monitor, [](const Point2&) { return 0.38; }, 1.5);
   const auto second = monitor.finish();
-  ASSERT_TRUE(second.has_value());
-  EXPECT_EQ(second->layer, 1u);
-  EXPECT_NEAR(second->statistics.mean_mm, -0.02, 1e-12);
+  ASSERT_EQ(second.size(), 1u);
+  EXPECT_EQ(second[0].layer, 1u);
+  EXPECT_NEAR(second[0].statistics.mean_mm, -0.02, 1e-12);
   EXPECT_NEAR(monitor.deviation().nearest({10.05, 10.05}), -0.02, 1e-12);
-  EXPECT_FALSE(monitor.finish().has_value());
+  EXPECT_TRUE(monitor.finish().empty());
 }
 
 TEST(HeightMonitor, AFinishedScanStaysFinished) {
   HeightMonitor monitor = onePlate();
   scan(monitor, [](const Point2&) { return 0.2; });
   EXPECT_GT(monitor.cellsInScan(), 0u);
-  EXPECT_TRUE(monitor.finish().has_value());
+  EXPECT_EQ(monitor.finish().size(), 1u);
   scan(monitor, [](const Point2&) { return 0.5; });
   EXPECT_EQ(monitor.cellsInScan(), 0u);
-  EXPECT_FALSE(monitor.finish().has_value());
+  EXPECT_TRUE(monitor.finish().empty());
 }
 
 TEST(HeightMonitor, FromOneScanStraightIntoTheNextBothAreReported) {
   HeightMonitor monitor(scannedPlates({kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
   scan(
       monitor, [](const Point2&) { return 0.2; }, 1.3);
-  EXPECT_EQ(monitor.insert({{10, 10, 0.4}}, 1.5)->layer, 0u);
-  EXPECT_FALSE(monitor.insert({{10, 10, 0.4}}, 1.5).has_value());
-  EXPECT_EQ(monitor.finish()->layer, 1u);
+  EXPECT_EQ(monitor.insert({{10, 10, 0.4}}, 1.5).at(0).layer, 0u);
+  EXPECT_TRUE(monitor.insert({{10, 10, 0.4}}, 1.5).empty());
+  EXPECT_EQ(monitor.finish().at(0).layer, 1u);
+}
+
+TEST(HeightMonitor, ALayerWhoseScanWasMissedIsReportedAsNotSeenWhenALaterOneIs) {
+  HeightMonitor monitor(scannedPlates({kPlate, kPlate, kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
+  scan(
+      monitor, [](const Point2&) { return 0.2; }, 1.3);
+  for (int i = 0; i < 3; ++i) monitor.move(0.8);  // the last layer is printed already
+  monitor.move(1.9);
+  EXPECT_TRUE(monitor.move(1.9).empty());
+  const auto missed = monitor.add({{10, 10, 0.8}});
+  ASSERT_EQ(missed.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(missed[i].layer, i + 1);
+    EXPECT_EQ(missed[i].sight, LayerSight::NotSeen);
+    EXPECT_EQ(missed[i].statistics.cells, 0u);
+    EXPECT_EQ(missed[i].profiles, 0u);
+  }
+  const auto last = monitor.finish();
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_EQ(last[0].layer, 3u);
+  EXPECT_EQ(last[0].sight, LayerSight::Seen);
+}
+
+TEST(HeightMonitor, AtTheEndLayersThatWerePrintedAndNotScannedAreReportedAsNotSeen) {
+  HeightMonitor monitor(scannedPlates({kPlate, kPlate, kPlate, kPlate}), Eigen::Isometry3d::Identity(), {});
+  for (int i = 0; i < 2; ++i) monitor.move(0.4);
+  const auto missed = monitor.finish();
+  ASSERT_EQ(missed.size(), 2u) << "of the layers above nobody knows anything yet";
+  EXPECT_EQ(missed[0].layer, 0u);
+  EXPECT_EQ(missed[1].layer, 1u);
+  EXPECT_EQ(missed[1].sight, LayerSight::NotSeen);
+  EXPECT_DOUBLE_EQ(missed[1].expected_height_mm, 0.4);
+}
+
+TEST(HeightMonitor, AScanThatShowsNothingOfItsLayerIsNotSeen) {
+  HeightMonitor monitor = onePlate();
+  scan(monitor, [](const Point2&) { return NAN; });
+  const auto reports = monitor.finish();
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].sight, LayerSight::NotSeen);
+  EXPECT_GT(reports[0].profiles, 100u);
+}
+
+TEST(HeightMonitor, AScanThatIsGivenUpIsReportedAsCutShort) {
+  HeightMonitor monitor = onePlate();
+  scan(monitor, [](const Point2&) { return 0.2; });
+  const auto reports = monitor.closeScan(LayerSight::CutShort);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].sight, LayerSight::CutShort);
+  EXPECT_TRUE(monitor.closeScan(LayerSight::CutShort).empty());
 }
 
 TEST(HeightMonitor, OtherProfilesEnterTheMapAlone) {
   HeightMonitor monitor = onePlate();
   scan(
       monitor, [](const Point2&) { return 0.3; }, 0.2);
-  monitor.insert({{10.02, 10.02, 0.5}}, std::nullopt);
-  EXPECT_FALSE(monitor.finish().has_value());
+  const auto reports = monitor.finish();
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].sight, LayerSight::NotSeen);
   EXPECT_EQ(monitor.profilesOfLayers(), 0u);
   EXPECT_GT(monitor.otherProfiles(), 100u);
   EXPECT_GT(heightRange(monitor.measured().heights()).known, 10000u);

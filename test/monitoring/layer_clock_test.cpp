@@ -16,10 +16,12 @@ LayerClock tenLayers(std::size_t scanned_from = 0) {
   return LayerClock(toolpath, Eigen::Isometry3d::Identity(), 1.0);
 }
 
-/// A nozzle that travels at that height.
+/// A nozzle that travels at that height, and a profile on the way.
 std::optional<std::size_t> observeTwice(LayerClock& clock, double height) {
   clock.observe(height);
-  return clock.observe(height);
+  const auto layer = clock.observe(height);
+  clock.see();
+  return layer;
 }
 
 TEST(LayerClock, ReportsTheLayerFromItsScanHeight) {
@@ -44,6 +46,23 @@ TEST(LayerClock, ALayerThatWasLeftIsDoneWith) {
   EXPECT_EQ(observeTwice(clock, 1.3), 0u);
   EXPECT_EQ(clock.observe(0.4), std::nullopt);
   EXPECT_EQ(clock.observe(1.3), std::nullopt);
+}
+
+TEST(LayerClock, AScanWithoutAProfileIsStillToCome) {
+  LayerClock clock = tenLayers();
+  clock.observe(1.3);
+  EXPECT_EQ(clock.observe(1.3), 0u);
+  EXPECT_EQ(clock.observe(0.4), std::nullopt);
+  EXPECT_EQ(observeTwice(clock, 1.3), 0u);
+}
+
+TEST(LayerClock, ReportsWhichLayersAreScannedAndWhichWasPrinted) {
+  LayerClock clock = tenLayers(7);
+  EXPECT_EQ(clock.scannedLayers(), (std::vector<std::size_t>{7, 8, 9}));
+  EXPECT_EQ(clock.printed(), std::nullopt);
+  clock.observe(0.6);
+  clock.observe(0.6);
+  EXPECT_EQ(clock.printed(), 2u);
 }
 
 TEST(LayerClock, ANozzleOnItsWayDownScansNothing) {

@@ -9,8 +9,8 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +39,18 @@ class DriveCell {
         [this](const auto& message) { hear(*message); };
     const boost::function<void(const lamina_msgs::ProcessStateConstPtr&)> on_process =
         [this](const auto& message) {
-          if (!joints_) return;
-          reports.push_back({*joints_, *message});
+          process_at_[message->header.stamp] = *message;
+          match();
         };
     const boost::function<void(const lamina_msgs::MachineStateConstPtr&)> on_state =
-        [this](const auto& message) { state = message->state_name; };
+        [this](const auto& message) {
+          if (state != message->state_name) state_stamp_ = message->header.stamp;
+          state = message->state_name;
+        };
     const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_findings =
         [this](const auto& message) { findings = message->markers.size(); };
-    position_ = node_.subscribe<sensor_msgs::JointState>(names::kMachinePosition, 1000, on_position);
-    process_ = node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 1000, on_process);
+    position_ = node_.subscribe<sensor_msgs::JointState>(names::kMachinePosition, 0, on_position);
+    process_ = node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 0, on_process);
     state_ = node_.subscribe<lamina_msgs::MachineState>(names::kMachineState, 1000, on_state);
     findings_ = node_.subscribe<visualization_msgs::MarkerArray>(names::kCheckMarkers, 10, on_findings);
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
@@ -88,10 +91,11 @@ class DriveCell {
   Eigen::Vector3d tip(const Report& report) const {
     return model->bedFromNozzle(report.joints).translation();
   }
-  /// Whether joints are at rest and the process is off from now on, for a while.
+  /// Whether joints are at rest and the process is off from the last change of state on, by the stamps, for a
+  /// while.
   bool staysSafe() {
-    const std::size_t first = reports.size() + 1;
-    if (!waitUntil([&] { return reports.size() > first + 15; })) return false;
+    if (!waitUntil([&] { return reports.size() > firstAfterState() + 15; })) return false;
+    const std::size_t first = firstAfterState();
     for (std::size_t i = first; i < reports.size(); ++i)
       if (!isSafe(reports[i]) || (reports[i].joints - reports[first].joints).norm() > 1e-6) return false;
     return true;
@@ -103,6 +107,25 @@ class DriveCell {
   std::size_t findings = 0;  ///< markers
 
  private:
+  /// Index of the first report that is younger than the last change of state.
+  std::size_t firstAfterState() const {
+    std::size_t first = reports.size();
+    while (first > 0 && reports[first - 1].process.header.stamp > state_stamp_) --first;
+    return first;
+  }
+
+  /// Machine and process are reported of on two topics, with the same stamps.
+  void match() {
+    while (!joints_at_.empty() && !process_at_.empty()) {
+      const ros::Time joints_stamp = joints_at_.begin()->first;
+      const ros::Time process_stamp = process_at_.begin()->first;
+      if (joints_stamp == process_stamp)
+        reports.push_back({joints_at_.begin()->second, process_at_.begin()->second});
+      if (joints_stamp <= process_stamp) joints_at_.erase(joints_at_.begin());
+      if (process_stamp <= joints_stamp) process_at_.erase(process_at_.begin());
+    }
+  }
+
   void hear(const sensor_msgs::JointState& message) {
     JointValues joints(static_cast<Eigen::Index>(model->joints().size()));
     for (std::size_t j = 0; j < model->joints().size(); ++j) {
@@ -112,12 +135,15 @@ class DriveCell {
           joints[static_cast<Eigen::Index>(j)] =
               message.position[i] * (joint.kind == JointKind::Linear ? 1000.0 : 1.0);
     }
-    joints_ = joints;
+    joints_at_[message.header.stamp] = joints;
+    match();
   }
 
   ros::NodeHandle node_;
   Client client_;
-  std::optional<JointValues> joints_;
+  std::map<ros::Time, JointValues> joints_at_;  ///< that wait for what the process did
+  std::map<ros::Time, lamina_msgs::ProcessState> process_at_;
+  ros::Time state_stamp_;
   ros::Subscriber position_, process_, state_, findings_;
   ros::Publisher toolpath_;
 };

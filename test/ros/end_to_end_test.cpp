@@ -15,6 +15,7 @@
 #include "names.hpp"
 #include "nodes/print_part/print_part.hpp"
 #include "ros_home.hpp"
+#include "wait_until.hpp"
 
 namespace {
 
@@ -25,7 +26,6 @@ const std::string kFolder = lamina::test::inRosHome("end_to_end");
 constexpr std::size_t kLayers = 5;            // of 0.3 mm, as in config/demo.yaml
 constexpr double kMeanErrorBound = 0.05;      // mm, over all layers: a sixth of a layer
 constexpr double kLayerMeanErrorBound = 0.1;  // mm
-constexpr double kPatience = 20.0;            // s
 constexpr double kSamePosition = 1e-6;        // mm: the program's third decimal goes through metres and back
 
 /// Positions the machine reported, in their order [mm].
@@ -81,6 +81,13 @@ std::size_t firstMissing(const std::vector<Point3>& expected, const std::vector<
   return found;
 }
 
+void expectAccounted(const lamina_msgs::ProfileCounts& of) {
+  EXPECT_EQ(of.received, of.of_layers + of.of_no_layer + of.waiting + of.without_frame + of.malformed +
+                             of.without_transform + of.without_nozzle + of.pushed_out + of.in_gap + of.late);
+  EXPECT_EQ(of.points_received, of.points_used + of.points_outside + of.points_not_finite +
+                                    of.points_dropped + of.points_waiting);
+}
+
 /// Whether the node answers that it has this service, which all nodes have.
 bool isAlive(const std::string& name) {
   return ros::service::exists("/" + name + "/set_logger_level", false);
@@ -105,15 +112,17 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   const std::vector<Point3> planned = motionEnds(program);
   EXPECT_GT(planned.size(), 10 * kLayers);
   // The report is there before the last lift has been reported.
-  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
-  while (firstMissing(planned, record.positions()) < planned.size() && ros::WallTime::now() < give_up) {
-    ros::spinOnce();
-    ros::WallDuration(0.05).sleep();
-  }
+  lamina::test::waitUntil([&] { return firstMissing(planned, record.positions()) == planned.size(); });
   EXPECT_EQ(firstMissing(planned, record.positions()), planned.size()) << "a motion was not executed";
 
   ASSERT_EQ(report.layers.size(), kLayers);
-  for (const auto& layer : report.layers) {
+  EXPECT_TRUE(report.unreported.empty());
+  EXPECT_EQ(lamina::unplacedText(report.layers.back().counts), "");
+  expectAccounted(report.layers.back().counts);
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    const auto& layer = report.layers[i];
+    EXPECT_EQ(layer.layer, i);
+    EXPECT_EQ(layer.sight, lamina_msgs::LayerHeight::SEEN + 0) << "layer " << layer.layer;
     EXPECT_EQ(layer.toolpath_id, report.toolpath_id);
     EXPECT_NEAR(lamina::toMillimetres(layer.mean_error), 0.0, kLayerMeanErrorBound)
         << "layer " << layer.layer;

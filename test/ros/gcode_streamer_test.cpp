@@ -156,7 +156,7 @@ TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
 
 TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
   const TestMachine machine(5.0);
-  const auto program = zigzag(300);
+  const auto program = zigzag(3000);
   start(write(program));
   ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   EXPECT_TRUE(call(lamina::names::kPause).success);
@@ -173,7 +173,7 @@ TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
 
 TEST_F(GcodeStreamer, StopsSafelyOnAbort) {
   const TestMachine machine(2.0);
-  start(write(zigzag(300)));
+  start(write(zigzag(3000)));
   ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   EXPECT_GT(machine->nozzleTarget(), 0.0);
   EXPECT_TRUE(call(lamina::names::kAbort).success);
@@ -182,13 +182,13 @@ TEST_F(GcodeStreamer, StopsSafelyOnAbort) {
   EXPECT_EQ(given.status.code, Status::CANCELLED);
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
   EXPECT_TRUE(waitUntil([&] { return machine->isIdle(); }));
-  EXPECT_LT(machine.commands().size(), 200U);
+  EXPECT_LT(machine.commands().size(), 2000U);
   EXPECT_FALSE(call(lamina::names::kAbort).success);
 }
 
 TEST_F(GcodeStreamer, StopsSafelyWhenTheGoalIsCancelled) {
   const TestMachine machine(2.0);
-  start(write(zigzag(300)));
+  start(write(zigzag(3000)));
   ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   client_.cancelGoal();
   const auto given = result();
@@ -276,7 +276,7 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   Client client("/terminated/stream_program", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   lamina_msgs::StreamProgramGoal goal;
-  goal.program = write(zigzag(300));
+  goal.program = write(zigzag(3000));
   client.sendGoal(goal);
   EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   EXPECT_GT(machine->nozzleTarget(), 0.0);

@@ -107,7 +107,7 @@ lamina_msgs::LoadProgram::Response load(const std::string& machine, const std::s
   lamina_msgs::LoadProgram service;
   service.request.program = program;
   const std::string name = "/" + machine + "/trajectory_publisher/load_program";
-  EXPECT_TRUE(ros::service::waitForService(name, ros::Duration(30.0)));
+  EXPECT_TRUE(ros::service::waitForService(name, ros::Duration(test::kPatience)));
   EXPECT_TRUE(ros::service::call(name, service));
   return service.response;
 }
@@ -136,7 +136,8 @@ TEST(InclinedPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   for (const Case& played : cases)
     replayed.push_back(std::make_unique<TfRecording>("replayed/" + played.machine));
   const std::string play =
-      "rosrun rosbag play --quiet --delay=1 --rate=4 --wait-for-subscribers --prefix=/replayed ";
+      "rosrun rosbag play --quiet --queue=100000 --delay=1 --rate=4 --wait-for-subscribers "
+      "--prefix=/replayed ";
   ASSERT_EQ(std::system((play + folder.file("played.bag")).c_str()), 0);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     EXPECT_TRUE(test::waitUntil([&] { return replayed[i]->isAt(cases[i].tips.back()); }));

@@ -12,6 +12,7 @@
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "support/scratch_folder.hpp"
+#include "wait_until.hpp"
 
 namespace lamina {
 namespace {
@@ -22,7 +23,7 @@ lamina_msgs::SliceMesh::Response slice(const std::vector<std::pair<std::string, 
   service.request.part = "box";  // a cube of 20 mm
   service.request.output = output;
   for (const auto& [key, value] : settings) service.request.settings.push_back(settingMessage(key, value));
-  EXPECT_TRUE(ros::service::waitForService(names::kSliceMesh, ros::Duration(30.0)));
+  EXPECT_TRUE(ros::service::waitForService(names::kSliceMesh, ros::Duration(test::kPatience)));
   EXPECT_TRUE(ros::service::call(names::kSliceMesh, service));
   return service.response;
 }
@@ -35,8 +36,8 @@ TEST(InclinedSlicing, LayersAndNozzleArriveInclined) {
   const auto response = slice(kInclined);
   ASSERT_EQ(response.status.code, lamina_msgs::Status::OK + 0) << response.status.message;
   ros::NodeHandle node;
-  const auto message =
-      ros::topic::waitForMessage<lamina_msgs::Toolpath>(names::kToolpath, node, ros::Duration(10.0));
+  const auto message = ros::topic::waitForMessage<lamina_msgs::Toolpath>(names::kToolpath, node,
+                                                                         ros::Duration(test::kPatience));
   ASSERT_TRUE(message);
   EXPECT_EQ(message->id, response.toolpath_id);
   EXPECT_EQ(message->machine, "gantry_45");
@@ -80,8 +81,8 @@ TEST(InclinedSlicing, TheMachineMayBeThatOfAFile) {
   const auto response = slice(settings);
   EXPECT_EQ(response.status.code, lamina_msgs::Status::OK + 0) << response.status.message;
   ros::NodeHandle node;
-  const auto message =
-      ros::topic::waitForMessage<lamina_msgs::Toolpath>(names::kToolpath, node, ros::Duration(10.0));
+  const auto message = ros::topic::waitForMessage<lamina_msgs::Toolpath>(names::kToolpath, node,
+                                                                         ros::Duration(test::kPatience));
   ASSERT_TRUE(message);
   EXPECT_EQ(message->machine, "large_gantry_45_reverse");
 }

@@ -9,12 +9,12 @@
 
 #include "plate_scan.hpp"
 #include "support/scratch_folder.hpp"
+#include "wait_until.hpp"
 
 namespace lamina {
 namespace {
 
-void writeScan(rosbag::Bag& bag, const test::PlateScan& scan) {
-  const test::ScanMessages messages = test::scanMessages(scan);
+void write(rosbag::Bag& bag, const test::ScanMessages& messages) {
   for (const auto& cloud : messages.clouds) bag.write(names::kProfile, cloud.header.stamp, cloud);
   for (const auto& transform : messages.transforms) {
     tf2_msgs::TFMessage message;
@@ -36,11 +36,12 @@ void writeBag(const std::string& path) {
       test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, scan.start)};
   bag.write("/tf_static", scan.start - ros::Duration(1.9), fixed);
   scan.surface = [](const Point2&) { return 0.15; };
-  writeScan(bag, scan);
+  write(bag, test::scanMessages(scan));
   scan.start += ros::Duration(1.0);
   scan.nozzle_height_mm = 1.5;
   scan.surface = [](const Point2& at) { return 0.4 + 0.004 * (at.x() - 15.0); };
-  writeScan(bag, scan);
+  write(bag, test::scanMessages(scan));
+  write(bag, test::liftAfter(scan));
 }
 
 TEST(LayerHeightBag, AReplayedPrintHasTheKnownHeights) {
@@ -52,15 +53,11 @@ TEST(LayerHeightBag, AReplayedPrintHasTheKnownHeights) {
   const auto subscriber = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 10, onLayer);
   const test::ScratchFolder folder;
   writeBag(folder.file("print.bag"));
-  ASSERT_EQ(
-      std::system(("rosrun rosbag play --quiet --delay=1 --wait-for-subscribers " + folder.file("print.bag"))
-                      .c_str()),
-      0);
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
-  while (layers.size() < 2 && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.02).sleep();
-  }
+  ASSERT_EQ(std::system(("rosrun rosbag play --quiet --queue=100000 --delay=1 --wait-for-subscribers " +
+                         folder.file("print.bag"))
+                            .c_str()),
+            0);
+  test::waitUntil([&] { return layers.size() >= 2; });
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_NEAR(toMillimetres(layers[0].mean_error), -0.05, 1e-5);
   EXPECT_NEAR(toMillimetres(layers[0].rms_error), 0.05, 1e-5);

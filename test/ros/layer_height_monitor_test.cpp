@@ -8,10 +8,12 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 
 #include "plate_scan.hpp"
 #include "ros_home.hpp"
+#include "wait_until.hpp"
 
 namespace lamina {
 namespace {
@@ -38,7 +40,7 @@ class LayerHeightMonitorNode : public ::testing::Test {
     for (const auto& publisher : {to.toolpath, to.profile, to.transforms})
       await([&] { return publisher.getNumSubscribers() > 0; });
     to.toolpath.publish(test::twoPlates());
-    ros::Duration(0.5).sleep();
+    await([] { return counted("toolpath") == test::twoPlates().id; });
     sendAll(to);
     await([] { return layers_.size() == 2 && !image_.data.empty() && cloud_.width > 0; });
     await([] { return counted("clouds malformed") == "1" && counted("clouds waiting") == "1"; });
@@ -80,15 +82,16 @@ class LayerHeightMonitorNode : public ::testing::Test {
     scan.nozzle_height_mm = 1.5;
     scan.surface = [](const Point2& at) { return at.x() < 10 ? NAN : 0.4 + kSecondOffset; };
     send(to, scan);
+    send(to, test::liftAfter(scan));
   }
 
-  static void send(const Publishers& to, const test::PlateScan& scan) {
-    const test::ScanMessages messages = test::scanMessages(scan);
+  static void send(const Publishers& to, const test::PlateScan& scan) { send(to, test::scanMessages(scan)); }
+
+  static void send(const Publishers& to, const test::ScanMessages& messages) {
     for (const auto& cloud : messages.clouds) to.profile.publish(cloud);
     tf2_msgs::TFMessage moving;
     moving.transforms = messages.transforms;
     to.transforms.publish(moving);
-    ros::Duration(0.5).sleep();
   }
 
   static void sendBadClouds(const ros::Publisher& profile, const ros::Time& stamp) {
@@ -102,14 +105,7 @@ class LayerHeightMonitorNode : public ::testing::Test {
     profile.publish(cloud);  // without z
   }
 
-  template <class Condition>
-  static void await(const Condition& condition) {
-    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
-    while (!condition() && ros::WallTime::now() < end) {
-      ros::spinOnce();
-      ros::WallDuration(0.02).sleep();
-    }
-  }
+  static void await(const std::function<bool()>& condition) { test::waitUntil(condition); }
 
   static std::string counted(const std::string& key) { return diagnostics_[key]; }
 
@@ -151,6 +147,20 @@ TEST_F(LayerHeightMonitorNode, CountsBadCloudsAndLivesOn) {
   EXPECT_EQ(counted("clouds lost on the way"), "0");
   EXPECT_EQ(counted("clouds without transform"), "0");
   EXPECT_GT(std::stoul(counted("points not finite")), 1000u);
+}
+
+TEST_F(LayerHeightMonitorNode, AccountsForEveryProfileAndPoint) {
+  ASSERT_EQ(layers_.size(), 2u);
+  for (const auto& layer : layers_) EXPECT_EQ(layer.sight, lamina_msgs::LayerHeight::SEEN + 0);
+  const lamina_msgs::ProfileCounts& of = layers_.back().counts;
+  EXPECT_EQ(of.received, of.of_layers + of.of_no_layer + of.waiting + of.without_frame + of.malformed +
+                             of.without_transform + of.without_nozzle + of.pushed_out + of.in_gap + of.late);
+  EXPECT_EQ(of.points_received, of.points_used + of.points_outside + of.points_not_finite +
+                                    of.points_dropped + of.points_waiting);
+  EXPECT_EQ(of.of_layers, layers_[0].profiles + layers_[1].profiles);
+  EXPECT_EQ(of.malformed, 1u);
+  EXPECT_EQ(of.without_frame, 1u);
+  EXPECT_EQ(of.late + of.in_gap + of.lost, 0u);
 }
 
 TEST_F(LayerHeightMonitorNode, PublishesTheMaps) {

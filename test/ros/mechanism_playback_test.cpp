@@ -69,7 +69,8 @@ TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   bag.close();
   const test::TfRecording replayed("replayed/" + name);
   const std::string play =
-      "rosrun rosbag play --quiet --delay=0.2 --rate=10 --wait-for-subscribers --prefix=/replayed ";
+      "rosrun rosbag play --quiet --queue=100000 --delay=0.2 --rate=10 --wait-for-subscribers "
+      "--prefix=/replayed ";
   ASSERT_EQ(std::system((play + folder.file("played.bag")).c_str()), 0);
   EXPECT_TRUE(test::waitUntil([&] { return hasEnded(played, replayed); }));
   expectPlayed(played, replayed);

@@ -77,6 +77,18 @@ inline ScanMessages scanMessages(const PlateScan& scan) {
   return messages;
 }
 
+/// The lift after a scan, with a profile that shows nothing: it ends the scan by the stamps.
+inline ScanMessages liftAfter(const PlateScan& scan) {
+  const ros::Time stamp = scan.start + ros::Duration(0.5);
+  ScanMessages messages;
+  messages.clouds = {toCloudMessage(std::vector<Point3>())};
+  messages.clouds.back().header.frame_id = names::kSensorFrame;
+  messages.clouds.back().header.stamp = stamp;
+  const Point3 tip(scan.box.centre().x() - 25.0, scan.box.high.y(), scan.nozzle_height_mm + 5.0);
+  messages.transforms = {stamped(bedFromNozzle(tip), names::kBedFrame, names::kNozzleFrame, stamp)};
+  return messages;
+}
+
 /// Two plates of 20 x 10 mm, each followed by a scan pass.
 inline lamina_msgs::Toolpath twoPlates() {
   const PlateScan scan;

@@ -24,6 +24,16 @@ TEST(HeightError, WeighsEachLayerByTheCellsSeen) {
   EXPECT_DOUBLE_EQ(error.coverage, 0.5);
 }
 
+TEST(HeightError, LeavesOutLayersThatWereNotSeen) {
+  lamina_msgs::LayerHeight unseen = layer(1, 0.0, 0.0, 0);
+  unseen.coverage = 0.0;
+  unseen.sight = lamina_msgs::LayerHeight::NOT_SEEN;
+  const auto error = lamina::heightError({layer(0, 1e-5, 2e-5, 300), unseen});
+  EXPECT_EQ(error.layers, 1U);
+  EXPECT_NEAR(error.mean_mm, 0.01, 1e-12);
+  EXPECT_DOUBLE_EQ(error.coverage, 0.5);
+}
+
 TEST(HeightError, OfNoLayerIsZero) { EXPECT_EQ(lamina::heightError({}).mean_mm, 0.0); }
 
 TEST(SummaryText, ReportsLayersLinesResendsAndHeightError) {
@@ -36,6 +46,29 @@ TEST(SummaryText, ReportsLayersLinesResendsAndHeightError) {
   const std::string text = lamina::summaryText(report);
   for (const char* part : {"blade", "117", "4321", "resends           3", "mean 0.0100 mm, worst -0.0200 mm"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(SummaryText, NamesLayersThatWereNotSeenAndProfilesThatWereNotPlaced) {
+  lamina::PrintReport report;
+  report.layers = {layer(0, 1e-5, -2e-5, 12), layer(77, 0.0, 0.0, 0), layer(78, 1e-5, -2e-5, 12)};
+  report.layers[1].sight = lamina_msgs::LayerHeight::NOT_SEEN;
+  report.layers[2].sight = lamina_msgs::LayerHeight::CUT_SHORT;
+  report.layers[2].counts.received = 5000;
+  report.layers[2].counts.lost = 12;
+  report.layers[2].counts.in_gap = 3;
+  report.unreported = {80, 79};
+  const std::string text = lamina::summaryText(report);
+  for (const char* part : {"layers measured   2,", "layers not seen   3: 77, 79, 80", "layers cut short  1",
+                           "profiles          5000; not placed: 12 lost on the way, 3 in gaps of poses"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(SummaryText, SaysNothingOfLayersNotSeenWhereAllWereSeen) {
+  lamina::PrintReport report;
+  report.layers = {layer(0, 1e-5, -2e-5, 12)};
+  const std::string text = lamina::summaryText(report);
+  EXPECT_EQ(text.find("not seen"), std::string::npos) << text;
+  EXPECT_EQ(text.find("not placed"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "conversions.hpp"
 #include "names.hpp"
+#include "wait_until.hpp"
 
 namespace lamina {
 namespace {
@@ -74,7 +75,10 @@ class Listener {
     for (int i = 0; i < 3; ++i) state.position.push_back(toMetres(axes_mm[i]));
     position_.publish(state);
   }
-  bool isConnected() const { return toolpath_.getNumSubscribers() > 0; }
+  bool isConnected() const {
+    return toolpath_.getNumSubscribers() > 0 && tf_.getNumPublishers() > 0 && path_.getNumPublishers() > 0;
+  }
+  bool isFollowed() const { return position_.getNumSubscribers() > 0; }
   bool canTransform(const std::string& target, const std::string& source, const ros::Time& stamp) const {
     return buffer_.canTransform(target, source, stamp);
   }
@@ -104,18 +108,11 @@ class Listener {
   ros::Publisher toolpath_, position_;
 };
 
-bool await(const std::function<bool()>& isTrue) {
-  for (int i = 0; i < 1000 && ros::ok(); ++i) {
-    ros::spinOnce();
-    if (isTrue()) return true;
-    ros::WallDuration(0.01).sleep();
-  }
-  return false;
-}
+bool await(const std::function<bool()>& isTrue) { return test::waitUntil(isTrue); }
 
 TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
   Listener listener("follower");
-  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  ASSERT_TRUE(await([&] { return listener.isConnected() && listener.isFollowed(); }));
   const MachineToolpath placed = square();
   listener.send(toMessage(placed));
   ASSERT_TRUE(await([&] { return listener.canTransform("world", "part", ros::Time(0)); }));
@@ -144,8 +141,8 @@ TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
            (listener.transform("part", "nozzle", ros::Time(0)).translation() - last).norm() < 1e-6;
   };
   EXPECT_TRUE(await(isAtEnd));
-  EXPECT_EQ(listener.path.poses.size(),
-            10U);  // start and four corners of each layer; the climb is shorter than the spacing
+  // Start and four corners of each layer; the climb is shorter than the spacing.
+  EXPECT_TRUE(await([&] { return listener.path.poses.size() == 10U; })) << listener.path.poses.size();
   ASSERT_TRUE(await([&] { return !listener.trajectories.empty(); }));
   const auto& end = listener.trajectories.back().points.back().positions;
   EXPECT_NEAR(end[2], 0.0004, 1e-9);
@@ -157,7 +154,8 @@ TEST(TrajectoryPublisher, PausesRewindsAndPlaysOnRequest) {
   const auto call = [&](const std::string& name) {
     return listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/" + name).call(trigger);
   };
-  ASSERT_TRUE(ros::service::waitForService("/player/trajectory_publisher/pause", 10000));
+  ASSERT_TRUE(
+      ros::service::waitForService("/player/trajectory_publisher/pause", ros::Duration(test::kPatience)));
   listener.send(toMessage(square()));
   EXPECT_TRUE(call("pause") && call("rewind"));
   EXPECT_TRUE(await([&] {

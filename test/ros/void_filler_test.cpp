@@ -23,7 +23,7 @@ namespace {
 using lamina_msgs::FillVoids;
 using lamina_msgs::Status;
 
-constexpr double kPatience = 30.0;  // s: far above what a job takes, for loaded machines
+constexpr double kPatience = 240.0;  // s: far above what a job takes, for loaded machines
 
 class VoidFiller : public testing::Test {
  protected:

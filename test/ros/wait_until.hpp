@@ -8,7 +8,7 @@
 
 namespace lamina::test {
 
-constexpr double kPatience = 60.0;  // s: far above what anything takes, for loaded machines
+constexpr double kPatience = 240.0;  // s: far above what anything takes, for loaded machines
 
 /// Lets callbacks run until something is true.
 /// @return false if it is not within `kPatience`

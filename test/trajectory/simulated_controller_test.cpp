@@ -60,6 +60,16 @@ TEST(SimulatedController, IsNeverStarvedForTenMinutes) {
   EXPECT_EQ(job.controller.process(), safeSignals());
 }
 
+TEST(SimulatedController, ReportsWhenItWillRunOutInMotion) {
+  Job job(line(), {});
+  EXPECT_FALSE(job.controller.runsOutAt());
+  job.runTo(0.5 * job.timed.duration());
+  ASSERT_TRUE(job.controller.runsOutAt());
+  EXPECT_NEAR(*job.controller.runsOutAt(), job.clock.now() + job.controller.queued(), 0.004 + 1e-9);
+  job.runTo(job.timed.duration() - 0.1);
+  EXPECT_FALSE(job.controller.runsOutAt()) << "what it has ends at rest";
+}
+
 TEST(SimulatedController, FollowsAtOnceWithoutLag) {
   ServoSettings servo;
   servo.lag_s = 0.0;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,21 +19,40 @@ struct MonitorSettings {
   double cell_mm = 0.1;    ///< of the maps; beads have a flat top only some tenths of a millimetre wide
   double margin_mm = 3.0;  ///< of the maps around what the toolpath deposits
   double scan_clearance_mm = 1.0;  ///< that the toolpath's scan passes were planned with
+  double pose_gap_mm = 10.0;  ///< between two known poses of the nozzle; profiles in between are not placed
+  double quiet_s = 2.0;  ///< a scan that shows nothing new of its layer for that long, by the stamps, is over
 };
 
-/// Adds the keys monitor.* and scan.clearance_mm.
+/// Adds the keys monitor.*, scan.clearance_mm, pose_gap_mm and quiet_s.
 void describe(SettingsSchema& schema, MonitorSettings& settings);
+
+/// How a layer came to its report.
+enum class LayerSight : std::uint8_t {
+  Seen,      ///< its scan came to an end
+  CutShort,  ///< its scan was given up before that; profiles that came later do not count
+  NotSeen,   ///< its scan showed nothing of it; there are no statistics
+};
+
+/// `seen`, `cut_short` or `not_seen`.
+const char* toString(LayerSight sight);
 
 /// What a layer measured.
 struct LayerHeightReport {
   std::size_t layer = 0;
   double expected_height_mm = 0.0;  ///< top of the layer [bed frame]
   HeightStatistics statistics;
+  LayerSight sight = LayerSight::Seen;
+  std::size_t profiles = 0;  ///< of its scan
 };
 
+/// What is known at once of layers that are done, in the order of the layers.
+using LayerHeightReports = std::vector<LayerHeightReport>;
+
 /// Follows one print: fuses profiles into a surface, attributes those of scan passes to layers, and compares
-/// each scanned layer with what the toolpath should have given. Time and memory do not grow with the number
-/// of profiles.
+/// each scanned layer with what the toolpath should have given. A layer whose scan was missed is reported as
+/// not seen, once a later one is scanned. Time and memory do not grow with the number of profiles.
+///
+/// What comes must come in the order of time; `StampedHeights` sees to that.
 class HeightMonitor {
  public:
   /// @param bed_from_part translation [mm]
@@ -40,16 +60,23 @@ class HeightMonitor {
   /// fits
   HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
-  /// Adds one profile.
-  ///
-  /// @param points         [mm, bed frame]; those beyond the map are counted and left out
-  /// @param nozzle_height  of the nozzle tip when the profile was taken [mm, bed frame], if it is known
-  /// @return the report of the layer that this profile shows to be done, if it does
-  std::optional<LayerHeightReport> insert(const std::vector<Point3>& points,
-                                          std::optional<double> nozzle_height);
+  /// The nozzle tip has gone straight to that height [mm, bed frame].
+  /// @return the report of the layer that this shows to be done, if it does
+  LayerHeightReports move(double nozzle_height);
 
-  /// The report of the layer being scanned, if one is: it is taken to be done.
-  std::optional<LayerHeightReport> finish();
+  /// Adds a profile that was taken on that way.
+  /// @param points  [mm, bed frame]; those beyond the map are counted and left out
+  /// @return reports of layers that are now known to have been missed
+  LayerHeightReports add(const std::vector<Point3>& points);
+
+  /// Both: a profile and where the nozzle tip was.
+  LayerHeightReports insert(const std::vector<Point3>& points, double nozzle_height);
+
+  /// Ends the scan under way, if there is one, though the nozzle may still be at its height.
+  LayerHeightReports closeScan(LayerSight sight);
+
+  /// The print is over: the same, and all layers that were printed and not reported were missed.
+  LayerHeightReports finish();
 
   const MeasuredSurface& measured() const { return measured_; }
   /// Measured less expected [mm], each cell by the latest layer that had it among its top cells.
@@ -59,6 +86,7 @@ class HeightMonitor {
   /// Cells seen in the scan under way; 0 if there is none. A scan that sees no further ones has come to its
   /// end.
   std::size_t cellsInScan() const { return cells_in_scan_; }
+  bool isScanning() const { return scanned_.has_value(); }
 
   std::size_t profilesOfLayers() const { return profiles_of_layers_; }
   std::size_t otherProfiles() const { return other_profiles_; }
@@ -66,7 +94,10 @@ class HeightMonitor {
 
  private:
   void begin(std::size_t layer);
-  std::optional<LayerHeightReport> close();
+  /// Those with a scan pass below `layer` that were not reported.
+  LayerHeightReports missedBelow(std::size_t layer);
+  LayerHeightReport close(LayerSight sight);
+  LayerHeightReport reportOf(std::size_t layer) const;
   void fuse(const std::vector<Point3>& points);
 
   Toolpath toolpath_;
@@ -75,9 +106,13 @@ class HeightMonitor {
   MeasuredSurface measured_;
   ExpectedSurface expected_;
   HeightMap deviation_;
-  std::size_t layers_expected_ = 0;  ///< added to the expected surface
+  std::size_t layers_expected_ = 0;        ///< added to the expected surface
+  std::vector<std::size_t> to_report_;     ///< layers with a scan pass, ascending
+  std::size_t reported_ = 0;               ///< of those
+  std::optional<std::size_t> at_scan_of_;  ///< the nozzle, though nothing may have been seen yet
   std::optional<std::size_t> scanned_;
   std::size_t cells_in_scan_ = 0;
+  std::size_t profiles_in_scan_ = 0;
   std::size_t profiles_of_layers_ = 0;
   std::size_t other_profiles_ = 0;
   std::size_t points_outside_ = 0;

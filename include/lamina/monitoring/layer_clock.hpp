@@ -24,11 +24,21 @@ class LayerClock {
   /// must be within a quarter of its layer height and the same as at the observation before, and it must be
   /// the next one to be scanned or the one that the nozzle was last seen to print. So a nozzle on its way
   /// through other heights, or parked at one of them, scans nothing. A layer whose scan height the nozzle has
-  /// left is done with.
+  /// left is done with if it was seen.
   std::optional<std::size_t> observe(double nozzle_height_mm);
 
-  /// Takes the layer being scanned, if one is, to be done with, though the nozzle may still be at its height.
+  /// A profile shows the layer being scanned. Does nothing if none is.
+  void see() { is_seen_ = scanned_.has_value(); }
+
+  /// Takes the layer being scanned, if one was seen, to be done with, though the nozzle may still be at its
+  /// height.
   void finish();
+
+  /// Layers that have a scan pass, ascending.
+  std::vector<std::size_t> scannedLayers() const;
+
+  /// The layer that the nozzle was last seen to print.
+  std::optional<std::size_t> printed() const { return printed_; }
 
  private:
   struct Mark {
@@ -44,6 +54,7 @@ class LayerClock {
   std::vector<Mark> prints_;    ///< ascending
   std::size_t first_open_ = 0;  ///< layers below are done with
   std::optional<std::size_t> scanned_;
+  bool is_seen_ = false;  ///< the layer being scanned
   std::optional<std::size_t> printed_;
   std::optional<double> last_height_mm_;
 };

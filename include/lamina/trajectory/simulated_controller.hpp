@@ -70,6 +70,8 @@ class SimulatedController {
   const ProcessSignals& process() const { return process_; }
   /// Motion that is waiting [s].
   double queued() const;
+  /// When it will have nothing left to follow while moving [s]; nothing if what it has ends at rest.
+  std::optional<double> runsOutAt() const;
   TrackingReport report() const;
 
  private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/monitoring/height_monitor.hpp"
 
+#include <iterator>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -31,19 +32,32 @@ HeightMonitor::HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_fro
       clock_(toolpath_, bed_from_part, settings.scan_clearance_mm),
       measured_(gridAround(toolpath_, bed_from_part, settings)),
       expected_(measured_.grid(), bed_from_part),
-      deviation_(measured_.grid()) {}
+      deviation_(measured_.grid()),
+      to_report_(clock_.scannedLayers()) {}
 
-std::optional<LayerHeightReport> HeightMonitor::insert(const std::vector<Point3>& points,
-                                                       std::optional<double> nozzle_height) {
-  const auto layer = nozzle_height ? clock_.observe(*nozzle_height) : std::nullopt;
-  std::optional<LayerHeightReport> report;
-  if (layer != scanned_) {
-    report = close();
-    if (layer) begin(*layer);
+LayerHeightReports HeightMonitor::move(double nozzle_height) {
+  at_scan_of_ = clock_.observe(nozzle_height);
+  if (!scanned_ || at_scan_of_ == scanned_) return {};
+  return {close(LayerSight::Seen)};
+}
+
+LayerHeightReports HeightMonitor::add(const std::vector<Point3>& points) {
+  LayerHeightReports missed;
+  if (at_scan_of_ && !scanned_) {
+    missed = missedBelow(*at_scan_of_);
+    begin(*at_scan_of_);
   }
-  ++(layer ? profiles_of_layers_ : other_profiles_);
+  ++(scanned_ ? profiles_of_layers_ : other_profiles_);
+  if (scanned_) ++profiles_in_scan_;
   fuse(points);
-  return report;
+  return missed;
+}
+
+LayerHeightReports HeightMonitor::insert(const std::vector<Point3>& points, double nozzle_height) {
+  LayerHeightReports reports = move(nozzle_height);
+  LayerHeightReports missed = add(points);
+  std::move(missed.begin(), missed.end(), std::back_inserter(reports));
+  return reports;
 }
 
 void HeightMonitor::fuse(const std::vector<Point3>& points) {
@@ -59,26 +73,65 @@ void HeightMonitor::fuse(const std::vector<Point3>& points) {
 void HeightMonitor::begin(std::size_t layer) {
   measured_.beginPass();
   scanned_ = layer;
+  clock_.see();
   while (layers_expected_ <= layer) expected_.addLayer(toolpath_.layers[layers_expected_++]);
 }
 
-std::optional<LayerHeightReport> HeightMonitor::finish() {
+LayerHeightReports HeightMonitor::closeScan(LayerSight sight) {
   clock_.finish();
-  return close();
+  at_scan_of_.reset();
+  if (!scanned_) return {};
+  return {close(sight)};
 }
 
-std::optional<LayerHeightReport> HeightMonitor::close() {
-  if (!scanned_) return std::nullopt;
+LayerHeightReports HeightMonitor::finish() {
+  LayerHeightReports reports = closeScan(LayerSight::Seen);
+  if (!clock_.printed()) return reports;
+  LayerHeightReports missed = missedBelow(*clock_.printed() + 1);
+  std::move(missed.begin(), missed.end(), std::back_inserter(reports));
+  return reports;
+}
+
+LayerHeightReports HeightMonitor::missedBelow(std::size_t layer) {
+  LayerHeightReports missed;
+  for (; reported_ < to_report_.size() && to_report_[reported_] < layer; ++reported_) {
+    missed.push_back(reportOf(to_report_[reported_]));
+    missed.back().sight = LayerSight::NotSeen;
+  }
+  return missed;
+}
+
+LayerHeightReport HeightMonitor::reportOf(std::size_t layer) const {
   LayerHeightReport report;
-  report.layer = *scanned_;
-  report.expected_height_mm = (bed_from_part_ * Point3(0.0, 0.0, toolpath_.layers[*scanned_].z_mm)).z();
+  report.layer = layer;
+  report.expected_height_mm = (bed_from_part_ * Point3(0.0, 0.0, toolpath_.layers[layer].z_mm)).z();
+  return report;
+}
+
+LayerHeightReport HeightMonitor::close(LayerSight sight) {
+  LayerHeightReport report = reportOf(*scanned_);
   HeightComparison comparison = compareHeights(measured_, expected_, std::move(deviation_));
   report.statistics = comparison.statistics;
+  report.sight = comparison.statistics.cells > 0 ? sight : LayerSight::NotSeen;
+  report.profiles = profiles_in_scan_;
   deviation_ = std::move(comparison.deviation);
+  while (reported_ < to_report_.size() && to_report_[reported_] <= report.layer) ++reported_;
   scanned_.reset();
-  cells_in_scan_ = 0;
+  cells_in_scan_ = profiles_in_scan_ = 0;
   measured_.beginPass();
   return report;
+}
+
+const char* toString(LayerSight sight) {
+  switch (sight) {
+    case LayerSight::Seen:
+      return "seen";
+    case LayerSight::CutShort:
+      return "cut_short";
+    case LayerSight::NotSeen:
+      return "not_seen";
+  }
+  return "";
 }
 
 void describe(SettingsSchema& schema, MonitorSettings& settings) {
@@ -87,6 +140,10 @@ void describe(SettingsSchema& schema, MonitorSettings& settings) {
                 "Extent of the height maps around what the toolpath deposits.");
   schema.number("scan.clearance_mm", settings.scan_clearance_mm, {0.0, 100.0, true},
                 "Clearance that the toolpath's scan passes were planned with.");
+  schema.number("pose_gap_mm", settings.pose_gap_mm, {0.0, 1e6, true},
+                "Between two known poses of the nozzle; profiles in a longer gap are not placed.");
+  schema.number("quiet_s", settings.quiet_s, {0.0, 3600.0, true},
+                "A scan that shows nothing new of its layer for that long, by the stamps, is over.");
 }
 
 }  // namespace lamina

@@ -44,8 +44,16 @@ std::optional<std::size_t> LayerClock::observe(double nozzle_height_mm) {
 }
 
 void LayerClock::finish() {
-  if (scanned_) first_open_ = std::max(first_open_, *scanned_ + 1);
+  if (scanned_ && is_seen_) first_open_ = std::max(first_open_, *scanned_ + 1);
   scanned_.reset();
+  is_seen_ = false;
+}
+
+std::vector<std::size_t> LayerClock::scannedLayers() const {
+  std::vector<std::size_t> layers;
+  for (const Mark& scan : scans_) layers.push_back(scan.layer);
+  std::sort(layers.begin(), layers.end());
+  return layers;
 }
 
 void LayerClock::notePrinting(double nozzle_height_mm) {

@@ -207,6 +207,11 @@ double SimulatedController::queued() const {
   return points_.empty() ? 0.0 : std::max(0.0, points_.back().time_s - now_s);
 }
 
+std::optional<double> SimulatedController::runsOutAt() const {
+  if (points_.empty() || !isMoving(points_.back())) return std::nullopt;
+  return points_.back().time_s;
+}
+
 TrackingReport SimulatedController::report() const {
   TrackingReport report = report_;
   const double cycles = std::max(1.0, static_cast<double>(report_.cycles));

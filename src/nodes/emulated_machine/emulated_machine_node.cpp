@@ -16,7 +16,9 @@
 namespace lamina {
 namespace {
 
-constexpr int kBurst = 20000;  // positions that may wait for a slow subscriber in accelerated time
+constexpr std::uint32_t kNoBound = 0;        // of a queue: a position that is lost is a place that is wrong
+constexpr std::uint32_t kProfiles = 100000;  // that may wait for a slow subscriber, which sees what it lost
+
 /// The same wherever linear axes take it.
 Eigen::Vector3d toolAxisOf(const CartesianMachine& machine) {
   return bedFromNozzle(machine, axisValues(machine, Point3::Zero())).linear().col(2).normalized();
@@ -27,8 +29,8 @@ Eigen::Vector3d toolAxisOf(const CartesianMachine& machine) {
 EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings)
     : settings_(settings),
       machine_(machineOf(settings.machine)),
-      position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kBurst, true)),
-      profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kBurst)),
+      position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kNoBound, true)),
+      profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kProfiles)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
       bed_from_program_(programFromBed(machine_).inverse()),
       tool_axis_(toolAxisOf(machine_)),
@@ -93,7 +95,7 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
     if (deposits) lay(from, sample.position, volume / static_cast<double>(samples.size()));
     from = sample.position;
     publishPosition(sample);
-    if (measures) publishProfile(sample);
+    if (measures) publishProfile(sample, &sample == &samples.back() ? Blank::Published : Blank::LeftOut);
   }
 }
 
@@ -118,11 +120,11 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
   position_.publish(message);
 }
 
-void EmulatedMachineNode::publishProfile(const MotionSample& sample) {
+void EmulatedMachineNode::publishProfile(const MotionSample& sample, Blank blank) {
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
   const auto points = sensor_.measure(deposit_->surface(), bed_from_nozzle * machine_.nozzle_from_sensor,
                                       deposit_->highest());
-  if (points.empty()) return;
+  if (points.empty() && blank == Blank::LeftOut) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
   message.header.stamp = stampOf(sample.time_s);
   message.header.frame_id = names::kSensorFrame;

@@ -23,8 +23,8 @@ namespace lamina {
 /// Publishes   machine_position (sensor_msgs/JointState, latched): the axes every `position_spacing_mm` and
 /// at every
 ///             corner; profile (sensor_msgs/PointCloud2, frame sensor): what the sensor sees, each with the
-///             stamp of a machine_position; deposited (sensor_msgs/PointCloud2, frame bed, latched): the
-///             surface of the material
+///             stamp of a machine_position; at the end of a motion also if that is nothing; deposited
+///             (sensor_msgs/PointCloud2, frame bed, latched): the surface of the material
 ///
 /// Stamps are exact: the time the node started plus machine time divided by the speed-up, whenever they are
 /// published.
@@ -36,12 +36,15 @@ class EmulatedMachineNode {
   ~EmulatedMachineNode();
 
  private:
+  /// What becomes of a profile that shows nothing.
+  enum class Blank { Published, LeftOut };
+
   void run();
   void tryExecute(const ExecutedMotion& motion);
   void execute(const ExecutedMotion& motion);
   void lay(const Point3& from, const Point3& to, double volume_mm3);
   void publishPosition(const MotionSample& sample);
-  void publishProfile(const MotionSample& sample);
+  void publishProfile(const MotionSample& sample, Blank blank);
   void publishDeposited();
   ros::Time stampOf(double machine_s) const;
 

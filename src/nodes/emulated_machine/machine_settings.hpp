@@ -20,9 +20,9 @@ enum class DepositModel {
 };
 
 struct EmulatedMachineSettings {
-  std::string pty = "/tmp/lamina_machine";  ///< link to the pseudo-terminal
-  int tcp_port = -1;                        ///< on the loopback interface; 0 for any free one, -1 for none
-  std::string faults;                       ///< "kind=rate kind=line,line", as in `lamina emulate --fault`
+  std::string pty;     ///< link to the pseudo-terminal; empty for none
+  int tcp_port = -1;   ///< on the loopback interface; 0 for any free one, -1 for none
+  std::string faults;  ///< "kind=rate kind=line,line", as in `lamina emulate --fault`
   MachineSettings machine;
   double filament_diameter_mm = 1.75;
   double position_spacing_mm = 1.0;  ///< of the positions published along a motion

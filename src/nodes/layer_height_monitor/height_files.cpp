@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "height_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -18,12 +19,13 @@ namespace {
 
 std::string summaryOf(const HeightMonitor& monitor, const std::vector<LayerHeightReport>& layers) {
   std::ostringstream text;
-  text << layers.size() << " of " << monitor.toolpath().layers.size() << " layers measured";
-  if (!layers.empty()) {
-    const HeightStatistics& last = layers.back().statistics;
-    text << std::fixed << std::setprecision(3) << "; layer " << layers.back().layer << ": mean error "
-         << last.mean_mm << " mm, worst " << last.worst_mm << " mm";
-  }
+  const auto is_seen = [](const LayerHeightReport& layer) { return layer.sight != LayerSight::NotSeen; };
+  const auto seen = std::count_if(layers.begin(), layers.end(), is_seen);
+  text << seen << " of " << monitor.toolpath().layers.size() << " layers measured";
+  const auto last = std::find_if(layers.rbegin(), layers.rend(), is_seen);
+  if (last != layers.rend())
+    text << std::fixed << std::setprecision(3) << "; layer " << last->layer << ": mean error "
+         << last->statistics.mean_mm << " mm, worst " << last->statistics.worst_mm << " mm";
   return text.str();
 }
 

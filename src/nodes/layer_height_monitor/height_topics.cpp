@@ -17,11 +17,25 @@
 namespace lamina {
 namespace {
 
+constexpr std::uint32_t kNoBound = 0;  // of a queue: no report is left out
+
 template <class Message>
 void publishOnBed(const ros::Publisher& publisher, Message message) {
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
   publisher.publish(message);
+}
+
+std::uint8_t sightOf(LayerSight sight) {
+  switch (sight) {
+    case LayerSight::Seen:
+      return lamina_msgs::LayerHeight::SEEN;
+    case LayerSight::CutShort:
+      return lamina_msgs::LayerHeight::CUT_SHORT;
+    case LayerSight::NotSeen:
+      break;
+  }
+  return lamina_msgs::LayerHeight::NOT_SEEN;
 }
 
 #ifdef LAMINA_HAS_OCTOMAP_MSGS
@@ -42,12 +56,13 @@ void publishOctomap(const ros::Publisher&, const HeightMap&) {}
 }  // namespace
 
 HeightTopics::HeightTopics(ros::NodeHandle node)
-    : layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, 1000, true)),
+    : layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, kNoBound, true)),
       height_map_(node.advertise<sensor_msgs::PointCloud2>(names::kHeightMap, 1, true)),
       deviation_(node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true)),
       octomap_(advertiseOctomap(node)) {}
 
-void HeightTopics::publish(const LayerHeightReport& report, const std::string& toolpath_id) {
+void HeightTopics::publish(const LayerHeightReport& report, const std::string& toolpath_id,
+                           const lamina_msgs::ProfileCounts& counts) {
   lamina_msgs::LayerHeight message;
   message.toolpath_id = toolpath_id;
   message.layer = static_cast<std::uint32_t>(report.layer);
@@ -57,6 +72,9 @@ void HeightTopics::publish(const LayerHeightReport& report, const std::string& t
   message.worst_error = toMetres(report.statistics.worst_mm);
   message.coverage = report.statistics.coverage;
   message.cells = static_cast<std::uint32_t>(report.statistics.cells);
+  message.sight = sightOf(report.sight);
+  message.profiles = static_cast<std::uint32_t>(report.profiles);
+  message.counts = counts;
   publishOnBed(layer_height_, message);
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/monitoring/height_monitor.hpp"
+#include "messages.hpp"
 
 namespace lamina {
 
@@ -19,7 +20,9 @@ class HeightTopics {
  public:
   explicit HeightTopics(ros::NodeHandle node);
 
-  void publish(const LayerHeightReport& report, const std::string& toolpath_id);
+  /// @param counts  of all profiles since the toolpath came
+  void publish(const LayerHeightReport& report, const std::string& toolpath_id,
+               const lamina_msgs::ProfileCounts& counts);
 
   /// The maps go only to topics that somebody listens to: they are large.
   void publishMaps(const HeightMonitor& monitor);

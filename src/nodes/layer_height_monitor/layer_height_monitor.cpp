@@ -2,17 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layer_height_monitor.hpp"
 
+#include <algorithm>
+
 #include "conversions.hpp"
 #include "height_files.hpp"
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "profile_counts.hpp"
 
 namespace lamina {
+namespace {
+
+void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatusWrapper& status) {
+  status.add("clouds received", counts.received.clouds);
+  status.add("clouds placed", counts.placed.clouds);
+  status.add("clouds waiting", counts.waiting.clouds);
+  status.add("clouds lost on the way", counts.lost);
+  status.add("clouds without transform", counts.without_transform.clouds);
+  status.add("clouds without nozzle pose", counts.without_nozzle.clouds);
+  status.add("clouds pushed out", counts.pushed_out.clouds);
+  status.add("clouds without frame", counts.without_frame.clouds);
+  status.add("clouds malformed", counts.malformed.clouds);
+  status.add("last malformed cloud", counts.last_fault);
+  status.add("points not finite", counts.points_not_finite);
+}
+
+}  // namespace
 
 LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMonitorSettings& settings)
     : settings_(settings),
       topics_(node),
-      intake_(node, settings.queue, [this](const PlacedProfile& profile) { onProfile(profile); }) {
+      intake_(node, settings.queue,
+              {[this](const PlacedProfile& profile) { onProfile(profile); },
+               [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("layer heights",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
@@ -24,8 +46,8 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
 LayerHeightMonitor::~LayerHeightMonitor() {
   if (is_saved_ || settings_.output_folder.empty()) return;
   try {
-    const auto done = monitor_->finish();
-    if (done) layers_.push_back(*done);
+    const LayerHeightReports done = heights_->finish();
+    layers_.insert(layers_.end(), done.begin(), done.end());
     save();
   } catch (...) {
     // ROS is down: its log no longer reaches anybody.
@@ -34,16 +56,17 @@ LayerHeightMonitor::~LayerHeightMonitor() {
 }
 
 void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
-  monitor_.reset();
+  heights_.reset();
   layers_.clear();
+  before_ = intake_.counts();
   is_saved_ = true;
   try {
     MachineToolpath placed = fromMessage(*message);
     toolpath_id_ = placed.id;
-    monitor_ =
-        std::make_unique<HeightMonitor>(std::move(placed.toolpath), placed.bed_from_part, settings_.monitor);
+    heights_ =
+        std::make_unique<StampedHeights>(std::move(placed.toolpath), placed.bed_from_part, settings_.monitor);
     toolpath_fault_.clear();
-    const HeightGrid& grid = monitor_->measured().grid();
+    const HeightGrid& grid = heights_->monitor().measured().grid();
     ROS_INFO_STREAM("measuring toolpath " << toolpath_id_ << " in " << grid.columns << " x " << grid.rows
                                           << " cells of " << grid.cell_mm << " mm");
   } catch (...) {
@@ -53,48 +76,66 @@ void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message
 }
 
 void LayerHeightMonitor::onProfile(const PlacedProfile& profile) {
-  if (!monitor_) {
+  if (!heights_) {
     ++profiles_without_toolpath_;
     return;
   }
-  const auto done = monitor_->insert(profile.points, profile.nozzle_height_mm);
+  report(heights_->insert({static_cast<std::int64_t>(profile.stamp.toNSec()), profile.points}));
   maps_changed_ = true;
   is_saved_ = false;
-  if (done) report(*done);
 }
 
-void LayerHeightMonitor::report(const LayerHeightReport& layer) {
-  layers_.push_back(layer);
-  topics_.publish(layer, toolpath_id_);
-  ROS_INFO("layer %zu: mean error %.4f mm, rms %.4f mm, worst %.4f mm, %.1f %% seen", layer.layer,
-           layer.statistics.mean_mm, layer.statistics.rms_mm, layer.statistics.worst_mm,
-           100.0 * layer.statistics.coverage);
+void LayerHeightMonitor::onNozzle(const StampedNozzle& nozzle) {
+  if (!heights_) return;
+  report(heights_->observe(
+      {static_cast<std::int64_t>(nozzle.stamp.toNSec()), nozzle.bed_from_nozzle.translation()}));
+}
+
+void LayerHeightMonitor::report(const LayerHeightReports& layers) {
+  for (const LayerHeightReport& layer : layers) {
+    layers_.push_back(layer);
+    topics_.publish(layer, toolpath_id_, counts());
+    is_saved_ = false;
+    if (layer.sight == LayerSight::NotSeen)
+      ROS_WARN("layer %zu was not seen, though %zu profiles were taken in its scan", layer.layer,
+               layer.profiles);
+    else
+      ROS_INFO("layer %zu: mean error %.4f mm, rms %.4f mm, worst %.4f mm, %.1f %% seen", layer.layer,
+               layer.statistics.mean_mm, layer.statistics.rms_mm, layer.statistics.worst_mm,
+               100.0 * layer.statistics.coverage);
+  }
+}
+
+lamina_msgs::ProfileCounts LayerHeightMonitor::counts() const {
+  return toMessage(since(before_, intake_.counts()), heights_->use());
 }
 
 void LayerHeightMonitor::onTimer() {
   diagnostics_.update();
-  if (!monitor_) return;
+  if (!heights_) return;
   const double now = clock_.now();
-  if (isScanOver(now)) {
-    const auto done = monitor_->finish();
-    if (done) report(*done);
+  if (isSilent(now) && heights_->monitor().isScanning()) {
+    ROS_WARN("no profile has come for %.1f s while a layer was scanned: its scan is given up",
+             settings_.silence_s);
+    report(heights_->cutShort());
   }
   if (!maps_changed_ || now - last_maps_s_ < settings_.map_period_s) return;
-  topics_.publishMaps(*monitor_);
+  topics_.publishMaps(heights_->monitor());
   maps_changed_ = false;
   last_maps_s_ = now;
 }
 
-bool LayerHeightMonitor::isScanOver(double now) {
-  const std::size_t cells = monitor_->cellsInScan();
-  if (cells != cells_in_scan_) last_news_s_ = now;
-  cells_in_scan_ = cells;
-  return cells > 0 && now - last_news_s_ > settings_.quiet_s;
+/// The last resort where nothing by the stamps reports that a scan is over.
+bool LayerHeightMonitor::isSilent(double now) {
+  const std::uint64_t news = intake_.news();
+  if (news != news_) last_news_s_ = now;
+  news_ = news;
+  return now - last_news_s_ > settings_.silence_s;
 }
 
 bool LayerHeightMonitor::onSave(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   try {
-    if (!monitor_) throw InvalidInput("no toolpath has come yet, so there is no map to save");
+    if (!heights_) throw InvalidInput("no toolpath has come yet, so there is no map to save");
     if (settings_.output_folder.empty())
       throw InvalidConfig("parameter output_folder is empty; must name a folder");
     save();
@@ -108,36 +149,37 @@ bool LayerHeightMonitor::onSave(std_srvs::Trigger::Request&, std_srvs::Trigger::
 }
 
 void LayerHeightMonitor::save() {
-  saveHeights(settings_.output_folder, *monitor_, layers_);
+  saveHeights(settings_.output_folder, heights_->monitor(), layers_);
   is_saved_ = true;
 }
 
 void LayerHeightMonitor::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  const IntakeCounts counts = intake_.counts();
-  const std::uint64_t bad = counts.lost + counts.untransformable + counts.without_frame + counts.malformed;
+  const IntakeCounts intake = intake_.counts();
+  const ProfileUse use = heights_ ? heights_->use() : ProfileUse();
+  const std::uint64_t bad = unused(toMessage(intake, use));
+  const auto missed = std::count_if(layers_.begin(), layers_.end(), [](const LayerHeightReport& layer) {
+    return layer.sight == LayerSight::NotSeen;
+  });
   if (!toolpath_fault_.empty())
     status.summary(DiagnosticStatus::ERROR, "toolpath refused: " + toolpath_fault_);
+  else if (missed > 0)
+    status.summary(DiagnosticStatus::WARN, std::to_string(missed) + " layers were not seen");
   else if (bad > 0)
     status.summary(DiagnosticStatus::WARN, std::to_string(bad) + " clouds were not used");
   else
-    status.summary(DiagnosticStatus::OK, monitor_ ? "measuring" : "waiting for a toolpath");
+    status.summary(DiagnosticStatus::OK, heights_ ? "measuring" : "waiting for a toolpath");
   status.add("toolpath", toolpath_id_);
-  status.add("layers measured", layers_.size());
-  status.add("clouds received", counts.received);
-  status.add("clouds placed", counts.placed);
-  status.add("clouds waiting", counts.waiting);
-  status.add("clouds lost on the way", counts.lost);
-  status.add("clouds without transform", counts.untransformable);
-  status.add("clouds without frame", counts.without_frame);
-  status.add("clouds malformed", counts.malformed);
-  status.add("last malformed cloud", counts.last_fault);
-  status.add("profiles without nozzle pose", counts.without_nozzle);
+  status.add("layers measured", layers_.size() - static_cast<std::size_t>(missed));
+  status.add("layers not seen", missed);
+  fillIntake(intake, status);
   status.add("profiles without toolpath", profiles_without_toolpath_);
-  status.add("points not finite", counts.points_not_finite);
-  status.add("profiles of layers", monitor_ ? monitor_->profilesOfLayers() : 0);
-  status.add("other profiles", monitor_ ? monitor_->otherProfiles() : 0);
-  status.add("points outside the map", monitor_ ? monitor_->pointsOutside() : 0);
+  status.add("profiles of layers", use.of_layers.profiles);
+  status.add("other profiles", use.of_no_layer.profiles);
+  status.add("profiles waiting for poses", use.waiting.profiles);
+  status.add("profiles in gaps of poses", use.in_gap.profiles);
+  status.add("profiles too late", use.late.profiles);
+  status.add("points outside the map", use.points_outside);
 }
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 
 #include "height_topics.hpp"
 #include "lamina/base/clock.hpp"
-#include "lamina/monitoring/height_monitor.hpp"
+#include "lamina/monitoring/stamped_heights.hpp"
 #include "messages.hpp"
 #include "monitor_settings.hpp"
 #include "profile_intake.hpp"
@@ -34,22 +34,25 @@ class LayerHeightMonitor {
  private:
   void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
   void onProfile(const PlacedProfile& profile);
+  void onNozzle(const StampedNozzle& nozzle);
   void onTimer();
   bool onSave(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
-  void report(const LayerHeightReport& layer);
-  bool isScanOver(double now);
+  void report(const LayerHeightReports& layers);
+  bool isSilent(double now);
+  lamina_msgs::ProfileCounts counts() const;
   void save();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   LayerHeightMonitorSettings settings_;
   SteadyClock clock_;
   HeightTopics topics_;
-  std::unique_ptr<HeightMonitor> monitor_;  ///< empty before the first toolpath
+  std::unique_ptr<StampedHeights> heights_;  ///< empty before the first toolpath
   std::string toolpath_id_;
   std::string toolpath_fault_;  ///< why the last toolpath could not be used
   std::vector<LayerHeightReport> layers_;
   std::uint64_t profiles_without_toolpath_ = 0;
-  std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
+  IntakeCounts before_;     ///< when the toolpath came
+  std::uint64_t news_ = 0;  ///< that had come at the last look
   double last_news_s_ = 0.0;
   double last_maps_s_ = 0.0;
   bool maps_changed_ = false;

@@ -8,12 +8,11 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
   describe(schema, settings.monitor);
   schema.text("output_folder", settings.output_folder,
               "Where maps and heights are saved; empty saves nothing.");
-  schema.number("quiet_s", settings.quiet_s, {0.0, 3600.0, true},
-                "A scan that shows nothing new of its layer for that long is over, in real time.");
+  schema.number("silence_s", settings.silence_s, {0.0, 3600.0, true},
+                "A scan is given up when no profile has come for that long, in real time.");
   schema.number("map_period_s", settings.map_period_s, {0.0, 3600.0, true},
                 "Time between publications of the maps, in real time.");
-  schema.integer("queue", settings.queue, {1, 10000000},
-                 "Clouds that may wait for the node, and as many for tf.");
+  schema.integer("queue", settings.queue, {1, 10000000}, "Clouds that may wait for tf.");
 }
 
 }  // namespace lamina

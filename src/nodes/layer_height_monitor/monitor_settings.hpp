@@ -13,9 +13,9 @@ namespace lamina {
 struct LayerHeightMonitorSettings {
   MonitorSettings monitor;
   std::string output_folder;  ///< empty: nothing is saved
-  double quiet_s = 2.0;  ///< a scan that shows nothing new of its layer for that long is over, in real time
+  double silence_s = 30.0;    ///< without a profile for that long, in real time, a scan is given up
   double map_period_s = 1.0;  ///< between publications of the maps, in real time
-  int queue = 20000;          ///< clouds
+  int queue = 100000;         ///< clouds that may wait for tf
 };
 
 /// Adds the node's keys.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_intake.hpp"
 
+#include <utility>
+
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
@@ -10,38 +12,32 @@
 namespace lamina {
 namespace {
 
-constexpr double kRemembered = 30.0;  // s of transforms
-constexpr double kTurn = 0.02;        // s between looks at what is due
+constexpr double kTurn = 0.02;         // s between looks at what is due
+constexpr std::uint32_t kNoBound = 0;  // of a queue
 
 }  // namespace
 
-ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receiver receiver)
-    : buffer_(ros::Duration(kRemembered)),
-      transforms_(buffer_, node),
+ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers)
+    : transforms_(sequence_, node),
       queue_(static_cast<std::size_t>(queue)),
-      receiver_(std::move(receiver)) {
+      receivers_(std::move(receivers)) {
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
   const boost::function<void(const CloudEvent&)> onMessage = [this](const CloudEvent& event) {
     onCloud(event);
   };
-  subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(names::kProfile, static_cast<std::uint32_t>(queue),
-                                                         onMessage, {}, ros::TransportHints().tcpNoDelay());
-}
-
-IntakeCounts ProfileIntake::counts() const {
-  IntakeCounts counts = counts_;
-  counts.waiting =
-      counts_.received - counts_.without_frame - counts_.untransformable - counts_.malformed - counts_.placed;
-  return counts;
+  // What has to be left out is left out, and counted, by `wait`.
+  subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(names::kProfile, kNoBound, onMessage, {},
+                                                         ros::TransportHints().tcpNoDelay());
 }
 
 void ProfileIntake::onCloud(const CloudEvent& event) {
-  ++counts_.received;
+  const Cloud cloud = event.getMessage();
+  counts_.received.add(*cloud);
   countLost(event);
-  if (event.getMessage()->header.frame_id.empty())
-    ++counts_.without_frame;
+  if (cloud->header.frame_id.empty())
+    counts_.without_frame.add(*cloud);
   else
-    wait(event.getMessage());
+    wait(cloud);
 }
 
 void ProfileIntake::countLost(const CloudEvent& event) {
@@ -51,51 +47,89 @@ void ProfileIntake::countLost(const CloudEvent& event) {
   last->second = sequence;
 }
 
-void ProfileIntake::wait(const sensor_msgs::PointCloud2ConstPtr& cloud) {
-  auto& clouds = waiting_[cloud->header.frame_id];
-  clouds.insert({cloud->header.stamp, cloud});
-  if (clouds.size() <= queue_) return;
-  clouds.erase(clouds.begin());
-  ++counts_.untransformable;
+void ProfileIntake::wait(const Cloud& cloud) {
+  counts_.waiting.add(*cloud);
+  waiting_[cloud->header.frame_id].insert({cloud->header.stamp, cloud});
+  if (counts_.waiting.clouds > queue_) pushOutOldest();
+}
+
+void ProfileIntake::pushOutOldest() {
+  Clouds* oldest = nullptr;
+  for (auto& [frame, clouds] : waiting_)
+    if (!clouds.empty() && (oldest == nullptr || clouds.begin()->first < oldest->begin()->first))
+      oldest = &clouds;
+  if (oldest == nullptr) return;
+  settle(*oldest->begin()->second, counts_.pushed_out);
+  oldest->erase(oldest->begin());
+}
+
+/// A cloud that waited no longer does.
+void ProfileIntake::settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as) {
+  --counts_.waiting.clouds;
+  counts_.waiting.points -= std::uint64_t{cloud.width} * cloud.height;
+  as.add(cloud);
 }
 
 void ProfileIntake::passDue() {
-  for (auto& [frame, clouds] : waiting_) {
-    while (!clouds.empty()) {
-      const auto cloud = clouds.begin()->second;
-      const Readiness ready = readiness(buffer_, names::kBedFrame, frame, cloud->header.stamp);
-      if (ready == Readiness::NotYet) break;
-      clouds.erase(clouds.begin());
-      if (ready == Readiness::Ready)
-        place(*cloud);
-      else
-        ++counts_.untransformable;
-    }
+  std::set<std::string> passed_over;
+  for (;;) {
+    const std::string frame = nextFrame(passed_over);
+    if (frame.empty()) return;
+    if (passFirst(frame)) continue;
+    // Clouds of a frame that hangs on nothing hold up no others.
+    if (lookUp(sequence_.buffer(), names::kBedFrame, frame, ros::Time(0))) return;
+    passed_over.insert(frame);
   }
 }
 
-void ProfileIntake::place(const sensor_msgs::PointCloud2& cloud) {
-  const ros::Time stamp = cloud.header.stamp;
-  const auto bed_from_cloud = lookUp(buffer_, names::kBedFrame, cloud.header.frame_id, stamp);
-  if (!bed_from_cloud) {
-    ++counts_.untransformable;
-    return;
+std::string ProfileIntake::nextFrame(const std::set<std::string>& passed_over) const {
+  const Clouds::value_type* oldest = nullptr;
+  for (const auto& [frame, clouds] : waiting_) {
+    if (clouds.empty() || passed_over.count(frame) > 0 || !sequence_.knows(frame)) continue;
+    if (oldest == nullptr || clouds.begin()->first < oldest->first) oldest = &*clouds.begin();
   }
-  const auto bed_from_nozzle = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, stamp);
+  return oldest == nullptr ? "" : oldest->second->header.frame_id;
+}
+
+/// Whether the oldest cloud of a frame could be worked off.
+bool ProfileIntake::passFirst(const std::string& frame) {
+  Clouds& clouds = waiting_.at(frame);
+  const Cloud cloud = clouds.begin()->second;
+  const Readiness ready = sequence_.passTo(frame, cloud->header.stamp);
+  if (ready == Readiness::NotYet) return false;
+  const Readiness nozzle = sequence_.passTo(names::kNozzleFrame, cloud->header.stamp);
+  if (ready == Readiness::Ready && nozzle == Readiness::NotYet) return false;
+  tellNozzles();
+  clouds.erase(clouds.begin());
+  if (ready == Readiness::Never)
+    settle(*cloud, counts_.without_transform);
+  else if (nozzle == Readiness::Never)
+    settle(*cloud, counts_.without_nozzle);
+  else
+    place(*cloud);
+  return true;
+}
+
+void ProfileIntake::tellNozzles() {
+  for (const StampedNozzle& nozzle : sequence_.takeNozzles()) receivers_.nozzle(nozzle);
+}
+
+void ProfileIntake::place(const sensor_msgs::PointCloud2& cloud) {
+  const auto bed_from_cloud =
+      lookUp(sequence_.buffer(), names::kBedFrame, cloud.header.frame_id, cloud.header.stamp);
+  if (!bed_from_cloud) return settle(cloud, counts_.without_transform);
   PlacedProfile profile;
-  if (bed_from_nozzle) profile.nozzle_height_mm = bed_from_nozzle->translation().z();
+  profile.stamp = cloud.header.stamp;
   try {
     CloudPoints read = fromMessage(cloud, *bed_from_cloud);
     counts_.points_not_finite += read.not_finite;
     profile.points = std::move(read.points);
   } catch (const InvalidInput& error) {
-    ++counts_.malformed;
     counts_.last_fault = error.what();
-    return;
+    return settle(cloud, counts_.malformed);
   }
-  ++counts_.placed;
-  if (!bed_from_nozzle) ++counts_.without_nozzle;
-  receiver_(profile);
+  settle(cloud, counts_.placed);
+  receivers_.profile(profile);
 }
 
 }  // namespace lamina

@@ -4,67 +4,97 @@
 
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
-#include <tf2/buffer_core.h>
 
 #include <cstdint>
 #include <functional>
 #include <map>
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
 #include "transform_intake.hpp"
+#include "transform_sequence.hpp"
 
 namespace lamina {
 
 /// A profile where and when it was taken.
 struct PlacedProfile {
-  std::vector<Point3> points;              ///< [mm, bed frame]
-  std::optional<double> nozzle_height_mm;  ///< of the nozzle tip [bed frame]; nothing if tf does not report
+  ros::Time stamp;
+  std::vector<Point3> points;  ///< [mm, bed frame]
 };
 
-/// How often what happened to clouds and their points.
+/// A number of clouds and of their points.
+struct CloudTally {
+  std::uint64_t clouds = 0;
+  std::uint64_t points = 0;
+
+  void add(const sensor_msgs::PointCloud2& cloud) {
+    ++clouds;
+    points += std::uint64_t{cloud.width} * cloud.height;
+  }
+};
+
+/// What became of clouds and of their points: what was received is the sum of those placed, those waiting and
+/// those that could not be used.
 struct IntakeCounts {
-  std::uint64_t received = 0;
-  std::uint64_t placed = 0;
-  std::uint64_t lost = 0;             ///< missing in the publisher's sequence
-  std::uint64_t untransformable = 0;  ///< too old for tf, or pushed out of the queue while waiting for it
-  std::uint64_t without_frame = 0;
-  std::uint64_t malformed = 0;       ///< without the fields or bytes a cloud needs
-  std::uint64_t without_nozzle = 0;  ///< of those placed
-  std::uint64_t points_not_finite = 0;
-  std::uint64_t waiting = 0;  ///< for tf, or for their turn
-  std::string last_fault;     ///< what was wrong with the last malformed one
+  CloudTally received;
+  CloudTally placed;
+  CloudTally waiting;  ///< for tf
+  CloudTally without_frame;
+  CloudTally malformed;                 ///< without the fields or bytes a cloud needs
+  CloudTally without_transform;         ///< older than what tf reported first
+  CloudTally without_nozzle;            ///< tf reports of the cloud, but not where the nozzle was
+  CloudTally pushed_out;                ///< of the queue, while waiting for tf
+  std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
+  std::uint64_t points_not_finite = 0;  ///< of those placed
+  std::string last_fault;               ///< what was wrong with the last malformed one
 };
 
-/// Receives profiles and places each on the bed by tf at its own stamp. The profiles of a frame come out in
-/// the order of their stamps. (tf2_ros::MessageFilter is no choice: with thousands of clouds waiting it
-/// crashes in BufferCore::testTransformableRequests, and it releases clouds in any order.)
+/// Receives profiles and places each on the bed by tf at its own stamp, however late tf is. Profiles and
+/// poses of the nozzle each come out in the order of their stamps; a profile comes after the first pose that
+/// is not older. (tf2_ros::MessageFilter is no choice: with thousands of clouds waiting it crashes in
+/// BufferCore::testTransformableRequests, and it releases clouds in any order.)
 class ProfileIntake {
  public:
-  using Receiver = std::function<void(const PlacedProfile&)>;
+  struct Receivers {
+    std::function<void(const PlacedProfile&)> profile;
+    std::function<void(const StampedNozzle&)> nozzle;
+  };
 
   /// Subscribes to `profile` and to tf.
-  /// @param queue  clouds that may wait for the node, and as many for tf
-  ProfileIntake(ros::NodeHandle node, int queue, Receiver receiver);
+  /// @param queue  clouds that may wait for tf
+  ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers);
 
-  IntakeCounts counts() const;
+  IntakeCounts counts() const { return counts_; }
+  /// Changes with every cloud that comes or is placed and, while clouds wait, with every transform.
+  std::uint64_t news() const {
+    const std::uint64_t transforms = counts_.waiting.clouds > 0 ? sequence_.received() : 0;
+    return counts_.received.clouds + counts_.placed.clouds + transforms;
+  }
 
  private:
+  using Cloud = sensor_msgs::PointCloud2ConstPtr;
   using CloudEvent = ros::MessageEvent<sensor_msgs::PointCloud2 const>;
+  using Clouds = std::multimap<ros::Time, Cloud>;
 
   void onCloud(const CloudEvent& event);
   void countLost(const CloudEvent& event);
-  void wait(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void wait(const Cloud& cloud);
+  void pushOutOldest();
   void passDue();
+  /// The frame of the oldest cloud, of those frames that tf names; empty if there is none.
+  std::string nextFrame(const std::set<std::string>& passed_over) const;
+  bool passFirst(const std::string& frame);
+  void tellNozzles();
   void place(const sensor_msgs::PointCloud2& cloud);
+  void settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as);
 
-  tf2::BufferCore buffer_;
+  TransformSequence sequence_;
   TransformIntake transforms_;
   std::size_t queue_;
-  Receiver receiver_;
-  std::map<std::string, std::multimap<ros::Time, sensor_msgs::PointCloud2ConstPtr>> waiting_;  ///< by frame
+  Receivers receivers_;
+  std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;
   std::map<std::string, std::uint32_t> last_sequence_;  ///< by publisher
   ros::WallTimer timer_;

@@ -4,13 +4,16 @@
 
 #include <ros/callback_queue.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
+#include <set>
 
 #include "conversions.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
+#include "lamina/toolpath/scan_height.hpp"
 #include "names.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
@@ -19,7 +22,6 @@ namespace lamina {
 namespace {
 
 constexpr std::chrono::seconds kSafeStopPatience{20};
-constexpr double kSettlingTime = 3.0;  // s without a further height once streaming is over
 
 /// The answer of an action that is done; its status is what it ended with.
 template <class Client>
@@ -38,6 +40,8 @@ void describe(SettingsSchema& schema, PrintPartSettings& settings) {
   schema.text("output_folder", settings.output_folder, "Folder for the program, pictures and reports.");
   schema.number("patience_s", settings.patience_s, {0.0, 3600.0, true},
                 "How long another node may stay silent.");
+  schema.number("scan.clearance_mm", settings.scan_clearance_mm, {0.0, 100.0, true},
+                "Clearance that the scan passes are planned with.");
 }
 
 PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
@@ -53,13 +57,21 @@ PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
     layers_.push_back(*layer);
     noteAdvance();
   };
-  layer_subscriber_ = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 1000, onLayer);
+  layer_subscriber_ = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 0, onLayer);
   const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
       [this](const auto& toolpath) { toolpath_ = toolpath; };
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
   await("slicing_service", [this] { return slice_.isServerConnected(); });
   await("gcode_streamer", [this] { return stream_.isServerConnected(); });
   await("layer_height_monitor", [this] { return save_height_map_.exists(); });
+  awaitTransforms(node);
+}
+
+/// Heights need a node that reports tf where the nozzle is, from the first motion on.
+void PrintPart::awaitTransforms(ros::NodeHandle& node) {
+  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> ignore = [](const auto&) {};
+  const ros::Subscriber transforms = node.subscribe<tf2_msgs::TFMessage>("/tf", 1, ignore);
+  await("tf", [&transforms] { return transforms.getNumPublishers() > 0; });
 }
 
 PrintReport PrintPart::run() {
@@ -70,9 +82,13 @@ PrintReport PrintPart::run() {
   report.toolpath_id = sliced.toolpath_id;
   report.slicing = sliced.summary;
   await("toolpath", [&] { return toolpath_ != nullptr && toolpath_->id == sliced.toolpath_id; });
+  const Toolpath toolpath = fromMessage(*toolpath_).toolpath;
+  for (std::size_t i = 0; i < toolpath.layers.size(); ++i)
+    if (isScanned(toolpath.layers[i], settings_.scan_clearance_mm)) scanned_.push_back(i);
   report.streaming = stream();
   awaitHeights();
   report.layers = layers_;
+  report.unreported = unreported();
   report.wall_time_s = std::chrono::duration<double>(Clock::now() - start).count();
   saveHeightMap();
   saveFiles(report);
@@ -121,13 +137,23 @@ void PrintPart::stopStreaming() {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 
+/// The monitor is behind the machine by as much as the host is slow, so nothing but the reports reports that
+/// it is done. Those that do not come are reported of in the report.
 void PrintPart::awaitHeights() {
   noteAdvance();
-  await("layer_height_monitor", [this] {
-    const bool is_last = !layers_.empty() && layers_.back().layer + 1 >= toolpath_->layers.size();
-    return is_last || silence() > kSettlingTime;
-  });
+  const double patience_s = 0.9 * settings_.patience_s;  // before `await` takes it for a failure
+  await("layer_height_monitor",
+        [this, patience_s] { return unreported().empty() || silence() > patience_s; });
   if (layers_.empty()) throw TimedOut("no layer height was measured; the scan passes gave no profiles");
+}
+
+std::vector<std::size_t> PrintPart::unreported() const {
+  std::set<std::size_t> reported;
+  for (const auto& layer : layers_) reported.insert(layer.layer);
+  std::vector<std::size_t> missing;
+  for (const std::size_t layer : scanned_)
+    if (reported.count(layer) == 0) missing.push_back(layer);
+  return missing;
 }
 
 void PrintPart::saveHeightMap() {

@@ -20,7 +20,8 @@ namespace lamina {
 struct PrintPartSettings {
   std::string part = "blade";            ///< a mesh file, or the name of a parametric part
   std::string output_folder = "output";  ///< for part.gcode, toolpath.png and summary
-  double patience_s = 30.0;              ///< how long another node may stay silent
+  double patience_s = 120.0;             ///< how long another node may stay silent
+  double scan_clearance_mm = 1.0;        ///< that the scan passes are planned with
 };
 
 void describe(SettingsSchema& schema, PrintPartSettings& settings);
@@ -29,7 +30,7 @@ void describe(SettingsSchema& schema, PrintPartSettings& settings);
 ///
 /// Action clients   slice (lamina/Slice), stream_program (lamina/StreamProgram)
 /// Service clients  save_height_map (std_srvs/Trigger)
-/// Subscribes       toolpath (lamina/Toolpath), layer_height (lamina/LayerHeight)
+/// Subscribes       toolpath (lamina/Toolpath), layer_height (lamina/LayerHeight), tf (until there is one)
 class PrintPart {
  public:
   /// Waits for the other nodes.
@@ -45,10 +46,13 @@ class PrintPart {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void awaitTransforms(ros::NodeHandle& node);
   lamina_msgs::SliceResult slice();
   lamina_msgs::StreamProgramResult stream();
   void stopStreaming();
   void awaitHeights();
+  /// Layers with a scan pass that no report has come of.
+  std::vector<std::size_t> unreported() const;
   void saveHeightMap();
   void saveFiles(const PrintReport& report);
   std::string outputFile(const std::string& name) const;
@@ -65,6 +69,7 @@ class PrintPart {
   ros::ServiceClient save_height_map_;
   lamina_msgs::ToolpathConstPtr toolpath_;
   std::vector<lamina_msgs::LayerHeight> layers_;
+  std::vector<std::size_t> scanned_;  ///< layers with a scan pass
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber layer_subscriber_;
   Clock::time_point last_advance_ = Clock::now();

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "print_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "conversions.hpp"
 
@@ -32,6 +34,17 @@ std::string fixed(double value, int digits) {
   return text.str();
 }
 
+std::string listed(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (const std::size_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+  return text;
+}
+
+/// That came up to the last report.
+std::uint64_t profilesOf(const PrintReport& report) {
+  return report.layers.empty() ? 0 : report.layers.back().counts.received;
+}
+
 std::string duration(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));
   return whole < 60 ? fixed(seconds, 1) + " s"
@@ -44,14 +57,40 @@ HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers) {
   HeightError error;
   double cells = 0.0;
   for (const auto& layer : layers) {
+    if (layer.sight == lamina_msgs::LayerHeight::NOT_SEEN) continue;
+    ++error.layers;
     cells += layer.cells;
     error.mean_mm += toMillimetres(layer.mean_error) * layer.cells;
-    error.coverage += layer.coverage / static_cast<double>(layers.size());
+    error.coverage += layer.coverage;
     const double worst = toMillimetres(layer.worst_error);
     if (std::abs(worst) > std::abs(error.worst_mm)) error.worst_mm = worst;
   }
   if (cells > 0.0) error.mean_mm /= cells;
+  if (error.layers > 0) error.coverage /= static_cast<double>(error.layers);
   return error;
+}
+
+std::vector<std::size_t> layersNotSeen(const PrintReport& report) {
+  std::vector<std::size_t> layers = report.unreported;
+  for (const auto& layer : report.layers)
+    if (layer.sight == lamina_msgs::LayerHeight::NOT_SEEN) layers.push_back(layer.layer);
+  std::sort(layers.begin(), layers.end());
+  return layers;
+}
+
+std::string unplacedText(const lamina_msgs::ProfileCounts& counts) {
+  const std::pair<std::uint64_t, const char*> causes[] = {{counts.lost, "lost on the way"},
+                                                          {counts.without_frame, "without frame"},
+                                                          {counts.malformed, "malformed"},
+                                                          {counts.without_transform, "without transform"},
+                                                          {counts.without_nozzle, "without nozzle pose"},
+                                                          {counts.pushed_out, "pushed out of the queue"},
+                                                          {counts.in_gap, "in gaps of poses"},
+                                                          {counts.late, "too late"}};
+  std::string text;
+  for (const auto& [count, cause] : causes)
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + cause;
+  return text;
 }
 
 std::string summaryText(const PrintReport& report) {
@@ -70,8 +109,15 @@ std::string summaryText(const PrintReport& report) {
   lines.add("travel", fixed(slicing.travel, 2), " m");
   lines.add("lines streamed", report.streaming.lines_acknowledged);
   lines.add("resends", report.streaming.resends);
-  lines.add("layers measured", report.layers.size(), ", mean coverage ", fixed(100.0 * error.coverage, 1),
-            " %");
+  lines.add("layers measured", error.layers, ", mean coverage ", fixed(100.0 * error.coverage, 1), " %");
+  const std::vector<std::size_t> not_seen = layersNotSeen(report);
+  if (!not_seen.empty()) lines.add("layers not seen", not_seen.size(), ": ", listed(not_seen));
+  const auto cut_short = std::count_if(report.layers.begin(), report.layers.end(), [](const auto& layer) {
+    return layer.sight == lamina_msgs::LayerHeight::CUT_SHORT;
+  });
+  if (cut_short > 0) lines.add("layers cut short", cut_short);
+  const std::string unplaced = report.layers.empty() ? "" : unplacedText(report.layers.back().counts);
+  lines.add("profiles", profilesOf(report), unplaced.empty() ? "" : "; not placed: ", unplaced);
   lines.add("height error", "mean ", fixed(error.mean_mm, 4), " mm, worst ", fixed(error.worst_mm, 4), " mm");
   lines.add("slicing time", duration(slicing.wall_time));
   lines.add("printing time", duration(slicing.estimated_time), " estimated, ",

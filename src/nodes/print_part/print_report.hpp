@@ -15,19 +15,27 @@ struct PrintReport {
   std::string toolpath_id;
   lamina_msgs::SliceSummary slicing;
   lamina_msgs::StreamProgramResult streaming;
-  std::vector<lamina_msgs::LayerHeight> layers;  ///< measured, in the order they were measured
+  std::vector<lamina_msgs::LayerHeight> layers;  ///< as reported, in that order; seen or not
+  std::vector<std::size_t> unreported;           ///< layers with a scan pass that no report came of
   double wall_time_s = 0.0;                      ///< from the request to the last measurement
 };
 
-/// Measured less expected height over all layers, each weighted by the cells seen.
+/// Measured less expected height over all layers that were seen, each weighted by the cells seen.
 struct HeightError {
   double mean_mm = 0.0;
   double worst_mm = 0.0;  ///< of the largest magnitude, with its sign
   double coverage = 0.0;  ///< mean over the layers
+  std::size_t layers = 0;
 };
 
-/// All zero if no layer was measured.
+/// All zero if no layer was seen.
 HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers);
+
+/// Layers that should have been seen and were not, ascending.
+std::vector<std::size_t> layersNotSeen(const PrintReport& report);
+
+/// How many profiles could not be placed, and why; empty if there are none.
+std::string unplacedText(const lamina_msgs::ProfileCounts& counts);
 
 /// The report as a person reads it: layers, lengths, lines, resends, height errors, times.
 std::string summaryText(const PrintReport& report);

@@ -13,9 +13,10 @@ struct ControllerSettings {
   ServoSettings servo;
   double report_hz = 50.0;      ///< of positions, feedback and the process
   double path_tolerance = 0.0;  ///< of every joint while it follows [mm, rad]; 0 for none
+  double host_wait_s = 0.0;     ///< that time stands still where points run out in motion
 };
 
-/// Adds the keys machine.*, servo.*, report_hz and path_tolerance.
+/// Adds the keys machine.*, servo.*, report_hz, path_tolerance and host_wait_s.
 void describe(SettingsSchema& schema, ControllerSettings& settings);
 
 }  // namespace lamina

@@ -69,6 +69,7 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
     : settings_(settings),
       model_(kinematicModelOf(settings.machine)),
       transforms_(model_->urdf()),
+      epoch_(ros::Time::now()),
       controller_(clock_, *model_, settings.servo, parked(*model_)),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kQueue)),
       process_state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
@@ -87,9 +88,9 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
 }
 
 void SimulatedControllerNode::onGoal() {
+  catchUp();
   const auto goal = server_.acceptNewGoal();
   try {
-    controller_.advance();
     accept(*goal);
   } catch (const Error& error) {
     follow::Result result;
@@ -104,11 +105,11 @@ void SimulatedControllerNode::onGoal() {
 void SimulatedControllerNode::accept(const follow::Goal& goal) {
   if (goal.trajectory.points.empty()) throw InvalidInput("a goal without points; expected one at least");
   const ros::Time begin =
-      goal.trajectory.header.stamp.isZero() ? ros::Time::now() : goal.trajectory.header.stamp;
+      goal.trajectory.header.stamp.isZero() ? stampOf(clock_.now()) : goal.trajectory.header.stamp;
   TrajectoryChunk chunk;
   for (const auto& point : goal.trajectory.points) {
     chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, model_->joints()));
-    chunk.points.back().time_s = (begin - clock_.epoch() + point.time_from_start).toSec();
+    chunk.points.back().time_s = (begin - epoch_ + point.time_from_start).toSec();
     const std::size_t count = chunk.points.size();
     if (count > 1 && !(chunk.points[count - 1].time_s > chunk.points[count - 2].time_s))
       throw InvalidInput("point " + std::to_string(count - 1) + " is not later than the one before");
@@ -124,15 +125,14 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
 /// A goal that is cancelled, and not followed by another, brakes the machine.
 void SimulatedControllerNode::onPreempt() {
   if (server_.isNewGoalAvailable()) return;
-  controller_.advance();
+  catchUp();
   controller_.brake();
   server_.setPreempted();
 }
 
 void SimulatedControllerNode::onTick() {
-  controller_.advance();
+  catchUp();
   warnOfStarvation();
-  report(ros::Time::now());
   if (!server_.isActive()) return;
   if (isOutOfTolerance()) {
     follow::Result result;
@@ -141,7 +141,38 @@ void SimulatedControllerNode::onTick() {
     controller_.brake();
     return server_.setAborted(result, result.error_string);
   }
-  if (clock_.now() >= goal_end_s_) server_.setSucceeded();
+  // While time stands still, more of the goal's motion may come.
+  if (clock_.now() >= goal_end_s_ && !stands_since_) server_.setSucceeded();
+}
+
+void SimulatedControllerNode::catchUp() {
+  const double until_s = due();
+  for (;;) {
+    const double time_s = static_cast<double>(reports_ + 1) / settings_.report_hz;
+    if (time_s > until_s) break;
+    ++reports_;
+    clock_.moveTo(time_s);
+    controller_.advance();
+    report(stampOf(time_s));
+  }
+  clock_.moveTo(until_s);
+  controller_.advance();
+}
+
+/// Where points run out in motion, it stands still as long as a slow host may still bring more.
+double SimulatedControllerNode::due() {
+  const ros::Time now = ros::Time::now();
+  const double now_s = (now - epoch_).toSec() - stood_s_;
+  const std::optional<double> end_s = controller_.runsOutAt();
+  if (!server_.isActive() || !end_s || now_s <= *end_s) {
+    stands_since_.reset();
+    return now_s;
+  }
+  if (!stands_since_) stands_since_ = now;
+  if ((now - *stands_since_).toSec() >= settings_.host_wait_s) return now_s;
+  const double stop_s = std::max(*end_s, clock_.now());
+  stood_s_ += std::max(0.0, now_s - stop_s);
+  return std::min(now_s, stop_s);
 }
 
 void SimulatedControllerNode::warnOfStarvation() {
@@ -175,8 +206,10 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   process.powder = point.powder;
   process.gas = point.gas;
   process_state_.publish(process);
+  if (server_.isActive()) publishFeedback(now);
+}
 
-  if (!server_.isActive()) return;
+void SimulatedControllerNode::publishFeedback(const ros::Time& now) {
   follow::Feedback feedback;
   feedback.header.stamp = now;
   feedback.joint_names = jointNames(*model_);

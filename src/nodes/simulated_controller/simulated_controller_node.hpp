@@ -5,30 +5,24 @@
 #include <actionlib/server/simple_action_server.h>
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "controller_settings.hpp"
 #include "follow_joint_trajectory.hpp"
-#include "lamina/base/clock.hpp"
+#include "lamina/base/manual_clock.hpp"
 #include "machine_transforms.hpp"
 #include "process_queue.hpp"
 
 namespace lamina {
 
-/// Seconds of ROS since it was made.
-class RosClock final : public Clock {
- public:
-  RosClock() : epoch_(ros::Time::now()) {}
-  double now() const override { return (ros::Time::now() - epoch_).toSec(); }
-  const ros::Time& epoch() const { return epoch_; }
-
- private:
-  ros::Time epoch_;
-};
-
 /// A machine or robot that is not there: follows joint trajectories as its controller would, goal after goal,
 /// and reports where it is and what its process does. Its action and topics:
 /// docs/nodes/simulated_controller.md.
+///
+/// It has a clock of its own, that of ROS less what it stood still. A report is of the time that it is
+/// stamped with, however late it is made; none is left out.
 class SimulatedControllerNode {
  public:
   /// @throws InvalidConfig if the machine is unknown
@@ -42,13 +36,23 @@ class SimulatedControllerNode {
   void accept(const follow::Goal& goal);
   void onTick();
   void warnOfStarvation();
+  /// Runs and reports all that is due.
+  void catchUp();
+  /// How far its own time may go [s].
+  double due();
+  ros::Time stampOf(double time_s) const { return epoch_ + ros::Duration(time_s); }
   void report(const ros::Time& now);
+  void publishFeedback(const ros::Time& now);
   bool isOutOfTolerance() const;
 
   ControllerSettings settings_;
   std::unique_ptr<const KinematicModel> model_;
   MachineTransforms transforms_;
-  RosClock clock_;
+  ManualClock clock_;
+  ros::Time epoch_;
+  double stood_s_ = 0.0;                   ///< so long time has stood still so far
+  std::optional<ros::Time> stands_since_;  ///< while it does
+  std::uint64_t reports_ = 0;
   SimulatedController controller_;
   ProcessQueue process_;
   ros::Publisher position_;

@@ -83,7 +83,7 @@ void ControllerClient::onDone(std::size_t goal, const actionlib::SimpleClientGoa
 void ControllerClient::onFeedback(const follow::Feedback::ConstPtr& feedback) {
   try {
     const auto& joints = model_.joints();
-    listener_({fromMessage(feedback->desired, feedback->joint_names, joints).position,
+    listener_({feedback->header.stamp, fromMessage(feedback->desired, feedback->joint_names, joints).position,
                fromMessage(feedback->actual, feedback->joint_names, joints).position});
   } catch (const Error& error) {
     ROS_ERROR_THROTTLE(5.0, "report of the controller refused: %s", error.what());

@@ -18,6 +18,7 @@ namespace lamina {
 
 /// A report of the controller.
 struct ControllerReport {
+  ros::Time stamp;     ///< by the controller's clock; zero if it gives none
   JointValues wanted;  ///< [mm, rad]
   JointValues actual;
 };

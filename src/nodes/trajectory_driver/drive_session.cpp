@@ -23,7 +23,7 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
       feeder_(motion.path, settings.feeder),
       begin_(ros::Time::now() + ros::Duration(settings.start_delay_s)),
       tracking_(model),
-      last_report_(begin_) {
+      reports_(settings.tracking, settings.controller_wait_s, begin_) {
   links_.controller.begin();
   status_.feeding.least_queued_s = std::numeric_limits<double>::infinity();
   status_.state = motion.running;
@@ -44,19 +44,15 @@ void DriveSession::watch(const ros::Time& now) {
   if (const std::optional<std::string> failure = links_.controller.failure())
     return giveUp(now, {ErrorCode::DeviceError, *failure});
   const double now_s = jobTime(now);
-  double silent_s = 0.0;
+  std::optional<std::string> silence;
   double tip_mm = 0.0;
   {
     const std::lock_guard<std::mutex> lock(report_mutex_);
-    silent_s = (now - last_report_).toSec();
+    silence = reports_.look(now);
     tip_mm = tracking_.tip();
   }
   const bool is_moving = now_s > 0.0 && now_s < feeder_.restTime();
-  if (is_moving && silent_s > settings_.tracking.silence_s)
-    return giveUp(
-        now, {ErrorCode::Disconnected, "the controller has been silent for " + std::to_string(silent_s) +
-                                           " s; expected a report every " +
-                                           std::to_string(settings_.tracking.silence_s) + " s at least"});
+  if (is_moving && silence) return giveUp(now, {ErrorCode::Disconnected, *silence});
   const bool is_way_to_start = motion_.running == PackmlState::Starting;
   const double most_mm = settings_.tracking.tip_mm * (is_way_to_start ? kCoarser : 1.0);
   if (status_.state == PackmlState::Aborting || most_mm <= 0.0 || tip_mm <= most_mm) return;
@@ -135,7 +131,11 @@ bool DriveSession::complete(const ros::Time& now) {
     return false;
   }
   const double overdue_s = jobTime(now) - feeder_.restTime();
-  if (overdue_s > settings_.tracking.silence_s)
+  const TrackingLimits& limits = settings_.tracking;
+  const double patience_s = limits.silence_by == SilenceBy::Stamps
+                                ? std::max(limits.silence_s, settings_.controller_wait_s)
+                                : limits.silence_s;
+  if (overdue_s > patience_s)
     giveUp(now, {ErrorCode::TimedOut, "the controller has not come to the end of its last goal " +
                                           std::to_string(overdue_s) + " s after it was due"});
   return true;
@@ -143,7 +143,7 @@ bool DriveSession::complete(const ros::Time& now) {
 
 void DriveSession::hear(const ControllerReport& report, const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(report_mutex_);
-  last_report_ = std::max(last_report_, now);
+  reports_.hear(report.stamp, now);
   tracking_.add(report.wanted, report.actual);
 }
 
@@ -166,7 +166,7 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   feeder_.resume(jobTime(now));
   {
     const std::lock_guard<std::mutex> report_lock(report_mutex_);
-    last_report_ = now;
+    reports_.restart(now);
   }
   handed_s_ = 0.0;  // at rest nothing is missing
   status_.state = PackmlState::Unholding;

@@ -15,6 +15,7 @@
 #include "lamina/trajectory/timed_path.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"
+#include "report_watch.hpp"
 #include "tracking.hpp"
 
 namespace lamina {
@@ -96,7 +97,7 @@ class DriveSession {
   // Reports come while the client of the controller is locked, which is locked too while a chunk is sent.
   mutable std::mutex report_mutex_;
   Tracking tracking_;
-  ros::Time last_report_;
+  ReportWatch reports_;
 };
 
 }  // namespace lamina

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "lamina/base/settings.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
@@ -11,10 +13,15 @@
 
 namespace lamina {
 
+/// How silence of a controller is reported: by when reports come, or by their stamps where its clock is not
+/// the wall's, as that of a simulated one on a slow host.
+enum class SilenceBy : std::uint8_t { Arrival, Stamps };
+
 /// What makes a driver give up.
 struct TrackingLimits {
   double tip_mm = 5.0;     ///< of the tip from where it is to be; 0 for no limit
   double silence_s = 1.0;  ///< without a report of the controller
+  SilenceBy silence_by = SilenceBy::Arrival;
 };
 
 struct DriverSettings {
@@ -25,10 +32,10 @@ struct DriverSettings {
   ClearanceSettings clearance;
   TrackingLimits tracking;
   ApproachSettings approach;
-  double start_delay_s = 0.5;    ///< from the first chunk to its first point
-  double lift_mm = 10.0;         ///< of the tool after an abort
-  double lift_mm_s = 10.0;       ///< speed of that
-  double controller_wait_s = 5;  ///< for the controller and the joints' positions to be there
+  double start_delay_s = 0.5;     ///< from the first chunk to its first point
+  double lift_mm = 10.0;          ///< of the tool after an abort
+  double lift_mm_s = 10.0;        ///< speed of that
+  double controller_wait_s = 60;  ///< for the controller and the joints' positions to be there
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, hand_over.*, clearance.*,

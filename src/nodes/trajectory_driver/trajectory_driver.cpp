@@ -15,7 +15,7 @@ namespace lamina {
 namespace {
 
 constexpr double kStep = 0.02;        // s between looks at what is due
-constexpr double kArrival = 1.0;      // s that a toolpath may take to come
+constexpr double kArrival = 5.0;      // s that a toolpath may take to come
 constexpr double kShowPeriod = 0.1;   // s between reports
 const ros::WallDuration kFlush(0.2);  // that last messages need to leave the node
 

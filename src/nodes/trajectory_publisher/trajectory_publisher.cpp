@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kBurst =
     20000;  // positions: what a machine in accelerated time may report while a subscriber is busy
+constexpr std::uint32_t kNoBound = 0;  // of a queue: between poses tf goes straight, so none may be lost
 
 geometry_msgs::TransformStamped named(const std::string& parent, const std::string& child,
                                       const geometry_msgs::Pose& pose) {
@@ -76,7 +77,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
   if (!settings_.load_program.empty()) load(settings_.load_program);
   if (settings_.mode == TrajectoryMode::Follow) {
     machine_position_ =
-        node.subscribe(names::kMachinePosition, kBurst, &TrajectoryPublisher::onMachinePosition, this,
+        node.subscribe(names::kMachinePosition, kNoBound, &TrajectoryPublisher::onMachinePosition, this,
                        ros::TransportHints().tcpNoDelay());
   } else {
     last_tick_ = ros::Time::now();
@@ -98,7 +99,7 @@ void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
 }
 
 void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
-  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kBurst);
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
   ros::NodeHandle own("~");

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "lamina/monitoring/height_monitor.hpp"
+
+namespace lamina {
+
+/// Where the nozzle tip is at an instant. Between two poses it goes straight.
+struct TipPose {
+  std::int64_t stamp_ns = 0;
+  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
+};
+
+/// A profile, and when it was taken.
+struct StampedProfile {
+  std::int64_t stamp_ns = 0;
+  std::vector<Point3> points;  ///< [mm, bed frame]
+};
+
+/// A number of profiles and of their points.
+struct ProfileTally {
+  std::uint64_t profiles = 0;
+  std::uint64_t points = 0;
+
+  void add(std::size_t point_count) {
+    ++profiles;
+    points += point_count;
+  }
+};
+
+/// What became of profiles: what was received is the sum of what follows it, in profiles and in points.
+struct ProfileUse {
+  ProfileTally received;
+  ProfileTally of_layers;
+  ProfileTally of_no_layer;          ///< in the map alone
+  ProfileTally waiting;              ///< for poses of the nozzle
+  ProfileTally late;                 ///< older than one that was worked off before; not used
+  ProfileTally in_gap;               ///< between poses of the nozzle too far apart; not used
+  std::uint64_t points_outside = 0;  ///< of those used, beyond the map
+};
+
+/// Follows one print by stamps alone. Poses of the nozzle and profiles may come in any order among each
+/// other, and as late as they like: a profile is worked off, in the order of the stamps, once a pose of its
+/// stamp or later is known. It belongs to the layer at whose scan height the nozzle goes level from the last
+/// pose before its stamp to the first one not before it. So the same poses and profiles give the same
+/// reports, however they are delayed.
+class StampedHeights {
+ public:
+  /// As `HeightMonitor`.
+  StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
+
+  /// @return reports of layers that are now known to be done
+  LayerHeightReports observe(const TipPose& pose);
+  LayerHeightReports insert(StampedProfile profile);
+
+  /// Gives the scan under way up: the layer is reported as cut short.
+  LayerHeightReports cutShort();
+
+  /// Nothing more comes: works off what is left; layers that were printed and never seen are reported.
+  LayerHeightReports finish();
+
+  const HeightMonitor& monitor() const { return monitor_; }
+  /// What became of the profiles so far.
+  ProfileUse use() const;
+
+ private:
+  void workOff();
+  void step();
+  void place(const StampedProfile& profile);
+  void report(LayerHeightReports more);
+
+  double pose_gap_mm_;
+  double quiet_ns_;
+  HeightMonitor monitor_;
+  std::multimap<std::int64_t, Point3> poses_;  ///< those that were not reached
+  std::multimap<std::int64_t, std::vector<Point3>> waiting_;
+  std::optional<TipPose> reached_;  ///< end of the straight way that is looked at
+  double way_mm_ = 0.0;             ///< its length
+  std::optional<std::int64_t> worked_off_ns_;
+  std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
+  std::int64_t last_news_ns_ = 0;
+  ProfileUse use_;
+  LayerHeightReports done_;  ///< not yet given out
+};
+
+}  // namespace lamina

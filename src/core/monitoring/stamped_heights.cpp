@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/monitoring/stamped_heights.hpp"
+
+#include <iterator>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr double kNanoseconds = 1e9;  // in a second
+
+}  // namespace
+
+StampedHeights::StampedHeights(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
+                               const MonitorSettings& settings)
+    : pose_gap_mm_(settings.pose_gap_mm),
+      quiet_ns_(kNanoseconds * settings.quiet_s),
+      monitor_(std::move(toolpath), bed_from_part, settings) {}
+
+LayerHeightReports StampedHeights::observe(const TipPose& pose) {
+  const bool is_passed = reached_ && pose.stamp_ns < reached_->stamp_ns;
+  if (is_passed) return {};
+  poses_.insert({pose.stamp_ns, pose.tip});
+  workOff();
+  return std::exchange(done_, {});
+}
+
+LayerHeightReports StampedHeights::insert(StampedProfile profile) {
+  use_.received.add(profile.points.size());
+  if (worked_off_ns_ && profile.stamp_ns < *worked_off_ns_) {
+    use_.late.add(profile.points.size());
+    return {};
+  }
+  waiting_.insert({profile.stamp_ns, std::move(profile.points)});
+  workOff();
+  return std::exchange(done_, {});
+}
+
+void StampedHeights::report(LayerHeightReports more) {
+  std::move(more.begin(), more.end(), std::back_inserter(done_));
+}
+
+void StampedHeights::workOff() {
+  while (!waiting_.empty()) {
+    const std::int64_t stamp_ns = waiting_.begin()->first;
+    while (!(reached_ && reached_->stamp_ns >= stamp_ns)) {
+      if (poses_.empty() || poses_.rbegin()->first < stamp_ns) return;
+      step();
+    }
+    const StampedProfile profile{stamp_ns, std::move(waiting_.begin()->second)};
+    waiting_.erase(waiting_.begin());
+    worked_off_ns_ = stamp_ns;
+    place(profile);
+  }
+}
+
+/// On to the next pose.
+void StampedHeights::step() {
+  const TipPose next{poses_.begin()->first, poses_.begin()->second};
+  poses_.erase(poses_.begin());
+  way_mm_ = reached_ ? (next.tip - reached_->tip).norm() : 0.0;
+  reached_ = next;
+  report(monitor_.move(next.tip.z()));
+  if (!monitor_.isScanning()) cells_in_scan_ = 0;
+}
+
+void StampedHeights::place(const StampedProfile& profile) {
+  const bool is_between = profile.stamp_ns < reached_->stamp_ns;
+  if (is_between && way_mm_ > pose_gap_mm_) return use_.in_gap.add(profile.points.size());
+  report(monitor_.add(profile.points));
+  (monitor_.isScanning() ? use_.of_layers : use_.of_no_layer).add(profile.points.size());
+  if (!monitor_.isScanning()) return;
+  // Until a scan has shown something it cannot fall quiet.
+  if (monitor_.cellsInScan() != cells_in_scan_ || monitor_.cellsInScan() == 0)
+    last_news_ns_ = profile.stamp_ns;
+  cells_in_scan_ = monitor_.cellsInScan();
+  if (static_cast<double>(profile.stamp_ns - last_news_ns_) > quiet_ns_)
+    report(monitor_.closeScan(LayerSight::Seen));
+}
+
+LayerHeightReports StampedHeights::cutShort() { return monitor_.closeScan(LayerSight::CutShort); }
+
+LayerHeightReports StampedHeights::finish() {
+  while (!poses_.empty()) step();
+  report(monitor_.finish());
+  return std::exchange(done_, {});
+}
+
+ProfileUse StampedHeights::use() const {
+  ProfileUse use = use_;
+  for (const auto& [stamp_ns, points] : waiting_) use.waiting.add(points.size());
+  use.points_outside = monitor_.pointsOutside();
+  return use;
+}
+
+}  // namespace lamina

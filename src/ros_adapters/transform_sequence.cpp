@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "transform_sequence.hpp"
+
+#include <ros/console.h>
+#include <tf2/exceptions.h>
+
+#include <utility>
+
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRemembered = 30.0;  // s, by the stamps, that the buffer looks back
+constexpr double kQuiet = 10.0;       // s between complaints
+
+/// As tf2 does: frames were once named with a slash in front.
+std::string bare(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+}  // namespace
+
+TransformSequence::TransformSequence(std::size_t most_waiting)
+    : most_waiting_(most_waiting), buffer_(ros::Duration(kRemembered)) {}
+
+void TransformSequence::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++received_;
+  keepFrames(transform);
+  waiting_.insert({transform.header.stamp, {transform, authority}});
+  while (waiting_.size() > most_waiting_) {
+    give(waiting_.begin()->second);
+    waiting_.erase(waiting_.begin());
+  }
+}
+
+void TransformSequence::addFixed(const geometry_msgs::TransformStamped& transform,
+                                 const std::string& authority) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++received_;
+    keepFrames(transform);
+  }
+  try {
+    buffer_.setTransform(transform, authority, true);
+  } catch (const tf2::TransformException& error) {
+    ROS_ERROR_THROTTLE(kQuiet, "fixed transform ignored: %s", error.what());
+  }
+}
+
+void TransformSequence::keepFrames(const geometry_msgs::TransformStamped& transform) {
+  frames_.insert(bare(transform.header.frame_id));
+  frames_.insert(bare(transform.child_frame_id));
+}
+
+bool TransformSequence::knows(const std::string& frame) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return frames_.count(bare(frame)) > 0;
+}
+
+Readiness TransformSequence::passTo(const std::string& frame, const ros::Time& stamp) {
+  while (isNextUpTo(stamp)) passNext();
+  Readiness ready = readiness(buffer_, names::kBedFrame, frame, stamp);
+  // Transforms of a frame that nobody names would be looked for to the end of them all.
+  while (ready == Readiness::NotYet && knows(frame) && passNext())
+    ready = readiness(buffer_, names::kBedFrame, frame, stamp);
+  return ready;
+}
+
+bool TransformSequence::isNextUpTo(const ros::Time& stamp) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !waiting_.empty() && waiting_.begin()->first <= stamp;
+}
+
+bool TransformSequence::passNext() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (waiting_.empty()) return false;
+  const ros::Time stamp = waiting_.begin()->first;
+  const auto [begin, end] = waiting_.equal_range(stamp);
+  for (auto it = begin; it != end; ++it) give(it->second);
+  waiting_.erase(begin, end);
+  passed_.insert(stamp);
+  return true;
+}
+
+void TransformSequence::give(const Waiting& waiting) {
+  try {
+    buffer_.setTransform(waiting.transform, waiting.authority, false);
+  } catch (const tf2::TransformException& error) {
+    ROS_ERROR_THROTTLE(kQuiet, "transform from %s to %s ignored: %s",
+                       waiting.transform.header.frame_id.c_str(), waiting.transform.child_frame_id.c_str(),
+                       error.what());
+  }
+}
+
+std::vector<StampedNozzle> TransformSequence::takeNozzles() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<StampedNozzle> nozzles;
+  while (!passed_.empty()) {
+    const ros::Time stamp = *passed_.begin();
+    if (stamp <= taken_) {
+      passed_.erase(passed_.begin());
+      continue;
+    }
+    const auto bed_from_nozzle = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, stamp);
+    if (!bed_from_nozzle &&
+        readiness(buffer_, names::kBedFrame, names::kNozzleFrame, stamp) == Readiness::NotYet)
+      break;
+    passed_.erase(passed_.begin());
+    taken_ = stamp;
+    if (bed_from_nozzle) nozzles.push_back({stamp, *bed_from_nozzle});
+  }
+  return nozzles;
+}
+
+std::uint64_t TransformSequence::received() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return received_;
+}
+
+}  // namespace lamina

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <tf2/buffer_core.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "transforms.hpp"
+
+namespace lamina {
+
+/// A pose of the nozzle over the bed at the stamp of a transform.
+struct StampedNozzle {
+  ros::Time stamp;
+  Eigen::Isometry3d bed_from_nozzle;  ///< translation [mm]
+};
+
+/// Keeps transforms in the order of their stamps and gives them to a tf buffer no further than is asked for.
+/// So how far what is asked for lags behind tf does not matter: a tf buffer forgets what is older than its
+/// memory, and takes the longer the further back it has to look. Transforms may come on another thread.
+class TransformSequence {
+ public:
+  /// @param most_waiting  transforms; with more, the oldest are given to the buffer unasked, and of their
+  /// stamps the nozzle
+  ///   is not reported
+  explicit TransformSequence(std::size_t most_waiting = 500000);
+
+  /// A transform that moves. One that is older than what the buffer was given goes there at the next call.
+  void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
+  /// One that holds for all times.
+  void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);
+
+  /// Whether any transform names the frame.
+  bool knows(const std::string& frame) const;
+
+  /// Whether the pose of a frame over the bed is known at that stamp, after as many transforms have been
+  /// given to the buffer as that needs, and there are.
+  Readiness passTo(const std::string& frame, const ros::Time& stamp);
+  /// Gives the transforms of the next stamp to the buffer. False if there are none.
+  bool passNext();
+
+  const tf2::BufferCore& buffer() const { return buffer_; }
+  /// Poses of the nozzle at the stamps passed since the last call, ascending over all calls. Those that
+  /// depend on transforms still to come wait; none is given of a stamp older than the last.
+  std::vector<StampedNozzle> takeNozzles();
+  /// Transforms received so far.
+  std::uint64_t received() const;
+
+ private:
+  struct Waiting {
+    geometry_msgs::TransformStamped transform;
+    std::string authority;
+  };
+
+  void keepFrames(const geometry_msgs::TransformStamped& transform);
+  bool isNextUpTo(const ros::Time& stamp) const;
+  void give(const Waiting& waiting);
+
+  std::size_t most_waiting_;
+  tf2::BufferCore buffer_;
+  mutable std::mutex mutex_;  ///< of what follows
+  std::multimap<ros::Time, Waiting> waiting_;
+  std::set<std::string> frames_;
+  std::set<ros::Time> passed_;  ///< stamps of which the nozzle's pose was not taken
+  ros::Time taken_;             ///< the last stamp of which it was
+  std::uint64_t received_ = 0;
+};
+
+}  // namespace lamina

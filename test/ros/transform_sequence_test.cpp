@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "transform_sequence.hpp"
+
+#include <gtest/gtest.h>
+
+#include "names.hpp"
+#include "plate_scan.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr char kAuthority[] = "test";
+
+/// The nozzle at height z [mm] at a stamp [s].
+geometry_msgs::TransformStamped nozzleAt(double stamp_s, double z) {
+  return test::stamped(test::bedFromNozzle({0, 0, z}), names::kBedFrame, names::kNozzleFrame,
+                       ros::Time(stamp_s));
+}
+
+/// With the sensor on the nozzle, which rises by 1 mm a second.
+void addRise(TransformSequence& sequence, int from_s, int to_s) {
+  for (int i = from_s; i < to_s; ++i) sequence.add(nozzleAt(i, i), kAuthority);
+}
+
+TransformSequence& withSensor(TransformSequence& sequence) {
+  sequence.addFixed(
+      test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, ros::Time(1)),
+      kAuthority);
+  return sequence;
+}
+
+TEST(TransformSequence, GivesNoMoreThanIsAskedFor) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 5000);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1002.5)), Readiness::Ready);
+  const auto latest = sequence.buffer().lookupTransform(names::kBedFrame, names::kNozzleFrame, ros::Time(0));
+  EXPECT_EQ(latest.header.stamp, ros::Time(1003));
+  // However far tf is ahead, what comes next is still known.
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1003)), Readiness::Ready);
+  EXPECT_EQ(sequence.received(), 4001U);
+}
+
+TEST(TransformSequence, ReportsTheNozzleAtEveryStampOnce) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 1010);
+  EXPECT_TRUE(sequence.takeNozzles().empty());
+  sequence.passTo(names::kSensorFrame, ros::Time(1003.5));
+  const auto nozzles = sequence.takeNozzles();
+  ASSERT_EQ(nozzles.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(nozzles[i].stamp, ros::Time(1000.0 + double(i)));
+    EXPECT_NEAR(nozzles[i].bed_from_nozzle.translation().z(), 1000.0 + double(i), 1e-9);
+  }
+  EXPECT_TRUE(sequence.takeNozzles().empty());
+  while (sequence.passNext()) {
+  }
+  EXPECT_EQ(sequence.takeNozzles().size(), 5U);
+}
+
+TEST(TransformSequence, WaitsForTransformsThatAreStillToCome) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1001)), Readiness::NotYet);
+  addRise(sequence, 1000, 1001);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1001)), Readiness::NotYet);
+  addRise(sequence, 1001, 1002);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1001)), Readiness::Ready);
+}
+
+TEST(TransformSequence, WhatIsOlderThanTheFirstTransformIsNeverKnown) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 1010);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(999)), Readiness::Never);
+}
+
+TEST(TransformSequence, AFrameThatNobodyNamesIsNotLookedForToTheEnd) {
+  TransformSequence sequence;
+  withSensor(sequence);
+  addRise(sequence, 1000, 5000);
+  EXPECT_FALSE(sequence.knows("nowhere"));
+  EXPECT_EQ(sequence.passTo("nowhere", ros::Time(1001)), Readiness::NotYet);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1002)), Readiness::Ready);
+}
+
+TEST(TransformSequence, TransformsOfOneStampGoTogetherAndInTheOrderOfStamps) {
+  TransformSequence sequence;
+  for (const int second : {1002, 1000, 1001}) {
+    sequence.add(test::stamped(Eigen::Isometry3d::Identity(), "world", names::kBedFrame, ros::Time(second)),
+                 kAuthority);
+    sequence.add(test::stamped(test::bedFromNozzle({0, 0, double(second)}), "world", names::kNozzleFrame,
+                               ros::Time(second)),
+                 kAuthority);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(sequence.passNext());
+    const auto nozzles = sequence.takeNozzles();
+    ASSERT_EQ(nozzles.size(), 1U);
+    EXPECT_NEAR(nozzles[0].bed_from_nozzle.translation().z(), 1000.0 + i, 1e-9);
+  }
+  EXPECT_FALSE(sequence.passNext());
+}
+
+TEST(TransformSequence, WithTooManyWaitingTheOldestGoUnasked) {
+  TransformSequence sequence(100);
+  withSensor(sequence);
+  addRise(sequence, 1000, 1200);
+  const auto latest = sequence.buffer().lookupTransform(names::kBedFrame, names::kNozzleFrame, ros::Time(0));
+  EXPECT_EQ(latest.header.stamp, ros::Time(1099));
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1050)), Readiness::Never);
+  EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1150)), Readiness::Ready);
+}
+
+}  // namespace
+}  // namespace lamina
