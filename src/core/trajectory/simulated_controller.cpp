@@ -208,7 +208,7 @@ double SimulatedController::queued() const {
 }
 
 std::optional<double> SimulatedController::runsOutAt() const {
-  if (points_.empty() || !isMoving(points_.back())) return std::nullopt;
+  if (points_.empty() || !isMovingJoints(points_.back())) return std::nullopt;
   return points_.back().time_s;
 }
 

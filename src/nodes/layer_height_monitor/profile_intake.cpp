@@ -13,7 +13,7 @@ namespace lamina {
 namespace {
 
 constexpr double kTurn = 0.02;         // s between looks at what is due
-constexpr std::uint32_t kNoBound = 0;  // of a queue
+constexpr std::uint32_t kNoIntakeBound = 0;  // of a queue
 
 }  // namespace
 
@@ -26,7 +26,7 @@ ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receivers receiver
     onCloud(event);
   };
   // What has to be left out is left out, and counted, by `wait`.
-  subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(names::kProfile, kNoBound, onMessage, {},
+  subscriber_ = node.subscribe<sensor_msgs::PointCloud2>(names::kProfile, kNoIntakeBound, onMessage, {},
                                                          ros::TransportHints().tcpNoDelay());
 }
 
