@@ -20,3 +20,9 @@ function(lamina_batch_sources target)
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
+
+# lamina_use_modules(target): what the core loads when a target runs is built before it
+function(lamina_use_modules target)
+  get_property(modules GLOBAL PROPERTY LAMINA_MODULES)
+  add_dependencies(${target} ${modules})
+endfunction()

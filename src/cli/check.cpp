@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/machine_check.hpp"
@@ -14,10 +16,8 @@
 #include "lamina/job/program_file.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

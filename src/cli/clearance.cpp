@@ -6,11 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

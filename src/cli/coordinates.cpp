@@ -4,6 +4,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
@@ -11,9 +13,7 @@
 #include "lamina/program/csv/coordinate_matrix.hpp"
 #include "lamina/program/gcode/slicer_dialect.hpp"
 #include "lamina/toolpath/timing.hpp"
-#include "setting_options.hpp"
 #include "subcommand.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -5,12 +5,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/settings_yaml.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/optimisation/criteria.hpp"
 #include "lamina/optimisation/front_csv.hpp"
-#include "setting_options.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -117,7 +117,7 @@ void decideOn(const DecideArguments& arguments, OutputFormat format) {
 }  // namespace
 
 void addDecide(CLI::App& app, Chosen& chosen) {
-  CLI::App* subcommand = app.add_subcommand("decide", "Choose one point of a front by weights");
+  CLI::App* subcommand = app.add_subcommand("decide", kDecideDescription);
   const auto arguments = std::make_shared<DecideArguments>();
   subcommand->add_option("front", arguments->front, "Front (.csv): variables, then responses")->required();
   subcommand

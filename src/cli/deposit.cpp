@@ -7,6 +7,9 @@
 #include <optional>
 #include <sstream>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
+#include "arguments/voxel_input.hpp"
 #include "lamina/base/available_memory.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
@@ -15,11 +18,8 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/voxel_picture.hpp"
 #include "lamina/pores/voxel_surface.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
-#include "voxel_input.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -8,11 +8,11 @@
 #include <optional>
 #include <thread>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/voids/drop_void_sweep.hpp"
-#include "terminal_progress.hpp"
+#include "output/terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "fill_drop_voids.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -11,9 +12,8 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/voids/void_filling.hpp"
 #include "lamina/program/drops/drop_program.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

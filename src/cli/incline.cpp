@@ -5,11 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "incline_arguments.hpp"
+#include "arguments/incline_arguments.hpp"
 #include "lamina/job/incline_job.hpp"
 #include "lamina/job/output_files.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/mesh/mesh_report.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -1,84 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "command_line.hpp"
 #include "lamina/base/error.hpp"
-#include "subcommand.hpp"
-
-namespace lamina::cli {
-namespace {
-
-/// Arguments that cannot be read leave nothing but themselves to report the format.
-OutputFormat formatAskedFor(const std::vector<std::string>& arguments) {
-  const bool wants_json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
-  return wants_json ? OutputFormat::Json : OutputFormat::Text;
-}
-
-void printFailure(const Failure& failure, const Counts& counts, OutputFormat format) {
-  std::fprintf(stderr, "lamina: %s: %s\n", toString(failure.code), failure.message.c_str());
-  if (format == OutputFormat::Text) return;
-  nlohmann::ordered_json json = {{"error", {{"code", toString(failure.code)}, {"message", failure.message}}}};
-  for (const auto& [what, count] : counts) json[what] = count;
-  std::printf("%s\n", json.dump().c_str());
-}
-
-/// Help that was asked for is a ParseError too.
-int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
-  const bool is_failure = error.get_exit_code() != 0;
-  if (!is_failure || format == OutputFormat::Text) return app.exit(error);
-  printFailure({ErrorCode::InvalidConfig, error.what()}, {}, format);
-  return error.get_exit_code();
-}
-
-int runCommandLine(int argc, char** argv) {
-  CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
-  app.require_subcommand(1);
-  Chosen chosen;
-  chosen.format = formatAskedFor({argv + 1, argv + argc});
-  addCheck(app, chosen);
-  addClearance(app, chosen);
-  addCoordinates(app, chosen);
-  addDecide(app, chosen);
-  addDeposit(app, chosen);
-  addEmulate(app, chosen);
-  addFillVoids(app, chosen);
-  addIncline(app, chosen);
-  addInfo(app, chosen);
-  addMetrics(app, chosen);
-  addOptimise(app, chosen);
-  addOverhang(app, chosen);
-  addPart(app, chosen);
-  addPores(app, chosen);
-  addPreview(app, chosen);
-  addRotate(app, chosen);
-  addScaffold(app, chosen);
-  addSlice(app, chosen);
-  addStatistics(app, chosen);
-  addStiffness(app, chosen);
-  addStream(app, chosen);
-  addSweep(app, chosen);
-  addTrack(app, chosen);
-  addVoids(app, chosen);
-  try {
-    app.parse(argc, argv);
-    chosen.run();
-    return chosen.exit_code;
-  } catch (const CLI::ParseError& error) {
-    return refuse(app, error, chosen.format);
-  } catch (...) {
-    printFailure(currentFailure(), chosen.counts, chosen.format);
-    return 1;
-  }
-}
-
-}  // namespace
-}  // namespace lamina::cli
+#include "separate_command.hpp"
 
 int main(int argc, char** argv) {
+  using namespace lamina::cli;
   try {
-    return lamina::cli::runCommandLine(argc, argv);
+    runSeparateCommand(argc, argv);
+    return runCommandLine(
+        argc, argv,
+        {addCheck,    addClearance,       addCoordinates, addDeposit,   addEmulate, addFillVoids, addIncline,
+         addInfo,     addMetrics,         addOverhang,    addPart,      addPores,   addPreview,   addRotate,
+         addScaffold, addSlice,           addStatistics,  addStiffness, addStream,  addSweep,     addTrack,
+         addVoids,    addSeparateCommands});
+  } catch (const lamina::Error& error) {
+    std::fprintf(stderr, "lamina: %s\n", error.what());
+    return 1;
   } catch (...) {
     std::fputs("lamina: cannot start; out of memory?\n", stderr);
     return 1;

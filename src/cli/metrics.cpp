@@ -8,15 +8,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/part/part_in_program.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
-#include "metrics_table.hpp"
-#include "setting_options.hpp"
+#include "output/metrics_table.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -7,14 +7,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/job/study/study_job.hpp"
 #include "lamina/kriging/kriging.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/study/study_reader.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -173,8 +173,7 @@ void optimise(const OptimiseArguments& arguments, OutputFormat format) {
 }  // namespace
 
 void addOptimise(CLI::App& app, Chosen& chosen) {
-  CLI::App* subcommand = app.add_subcommand(
-      "optimise", "Run a study: search configurations for what it wants; stopped, it goes on where it was");
+  CLI::App* subcommand = app.add_subcommand("optimise", kOptimiseDescription);
   const auto arguments = std::make_shared<OptimiseArguments>();
   subcommand->add_option("study", arguments->study, "What is searched for, how, and what measures it (.yaml)")
       ->required();

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/overhang_picture.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

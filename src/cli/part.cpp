@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
-#include "setting_options.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {

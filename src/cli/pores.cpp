@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/voxel_input.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
 #include "lamina/geometry/voxel/isosurface.hpp"
@@ -15,10 +17,8 @@
 #include "lamina/pores/pore_projection.hpp"
 #include "lamina/pores/pore_report.hpp"
 #include "lamina/pores/voxel_surface.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "voxel_input.hpp"
 
 namespace lamina::cli {
 namespace {

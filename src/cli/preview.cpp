@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
-#include "layer_overlay.hpp"
-#include "setting_options.hpp"
+#include "output/layer_overlay.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -7,12 +7,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/program/gcode/full_control_writer.hpp"
-#include "setting_options.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {

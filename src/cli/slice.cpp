@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/region_picture.hpp"
 #include "lamina/slicing/unsliceable.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -5,12 +5,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

@@ -37,6 +37,11 @@ void addJsonFlag(CLI::App& subcommand, Chosen& chosen);
 /// Prints the settings on standard output: as YAML, or as one JSON object of keys and values.
 void printConfig(const SettingsSchema& schema, OutputFormat format);
 
+/// What `lamina --help` says of the subcommands of another executable.
+inline constexpr char kDecideDescription[] = "Choose one point of a front by weights";
+inline constexpr char kOptimiseDescription[] =
+    "Run a study: search configurations for what it wants; stopped, it goes on where it was";
+
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addCheck(CLI::App& app, Chosen& chosen);

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
@@ -17,10 +19,8 @@
 #include "lamina/stiffness/stiffness.hpp"
 #include "lamina/sweep/abaqus_script.hpp"
 #include "lamina/sweep/solid_union.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -96,7 +96,7 @@ double deviationPercent(const SweepReport& report) {
   return 100.0 * (report.volume_mm3 / report.extruded_mm3 - 1.0);
 }
 
-nlohmann::ordered_json toJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
+nlohmann::ordered_json pointToJson(const Point3& point) { return {point.x(), point.y(), point.z()}; }
 
 void printJson(const SweepReport& report, double mass_g) {
   nlohmann::ordered_json json = {{"corners", toString(report.corners)},
@@ -108,9 +108,9 @@ void printJson(const SweepReport& report, double mass_g) {
                                  {"volume_mm3", report.volume_mm3},
                                  {"deviation_percent", deviationPercent(report)},
                                  {"mass_g", mass_g},
-                                 {"size_mm", toJson(report.box.size())},
-                                 {"box_min_mm", toJson(report.box.low)},
-                                 {"box_max_mm", toJson(report.box.high)}};
+                                 {"size_mm", pointToJson(report.box.size())},
+                                 {"box_min_mm", pointToJson(report.box.low)},
+                                 {"box_max_mm", pointToJson(report.box.high)}};
   if (report.triangles) {
     json["triangles"] = *report.triangles;
     json["surface_encloses_mm3"] = report.surface_mm3;

@@ -4,12 +4,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/dynamics/tracking_simulation.hpp"
 #include "lamina/program/csv/csv_reader.hpp"
-#include "setting_options.hpp"
+#include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

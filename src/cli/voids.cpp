@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/program_file.hpp"
@@ -13,11 +14,10 @@
 #include "lamina/job/voids/void_report_csv.hpp"
 #include "lamina/picture/toolpath_picture.hpp"
 #include "lamina/voids/beads/void_totals.hpp"
-#include "layer_overlay.hpp"
-#include "setting_options.hpp"
+#include "output/layer_overlay.hpp"
+#include "output/terminal_progress.hpp"
+#include "output/void_json.hpp"
 #include "subcommand.hpp"
-#include "terminal_progress.hpp"
-#include "void_json.hpp"
 
 namespace lamina::cli {
 namespace {

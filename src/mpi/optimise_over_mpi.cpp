@@ -10,7 +10,7 @@
 #include "lamina/study/search_settings.hpp"
 #include "lamina/study/study_reader.hpp"
 #include "mpi_evaluator.hpp"
-#include "terminal_progress.hpp"
+#include "output/terminal_progress.hpp"
 
 namespace lamina {
 namespace {

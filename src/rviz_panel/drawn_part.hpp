@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
-#include "toolpath_markers.hpp"
+#include "markers/toolpath_markers.hpp"
 
 namespace lamina {
 

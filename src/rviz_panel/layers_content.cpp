@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "conversions.hpp"
-#include "frame_markers.hpp"
 #include "lamina/base/error.hpp"
 #include "layer_slider.hpp"
+#include "markers/frame_markers.hpp"
 #include "names.hpp"
 
 namespace lamina {

@@ -4,7 +4,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include "toolpath_markers.hpp"
+#include "markers/toolpath_markers.hpp"
 
 namespace lamina {
 

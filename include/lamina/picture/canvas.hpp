@@ -35,6 +35,8 @@ struct CellColours {
   std::vector<Colour> cells;  ///< columns times rows
 };
 
+class PixelSurface;
+
 /// A white picture in pixels, x to the right and y down from its top left corner, that shows a piece of a
 /// plane in mm, x to the right and y up. Lines are anti-aliased, with round ends and joins.
 class Canvas {
@@ -75,13 +77,11 @@ class Canvas {
   void writePng(const std::string& path) const;
 
  private:
-  struct Surface;
-
   int width_px_;
   int height_px_;
   double pixels_per_mm_ = 1.0;
   Point2 origin_px_ = Point2::Zero();  ///< where (0, 0) mm is
-  std::unique_ptr<Surface> surface_;
+  std::unique_ptr<PixelSurface> surface_;
 };
 
 }  // namespace lamina

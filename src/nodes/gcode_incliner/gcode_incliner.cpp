@@ -16,11 +16,11 @@
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "markers/toolpath_markers.hpp"
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
-#include "toolpath_markers.hpp"
 
 namespace lamina {
 namespace {

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kTurn = 0.02;         // s between looks at what is due
+constexpr double kTurn = 0.02;               // s between looks at what is due
 constexpr std::uint32_t kNoIntakeBound = 0;  // of a queue
 
 }  // namespace

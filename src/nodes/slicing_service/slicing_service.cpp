@@ -4,17 +4,17 @@
 
 #include "action_end.hpp"
 #include "action_progress.hpp"
-#include "collision_markers.hpp"
-#include "frame_markers.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/unsliceable.hpp"
+#include "markers/collision_markers.hpp"
+#include "markers/frame_markers.hpp"
+#include "markers/overhang_markers.hpp"
+#include "markers/region_markers.hpp"
+#include "markers/toolpath_markers.hpp"
 #include "names.hpp"
-#include "overhang_markers.hpp"
-#include "region_markers.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
-#include "toolpath_markers.hpp"
 
 namespace lamina {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <ros/ros.h>
 
-#include "check_markers.hpp"
 #include "drive_messages.hpp"
 #include "joint_messages.hpp"
+#include "markers/check_markers.hpp"
 #include "names.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"

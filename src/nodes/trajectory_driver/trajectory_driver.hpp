@@ -17,7 +17,7 @@
 #include "drive_job.hpp"
 #include "drive_session.hpp"
 #include "driver_settings.hpp"
-#include "growing_part.hpp"
+#include "markers/growing_part.hpp"
 #include "messages.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "base/module.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "mesh_formats.hpp"
+#include "threemf_module.hpp"
 
 namespace lamina {
 namespace {
@@ -66,6 +68,12 @@ Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
 }
 
 }  // namespace
+
+bool isThreemf(std::string_view bytes) { return bytes.substr(0, 4) == "PK\x03\x04"; }
+
+Mesh readThreemf(std::string_view bytes, const std::string& name) {
+  return static_cast<const ThreemfModule*>(moduleTable("threemf"))->read(bytes, name);
+}
 
 const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
   static const std::vector<std::pair<std::string, LengthUnit>> units = {{"mm", LengthUnit::Millimetre},

@@ -10,6 +10,7 @@
 #include "indexed_faces.hpp"
 #include "lamina/base/error.hpp"
 #include "mesh_formats.hpp"
+#include "threemf_module.hpp"
 
 namespace lamina {
 namespace {
@@ -159,8 +160,14 @@ class ThreemfReader {
 
 }  // namespace
 
-bool isThreemf(std::string_view bytes) { return bytes.substr(0, 4) == "PK\x03\x04"; }
-
-Mesh readThreemf(std::string_view bytes, const std::string& name) { return ThreemfReader(name).read(bytes); }
+Mesh readThreemfByLib3mf(std::string_view bytes, const std::string& name) {
+  return ThreemfReader(name).read(bytes);
+}
 
 }  // namespace lamina
+
+extern "C" const void* lamina_module();
+extern "C" const void* lamina_module() {
+  static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf};
+  return &kTable;
+}

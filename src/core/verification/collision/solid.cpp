@@ -2,27 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/collision/solid.hpp"
 
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/sphere.h>
-#include <fcl/narrowphase/collision.h>
-
 #include <variant>
+
+#include "base/module.hpp"
+#include "verification/collision/fcl_module.hpp"
 
 namespace lamina {
 namespace {
-
-using Owned = std::unique_ptr<fcl::CollisionGeometryd>;
-
-Owned geometryOf(const BoxShape& box) { return std::make_unique<fcl::Boxd>(box.size_mm); }
-Owned geometryOf(const CylinderShape& cylinder) {
-  return std::make_unique<fcl::Cylinderd>(cylinder.radius_mm, cylinder.length_mm);
-}
-Owned geometryOf(const ConeShape& cone) {
-  return std::make_unique<fcl::Coned>(cone.radius_mm, cone.length_mm);
-}
-Owned geometryOf(const SphereShape& sphere) { return std::make_unique<fcl::Sphered>(sphere.radius_mm); }
 
 BodyShape grownFrom(const BoxShape& box, double margin) {
   return BoxShape{box.size_mm + Point3::Constant(2.0 * margin)};
@@ -37,10 +23,9 @@ BodyShape grownFrom(const SphereShape& sphere, double margin) {
   return SphereShape{sphere.radius_mm + margin};
 }
 
-bool collide(const fcl::CollisionGeometryd& a, const Eigen::Isometry3d& pose_a,
-             const fcl::CollisionGeometryd& b, const Eigen::Isometry3d& pose_b) {
-  fcl::CollisionResultd result;
-  return fcl::collide(&a, pose_a, &b, pose_b, fcl::CollisionRequestd(), result) > 0;
+const FclModule& fclModule() {
+  static const auto* const module = static_cast<const FclModule*>(moduleTable("fcl"));
+  return *module;
 }
 
 }  // namespace
@@ -49,14 +34,7 @@ BodyShape grown(const BodyShape& shape, double margin) {
   return std::visit([margin](const auto& solid) { return grownFrom(solid, margin); }, shape);
 }
 
-struct Solid::Geometry {
-  Owned shape;
-};
-
-Solid::Solid(const BodyShape& shape)
-    : shape_(shape),
-      geometry_(std::make_shared<Geometry>(
-          Geometry{std::visit([](const auto& solid) { return geometryOf(solid); }, shape)})) {}
+Solid::Solid(const BodyShape& shape) : shape_(shape), geometry_(fclModule().shapeOf(shape)) {}
 
 Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const {
   const auto reach = [&](const Point3& direction) {
@@ -74,13 +52,12 @@ Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) co
 }
 
 bool Solid::meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const {
-  const fcl::Boxd material(box.size.cast<double>());
-  return collide(*geometry_->shape, pose, material, box.pose());
+  return fclModule().meetsBox(*geometry_, pose, box.size.cast<double>(), box.pose());
 }
 
 bool Solid::meets(const Solid& other, const Eigen::Isometry3d& other_pose,
                   const Eigen::Isometry3d& pose) const {
-  return collide(*geometry_->shape, pose, *other.geometry_->shape, other_pose);
+  return fclModule().meet(*geometry_, pose, *other.geometry_, other_pose);
 }
 
 }  // namespace lamina

@@ -11,6 +11,8 @@
 
 namespace lamina {
 
+class CollisionShape;
+
 /// A shape around all that is no farther than the margin [mm] from another; around a cone it is a cylinder.
 BodyShape grown(const BodyShape& shape, double margin);
 
@@ -27,10 +29,8 @@ class Solid {
   bool meets(const Solid& other, const Eigen::Isometry3d& other_pose, const Eigen::Isometry3d& pose) const;
 
  private:
-  struct Geometry;
-
   BodyShape shape_;
-  std::shared_ptr<const Geometry> geometry_;
+  std::shared_ptr<const CollisionShape> geometry_;
 };
 
 }  // namespace lamina

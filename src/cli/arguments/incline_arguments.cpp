@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "incline_arguments.hpp"
+#include "arguments/incline_arguments.hpp"
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "terminal_progress.hpp"
+#include "output/terminal_progress.hpp"
 
 #include <unistd.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "metrics_table.hpp"
+#include "output/metrics_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "toolpath_markers.hpp"
+#include "markers/toolpath_markers.hpp"
 
 #include <gtest/gtest.h>
 

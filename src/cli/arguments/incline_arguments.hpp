@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "arguments/setting_options.hpp"
 #include "lamina/job/incline_settings.hpp"
-#include "setting_options.hpp"
 
 namespace lamina::cli {
 

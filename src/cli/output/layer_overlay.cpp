@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "layer_overlay.hpp"
+#include "output/layer_overlay.hpp"
 
 #include <cstdio>
 

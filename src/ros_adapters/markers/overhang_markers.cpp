@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "overhang_markers.hpp"
+#include "markers/overhang_markers.hpp"
 
 #include <utility>
 

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "voxel_input.hpp"
+#include "arguments/voxel_input.hpp"
 
 #include <utility>
 
+#include "arguments/toolpath_input.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/toolpath_deposit.hpp"
 #include "lamina/geometry/voxel/voxelised_mesh.hpp"
 #include "lamina/job/part/part_mesh.hpp"
-#include "toolpath_input.hpp"
 
 namespace lamina::cli {
 VoxelInput readVoxels(const std::string& input, const JobSettings& settings, Progress& progress) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "growing_part.hpp"
+#include "markers/growing_part.hpp"
 
 #include <gtest/gtest.h>
 

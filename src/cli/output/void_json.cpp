@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "void_json.hpp"
+#include "output/void_json.hpp"
 
 #include "lamina/base/atomic_file.hpp"
 

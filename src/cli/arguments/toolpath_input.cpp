@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "toolpath_input.hpp"
+#include "arguments/toolpath_input.hpp"
 
 #include <utility>
 
@@ -9,7 +9,7 @@
 #include "lamina/job/slice_job.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
-#include "terminal_progress.hpp"
+#include "output/terminal_progress.hpp"
 
 namespace lamina::cli {
 namespace {

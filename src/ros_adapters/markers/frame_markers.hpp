@@ -9,7 +9,7 @@
 
 #include "lamina/picture/frame_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
-#include "toolpath_markers.hpp"
+#include "markers/toolpath_markers.hpp"
 
 namespace lamina {
 

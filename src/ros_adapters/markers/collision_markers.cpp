@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_markers.hpp"
+#include "markers/collision_markers.hpp"
 
 #include "conversions.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"

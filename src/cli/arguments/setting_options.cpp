@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "setting_options.hpp"
+#include "arguments/setting_options.hpp"
 
 namespace lamina::cli {
 

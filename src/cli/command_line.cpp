@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// Arguments that cannot be read leave nothing but themselves to report the format.
+OutputFormat formatAskedFor(const std::vector<std::string>& arguments) {
+  const bool wants_json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
+  return wants_json ? OutputFormat::Json : OutputFormat::Text;
+}
+
+void printFailure(const Failure& failure, const Counts& counts, OutputFormat format) {
+  std::fprintf(stderr, "lamina: %s: %s\n", toString(failure.code), failure.message.c_str());
+  if (format == OutputFormat::Text) return;
+  nlohmann::ordered_json json = {{"error", {{"code", toString(failure.code)}, {"message", failure.message}}}};
+  for (const auto& [what, count] : counts) json[what] = count;
+  std::printf("%s\n", json.dump().c_str());
+}
+
+/// Help that was asked for is a ParseError too.
+int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat format) {
+  const bool is_failure = error.get_exit_code() != 0;
+  if (!is_failure || format == OutputFormat::Text) return app.exit(error);
+  printFailure({ErrorCode::InvalidConfig, error.what()}, {}, format);
+  return error.get_exit_code();
+}
+
+}  // namespace
+
+int runCommandLine(int argc, char** argv, const std::vector<AddSubcommand>& subcommands) {
+  CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
+  app.require_subcommand(1);
+  Chosen chosen;
+  chosen.format = formatAskedFor({argv + 1, argv + argc});
+  for (const AddSubcommand add : subcommands) add(app, chosen);
+  try {
+    app.parse(argc, argv);
+    chosen.run();
+    return chosen.exit_code;
+  } catch (const CLI::ParseError& error) {
+    return refuse(app, error, chosen.format);
+  } catch (...) {
+    printFailure(currentFailure(), chosen.counts, chosen.format);
+    return 1;
+  }
+}
+
+}  // namespace lamina::cli

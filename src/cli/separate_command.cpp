@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "separate_command.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina::cli {
+namespace {
+
+struct SeparateCommand {
+  const char* name;
+  const char* executable;
+  const char* description;
+};
+
+constexpr std::array kSeparateCommands = {
+    SeparateCommand{"decide", "lamina-optimise", kDecideDescription},
+    SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
+};
+
+}  // namespace
+
+void addSeparateCommands(CLI::App& app, Chosen&) {
+  for (const SeparateCommand& command : kSeparateCommands)
+    app.add_subcommand(command.name, command.description);
+}
+
+void runSeparateCommand(int argc, char** argv) {
+  if (argc < 2) return;
+  for (const SeparateCommand& command : kSeparateCommands) {
+    if (std::string(argv[1]) != command.name) continue;
+    const std::string path =
+        (std::filesystem::read_symlink("/proc/self/exe").parent_path() / command.executable).string();
+    execv(path.c_str(), argv);
+    throw FileError("cannot run '" + path + "': " + std::strerror(errno));
+  }
+}
+
+}  // namespace lamina::cli
