@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """No two sources of a folder give the same name to what stands in their anonymous namespaces: a folder's sources are compiled
-together, in batches. Sources under src/nodes, src/cli and src/core count; so does what a private header declares.
+together, in batches. The tests of a core folder are one folder, however they are nested. Functions of the command may overload
+each other: each prints what its own subcommand found.
 
 Usage: anonymous_names.py [ROOT]   exits 1 and names each name with the sources that use it
 """
@@ -18,8 +19,8 @@ FUNCTION = re.compile(r"^[A-Za-z_][\w:<>,&*\s\[\]]*?[\s&*](\w+)\(")
 WORDS = {"if", "for", "while", "switch", "return", "using", "static_assert", "template"}
 
 
-def names_of(text):
-    """Names that stand in the anonymous namespaces of a source, each once."""
+def names_of(text, functions="all"):
+    """Names that stand in the anonymous namespaces of a source, each once; without its functions if these may overload."""
     found, inside = set(), False
     for line in text.splitlines():
         if OPENS.match(line):
@@ -28,6 +29,8 @@ def names_of(text):
             inside = False
         elif inside:
             for pattern in (TYPE, ALIAS, CONSTANT, FUNCTION):
+                if pattern is FUNCTION and functions == "overloads":
+                    continue
                 named = pattern.match(line)
                 if named:
                     found.add(next(group for group in named.groups() if group))
@@ -35,19 +38,30 @@ def names_of(text):
     return found - WORDS
 
 
-def faults(root):
+def folders_of(root):
+    """Folders with the sources that are compiled together."""
+    folders = collections.defaultdict(list)
     for top in ("src/core", "src/cli", "src/nodes", "src/ros_adapters", "src/rviz_panel"):
-        folders = collections.defaultdict(list)
         for path in sorted((root / top).rglob("*.cpp")):
             folders[path.parent].append(path)
-        for folder, sources in sorted(folders.items()):
-            users = collections.defaultdict(list)
-            for path in sources:
-                for name in names_of(path.read_text()):
-                    users[name].append(path.name)
-            for name, files in sorted(users.items()):
-                if len(files) > 1:
-                    yield f"{folder.relative_to(root)}: {name} stands in {' and in '.join(files)}; expected one source of the folder"
+    for path in sorted((root / "test").rglob("*.cpp")):
+        domain = path.relative_to(root / "test").parts[0]
+        if domain not in ("ros", "rviz_panel", "fuzz", "mpi"):
+            folders[root / "test" / domain].append(path)
+        elif path.parent.name == "adapters":
+            folders[path.parent].append(path)
+    return folders
+
+
+def faults(root):
+    for folder, sources in sorted(folders_of(root).items()):
+        users = collections.defaultdict(list)
+        for path in sources:
+            for name in names_of(path.read_text(), "overloads" if folder.name == "cli" else "all"):
+                users[name].append(path.name)
+        for name, files in sorted(users.items()):
+            if len(files) > 1:
+                yield f"{folder.relative_to(root)}: {name} stands in {' and in '.join(files)}; expected one source of the folder"
 
 
 def main():

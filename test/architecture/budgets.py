@@ -4,6 +4,7 @@ no unfinished work.
 
 Usage: budgets.py [ROOT]   exits 1 and names each offending place
 """
+import collections
 import pathlib
 import re
 import subprocess
@@ -11,6 +12,7 @@ import sys
 
 MAX_FILE_LINES = 600
 MAX_FUNCTION_LINES = 60
+MAX_FOLDER_FILES = 40
 EMPTY_NAMES = re.compile(r"(^|_)(utils?|helpers?|manager|misc|common)(_|\.|$)")
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 FUNCTION_START = re.compile(r"^\s*[A-Za-z_].*\)\s*(const)?\s*(noexcept)?\s*(override)?\s*\{\s*$")
@@ -49,8 +51,17 @@ def faults(root):
                     yield f"{path}:{start}: a function of {length} lines; at most {MAX_FUNCTION_LINES}"
 
 
+def full_folders(root):
+    """Folders of sources with more files than a name is found among by one look."""
+    counts = collections.Counter(path.parent for path in tracked(root, "include/*", "src/*", "test/*.cpp", "test/*.hpp"))
+    for folder, count in sorted(counts.items()):
+        if count > MAX_FOLDER_FILES:
+            yield f"{folder}: {count} files; at most {MAX_FOLDER_FILES}"
+
+
 def main():
-    found = list(faults(sys.argv[1] if len(sys.argv) > 1 else "."))
+    root = sys.argv[1] if len(sys.argv) > 1 else "."
+    found = list(faults(root)) + list(full_folders(root))
     print("\n".join(found))
     return 1 if found else 0
 

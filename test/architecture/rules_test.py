@@ -5,6 +5,7 @@ import subprocess
 import tempfile
 import unittest
 
+import anonymous_names
 import budgets
 import docs_links
 import include_rule
@@ -137,6 +138,26 @@ class LiveProperties(unittest.TestCase):
         found = list(live_properties.faults(tree({"test/base/a_test.cpp": "void f() {\n  rc::check(g);\n}\n"})))
         self.assertEqual(len(found), 1)
         self.assertIn("test/base/a_test.cpp:2: ", found[0])
+
+
+class AnonymousNames(unittest.TestCase):
+    SOURCE = "namespace lamina {\nnamespace {\n\nconstexpr double kSmall = 1.0;\nint half(int a) { return a / 2; }\n\n}  // namespace\n}\n"
+
+    def found(self, *names):
+        return list(anonymous_names.faults(tree({name: self.SOURCE for name in names})))
+
+    def test_a_name_in_two_sources_of_a_folder_is_refused(self):
+        found = self.found("src/core/base/a.cpp", "src/core/base/b.cpp")
+        self.assertEqual([fault.split(": ")[1].split()[0] for fault in found], ["half", "kSmall"])
+
+    def test_other_folders_may_use_it(self):
+        self.assertEqual(self.found("src/core/base/a.cpp", "src/core/geometry/a.cpp"), [])
+
+    def test_tests_of_a_core_folder_are_one_folder(self):
+        self.assertEqual(len(self.found("test/geometry/mesh/a_test.cpp", "test/geometry/polygon/b_test.cpp")), 2)
+
+    def test_functions_of_the_command_may_overload(self):
+        self.assertEqual(len(self.found("src/cli/a.cpp", "src/cli/b.cpp")), 1)
 
 
 class Budgets(unittest.TestCase):

@@ -11,15 +11,15 @@
 namespace lamina {
 namespace {
 
-constexpr double kCell = 0.01;
+constexpr double kBeadSectionCell = 0.01;
 
 TEST(BeadSection, IsAStadiumWhereCellsAreSmall) {
-  const BeadSection section{0.4, 0.2, kCell};
+  const BeadSection section{0.4, 0.2, kBeadSectionCell};
   EXPECT_DOUBLE_EQ(topAbove(section, 0.0), 0.2);
   EXPECT_DOUBLE_EQ(topAbove(section, 0.1), 0.2);
   EXPECT_NEAR(topAbove(section, 0.1 + 0.06), 0.1 + 0.08, 1e-12);  // 6, 8, 10
   EXPECT_NEAR(topAbove(section, 0.2), 0.1, 1e-12);
-  EXPECT_DOUBLE_EQ(topAbove(section, 0.2 + kCell), 0.0);
+  EXPECT_DOUBLE_EQ(topAbove(section, 0.2 + kBeadSectionCell), 0.0);
 }
 
 TEST(BeadSection, GrowsSteadilyWithTheWidth) {

@@ -16,7 +16,7 @@ using test::transformed;
 
 const double kEdge = 350.0;
 const double kMiddle = 302.125;  // of the edge it stands on
-const double kHalf = std::sqrt(0.5);
+const double kCubeHalf = std::sqrt(0.5);
 
 /// A cube of 350 mm that stands on an edge along x, sliced in layers of 1.5 mm.
 std::string cubeOnAnEdge() {
@@ -25,7 +25,7 @@ std::string cubeOnAnEdge() {
   program << ";Layer height: 1.5\nM83\n";
   for (int k = 1; k <= 329; ++k) {
     const double z = 1.5 * k;
-    const double half_width = z <= kEdge * kHalf ? z : kEdge / kHalf - z;
+    const double half_width = z <= kEdge * kCubeHalf ? z : kEdge / kCubeHalf - z;
     const double low = kMiddle - half_width;
     const double high = kMiddle + half_width;
     program << ";LAYER:" << k - 1 << "\nG0 X475 Y" << low << " Z" << z << "\nG1 X825 E1\nG1 Y" << high
@@ -46,8 +46,8 @@ TEST(CubeOnAnEdge, ComesOutUprightAtItsSize) {
   settings.limits_mm.reset();
   const Box3 part = transformed(cubeOnAnEdge(), settings).report.part;
   EXPECT_NEAR(part.size().x(), kEdge, 1e-6);
-  EXPECT_NEAR(part.low.y(), kMiddle * kHalf - kEdge, 1e-4);
-  EXPECT_NEAR(part.high.y(), kMiddle * kHalf, 1e-4);
+  EXPECT_NEAR(part.low.y(), kMiddle * kCubeHalf - kEdge, 1e-4);
+  EXPECT_NEAR(part.high.y(), kMiddle * kCubeHalf, 1e-4);
   EXPECT_NEAR(part.low.z(), 1.5, 1e-6);
   EXPECT_NEAR(part.high.z(), 351.5, 1e-4);
 }
@@ -87,7 +87,7 @@ TEST(CubeOnAnEdge, KeepsItsLayersOnPlanesAtTheAngle) {
   const auto inclined = motionsOf(transformed(cubeOnAnEdge(), settings).text);
   ASSERT_EQ(sliced.size(), inclined.size());
   for (std::size_t i = 0; i < sliced.size(); ++i)
-    EXPECT_NEAR(-kHalf * inclined[i].end.y() + kHalf * inclined[i].end.z(), sliced[i].end.z(), 2e-6);
+    EXPECT_NEAR(-kCubeHalf * inclined[i].end.y() + kCubeHalf * inclined[i].end.z(), sliced[i].end.z(), 2e-6);
 }
 
 TEST(CubeOnAnEdge, KeepsThePitchOfItsLayersAlongEachAxis) {
@@ -97,7 +97,7 @@ TEST(CubeOnAnEdge, KeepsThePitchOfItsLayersAlongEachAxis) {
   const std::string layers = "M83\n;LAYER:0\nG0 X0 Y0 Z1.5\nG1 X5 E1\n;LAYER:1\nG0 X0 Y0 Z3\nG1 X5 E1\n";
   const auto motions = motionsOf(transformed(layers, settings).text);
   const Point3 step = motions[2].end - motions[0].end;
-  const Point3 normal(0.0, -kHalf, kHalf);
+  const Point3 normal(0.0, -kCubeHalf, kCubeHalf);
   EXPECT_NEAR(normal.dot(step) / normal.z(), 2.1213, 1e-4);
   EXPECT_NEAR(normal.dot(step) / -normal.y(), 2.1213, 1e-4);
 }

@@ -14,7 +14,7 @@ using test::withHeight;
 
 const std::string kEndCode = "G91\nG1 Z10 F600\nG90\nG1 X0 Y200\nM84\n";
 const std::string kMotions = "G0 X0 Y10 Z0\nG1 X5 E1\n";
-const std::string kRotated = "G0 X0.000 Y7.071 Z0.200\nG1 X5.000 Y7.071 Z0.200 E1\n";
+const std::string kSectionRotated = "G0 X0.000 Y7.071 Z0.200\nG1 X5.000 Y7.071 Z0.200 E1\n";
 
 struct Manner {
   std::string slicer;
@@ -27,7 +27,7 @@ TEST_P(SlicerManner, ThePartIsRotatedAndTheCodeAroundItIsNot) {
   const auto done = transformed(GetParam().program, withHeight(0.2));
   EXPECT_EQ(done.report.slicer, GetParam().slicer);
   EXPECT_TRUE(contains(done.text, "G1 X200 Y5 E9\n")) << done.text;
-  EXPECT_TRUE(contains(done.text, kRotated)) << done.text;
+  EXPECT_TRUE(contains(done.text, kSectionRotated)) << done.text;
   const std::size_t end = done.text.find(kEndCode);
   ASSERT_NE(end, std::string::npos) << done.text;
   EXPECT_EQ(done.report.depositions, 1U);
@@ -82,7 +82,7 @@ TEST(Section, BeginsWithTheFirstLayerOfARaft) {
   }());
   EXPECT_EQ(done.report.layers, 2U);
   EXPECT_EQ(done.report.aids_dropped, 2U);
-  EXPECT_TRUE(contains(done.text, ";LAYER:0\n" + kRotated)) << done.text;
+  EXPECT_TRUE(contains(done.text, ";LAYER:0\n" + kSectionRotated)) << done.text;
 }
 
 TEST(Section, WithoutAnEndIsRefusedIfItMovesOn) {

@@ -49,7 +49,7 @@ double distanceToPaths(const std::vector<FillPath>& paths, const Point2& point) 
   return nearest;
 }
 
-Regions randomRegions(Random& random) {
+Regions strategyRandomRegions(Random& random) {
   return unite({test::star(random, {0, 0}, 5.0, 12.0, 24), reversed(test::star(random, {0, 0}, 1.0, 3.0, 12)),
                 test::star(random, {30, 5}, 2.0, 6.0, 9)});
 }
@@ -72,7 +72,7 @@ class EveryStrategy : public testing::TestWithParam<std::string> {
 TEST_P(EveryStrategy, StaysInsideTheRegion) {
   EXPECT_TRUE(rc::check("random regions", [this] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
-    const Regions regions = randomRegions(random);
+    const Regions regions = strategyRandomRegions(random);
     const std::vector<Polygon> borders = outlines(regions);
     const InfillRequest request = randomRequest(random);
     for (const FillPath& path : fill(regions, request)) {
@@ -85,7 +85,7 @@ TEST_P(EveryStrategy, StaysInsideTheRegion) {
 
 TEST_P(EveryStrategy, GivesTheSamePathsForTheSameRegion) {
   Random random(7);
-  const Regions regions = randomRegions(random);
+  const Regions regions = strategyRandomRegions(random);
   for (const InfillRequest& request : {requestOf(0.9, 0.4), test::solidRequestOf(0.9, 0.4)}) {
     const std::vector<FillPath> once = fill(regions, request);
     const std::vector<FillPath> again = fill(regions, request);

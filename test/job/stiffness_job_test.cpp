@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-StiffnessJob boxJob() {
+StiffnessJob stiffnessJobBoxJob() {
   StiffnessJob job;
   job.input = "box";
   job.settings.deposition.voxel_mm = 1.0;
@@ -22,7 +22,7 @@ StiffnessJob boxJob() {
 
 TEST(StiffnessJob, ABoxAsDrawnIsAsStiffAsItsMaterial) {
   const test::ScratchFolder folder;
-  StiffnessJob job = boxJob();
+  StiffnessJob job = stiffnessJobBoxJob();
   job.output = folder.file("box.vtk");
   job.deck = folder.file("box.inp");
   NoProgress nobody;
@@ -33,7 +33,7 @@ TEST(StiffnessJob, ABoxAsDrawnIsAsStiffAsItsMaterial) {
 
 TEST(StiffnessJob, APartAsDepositedIsTheProgramThatLaysIt) {
   const test::ScratchFolder folder;
-  StiffnessJob job = boxJob();
+  StiffnessJob job = stiffnessJobBoxJob();
   job.settings.deposition.voxel_mm = 0.5;
   job.settings.planning.infill.density = 1.0;
   job.settings.slicing.layer_height_mm = 0.8;
@@ -51,10 +51,10 @@ TEST(StiffnessJob, APartAsDepositedIsTheProgramThatLaysIt) {
 TEST(StiffnessJob, RefusesBeforeItWrites) {
   const test::ScratchFolder folder;
   NoProgress nobody;
-  StiffnessJob wrong = boxJob();
+  StiffnessJob wrong = stiffnessJobBoxJob();
   wrong.output = folder.file("box.stl");
   EXPECT_THROW(runStiffnessJob(wrong, nobody), InvalidInput);
-  StiffnessJob fine = boxJob();
+  StiffnessJob fine = stiffnessJobBoxJob();
   fine.settings.deposition.voxel_mm = 0.002;
   fine.output = folder.file("box.vtk");
   EXPECT_THROW(runStiffnessJob(fine, nobody), InvalidInput);

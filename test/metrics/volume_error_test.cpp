@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-Toolpath straight(double length_mm) {
+Toolpath volumeErrorStraight(double length_mm) {
   return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {length_mm, 0, 0.2})}}}};
 }
 
@@ -30,33 +30,33 @@ double estimated(const Toolpath& toolpath, StrandEnds ends) {
 
 TEST(VolumeError, OfAStraightStrandIsThatOfTheSource) {
   // A section of 0.08 mm2 is a disc of 0.319154 mm.
-  EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Whole), 8.0, 1e-9);
-  EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Generated), 8.0 - 0.08 * 0.319154, 1e-6);
-  EXPECT_NEAR(estimated(straight(100.0), StrandEnds::Commercial), 8.0 - 0.04 * 0.319154, 1e-6);
+  EXPECT_NEAR(estimated(volumeErrorStraight(100.0), StrandEnds::Whole), 8.0, 1e-9);
+  EXPECT_NEAR(estimated(volumeErrorStraight(100.0), StrandEnds::Generated), 8.0 - 0.08 * 0.319154, 1e-6);
+  EXPECT_NEAR(estimated(volumeErrorStraight(100.0), StrandEnds::Commercial), 8.0 - 0.04 * 0.319154, 1e-6);
 }
 
 TEST(VolumeError, SegmentsShorterThanWhatTheirEndsTakeHaveNone) {
-  EXPECT_EQ(estimated(straight(0.3), StrandEnds::Generated), 0.0);
-  EXPECT_GT(estimated(straight(0.3), StrandEnds::Commercial), 0.0);
+  EXPECT_EQ(estimated(volumeErrorStraight(0.3), StrandEnds::Generated), 0.0);
+  EXPECT_GT(estimated(volumeErrorStraight(0.3), StrandEnds::Commercial), 0.0);
 }
 
 TEST(VolumeError, BeadsCountByTheirOwnSection) {
   VolumeErrorSettings settings;
   settings.section = VolumeSection::Bead;
-  EXPECT_NEAR(estimatedVolume(straight(100.0), settings), 100.0 * (0.2 * 0.2 + M_PI * 0.01), 1e-9);
+  EXPECT_NEAR(estimatedVolume(volumeErrorStraight(100.0), settings), 100.0 * (0.2 * 0.2 + M_PI * 0.01), 1e-9);
 }
 
 TEST(VolumeError, IsWithoutSignAndOfTheShareAskedFor) {
   VolumeErrorSettings settings = ofStrands();
-  EXPECT_NEAR(volumeError(straight(100.0), 8.0, settings), 0.0, 1e-9);
-  EXPECT_NEAR(volumeError(straight(100.0), 10.0, settings), 2.0, 1e-9);
-  EXPECT_NEAR(volumeError(straight(100.0), 7.0, settings), 1.0, 1e-9);
+  EXPECT_NEAR(volumeError(volumeErrorStraight(100.0), 8.0, settings), 0.0, 1e-9);
+  EXPECT_NEAR(volumeError(volumeErrorStraight(100.0), 10.0, settings), 2.0, 1e-9);
+  EXPECT_NEAR(volumeError(volumeErrorStraight(100.0), 7.0, settings), 1.0, 1e-9);
   settings.fill_share = 0.5;
-  EXPECT_NEAR(volumeError(straight(100.0), 16.0, settings), 0.0, 1e-9);
+  EXPECT_NEAR(volumeError(volumeErrorStraight(100.0), 16.0, settings), 0.0, 1e-9);
 }
 
 TEST(VolumeError, SkirtsAndTravelsAreNotOfThePart) {
-  Toolpath toolpath = straight(100.0);
+  Toolpath toolpath = volumeErrorStraight(100.0);
   Path skirt = toolpath.layers[0].paths[0];
   skirt.role = PathRole::Skirt;
   Path travel = skirt;

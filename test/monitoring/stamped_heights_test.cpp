@@ -16,7 +16,7 @@
 namespace lamina {
 namespace {
 
-const Box2 kPlate{Point2(5, 5), Point2(10, 8)};
+const Box2 kStampedHeightsPlate{Point2(5, 5), Point2(10, 8)};
 constexpr std::size_t kLayers = 5;
 constexpr std::int64_t kStep = 1'000'000;  // ns between two profiles
 constexpr std::int64_t kScan = 100 * kStep;
@@ -65,7 +65,7 @@ Recording recordingOf(const std::vector<std::size_t>& layers) {
 Recording wholePrint() { return recordingOf({0, 1, 2, 3, 4}); }
 
 StampedHeights plates(const MonitorSettings& settings = {}) {
-  return StampedHeights(scannedPlates(std::vector<Box2>(kLayers, kPlate)), Eigen::Isometry3d::Identity(),
+  return StampedHeights(scannedPlates(std::vector<Box2>(kLayers, kStampedHeightsPlate)), Eigen::Isometry3d::Identity(),
                         settings);
 }
 

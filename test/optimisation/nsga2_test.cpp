@@ -20,7 +20,7 @@
 namespace lamina {
 namespace {
 
-Nsga2Settings settingsOf(Variation variation, int population, int generations) {
+Nsga2Settings nsga2SettingsOf(Variation variation, int population, int generations) {
   Nsga2Settings settings;
   settings.variation = variation;
   settings.population = population;
@@ -53,13 +53,13 @@ TEST(Nsga2SettingsTest, TheSourcesCountsAre36ChildrenAnd20MutantsAnd1170Evaluati
   const Nsga2Settings settings;
   EXPECT_EQ(offspringOf(settings), 56U);
   EXPECT_EQ(evaluationsOf(settings), 1170);
-  EXPECT_EQ(evaluationsOf(settingsOf(Variation::Blend, 50, 15)), 890);
-  EXPECT_EQ(evaluationsOf(settingsOf(Variation::Sbx, 100, 250)), 25100);
+  EXPECT_EQ(evaluationsOf(nsga2SettingsOf(Variation::Blend, 50, 15)), 890);
+  EXPECT_EQ(evaluationsOf(nsga2SettingsOf(Variation::Sbx, 100, 250)), 25100);
 }
 
 TEST_P(Nsga2Test, AsksForAsManyEvaluationsAsItSaysAllWithinTheSpace) {
   CountingEvaluator evaluator;
-  const Nsga2Settings settings = settingsOf(GetParam(), 50, 20);
+  const Nsga2Settings settings = nsga2SettingsOf(GetParam(), 50, 20);
   std::vector<int> told;
   const FrontSearch found = searchFront(
       {mixedSpace(), timeAndError(), evaluator}, settings,
@@ -80,7 +80,7 @@ TEST_P(Nsga2Test, AsksForAsManyEvaluationsAsItSaysAllWithinTheSpace) {
 
 TEST_P(Nsga2Test, TheFrontIsNotDominatedAndBetterThanTheFirst) {
   CountingEvaluator evaluator;
-  const FrontSearch found = search(evaluator, settingsOf(GetParam(), 40, 30));
+  const FrontSearch found = search(evaluator, nsga2SettingsOf(GetParam(), 40, 30));
   std::vector<Score> scores;
   for (const Evaluation& one : found.front)
     scores.push_back(scoreOf(timeAndError(), evaluator.responseNames(), one));
@@ -91,7 +91,7 @@ TEST_P(Nsga2Test, TheFrontIsNotDominatedAndBetterThanTheFirst) {
 }
 
 TEST_P(Nsga2Test, TheSameSeedGivesTheSameWhateverTheNumberOfThreads) {
-  Nsga2Settings settings = settingsOf(GetParam(), 30, 10);
+  Nsga2Settings settings = nsga2SettingsOf(GetParam(), 30, 10);
   CountingEvaluator evaluator;
   const std::string many = textOf(search(evaluator, settings).evaluations);
   const ThreadLimit one_thread(1);
@@ -101,14 +101,14 @@ TEST_P(Nsga2Test, TheSameSeedGivesTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST_P(Nsga2Test, CountsMoreEvaluationsThanAnIntHolds) {
-  const Nsga2Settings few = settingsOf(GetParam(), 100000, 1);
-  const Nsga2Settings many = settingsOf(GetParam(), 100000, 1000000);
+  const Nsga2Settings few = nsga2SettingsOf(GetParam(), 100000, 1);
+  const Nsga2Settings many = nsga2SettingsOf(GetParam(), 100000, 1000000);
   EXPECT_EQ(evaluationsOf(many), 100000 + 1000000 * (evaluationsOf(few) - 100000));
   EXPECT_GT(evaluationsOf(many), 10000000000);
 }
 
 TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
-  const Nsga2Settings settings = settingsOf(GetParam(), 20, 12);
+  const Nsga2Settings settings = nsga2SettingsOf(GetParam(), 20, 12);
   CountingEvaluator straight(2.0);
   const FrontSearch whole = search(straight, settings);
   const std::string path = ::testing::TempDir() + "lamina_resumed.jsonl";
@@ -138,7 +138,7 @@ TEST_P(Nsga2Test, ResumedFromItsJournalItEndsAsIfItHadNeverStopped) {
 
 TEST_P(Nsga2Test, WhatFailedIsCountedWithItsErrorAndNeverInAFront) {
   CountingEvaluator evaluator(1.4);
-  const FrontSearch found = search(evaluator, settingsOf(GetParam(), 30, 10));
+  const FrontSearch found = search(evaluator, nsga2SettingsOf(GetParam(), 30, 10));
   const auto failed = std::count_if(found.evaluations.begin(), found.evaluations.end(),
                                     [](const Evaluation& one) { return !isEvaluated(one); });
   EXPECT_GT(failed, 5);
@@ -146,7 +146,7 @@ TEST_P(Nsga2Test, WhatFailedIsCountedWithItsErrorAndNeverInAFront) {
   for (const Generation& generation : found.generations)
     for (const Evaluation& one : generation.front) EXPECT_TRUE(isEvaluated(one));
   CountingEvaluator hopeless(0.0);
-  const FrontSearch nothing = search(hopeless, settingsOf(GetParam(), 10, 3));
+  const FrontSearch nothing = search(hopeless, nsga2SettingsOf(GetParam(), 10, 3));
   EXPECT_TRUE(nothing.front.empty());
   EXPECT_TRUE(nothing.reference.empty());
   EXPECT_EQ(nothing.generations.back().hypervolume, 0.0);
@@ -157,7 +157,7 @@ TEST_P(Nsga2Test, AnObjectiveThatIsNoNumberIsAFailure) {
   ParallelEvaluator evaluator({"time_s", "error_mm3"}, [](const DesignPoint& point, Progress&) {
     return std::vector<double>{point[0], point[0] < 1.0 ? NAN : 1.0 / point[0]};
   });
-  const FrontSearch found = search(evaluator, settingsOf(GetParam(), 20, 5));
+  const FrontSearch found = search(evaluator, nsga2SettingsOf(GetParam(), 20, 5));
   EXPECT_GT(found.generations.back().failed, 0);
   for (const Evaluation& one : found.front) EXPECT_GE(one.point[0], 1.0);
   const auto failed = std::find_if(found.evaluations.begin(), found.evaluations.end(),
@@ -174,7 +174,7 @@ TEST_P(Nsga2Test, SearchesASingleObjectiveAndOneThatIsTheSameEverywhere) {
   const Objective travel{"travel", Sense::Minimise, 1.0};
   for (const auto& objectives : {std::vector<Objective>{distance}, {distance, travel}}) {
     const FrontSearch found = searchFront({mixedSpace(), {objectives, {}}, evaluator},
-                                          settingsOf(GetParam(), 40, 40), {}, progress_);
+                                          nsga2SettingsOf(GetParam(), 40, 40), {}, progress_);
     ASSERT_FALSE(found.front.empty());
     EXPECT_NEAR(found.front[0].point[0], 1.7, 1e-2);
   }
@@ -189,7 +189,7 @@ TEST_P(Nsga2Test, FindsTheKnownFrontOfAConstrainedProblem) {
   });
   const Goals goals{{{"f", Sense::Minimise, 1.0}, {"g", Sense::Minimise, 1.0}},
                     {{"sum", 6.0, INFINITY}, {"difference", 1.0, INFINITY}}};
-  Nsga2Settings settings = settingsOf(GetParam(), 60, 150);
+  Nsga2Settings settings = nsga2SettingsOf(GetParam(), 60, 150);
   settings.mutation_probability = 0.1;
   const FrontSearch found = searchFront({space, goals, evaluator}, settings, {}, progress_);
   ASSERT_GT(found.front.size(), 40U);
@@ -211,7 +211,7 @@ TEST_P(Nsga2Test, MaximisedObjectivesGrow) {
     return std::vector<double>{point[0], -point[0]};
   });
   const Goals goals{{{"time_s", Sense::Maximise, 1.0}}, {}};
-  Nsga2Settings settings = settingsOf(GetParam(), 20, 20);
+  Nsga2Settings settings = nsga2SettingsOf(GetParam(), 20, 20);
   settings.mutation_probability = 0.3;
   settings.reference = {0.3};
   const FrontSearch found = searchFront({mixedSpace(), goals, evaluator}, settings, {}, progress_);
@@ -222,7 +222,7 @@ TEST_P(Nsga2Test, MaximisedObjectivesGrow) {
 
 TEST_P(Nsga2Test, BeginsWithGivenPointsAndCornersIfAsked) {
   CountingEvaluator evaluator;
-  Nsga2Settings settings = settingsOf(GetParam(), 20, 0);
+  Nsga2Settings settings = nsga2SettingsOf(GetParam(), 20, 0);
   settings.first_points = {{0.4, 2.0, 0.2, 1.0}};
   settings.takes_corners = true;
   const FrontSearch found = search(evaluator, settings);
@@ -255,7 +255,7 @@ TEST_P(Nsga2Test, RefusesSettingsThatCannotBeUsed) {
     }
     return "";
   };
-  EXPECT_NE(refusal(settingsOf(GetParam(), 3, 1)).find("nsga2.population is '3'"), std::string::npos);
+  EXPECT_NE(refusal(nsga2SettingsOf(GetParam(), 3, 1)).find("nsga2.population is '3'"), std::string::npos);
   Nsga2Settings settings;
   settings.crossover_share = settings.mutation_share = 0.0;
   EXPECT_NE(refusal(settings).find("make no new points"), std::string::npos);

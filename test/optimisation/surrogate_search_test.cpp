@@ -45,7 +45,7 @@ std::unique_ptr<Surrogate> fitLine(const DesignSpace&, const std::vector<DesignP
   return std::make_unique<LineSurrogate>(points, values);
 }
 
-const std::vector<std::string> kNames = {"cost", "strength"};
+const std::vector<std::string> kSurrogateSearchNames = {"cost", "strength"};
 
 /// Least cost at x = 0.5; strong enough below 0.8.
 std::vector<double> measured(const DesignPoint& point, Progress&) {
@@ -71,7 +71,7 @@ SurrogateSearch searched(Evaluator& evaluator, const SurrogateSearchSettings& se
 }
 
 TEST(SurrogateSearchTest, TriesTheDesignThenWhatItProposesAndKeepsTheBest) {
-  ParallelEvaluator evaluator(kNames, measured);
+  ParallelEvaluator evaluator(kSurrogateSearchNames, measured);
   SurrogateSearchSettings chosen = settings();
   chosen.proposal = Proposal::ExpectedImprovement;
   chosen.most_iterations = 12;
@@ -92,7 +92,7 @@ TEST(SurrogateSearchTest, TriesTheDesignThenWhatItProposesAndKeepsTheBest) {
 }
 
 TEST(SurrogateSearchTest, AcceptsWhatWasPredictedWellAfterTheLeastNumberOfIterations) {
-  ParallelEvaluator evaluator(kNames, measured);
+  ParallelEvaluator evaluator(kSurrogateSearchNames, measured);
   const SurrogateSearch search =
       searched(evaluator, settings(),
                {{{-1.0}, {12.25, 2.8}, ""}, {{0.6}, {10.01, 1.2}, ""}, {{1.0}, {9.9, 0.8}, ""}});
@@ -116,7 +116,7 @@ TEST(SurrogateSearchTest, AcceptsWhatWasPredictedWellAfterTheLeastNumberOfIterat
 }
 
 TEST(SurrogateSearchTest, EndsAtAPointThatIsASampleAlready) {
-  ParallelEvaluator evaluator(kNames, measured);
+  ParallelEvaluator evaluator(kSurrogateSearchNames, measured);
   const SurrogateSearch search =
       searched(evaluator, settings(), {{{-1.0}, {12.0, 2.0}, ""}, {{1.0}, {8.0, 2.0}, ""}});
   EXPECT_EQ(search.end, SurrogateEnd::Sampled);
@@ -128,14 +128,14 @@ TEST(SurrogateSearchTest, EndsAtAPointThatIsASampleAlready) {
 }
 
 TEST(SurrogateSearchTest, RefusesMoreIterationsThanItMayDo) {
-  ParallelEvaluator evaluator(kNames, measured);
+  ParallelEvaluator evaluator(kSurrogateSearchNames, measured);
   SurrogateSearchSettings chosen = settings();
   chosen.iterations = chosen.most_iterations + 1;
   EXPECT_THROW(searched(evaluator, chosen, {}), InvalidConfig);
 }
 
 TEST(SurrogateSearchTest, WaitsForWhatIsNotInTheTable) {
-  TableEvaluator evaluator(unitSpace(1), kNames, {{{0.79}, {9.97, 1.05}, ""}}, 0.01);
+  TableEvaluator evaluator(unitSpace(1), kSurrogateSearchNames, {{{0.79}, {9.97, 1.05}, ""}}, 0.01);
   SurrogateSearchSettings chosen = settings();
   chosen.failed_proposal = FailedProposal::Stop;
   const SurrogateSearch search = searched(
@@ -151,7 +151,7 @@ TEST(SurrogateSearchTest, WaitsForWhatIsNotInTheTable) {
 
 TEST(SurrogateSearchTest, KeepsAwayFromPointsThatCannotBeTried) {
   std::size_t failures = 0;
-  ParallelEvaluator evaluator(kNames, [&](const DesignPoint& point, Progress& progress) {
+  ParallelEvaluator evaluator(kSurrogateSearchNames, [&](const DesignPoint& point, Progress& progress) {
     if (std::abs(point[0] - 0.8) < 0.01) {
       ++failures;
       throw InvalidInput("jammed");
@@ -172,7 +172,7 @@ TEST(SurrogateSearchTest, KeepsAwayFromPointsThatCannotBeTried) {
 TEST(SurrogateSearchTest, PredictsWhatSamplesLackFromThoseThatHaveIt) {
   const std::vector<Evaluation> samples = {
       {{-1.0}, {12.0, NAN}, ""}, {{0.0}, {10.0, 1.0}, ""}, {{1.0}, {8.0, 2.0}, ""}, {{0.5}, {}, "broke"}};
-  const ResponseSurrogates surrogates(unitSpace(1), kNames, samples, fitLine);
+  const ResponseSurrogates surrogates(unitSpace(1), kSurrogateSearchNames, samples, fitLine);
   const std::vector<Evaluation> filled = withMissingPredicted(samples, surrogates);
   EXPECT_EQ(filled[0].responses, (std::vector<double>{12.0, 0.0}));
   EXPECT_EQ(filled[1].responses, samples[1].responses);
@@ -180,7 +180,7 @@ TEST(SurrogateSearchTest, PredictsWhatSamplesLackFromThoseThatHaveIt) {
   EXPECT_EQ(surrogates.descriptions(),
             (std::vector<std::string>{"line through 3 samples", "line through 2 samples"}));
   try {
-    ResponseSurrogates(unitSpace(1), kNames, {samples[0], samples[1]}, fitLine);
+    ResponseSurrogates(unitSpace(1), kSurrogateSearchNames, {samples[0], samples[1]}, fitLine);
     ADD_FAILURE() << "one sample is enough";
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(error.what(), "response strength: too few");
@@ -188,7 +188,7 @@ TEST(SurrogateSearchTest, PredictsWhatSamplesLackFromThoseThatHaveIt) {
 }
 
 TEST(SurrogateSearchTest, RefusesSamplesOfAnotherSpace) {
-  ParallelEvaluator evaluator(kNames, measured);
+  ParallelEvaluator evaluator(kSurrogateSearchNames, measured);
   EXPECT_THROW(searched(evaluator, settings(), {{{5.0}, {1.0, 1.0}, ""}}), InvalidInput);
   EXPECT_THROW(searched(evaluator, settings(), {{{0.5}, {1.0}, ""}}), InvalidInput);
 }

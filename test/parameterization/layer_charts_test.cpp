@@ -56,7 +56,7 @@ bool areApart(const std::vector<LayerChart>& charts) {
 }
 
 /// Where the plan has the vertex nearest to a place.
-Point2 planAt(const LayerChart& chart, const Point3& place) {
+Point2 layerChartsPlanAt(const LayerChart& chart, const Point3& place) {
   std::size_t nearest = 0;
   const std::vector<Point3>& vertices = chart.surface.middle.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -66,7 +66,7 @@ Point2 planAt(const LayerChart& chart, const Point3& place) {
 
 /// In the plan, from where one place lies to where another one does.
 Point2 between(const LayerChart& chart, const Point3& from, const Point3& to) {
-  return planAt(chart, to) - planAt(chart, from);
+  return layerChartsPlanAt(chart, to) - layerChartsPlanAt(chart, from);
 }
 
 TEST(LayerCharts, ALevelLayerIsItsOwnPlan) {

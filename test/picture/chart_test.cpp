@@ -16,7 +16,7 @@
 namespace lamina {
 namespace {
 
-constexpr Colour kRed{1.0, 0.0, 0.0};
+constexpr Colour kChartRed{1.0, 0.0, 0.0};
 
 int pixelsOf(const Colour& colour, const Chart& chart) {
   const test::ScratchFolder folder;
@@ -37,20 +37,20 @@ int pixelsOf(const Colour& colour, const Chart& chart) {
 }
 
 TEST(Chart, DrawsDotsOfTheirSize) {
-  const Chart chart{"t", "x", "y", {{"", {{0, 0}, {1, 1}, {0.5, 0.2}}, kRed, 10.0, 0.0}}};
-  EXPECT_NEAR(pixelsOf(kRed, chart), 3 * M_PI * 100.0, 150.0);
+  const Chart chart{"t", "x", "y", {{"", {{0, 0}, {1, 1}, {0.5, 0.2}}, kChartRed, 10.0, 0.0}}};
+  EXPECT_NEAR(pixelsOf(kChartRed, chart), 3 * M_PI * 100.0, 150.0);
 }
 
 TEST(Chart, LeavesOutWhatIsNoNumber) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const double endless = std::numeric_limits<double>::infinity();
-  const Chart chart{"t", "x", "y", {{"", {{none, 0}, {1, 1}, {2, endless}}, kRed, 10.0, 2.0}}};
-  EXPECT_NEAR(pixelsOf(kRed, chart), M_PI * 100.0, 50.0);
+  const Chart chart{"t", "x", "y", {{"", {{none, 0}, {1, 1}, {2, endless}}, kChartRed, 10.0, 2.0}}};
+  EXPECT_NEAR(pixelsOf(kChartRed, chart), M_PI * 100.0, 50.0);
 }
 
 TEST(Chart, ShowsNothingAndOnePlace) {
-  EXPECT_EQ(pixelsOf(kRed, {"empty", "x", "y", {}}), 0);
-  EXPECT_GT(pixelsOf(kRed, {"one", "x", "y", {{"a", {{7, 7}, {7, 7}}, kRed, 4.0, 0.0}}}), 20);
+  EXPECT_EQ(pixelsOf(kChartRed, {"empty", "x", "y", {}}), 0);
+  EXPECT_GT(pixelsOf(kChartRed, {"one", "x", "y", {{"a", {{7, 7}, {7, 7}}, kChartRed, 4.0, 0.0}}}), 20);
   EXPECT_THROW(chartPng({}, 100, 400), InvalidInput);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using test::circle;
 using test::rectangle;
 
-constexpr double kHeight = 0.2;
+constexpr double kRefillingHeight = 0.2;
 
 /// A plate with a round hole, which squares of a Hilbert curve fill badly.
 const Regions kPlate = {{rectangle(0, 0, 12, 12), {test::reversed(circle({6, 6}, 3, 60))}}};
@@ -30,8 +30,8 @@ PlanSettings hilbert(VoidRefill refill) {
   return settings;
 }
 
-Plan planned(const PlanSettings& settings) {
-  const std::vector<Layer> layers = {{{0.0, kHeight}, {outlines(kPlate), {}}}};
+Plan refillingPlanned(const PlanSettings& settings) {
+  const std::vector<Layer> layers = {{{0.0, kRefillingHeight}, {outlines(kPlate), {}}}};
   NoProgress progress;
   return planPart("plate", layers, settings, progress);
 }
@@ -39,7 +39,7 @@ Plan planned(const PlanSettings& settings) {
 LayerVoids voidsOf(const Plan& plan) { return findVoids(kPlate, plan.toolpath.layers.front(), {}); }
 
 TEST(Refilling, IsNotDoneByDefault) {
-  const Plan plan = planned(hilbert(PlanSettings().voids.refill));
+  const Plan plan = refillingPlanned(hilbert(PlanSettings().voids.refill));
   EXPECT_EQ(plan.refilling.runs, 0U);
   EXPECT_EQ(plan.refilling.deposited_mm3, 0.0);
 }
@@ -48,16 +48,16 @@ TEST(Refilling, LeavesNoVoidThatABeadCanFill) {
   const PlanSettings settings = hilbert(VoidRefill::Beads);
   RefillSettings fillable;
   fillable.least_area = settings.voids.least_area;
-  const LayerVoids before = voidsOf(planned(hilbert(VoidRefill::None)));
+  const LayerVoids before = voidsOf(refillingPlanned(hilbert(VoidRefill::None)));
   ASSERT_GT(refill(before, fillable).size(), 3U);
-  const LayerVoids after = voidsOf(planned(settings));
+  const LayerVoids after = voidsOf(refillingPlanned(settings));
   EXPECT_TRUE(refill(after, fillable).empty());
   EXPECT_LT(after.uncovered_mm2, before.uncovered_mm2);
 }
 
 TEST(Refilling, CountsWhatItAdds) {
-  const Plan without = planned(hilbert(VoidRefill::None));
-  const Plan with = planned(hilbert(VoidRefill::Beads));
+  const Plan without = refillingPlanned(hilbert(VoidRefill::None));
+  const Plan with = refillingPlanned(hilbert(VoidRefill::Beads));
   EXPECT_EQ(voidsOf(with).runs, voidsOf(without).runs + with.refilling.runs);
   EXPECT_NEAR(totals(with.toolpath).deposited_mm3,
               totals(without.toolpath).deposited_mm3 + with.refilling.deposited_mm3, 1e-9);
@@ -68,7 +68,7 @@ TEST(Refilling, LeavesASparseInfillAndAHollowPartAsTheyAre) {
     PlanSettings settings = hilbert(VoidRefill::Beads);
     settings.walls.count = 2;
     settings.infill.density = density;
-    EXPECT_EQ(planned(settings).refilling.runs, 0U) << density;
+    EXPECT_EQ(refillingPlanned(settings).refilling.runs, 0U) << density;
   }
 }
 

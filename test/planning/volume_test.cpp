@@ -8,7 +8,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kHeight = 0.2;
+constexpr double kVolumeHeight = 0.2;
 constexpr double kSide = 40.0;
 constexpr int kLayers = 10;
 
@@ -16,13 +16,13 @@ constexpr int kLayers = 10;
 double depositedPart(const PlanSettings& settings) {
   std::vector<Layer> layers;
   for (int i = 0; i < kLayers; ++i)
-    layers.push_back({{kHeight * i, kHeight * (i + 1)}, {{test::rectangle(0, 0, kSide, kSide)}, {}}});
+    layers.push_back({{kVolumeHeight * i, kVolumeHeight * (i + 1)}, {{test::rectangle(0, 0, kSide, kSide)}, {}}});
   NoProgress progress;
   return totals(planToolpath("box", layers, settings, progress)).deposited_mm3 /
-         (kSide * kSide * kHeight * kLayers);
+         (kSide * kSide * kVolumeHeight * kLayers);
 }
 
-PlanSettings solid(double pitch_mm) {
+PlanSettings volumeSolid(double pitch_mm) {
   PlanSettings settings;
   settings.skirt.count = 0;
   settings.infill.density = 1.0;
@@ -32,21 +32,21 @@ PlanSettings solid(double pitch_mm) {
 }
 
 TEST(DepositedVolume, OfBeadsSideBySideLacksTheCornersOfTheStadiums) {
-  const double corners = (1.0 - M_PI / 4.0) * kHeight / 0.4;
-  EXPECT_NEAR(depositedPart(solid(0.4)), 1.0 - corners, 0.02);
+  const double corners = (1.0 - M_PI / 4.0) * kVolumeHeight / 0.4;
+  EXPECT_NEAR(depositedPart(volumeSolid(0.4)), 1.0 - corners, 0.02);
 }
 
-TEST(DepositedVolume, IsThatOfThePartByDefault) { EXPECT_NEAR(depositedPart(solid(0.0)), 1.0, 0.02); }
+TEST(DepositedVolume, IsThatOfThePartByDefault) { EXPECT_NEAR(depositedPart(volumeSolid(0.0)), 1.0, 0.02); }
 
 TEST(DepositedVolume, OfInfillFollowsTheDensityPlusTheLinksOverHalfTheOutline) {
-  PlanSettings settings = solid(0.4);
+  PlanSettings settings = volumeSolid(0.4);
   settings.walls.count = 0;
   const double side = kSide - settings.bead.width_mm;
   for (const double density : {0.5, 0.25, 0.1}) {
     settings.infill.density = density;
     const double expected_mm = side * side * density / settings.bead.width_mm + 2.0 * side;
     const double expected =
-        expected_mm * crossSection({settings.bead.width_mm, kHeight}) / (kSide * kSide * kHeight);
+        expected_mm * crossSection({settings.bead.width_mm, kVolumeHeight}) / (kSide * kSide * kVolumeHeight);
     EXPECT_NEAR(depositedPart(settings), expected, 0.02 * expected) << density;
   }
 }

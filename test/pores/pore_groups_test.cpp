@@ -14,25 +14,25 @@
 namespace lamina {
 namespace {
 
-using Voxel = std::array<int, 3>;
+using PoreGroupsVoxel = std::array<int, 3>;
 
 /// Group numbers by flooding, in the order of the first voxels.
-std::map<Voxel, int> flooded(const VoxelGrid& pores) {
+std::map<PoreGroupsVoxel, int> flooded(const VoxelGrid& pores) {
   const auto& count = pores.frame().count;
-  std::map<Voxel, int> group;
+  std::map<PoreGroupsVoxel, int> group;
   int groups = 0;
   for (int k = 0; k < count[2]; ++k)
     for (int j = 0; j < count[1]; ++j)
       for (int i = 0; i < count[0]; ++i) {
         if (!pores.isSolid(i, j, k) || group.count({i, j, k}) != 0) continue;
-        std::queue<Voxel> front({Voxel{i, j, k}});
+        std::queue<PoreGroupsVoxel> front({PoreGroupsVoxel{i, j, k}});
         group[{i, j, k}] = groups;
         while (!front.empty()) {
-          const Voxel at = front.front();
+          const PoreGroupsVoxel at = front.front();
           front.pop();
           for (std::size_t axis = 0; axis < 3; ++axis)
             for (const int step : {-1, 1}) {
-              Voxel next = at;
+              PoreGroupsVoxel next = at;
               next[axis] += step;
               if (pores.isSolid(next[0], next[1], next[2]) && group.emplace(next, groups).second)
                 front.push(next);
@@ -51,7 +51,7 @@ PoreGroups labelled(const VoxelGrid& pores) {
 TEST(PoreGroupsTest, AreThoseOfFloodingWhateverTheThreads) {
   EXPECT_TRUE(rc::check([] {
     const VoxelGrid pores = arbitraryGrid();
-    const std::map<Voxel, int> expected = flooded(pores);
+    const std::map<PoreGroupsVoxel, int> expected = flooded(pores);
     const PoreGroups found = labelled(pores);
     std::size_t voxels = 0;
     for (const PoreRun& run : found.runs)

@@ -33,16 +33,16 @@ Eigen::Affine3d beltFromBed(double angle_deg) {
   return map;
 }
 
-ProgramSettings plainSettings() {
+ProgramSettings programFramePlainSettings() {
   ProgramSettings settings;
   settings.start_code = "";
   settings.end_code = "";
   return settings;
 }
 
-std::string written(const Toolpath& toolpath, const ProgramFrame& frame) {
+std::string programFrameWritten(const Toolpath& toolpath, const ProgramFrame& frame) {
   std::string text;
-  writeGcode(toolpath, frame, plainSettings(), [&](std::string_view piece) { text += piece; });
+  writeGcode(toolpath, frame, programFramePlainSettings(), [&](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -51,7 +51,7 @@ TEST(ProgramFrame, EachPointOfAnInclinedLayerHasItsOwnZ) {
   Toolpath level;
   level.part_name = "line";
   level.layers.push_back({0.2, 0.2, {test::straightPath({0, 0, 0.2}, {0, 10, 0.2})}});
-  const std::string text = written(turned(level, aboutX(45)), ProgramFrame());
+  const std::string text = programFrameWritten(turned(level, aboutX(45)), ProgramFrame());
   EXPECT_NE(text.find(";LAYER_FRAME: 0.92387953251128674 0.38268343236508978 0 0\n;NOZZLE_FRAME:"),
             std::string::npos)
       << text;
@@ -84,7 +84,7 @@ TEST(ProgramFrame, AxesOfABeltMoveSoFastThatTheNozzleKeepsItsFeed) {
   up.layers.push_back({0.0, 0.2, {test::straightPath({0, 0, 0}, {0, 0, 10})}});
   ProgramFrame frame;
   frame.program_from_bed = beltFromBed(30);
-  const std::string text = written(up, frame);
+  const std::string text = programFrameWritten(up, frame);
   const double factor = std::sqrt(4.0 + 3.0);
   EXPECT_NE(text.find("Y20 Z17.321 E0.29691 F" + std::to_string(1800 * factor).substr(0, 8)),
             std::string::npos)
@@ -99,7 +99,7 @@ TEST(ProgramFrame, AProgramIsReadBackAsItWasPlanned) {
     ProgramFrame frame;
     frame.bed_from_part.translation() = Point3(random.uniform(0, 100), random.uniform(-100, 0), 3.0);
     frame.program_from_bed = beltFromBed(angle);
-    const Toolpath back = toolpathFromGcode(written(toolpath, frame), plainSettings(), "square");
+    const Toolpath back = toolpathFromGcode(programFrameWritten(toolpath, frame), programFramePlainSettings(), "square");
     RC_ASSERT(std::abs(inclinationDeg(back) - angle) < 1e-6);
     RC_ASSERT(back.layers.size() == 2U);
     for (std::size_t l = 0; l < 2; ++l) {
@@ -116,9 +116,9 @@ TEST(ProgramFrame, AProgramIsReadBackAsItWasPlanned) {
 
 TEST(ProgramFrame, AnUprightNozzleOverInclinedLayersIsReadBack) {
   const Toolpath toolpath = withNozzle(turned(test::twoLayers(), aboutX(20)), nozzleDown());
-  const std::string text = written(toolpath, ProgramFrame());
+  const std::string text = programFrameWritten(toolpath, ProgramFrame());
   EXPECT_EQ(text.find("NOZZLE_FRAME"), std::string::npos);
-  const Toolpath back = toolpathFromGcode(text, plainSettings(), "square");
+  const Toolpath back = toolpathFromGcode(text, programFramePlainSettings(), "square");
   EXPECT_NEAR(inclinationDeg(back), 20.0, 1e-9);
   EXPECT_TRUE(
       (back.layers[0].paths[0].orientation.at(0) * Point3::UnitZ()).isApprox(-Point3::UnitZ(), 1e-12));
@@ -139,9 +139,9 @@ TEST(ProgramFrame, DropsOnInclinedLayersAreWrittenAndNotReadBackAsLevel) {
   Path drop = test::straightPath({0, 0, 0.2}, {1, 0, 0.2});
   drop.deposit = Deposit::Drops;
   drops.layers.push_back({0.2, 0.2, {drop}});
-  EXPECT_NO_THROW(toolpathFromGcode(written(drops, ProgramFrame()), plainSettings(), "drops"));
-  const std::string inclined = written(turned(drops, aboutX(30)), ProgramFrame());
-  EXPECT_THROW(toolpathFromGcode(inclined, plainSettings(), "drops"), InvalidProgram);
+  EXPECT_NO_THROW(toolpathFromGcode(programFrameWritten(drops, ProgramFrame()), programFramePlainSettings(), "drops"));
+  const std::string inclined = programFrameWritten(turned(drops, aboutX(30)), ProgramFrame());
+  EXPECT_THROW(toolpathFromGcode(inclined, programFramePlainSettings(), "drops"), InvalidProgram);
 }
 
 TEST(ProgramFrame, RefusesFramesThatAreNone) {

@@ -19,7 +19,7 @@
 namespace lamina {
 namespace {
 
-using Step = StartupStep;
+using StartupSessionStep = StartupStep;
 using State = StartupState;
 
 constexpr double kSpeedUp = 1000.0;
@@ -51,7 +51,7 @@ class StartupSessionTest : public testing::Test {
   }
   std::string port() const { return folder_.file("machine"); }
 
-  StartupStatus statusOf(Step step) const {
+  StartupStatus statusOf(StartupSessionStep step) const {
     for (const StartupStatus& status : session_->steps())
       if (status.step == step) return status;
     ADD_FAILURE() << "no step " << toString(step);
@@ -61,20 +61,20 @@ class StartupSessionTest : public testing::Test {
     for (int i = 0; i < 6000 && !is_true(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return is_true();
   }
-  void expectState(Step step, State state) const {
+  void expectState(StartupSessionStep step, State state) const {
     EXPECT_TRUE(waitUntil([&] { return statusOf(step).state == state; }))
         << toString(step) << " is " << toString(statusOf(step).state) << ": " << statusOf(step).reason;
   }
-  void run(std::optional<Step> step = std::nullopt) {
+  void run(std::optional<StartupSessionStep> step = std::nullopt) {
     EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
     EXPECT_NO_THROW(session_->run(step));
   }
   void runAll() {
     run();
-    expectState(Step::HomeZ, State::Done);
-    session_->confirm(Step::PlaceSheet);
+    expectState(StartupSessionStep::HomeZ, State::Done);
+    session_->confirm(StartupSessionStep::PlaceSheet);
     run();
-    expectState(Step::MapHeights, State::Done);
+    expectState(StartupSessionStep::MapHeights, State::Done);
     EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
   }
   bool hasRun(const std::string& command) const {
@@ -117,7 +117,7 @@ TEST_F(StartupSessionTest, RunsAllStepsAndLendsThePortToJobs) {
   runAll();
   EXPECT_EQ(stream("G90\nG1 X10 F6000").state, PackmlState::Complete);
   EXPECT_EQ(stream("G1 X20\nM84").state, PackmlState::Complete);
-  EXPECT_EQ(statusOf(Step::HomeX).state, State::Pending);
+  EXPECT_EQ(statusOf(StartupSessionStep::HomeX).state, State::Pending);
   EXPECT_EQ(codeOf([&] { stream("G1 X1"); }), ErrorCode::Rejected);
 }
 
@@ -130,9 +130,9 @@ TEST_F(StartupSessionTest, SeesMotorsThatSomebodyElseSwitchedOff) {
     StreamSession other(program, stream_, {port(), 115200}, {});
     other.waitFor(60.0);
   }
-  expectState(Step::HomeX, State::Pending);
-  EXPECT_NE(statusOf(Step::HomeX).reason.find("homed: YZ"), std::string::npos)
-      << statusOf(Step::HomeX).reason;
+  expectState(StartupSessionStep::HomeX, State::Pending);
+  EXPECT_NE(statusOf(StartupSessionStep::HomeX).reason.find("homed: YZ"), std::string::npos)
+      << statusOf(StartupSessionStep::HomeX).reason;
 }
 
 TEST_F(StartupSessionTest, SwitchesOffABedThatDoesNotGetHot) {
@@ -140,12 +140,12 @@ TEST_F(StartupSessionTest, SwitchesOffABedThatDoesNotGetHot) {
   settings_.bed_timeout_min = 10.0;
   plugIn();
   startSession();
-  run(Step::HeatBed);
-  expectState(Step::HeatBed, State::Failed);
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Failed);
   EXPECT_NE(
-      statusOf(Step::HeatBed).reason.find("the bed is at 33 degC; expected 39 to 41 degC within 10 min"),
+      statusOf(StartupSessionStep::HeatBed).reason.find("the bed is at 33 degC; expected 39 to 41 degC within 10 min"),
       std::string::npos)
-      << statusOf(Step::HeatBed).reason;
+      << statusOf(StartupSessionStep::HeatBed).reason;
   EXPECT_TRUE(waitUntil([&] { return machine_->bedTarget() == 0.0 && hasRun("M42 P4 S0"); }));
 }
 
@@ -155,11 +155,11 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItIsAborted) {
   startSession();
   run();
   EXPECT_TRUE(waitUntil([&] { return machine_->bedTarget() > 26.0; }));
-  EXPECT_EQ(codeOf([&] { session_->run(Step::HomeX); }), ErrorCode::Rejected);
+  EXPECT_EQ(codeOf([&] { session_->run(StartupSessionStep::HomeX); }), ErrorCode::Rejected);
   session_->abort();
-  expectState(Step::HeatBed, State::Pending);
+  expectState(StartupSessionStep::HeatBed, State::Pending);
   EXPECT_TRUE(waitUntil([&] { return !session_->isBusy(); }));
-  EXPECT_EQ(statusOf(Step::HeatBed).reason.substr(0, 18), "aborted on request");
+  EXPECT_EQ(statusOf(StartupSessionStep::HeatBed).reason.substr(0, 18), "aborted on request");
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
   EXPECT_TRUE(hasRun("M42 P1 S0"));
 }
@@ -167,8 +167,8 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItIsAborted) {
 TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
   plugIn();
   startSession();
-  run(Step::HeatBed);
-  expectState(Step::HeatBed, State::Done);
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 40.0);
   session_.reset();
   EXPECT_DOUBLE_EQ(machine_->bedTarget(), 0.0);
@@ -176,19 +176,19 @@ TEST_F(StartupSessionTest, LeavesTheMachineSafeWhenItEnds) {
 
 TEST_F(StartupSessionTest, ReportsThatNoMachineIsThere) {
   startSession();
-  run(Step::HeatBed);
-  expectState(Step::HeatBed, State::Failed);
-  EXPECT_NE(statusOf(Step::HeatBed).reason.find("look after it"), std::string::npos)
-      << statusOf(Step::HeatBed).reason;
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Failed);
+  EXPECT_NE(statusOf(StartupSessionStep::HeatBed).reason.find("look after it"), std::string::npos)
+      << statusOf(StartupSessionStep::HeatBed).reason;
 }
 
 TEST_F(StartupSessionTest, LosesEverythingWhenTheMachineIsGone) {
   plugIn();
   startSession();
-  run(Step::HeatBed);
-  expectState(Step::HeatBed, State::Done);
+  run(StartupSessionStep::HeatBed);
+  expectState(StartupSessionStep::HeatBed, State::Done);
   machine_.reset();
-  expectState(Step::HeatBed, State::Pending);
+  expectState(StartupSessionStep::HeatBed, State::Pending);
 }
 
 TEST_F(StartupSessionTest, RefusesCodesThatCannotBeStreamed) {

@@ -12,9 +12,9 @@
 namespace lamina {
 namespace {
 
-constexpr ElasticMaterial kMaterial{3861.0, 0.35};
+constexpr ElasticMaterial kMatrixFreeOperatorMaterial{3861.0, 0.35};
 
-ElementLattice latticeOf(const VoxelGrid& grid) { return {grid, {{0, 0, 0}, grid.frame().count}}; }
+ElementLattice matrixFreeOperatorLatticeOf(const VoxelGrid& grid) { return {grid, {{0, 0, 0}, grid.frame().count}}; }
 
 /// Stiffness by Gauss's quadrature with two points along each axis, from the strains of the corner functions.
 ElementMatrix byQuadrature(const ElasticMaterial& material, double h) {
@@ -54,7 +54,7 @@ NodeField<double> randomField(const ElementLattice& lattice) {
 /// The product by the matrix of each element.
 NodeField<double> assembledProduct(const ElementLattice& lattice, double element_mm,
                                    const NodeField<double>& u) {
-  const ElementMatrix stiffness = elementStiffness(kMaterial, element_mm);
+  const ElementMatrix stiffness = elementStiffness(kMatrixFreeOperatorMaterial, element_mm);
   NodeField<double> force(lattice.nodeCount());
   const int rows = lattice.count()[1] * lattice.count()[2];
   for (const ElementRun* run = lattice.elementsBegin(0); run != lattice.elementsEnd(rows - 1); ++run)
@@ -73,23 +73,23 @@ NodeField<double> assembledProduct(const ElementLattice& lattice, double element
 }
 
 TEST(ElementStiffness, IsThatOfGaussianQuadrature) {
-  const ElementMatrix stiffness = elementStiffness(kMaterial, 0.05);
-  EXPECT_LT((stiffness - byQuadrature(kMaterial, 0.05)).norm(), 1e-12 * stiffness.norm());
+  const ElementMatrix stiffness = elementStiffness(kMatrixFreeOperatorMaterial, 0.05);
+  EXPECT_LT((stiffness - byQuadrature(kMatrixFreeOperatorMaterial, 0.05)).norm(), 1e-12 * stiffness.norm());
   EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-14 * stiffness.norm());
 }
 
 TEST(ElementStiffness, HasSixRigidMotionsAndNoOther) {
-  const Eigen::SelfAdjointEigenSolver<ElementMatrix> solver(elementStiffness(kMaterial, 1.0));
+  const Eigen::SelfAdjointEigenSolver<ElementMatrix> solver(elementStiffness(kMatrixFreeOperatorMaterial, 1.0));
   EXPECT_LT(std::abs(solver.eigenvalues()[5]), 1e-9);
   EXPECT_GT(solver.eigenvalues()[6], 1.0);
 }
 
 TEST(MatrixFreeOperator, IsThatOfTheMatrixOfEachElement) {
   const VoxelGrid grid = test::noise({150, 9, 11}, 0.6, 3);
-  const ElementLattice lattice = latticeOf(grid);
+  const ElementLattice lattice = matrixFreeOperatorLatticeOf(grid);
   const NodeField<double> u = randomField(lattice);
   NodeField<double> force(lattice.nodeCount());
-  addForces<double>({lattice, kMaterial, 0.4}, 1.0, u, force);
+  addForces<double>({lattice, kMatrixFreeOperatorMaterial, 0.4}, 1.0, u, force);
   const NodeField<double> expected = assembledProduct(lattice, 0.4, u);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t node = 0; node < force.size(); ++node)
@@ -98,7 +98,7 @@ TEST(MatrixFreeOperator, IsThatOfTheMatrixOfEachElement) {
 
 TEST(MatrixFreeOperator, OfRigidMotionsIsNothing) {
   const VoxelGrid grid = test::gyroid(24, 0.5);
-  const ElementLattice lattice = latticeOf(grid);
+  const ElementLattice lattice = matrixFreeOperatorLatticeOf(grid);
   NodeField<double> u(lattice.nodeCount());
   for (int k = 0; k <= 24; ++k)
     for (int j = 0; j <= 24; ++j)
@@ -110,13 +110,13 @@ TEST(MatrixFreeOperator, OfRigidMotionsIsNothing) {
           u.along[axis][std::size_t(node)] = moved[Eigen::Index(axis)];
       }
   NodeField<double> force(lattice.nodeCount());
-  addForces<double>({lattice, kMaterial, 0.5}, 1.0, u, force);
+  addForces<double>({lattice, kMatrixFreeOperatorMaterial, 0.5}, 1.0, u, force);
   for (const auto& component : force.along)
     for (const double value : component) ASSERT_NEAR(value, 0.0, 1e-9);
 }
 
 TEST(MatrixFreeOperator, ReportsItsDiagonal) {
-  EXPECT_NEAR(diagonalOfElement(kMaterial, 0.7), elementStiffness(kMaterial, 0.7)(4, 4), 1e-9);
+  EXPECT_NEAR(diagonalOfElement(kMatrixFreeOperatorMaterial, 0.7), elementStiffness(kMatrixFreeOperatorMaterial, 0.7)(4, 4), 1e-9);
 }
 
 }  // namespace

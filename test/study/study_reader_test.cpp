@@ -66,7 +66,7 @@ std::string changed(std::string text, const std::string& from, const std::string
   return text.replace(at, from.size(), to);
 }
 
-std::string refusalOf(const std::string& yaml) {
+std::string studyReaderRefusalOf(const std::string& yaml) {
   try {
     readStudy(yaml, "s.yaml", "");
   } catch (const InvalidConfig& error) {
@@ -129,11 +129,11 @@ TEST(StudyReader, LetsItsSeedWinOverWhatIsUsualButNotOverWhatIsNamed) {
 
 TEST(StudyReader, RefusesNamesThatTablesHaveTwice) {
   const auto expectRefused = [](const std::string& yaml, const std::string& what) {
-    EXPECT_NE(refusalOf(yaml).find(what), std::string::npos) << refusalOf(yaml);
+    EXPECT_NE(studyReaderRefusalOf(yaml).find(what), std::string::npos) << studyReaderRefusalOf(yaml);
   };
   const std::string table =
       "method: surrogate\ntable: t.csv\nvariables: {a: [0, 1]}\nobjectives: {y: minimise}\n";
-  EXPECT_EQ(refusalOf(table), "nothing refused");
+  EXPECT_EQ(studyReaderRefusalOf(table), "nothing refused");
   expectRefused(changed(table, "y:", "a:"), "response a");
   expectRefused(changed(table, "y:", "error:"), "response error");
   expectRefused(changed(table, "a:", "iteration:"), "variables: iteration");
@@ -151,7 +151,7 @@ TEST(StudyReader, FindsFilesBesideTheStudy) {
 
 TEST(StudyReader, NamesLineAndKeyOfWhatItRefuses) {
   const auto expectRefused = [](const std::string& yaml, const std::string& line, const std::string& what) {
-    const std::string refusal = refusalOf(yaml);
+    const std::string refusal = studyReaderRefusalOf(yaml);
     EXPECT_NE(refusal.find("s.yaml:" + line + ": "), std::string::npos) << refusal;
     EXPECT_NE(refusal.find(what), std::string::npos) << refusal;
   };
@@ -184,13 +184,13 @@ TEST(StudyReader, NamesLineAndKeyOfWhatItRefuses) {
 }
 
 TEST(StudyReader, RefusesAliasesOfThemselves) {
-  EXPECT_NE(refusalOf("search: &again {x: *again}").find("nested too deep"), std::string::npos);
-  EXPECT_NE(refusalOf("variables: &again {x: *again}").find("unknown key 'x'"), std::string::npos);
+  EXPECT_NE(studyReaderRefusalOf("search: &again {x: *again}").find("nested too deep"), std::string::npos);
+  EXPECT_NE(studyReaderRefusalOf("variables: &again {x: *again}").find("unknown key 'x'"), std::string::npos);
 }
 
 TEST(StudyReader, RefusesCommandsThatCannotWork) {
   const auto expectRefused = [](const std::string& from, const std::string& to, const std::string& what) {
-    const std::string refusal = refusalOf(changed(kCommanded, from, to));
+    const std::string refusal = studyReaderRefusalOf(changed(kCommanded, from, to));
     EXPECT_NE(refusal.find(what), std::string::npos) << refusal;
   };
   expectRefused("={a}", "={b}", "'{b}' is no variable");
@@ -210,8 +210,8 @@ TEST(StudyReader, RefusesCommandsThatCannotWork) {
 
 TEST(StudyReader, RefusesAStudyWithoutMeasure) {
   const std::string nothing = "variables: {a: [0, 1]}\nobjectives: {y: minimise}\n";
-  EXPECT_NE(refusalOf(nothing).find("nothing measures"), std::string::npos);
-  EXPECT_NE(refusalOf(nothing + "responses: {y: {command: c, pointer: /y}}").find("no commands"),
+  EXPECT_NE(studyReaderRefusalOf(nothing).find("nothing measures"), std::string::npos);
+  EXPECT_NE(studyReaderRefusalOf(nothing + "responses: {y: {command: c, pointer: /y}}").find("no commands"),
             std::string::npos);
   EXPECT_EQ(responseNames(readStudy(nothing + "method: surrogate\ntable: t.csv", "s.yaml", "")),
             std::vector<std::string>{"y"});

@@ -155,12 +155,12 @@ TEST(TrajectoryFeeder, PausesAnywhereAndLaysEverythingOnce) {
 }
 
 /// A bead of 30 mm along x.
-Toolpath line() { return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}}; }
+Toolpath trajectoryFeederLine() { return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}}; }
 
 TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
   TimingSettings settings = powderSettings();
   settings.motion.acceleration_mm_s2 = 300.0;
-  const TimedPath timed = timedGantry(line(), settings);
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), settings);
   TrajectoryFeeder feeder(timed, {250.0, 50, 0.5, 0.1});
   feeder.pause(0.5);
   // 30 mm/s, reached after 0.1 s and 1.5 mm, until 0.6 s; braking takes the same again.
@@ -178,7 +178,7 @@ TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
 TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
   const double area = crossSection({0.4, 0.2});
   for (const double jerk_ramp_s : {0.0, 0.01}) {
-    const TimedPath timed = timedGantry(line(), powderSettings(jerk_ramp_s));
+    const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings(jerk_ramp_s));
     TrajectoryFeeder feeder(timed, {});
     for (const double pause_s : {0.0, 0.3, 0.9, 1.6}) {
       feeder.pause(pause_s);
@@ -199,7 +199,7 @@ TEST(TrajectoryFeeder, LaysEachMillimetreOnce) {
 
 TEST(TrajectoryFeeder, ReplacesWhatIsQueuedWhenPaused) {
   // With jerk limited braking sets in steadily; without, at the first point that is replaced.
-  const TimedPath timed = timedGantry(line(), powderSettings(0.01));
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings(0.01));
   TrajectoryFeeder feeder(timed, {});
   while (feeder.next(0.3)) continue;
   feeder.pause(0.3);
@@ -238,7 +238,7 @@ TEST(TrajectoryFeeder, AnAbortIsSafeAtOnceAndBrakesOnThePath) {
 }
 
 TEST(TrajectoryFeeder, AbortsWhilePausedAndBeforeTheStart) {
-  const TimedPath timed = timedGantry(line(), powderSettings());
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
   TrajectoryFeeder paused(timed, {});
   while (paused.next(0.3)) continue;
   paused.pause(0.3);
@@ -256,7 +256,7 @@ TEST(TrajectoryFeeder, AbortsWhilePausedAndBeforeTheStart) {
 }
 
 TEST(TrajectoryFeeder, DoesNothingAfterTheEnd) {
-  const TimedPath timed = timedGantry(line(), powderSettings());
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
   TrajectoryFeeder feeder(timed, {});
   feeder.pause(timed.duration() + 1.0);
   feeder.abort(timed.duration() + 1.0);
@@ -265,7 +265,7 @@ TEST(TrajectoryFeeder, DoesNothingAfterTheEnd) {
 }
 
 TEST(TrajectoryFeeder, LiftsTheToolAgainstItsToolAxisAfterAnAbort) {
-  const Toolpath toolpath = line();
+  const Toolpath toolpath = trajectoryFeederLine();
   const TiltingGantry gantry;
   const double tilt = 0.5;
   const JointPath path =
@@ -283,7 +283,7 @@ TEST(TrajectoryFeeder, LiftsTheToolAgainstItsToolAxisAfterAnAbort) {
 }
 
 TEST(TrajectoryFeeder, ALiftOutOfReachLeavesTheAbortStanding) {
-  const TimedPath timed = timedGantry(line(), powderSettings());
+  const TimedPath timed = timedGantry(trajectoryFeederLine(), powderSettings());
   TrajectoryFeeder feeder(timed, {});
   EXPECT_THROW(feeder.abort(0.5, {5000.0, 40.0}, TiltingGantry()), Unreachable);
   EXPECT_EQ(feeder.state(), TrajectoryFeederState::Aborted);

@@ -21,16 +21,16 @@ using test::reversed;
 /// Points are read from a grid of 1e-5 mm [mm].
 constexpr double kGrid = 5e-5;
 
-double length(const AxisBranch& branch) {
+double medialAxisLength(const AxisBranch& branch) {
   double sum = 0.0;
   for (std::size_t i = 1; i < branch.points.size(); ++i)
     sum += (branch.points[i].point - branch.points[i - 1].point).norm();
   return sum;
 }
 
-double length(const MedialAxis& axis) {
+double medialAxisLength(const MedialAxis& axis) {
   double sum = 0.0;
-  for (const AxisBranch& branch : axis.branches) sum += length(branch);
+  for (const AxisBranch& branch : axis.branches) sum += medialAxisLength(branch);
   return sum;
 }
 
@@ -46,7 +46,7 @@ TEST(MedialAxis, OfARectangleIsItsMiddleLineAndFourBisectors) {
   const MedialAxis axis = medialAxis(region);
   EXPECT_EQ(axis.nodes.size(), 6U);
   EXPECT_EQ(axis.branches.size(), 5U);
-  EXPECT_NEAR(length(axis), 6.0 + 4.0 * 2.0 * std::sqrt(2.0), kGrid);
+  EXPECT_NEAR(medialAxisLength(axis), 6.0 + 4.0 * 2.0 * std::sqrt(2.0), kGrid);
   expectRadiiAreClearances(axis, region, kGrid);
 }
 
@@ -101,7 +101,7 @@ TEST(MedialAxis, OfADiscPrunesToItsCentre) {
 TEST(MedialAxis, OfASlotPrunesToTheLineBetweenItsEnds) {
   const MedialAxis axis = pruned(medialAxis({rectangle(0, 0, 10, 1), {}}), {0.3});
   ASSERT_EQ(axis.branches.size(), 1U);
-  EXPECT_NEAR(length(axis), 9.0, kGrid);
+  EXPECT_NEAR(medialAxisLength(axis), 9.0, kGrid);
 }
 
 TEST(MedialAxis, KeepsSharpCornersWhenPruned) {
@@ -116,7 +116,7 @@ TEST(MedialAxis, KeepsSharpCornersWhenPruned) {
 TEST(FarthestWay, ThroughASquareIsADiagonal) {
   const MedialAxis way = farthestWay(medialAxis({rectangle(0, 0, 3, 3), {}}));
   ASSERT_EQ(way.branches.size(), 1U);
-  EXPECT_NEAR(length(way), 3.0 * std::sqrt(2.0), kGrid);
+  EXPECT_NEAR(medialAxisLength(way), 3.0 * std::sqrt(2.0), kGrid);
 }
 
 TEST(FarthestWay, ThroughADiscIsADiameter) {
@@ -129,13 +129,13 @@ TEST(FarthestWay, ThroughADiscIsADiameter) {
 TEST(FarthestWay, ThroughARectangleGoesFromCornerToOppositeCorner) {
   const MedialAxis way = farthestWay(medialAxis({rectangle(0, 0, 10, 2), {}}));
   ASSERT_EQ(way.branches.size(), 1U);
-  EXPECT_NEAR(length(way), 8.0 + 2.0 * std::sqrt(2.0), kGrid);
+  EXPECT_NEAR(medialAxisLength(way), 8.0 + 2.0 * std::sqrt(2.0), kGrid);
 }
 
 TEST(FarthestWay, OfARingWithoutTipsIsTheRing) {
   const MedialAxis ring =
       pruned(medialAxis({circle({0, 0}, 2.0, 60), {reversed(circle({0, 0}, 1.0, 60))}}), {0.1});
-  EXPECT_NEAR(length(farthestWay(ring)), length(ring), 1e-12);
+  EXPECT_NEAR(medialAxisLength(farthestWay(ring)), medialAxisLength(ring), 1e-12);
 }
 
 TEST(MedialAxis, OfWhatHasNoAreaIsEmpty) {

@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-Mesh together(Mesh a, const Mesh& b, const Point3& shift) {
+Mesh selfIntersectionsTogether(Mesh a, const Mesh& b, const Point3& shift) {
   const auto first = static_cast<std::uint32_t>(a.vertices.size());
   for (const Point3& vertex : b.vertices) a.vertices.push_back(vertex + shift);
   for (const Triangle& t : b.triangles) a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -31,7 +31,7 @@ TEST(SelfIntersections, NoPartHasAny) {
 
 TEST(SelfIntersections, OfTwoBoxesThatOverlapLieOnBoth) {
   const Mesh box = makePart("box");
-  const SelfIntersections found = intersections(together(box, box, {7, 9, 11}));
+  const SelfIntersections found = intersections(selfIntersectionsTogether(box, box, {7, 9, 11}));
   EXPECT_GT(found.pairs, 0u);
   ASSERT_FALSE(found.where.empty());
   for (const Point3& point : found.where) {
@@ -44,14 +44,14 @@ TEST(SelfIntersections, OfTwoBoxesThatOverlapLieOnBoth) {
 
 TEST(SelfIntersections, AreFoundWhereEdgesMeetDiagonals) {
   const Mesh box = makePart("box");
-  EXPECT_GT(intersections(together(box, box, {10, 10, 10})).pairs, 0u);
+  EXPECT_GT(intersections(selfIntersectionsTogether(box, box, {10, 10, 10})).pairs, 0u);
 }
 
 TEST(SelfIntersections, AreNoneBetweenBoxesThatTouch) {
   const Mesh box = makePart("box");
-  EXPECT_EQ(intersections(together(box, box, {20, 0, 0})).pairs, 0u);
-  EXPECT_EQ(intersections(together(box, box, {20, 5, 5})).pairs, 0u);
-  EXPECT_EQ(intersections(together(box, box, {20, 20, 20})).pairs, 0u);
+  EXPECT_EQ(intersections(selfIntersectionsTogether(box, box, {20, 0, 0})).pairs, 0u);
+  EXPECT_EQ(intersections(selfIntersectionsTogether(box, box, {20, 5, 5})).pairs, 0u);
+  EXPECT_EQ(intersections(selfIntersectionsTogether(box, box, {20, 20, 20})).pairs, 0u);
 }
 
 TEST(SelfIntersections, OfTrianglesWithACommonVertexAreFound) {
@@ -63,7 +63,7 @@ TEST(SelfIntersections, OfTrianglesWithACommonVertexAreFound) {
 
 TEST(SelfIntersections, AreTheSameForAnyNumberOfThreads) {
   const Mesh ball = makePart("sphere");
-  const Mesh two = together(ball, ball, {3, 4, 5});
+  const Mesh two = selfIntersectionsTogether(ball, ball, {3, 4, 5});
   const SelfIntersections many = intersections(two);
   const ThreadLimit limit(1);
   const SelfIntersections one = intersections(two);

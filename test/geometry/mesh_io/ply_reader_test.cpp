@@ -51,7 +51,7 @@ std::string binaryBody(bool is_swapped) {
   return bytes;
 }
 
-std::string messageOf(const std::string& bytes) {
+std::string plyReaderMessageOf(const std::string& bytes) {
   try {
     readMeshFromBytes(bytes, "part.ply");
   } catch (const InvalidMesh& error) {
@@ -77,25 +77,25 @@ TEST(PlyReader, RefusesEveryShorterPiece) {
   const std::string whole = header("binary_little_endian") + binaryBody(false);
   // The flags of the last face are part of the file.
   for (std::size_t length = 0; length < whole.size(); ++length)
-    EXPECT_NE(messageOf(whole.substr(0, length)), "accepted") << length;
+    EXPECT_NE(plyReaderMessageOf(whole.substr(0, length)), "accepted") << length;
 }
 
 TEST(PlyReader, RefusesACountThatTheFileCannotHold) {
-  EXPECT_NE(messageOf(header("binary_little_endian", "18446744073709551615") + binaryBody(false)),
+  EXPECT_NE(plyReaderMessageOf(header("binary_little_endian", "18446744073709551615") + binaryBody(false)),
             "accepted");
-  EXPECT_NE(messageOf(header("ascii", "4000000000") + kAsciiBody), "accepted");
-  EXPECT_NE(messageOf(header("ascii", "99999999999999999999") + kAsciiBody).find("part.ply:4"),
+  EXPECT_NE(plyReaderMessageOf(header("ascii", "4000000000") + kAsciiBody), "accepted");
+  EXPECT_NE(plyReaderMessageOf(header("ascii", "99999999999999999999") + kAsciiBody).find("part.ply:4"),
             std::string::npos);
 }
 
 TEST(PlyReader, NamesTheLineOfANumberThatIsNotFinite) {
   std::string body = kAsciiBody;
   body.replace(0, 1, "nan");
-  EXPECT_EQ(messageOf(header("ascii") + body), "part.ply:16: 'nan' where a finite number is expected");
+  EXPECT_EQ(plyReaderMessageOf(header("ascii") + body), "part.ply:16: 'nan' where a finite number is expected");
 }
 
 TEST(PlyReader, RefusesAnIndexBeyondTheVertices) {
-  EXPECT_NE(messageOf(header("ascii", "3") +
+  EXPECT_NE(plyReaderMessageOf(header("ascii", "3") +
                       "0 255 0 0 0\n1 0 0 0 0\n0 0 1 0 0\n5\n3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 0\n"
                       "3 1 2 3 0\n")
                 .find("names vertex 3; there are 3"),
@@ -104,7 +104,7 @@ TEST(PlyReader, RefusesAnIndexBeyondTheVertices) {
 
 TEST(PlyReader, RefusesAPointCloud) {
   EXPECT_EQ(
-      messageOf(
+      plyReaderMessageOf(
           "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
           "end_header\n0 0 0\n"),
       "part.ply: no triangles");
@@ -112,7 +112,7 @@ TEST(PlyReader, RefusesAPointCloud) {
 
 TEST(PlyReader, RefusesVerticesWithoutZ) {
   EXPECT_NE(
-      messageOf(
+      plyReaderMessageOf(
           "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n")
           .find("vertex 0 has no finite x, y and z"),
       std::string::npos);

@@ -37,7 +37,7 @@ std::string asciiFacet(const std::string& a, const std::string& b, const std::st
          "\nendloop\nendfacet\n";
 }
 
-std::string messageOf(const std::string& bytes, const std::string& name = "part.stl") {
+std::string stlReaderMessageOf(const std::string& bytes, const std::string& name = "part.stl") {
   try {
     readMeshFromBytes(bytes, name);
   } catch (const InvalidMesh& error) {
@@ -72,24 +72,24 @@ TEST(StlReader, CorrectsACountThatTheFileContradicts) {
 TEST(StlReader, RefusesAFileCutBetweenTwoTriangles) {
   auto corners = tetrahedron();
   corners.resize(9);
-  EXPECT_NE(messageOf(binaryStl(corners, 4)).find("truncated at byte 234"), std::string::npos);
+  EXPECT_NE(stlReaderMessageOf(binaryStl(corners, 4)).find("truncated at byte 234"), std::string::npos);
 }
 
 TEST(StlReader, RefusesAHugeCountBeforeATriangleWithoutCorners) {
-  EXPECT_NE(messageOf(binaryStl({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0xFFFFFFFFu)).find("truncated"),
+  EXPECT_NE(stlReaderMessageOf(binaryStl({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0xFFFFFFFFu)).find("truncated"),
             std::string::npos);
 }
 
 TEST(StlReader, RefusesEveryShorterPieceOfABinaryFile) {
   const std::string whole = binaryStl(tetrahedron(), 4);
   for (std::size_t length = 0; length < whole.size(); ++length)
-    EXPECT_NE(messageOf(whole.substr(0, length)), "accepted") << length;
+    EXPECT_NE(stlReaderMessageOf(whole.substr(0, length)), "accepted") << length;
 }
 
 TEST(StlReader, NamesTheTriangleWhoseCoordinateIsNotFinite) {
   auto corners = tetrahedron();
   corners[4][1] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_NE(messageOf(binaryStl(corners, 4)).find("triangle 1 at byte 134"), std::string::npos);
+  EXPECT_NE(stlReaderMessageOf(binaryStl(corners, 4)).find("triangle 1 at byte 134"), std::string::npos);
 }
 
 TEST(StlReader, ReadsAsciiOfOddCaseAndSpacing) {
@@ -107,16 +107,16 @@ TEST(StlReader, ReadsAsciiWithAForeignHeader) {
 }
 
 TEST(StlReader, NamesTheLineOfAnAsciiError) {
-  EXPECT_EQ(messageOf("solid\n" + asciiFacet("0 0 0", "0 nan 0", "1 0 0") + "endsolid\n"),
+  EXPECT_EQ(stlReaderMessageOf("solid\n" + asciiFacet("0 0 0", "0 nan 0", "1 0 0") + "endsolid\n"),
             "part.stl:5: 'nan' where a finite number is expected");
 }
 
 TEST(StlReader, RefusesAnAsciiSolidWithoutFacets) {
-  EXPECT_EQ(messageOf("solid nothing\nendsolid nothing\n"), "part.stl: no triangles");
+  EXPECT_EQ(stlReaderMessageOf("solid nothing\nendsolid nothing\n"), "part.stl: no triangles");
 }
 
 TEST(StlReader, RefusesAsciiWithoutItsEnd) {
-  EXPECT_NE(messageOf("solid\n" + asciiFacet("0 0 0", "0 1 0", "1 0 0")).find("truncated"),
+  EXPECT_NE(stlReaderMessageOf("solid\n" + asciiFacet("0 0 0", "0 1 0", "1 0 0")).find("truncated"),
             std::string::npos);
 }
 

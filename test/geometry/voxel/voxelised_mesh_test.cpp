@@ -12,8 +12,8 @@
 namespace lamina {
 namespace {
 
-/// A closed box, facing outwards.
-Mesh box(const Point3& low, const Point3& high) {
+/// A closed voxelisedMeshBox, facing outwards.
+Mesh voxelisedMeshBox(const Point3& low, const Point3& high) {
   Mesh mesh;
   for (int c = 0; c < 8; ++c)
     mesh.vertices.emplace_back((c & 1) != 0 ? high.x() : low.x(), (c & 2) != 0 ? high.y() : low.y(),
@@ -38,23 +38,23 @@ VoxelGrid voxelised(const Mesh& mesh, double voxel_mm) {
 
 TEST(VoxelisedMesh, FillsABoxOfWholeVoxelsExactly) {
   // The middles of voxels lie on the diagonals of its faces.
-  const VoxelGrid grid = voxelised(box({0.3, -1.1, 2.7}, {9.3, 7.9, 11.7}), 0.1);
+  const VoxelGrid grid = voxelised(voxelisedMeshBox({0.3, -1.1, 2.7}, {9.3, 7.9, 11.7}), 0.1);
   EXPECT_EQ(grid.frame().count, (std::array<int, 3>{90, 90, 90}));
   EXPECT_EQ(grid.solidCount(), 90 * 90 * 90);
 }
 
 TEST(VoxelisedMesh, TakesAMeshThatFacesInwardsAsWell) {
-  Mesh mesh = box(Point3::Zero(), {2.0, 3.0, 4.0});
+  Mesh mesh = voxelisedMeshBox(Point3::Zero(), {2.0, 3.0, 4.0});
   for (Triangle& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
   EXPECT_EQ(voxelised(mesh, 0.5).solidCount(), 4 * 6 * 8);
 }
 
 TEST(VoxelisedMesh, LeavesCavitiesOpenAndJoinsWhatOverlaps) {
-  Mesh cavity = box({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0});
+  Mesh cavity = voxelisedMeshBox({1.0, 1.0, 1.0}, {2.0, 2.0, 2.0});
   for (Triangle& triangle : cavity.triangles) std::swap(triangle[0], triangle[1]);
-  const Mesh outer = box(Point3::Zero(), {4.0, 4.0, 4.0});
+  const Mesh outer = voxelisedMeshBox(Point3::Zero(), {4.0, 4.0, 4.0});
   EXPECT_EQ(voxelised(joined(outer, cavity), 0.5).solidCount(), 512 - 8);
-  const Mesh beside = box({2.0, 0.0, 0.0}, {6.0, 4.0, 4.0});
+  const Mesh beside = voxelisedMeshBox({2.0, 0.0, 0.0}, {6.0, 4.0, 4.0});
   EXPECT_EQ(voxelised(joined(outer, beside), 0.5).solidCount(), 512 + 256);
 }
 
@@ -70,11 +70,11 @@ TEST(VoxelisedMesh, OfABallHasItsVolume) {
 }
 
 TEST(VoxelisedMesh, RefusesAnOpenMesh) {
-  Mesh mesh = box(Point3::Zero(), {2.0, 3.0, 4.0});
+  Mesh mesh = voxelisedMeshBox(Point3::Zero(), {2.0, 3.0, 4.0});
   mesh.triangles.resize(10);
   EXPECT_THROW(voxelised(mesh, 0.5), InvalidMesh);
   EXPECT_THROW(voxelised(Mesh(), 0.5), InvalidMesh);
-  EXPECT_THROW(voxelised(box(Point3::Zero(), {2.0, 3.0, 4.0}), 0.0), InvalidInput);
+  EXPECT_THROW(voxelised(voxelisedMeshBox(Point3::Zero(), {2.0, 3.0, 4.0}), 0.0), InvalidInput);
 }
 
 }  // namespace

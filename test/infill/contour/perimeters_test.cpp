@@ -16,7 +16,7 @@ using test::circle;
 using test::rectangle;
 using test::reversed;
 
-InfillRequest solid(double pitch) {
+InfillRequest perimetersSolid(double pitch) {
   InfillRequest request;
   request.pitch_mm = request.spacing_mm = pitch;
   return request;
@@ -27,7 +27,7 @@ double radiusOf(const FillPath& run) { return run.points.front().norm(); }
 /// For [Flores2018, section 6.2.1]: a circle of 20 mm, 1.5 mm between beads, 4 perimeters, the outermost on
 /// the contour.
 InfillRequest circleRequest(PerimeterOffset offset) {
-  InfillRequest request = solid(1.5);
+  InfillRequest request = perimetersSolid(1.5);
   request.settings.perimeters.count = 4;
   request.settings.perimeters.first_inset = 0.0;
   request.settings.perimeters.offset = offset;
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(Offsets, PerimetersOfACircle,
                          });
 
 TEST(Perimeters, KeepToTheirBands) {
-  InfillRequest request = solid(1.0);
+  InfillRequest request = perimetersSolid(1.0);
   request.settings.perimeters.count = 3;
   const Polygon square = rectangle(0, 0, 20, 20);
   for (const FillPath& run : perimeters({{square, {}}}, request))
@@ -75,7 +75,7 @@ TEST(Perimeters, KeepToTheirBands) {
 }
 
 TEST(Perimeters, FollowTheHolesToo) {
-  InfillRequest request = solid(1.0);
+  InfillRequest request = perimetersSolid(1.0);
   request.settings.perimeters.count = 2;
   const Regions loop = {{circle({0, 0}, 20, 180), {reversed(circle({0, 0}, 10, 180))}}};
   const std::vector<FillPath> runs = perimeters(loop, request);
@@ -114,7 +114,7 @@ TEST(Perimeters, GoFromTheOutsideInOrBackOrInTurn) {
 /// A start that moves on [Flores2018, section 6.1.2], on a square of which the outermost perimeter is 36 mm
 /// round.
 TEST(Perimeters, StartFartherAlongInEachLayer) {
-  InfillRequest request = solid(1.0);
+  InfillRequest request = perimetersSolid(1.0);
   request.settings.perimeters.count = 2;
   request.settings.perimeters.seam_step = 2.0;
   const std::vector<Point2> outer_starts = {{0.5, 0.5}, {2.5, 0.5}, {4.5, 0.5}, {6.5, 0.5},
@@ -150,7 +150,7 @@ TEST(Perimeters, StartAtRandomPlacesOfTheirSeed) {
 }
 
 TEST(Perimeters, AreDepositedOnlyWhereTheirBeadHasRoom) {
-  InfillRequest request = solid(1.0);
+  InfillRequest request = perimetersSolid(1.0);
   request.settings.perimeters.count = 9;
   EXPECT_EQ(perimeters({{rectangle(0, 0, 30, 4), {}}}, request).size(), 2U) << "four beads fit exactly";
   EXPECT_EQ(perimeters({{rectangle(0, 0, 30, 5), {}}}, request).size(), 2U);
@@ -158,7 +158,7 @@ TEST(Perimeters, AreDepositedOnlyWhereTheirBeadHasRoom) {
 }
 
 TEST(Perimeters, AsManyAsFitLeaveTheNarrowRestToBeads) {
-  const std::vector<FillPath> runs = perimeters({{rectangle(0, 0, 30, 3.4), {}}}, solid(1.0));
+  const std::vector<FillPath> runs = perimeters({{rectangle(0, 0, 30, 3.4), {}}}, perimetersSolid(1.0));
   const auto gap_fills = std::count_if(runs.begin(), runs.end(),
                                        [](const FillPath& run) { return run.role == PathRole::GapFill; });
   EXPECT_EQ(gap_fills, 1) << "1.4 pitches are left inside one perimeter";

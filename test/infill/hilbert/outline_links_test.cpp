@@ -16,10 +16,10 @@ std::vector<RunOnOutlines> runsUpFrom(const std::vector<double>& x) {
   return runs;
 }
 
-const std::vector<Polygon> kSquare = {test::rectangle(0, 0, 10, 10)};
+const std::vector<Polygon> kOutlineLinksSquare = {test::rectangle(0, 0, 10, 10)};
 
 TEST(OutlineLinks, JoinEndsThatFollowEachOtherAlongTheOutline) {
-  const std::vector<Polyline> joined = joinAlongOutlines(runsUpFrom({2, 3}), kSquare, 1.5);
+  const std::vector<Polyline> joined = joinAlongOutlines(runsUpFrom({2, 3}), kOutlineLinksSquare, 1.5);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0], (Polyline{{2, 5}, {2, 0}, {3, 0}, {3, 5}}));
 }
@@ -27,7 +27,7 @@ TEST(OutlineLinks, JoinEndsThatFollowEachOtherAlongTheOutline) {
 TEST(OutlineLinks, GoRoundTheCornersOfTheOutline) {
   std::vector<RunOnOutlines> runs = runsUpFrom({9});
   runs.push_back({{{10, 1}, {5, 1}}, OutlinePoint{0, 1, 1.0}, std::nullopt});
-  const std::vector<Polyline> joined = joinAlongOutlines(runs, kSquare, 2.5);
+  const std::vector<Polyline> joined = joinAlongOutlines(runs, kOutlineLinksSquare, 2.5);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0], (Polyline{{9, 5}, {9, 0}, {10, 0}, {10, 1}, {5, 1}}));
 }
@@ -35,25 +35,25 @@ TEST(OutlineLinks, GoRoundTheCornersOfTheOutline) {
 TEST(OutlineLinks, GoOnFromTheLastPointOfAnOutlineToItsFirst) {
   std::vector<RunOnOutlines> runs = runsUpFrom({1});
   runs.push_back({{{0, 1}, {5, 1}}, OutlinePoint{0, 3, 9.0}, std::nullopt});
-  const std::vector<Polyline> joined = joinAlongOutlines(runs, kSquare, 2.5);
+  const std::vector<Polyline> joined = joinAlongOutlines(runs, kOutlineLinksSquare, 2.5);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0], (Polyline{{1, 5}, {1, 0}, {0, 0}, {0, 1}, {5, 1}}));
 }
 
 TEST(OutlineLinks, AreNoLongerThanAllowed) {
-  EXPECT_EQ(joinAlongOutlines(runsUpFrom({2, 4}), kSquare, 1.5).size(), 2U);
+  EXPECT_EQ(joinAlongOutlines(runsUpFrom({2, 4}), kOutlineLinksSquare, 1.5).size(), 2U);
 }
 
 TEST(OutlineLinks, PassNoOtherEnd) {
   // The middle one joins its nearer neighbour; the third is not reached past it.
-  const std::vector<Polyline> joined = joinAlongOutlines(runsUpFrom({2, 3, 4.5}), kSquare, 5.0);
+  const std::vector<Polyline> joined = joinAlongOutlines(runsUpFrom({2, 3, 4.5}), kOutlineLinksSquare, 5.0);
   EXPECT_EQ(joined.size(), 2U);
 }
 
 TEST(OutlineLinks, CloseNoRun) {
   const std::vector<RunOnOutlines> bow = {
       {{{2, 0}, {2, 1}, {3, 1}, {3, 0}}, OutlinePoint{0, 0, 2.0}, OutlinePoint{0, 0, 3.0}}};
-  const std::vector<Polyline> joined = joinAlongOutlines(bow, kSquare, 5.0);
+  const std::vector<Polyline> joined = joinAlongOutlines(bow, kOutlineLinksSquare, 5.0);
   ASSERT_EQ(joined.size(), 1U);
   EXPECT_EQ(joined[0].size(), 4U);
 }

@@ -29,7 +29,7 @@ MedialBeadSettings pitchOf(double pitch_mm) {
 }
 
 /// What the run fills, its round ends not counted [mm²].
-double filledArea(const FillPath& run) {
+double medialBeadsFilledArea(const FillPath& run) {
   double sum = 0.0;
   for (std::size_t i = run.is_closed ? 0 : 1; i < run.points.size(); ++i) {
     const Point2& from = i == 0 ? run.points.back() : run.points[i - 1];
@@ -53,7 +53,7 @@ TEST(MedialBeads, FillASlotOfTwoBeadsThereAndBack) {
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_TRUE(runs[0].is_closed);
   for (const double width : runs[0].width_mm) EXPECT_NEAR(width, 0.4, kTolerance);
-  EXPECT_NEAR(filledArea(runs[0]), 8.0, 0.05);  // as a rectangle of beads fills a slot exactly
+  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), 8.0, 0.05);  // as a rectangle of beads fills a slot exactly
 }
 
 TEST(MedialBeads, ChangeFromOneBeadToTwoWhereAWedgeGetsThickerThanOneCanFill) {
@@ -83,7 +83,7 @@ TEST(MedialBeads, OfARingCloseOnThemselves) {
   const std::vector<FillPath> runs = medialBeads({loop}, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_TRUE(runs[0].is_closed);
-  EXPECT_NEAR(filledArea(runs[0]), area({loop}), 0.01 * area({loop}));
+  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), area({loop}), 0.01 * area({loop}));
 }
 
 TEST(MedialBeads, OfACrossGoStraightOnWhereItsArmsMeet) {
@@ -152,14 +152,14 @@ TEST(MedialLoops, GoOutAndBackHalfTheThicknessWide) {
   EXPECT_GT(signedArea(runs[0].points), 0.0);
   for (const double width : runs[0].width_mm) EXPECT_NEAR(width, 0.3, kTolerance);
   for (const Point2& point : runs[0].points) EXPECT_LE(std::abs(point.y() - 0.3), 0.15 + kTolerance);
-  EXPECT_NEAR(filledArea(runs[0]), 6.0, 0.2);
+  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), 6.0, 0.2);
 }
 
 TEST(MedialLoops, GoRoundAllArmsOfACrossAtOnce) {
   const Regions cross = unite({rectangle(-5, -0.3, 5, 0.3), rectangle(-0.3, -5, 0.3, 5)});
   const std::vector<FillPath> runs = medialLoops(cross, pitchOf(0.4));
   ASSERT_EQ(runs.size(), 1U);
-  EXPECT_NEAR(filledArea(runs[0]), area(cross), 0.05 * area(cross));
+  EXPECT_NEAR(medialBeadsFilledArea(runs[0]), area(cross), 0.05 * area(cross));
 }
 
 TEST(MedialLoops, OfARingAreOneOutsideAndOneInside) {
@@ -194,7 +194,7 @@ TEST(MedialBeads, GoRoundTheMiddleOfWhatIsTooWideForABeadButNoLonger) {
     double filled = 0.0;
     for (const FillPath& run : skeletonBeads({{{{1, 2}, radius}}}, pitchOf(0.4))) {
       for (const double width : run.width_mm) EXPECT_LE(width, 1.6 * 0.4);
-      filled += filledArea(run);
+      filled += medialBeadsFilledArea(run);
     }
     EXPECT_NEAR(filled, M_PI * radius * radius, 0.05 * M_PI * radius * radius);
   }

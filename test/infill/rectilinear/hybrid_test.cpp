@@ -16,7 +16,7 @@ using test::circle;
 using test::rectangle;
 using test::reversed;
 
-InfillRequest solid(double pitch, double angle_rad, HybridLines lines) {
+InfillRequest hybridSolid(double pitch, double angle_rad, HybridLines lines) {
   InfillRequest request;
   request.pitch_mm = request.spacing_mm = pitch;
   request.angle_rad = angle_rad;
@@ -27,7 +27,7 @@ InfillRequest solid(double pitch, double angle_rad, HybridLines lines) {
 class Hybrid : public testing::TestWithParam<HybridLines> {};
 
 TEST_P(Hybrid, LaysThePerimeterFirst) {
-  const std::vector<FillPath> runs = hybrid({{circle({0, 0}, 15, 90), {}}}, solid(1.0, 0.0, GetParam()));
+  const std::vector<FillPath> runs = hybrid({{circle({0, 0}, 15, 90), {}}}, hybridSolid(1.0, 0.0, GetParam()));
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].role, PathRole::OuterWall);
   EXPECT_TRUE(runs[0].is_closed);
@@ -36,7 +36,7 @@ TEST_P(Hybrid, LaysThePerimeterFirst) {
 
 TEST_P(Hybrid, RunsItsPassesAlongTheRaster) {
   for (const double angle : {0.0, M_PI / 2}) {
-    const std::vector<FillPath> runs = hybrid({{rectangle(0, 0, 30, 30), {}}}, solid(1.0, angle, GetParam()));
+    const std::vector<FillPath> runs = hybrid({{rectangle(0, 0, 30, 30), {}}}, hybridSolid(1.0, angle, GetParam()));
     ASSERT_EQ(runs.size(), 2U);
     int passes = 0;
     int others = 0;
@@ -51,7 +51,7 @@ TEST_P(Hybrid, RunsItsPassesAlongTheRaster) {
 }
 
 TEST_P(Hybrid, LaysOnePerimeterMoreEveryFewLayers) {
-  InfillRequest request = solid(1.0, 0.0, GetParam());
+  InfillRequest request = hybridSolid(1.0, 0.0, GetParam());
   request.settings.hybrid.extra_perimeter_every = 3;
   const auto perimeters = [&](std::size_t layer) {
     request.layer = layer;
@@ -89,7 +89,7 @@ std::vector<BoustrophedonCell> concaveSections() {
 }
 
 std::size_t jumpsInside(const Regions& regions, HybridLines lines, double angle) {
-  const std::vector<FillPath> runs = hybrid(regions, solid(1.0, angle, lines));
+  const std::vector<FillPath> runs = hybrid(regions, hybridSolid(1.0, angle, lines));
   return static_cast<std::size_t>(std::count_if(
              runs.begin(), runs.end(), [](const FillPath& run) { return run.role == PathRole::Infill; })) -
          1;

@@ -25,7 +25,7 @@ Polygon turned(Polygon polygon, double angle_rad) {
   return polygon;
 }
 
-InfillRequest solid(double pitch, RasterDirection direction) {
+InfillRequest rasterDirectionSolid(double pitch, RasterDirection direction) {
   InfillRequest request;
   request.pitch_mm = request.spacing_mm = pitch;
   request.settings.raster.direction = direction;
@@ -107,7 +107,7 @@ class StrategyInBestDirection : public testing::TestWithParam<std::string> {};
 TEST_P(StrategyInBestDirection, RunsAlongTheLongSideOfATurnedRectangle) {
   const Regions area = {{turned(rectangle(0, 0, 40, 8), 30 * kDegree), {}}};
   for (const RasterDirection direction : {RasterDirection::FewestTurns, RasterDirection::LeastTravel}) {
-    const std::vector<FillPath> runs = filled(GetParam(), area, solid(1.0, direction));
+    const std::vector<FillPath> runs = filled(GetParam(), area, rasterDirectionSolid(1.0, direction));
     EXPECT_EQ(passesAlong(runs, 30 * kDegree), GetParam() == "hybrid" ? 6 : 8);
   }
 }
@@ -116,7 +116,7 @@ TEST_P(StrategyInBestDirection, TakesNoMorePassesThroughAConvexRegionThanAtSampl
   EXPECT_TRUE(rc::check("random convex regions", [this] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions area = {{convexHull(test::star(random, {0, 0}, 9.0, 15.0, 12)), {}}};
-    InfillRequest request = solid(1.0, RasterDirection::FewestTurns);
+    InfillRequest request = rasterDirectionSolid(1.0, RasterDirection::FewestTurns);
     const int fewest = passesAlong(filled(GetParam(), area, request), angleOfFewestTurns(area, 0.0));
     request.settings.raster.direction = RasterDirection::Given;
     for (int i = 0; i < 12; ++i) {
@@ -141,7 +141,7 @@ TEST_P(StrategyInBestDirection, TravelsNoFartherThanAtTheSampledAngles) {
                           {10, 20},
                           {0, 20}},
                          {}}};
-  InfillRequest request = solid(1.0, RasterDirection::LeastTravel);
+  InfillRequest request = rasterDirectionSolid(1.0, RasterDirection::LeastTravel);
   request.settings.raster.longest_connection_mm = 0.0;
   const double least = travelTo(filled(GetParam(), comb, request), request.start);
   request.settings.raster.direction = RasterDirection::Given;

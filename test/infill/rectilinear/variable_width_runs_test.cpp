@@ -15,19 +15,19 @@ using test::circle;
 using test::rectangle;
 using test::reversed;
 
-InfillRequest solid(double pitch, double angle_rad) {
+InfillRequest variableWidthRunsSolid(double pitch, double angle_rad) {
   InfillRequest request;
   request.pitch_mm = request.spacing_mm = pitch;
   request.angle_rad = angle_rad;
   return request;
 }
 
-std::vector<FillPath> filled(const Regions& area, const InfillRequest& request) {
+std::vector<FillPath> variableWidthRunsFilled(const Regions& area, const InfillRequest& request) {
   return variableWidthRuns(offset(area, -0.5 * narrowestBead(request)), request);
 }
 
 /// Area that beads fill [mm²].
-double filledArea(const std::vector<FillPath>& runs) {
+double variableWidthRunsFilledArea(const std::vector<FillPath>& runs) {
   double sum = 0.0;
   for (const FillPath& run : runs)
     for (std::size_t i = 1; i < run.points.size(); ++i)
@@ -42,7 +42,7 @@ Regions randomRegions(Random& random) {
 
 TEST(VariableWidthRuns, DivideARectangleEvenly) {
   // 4.3 mm across are 11 variable-width lines of 0.391 mm.
-  const std::vector<FillPath> runs = filled({{rectangle(0, 0, 20, 4.3), {}}}, solid(0.4, 0.0));
+  const std::vector<FillPath> runs = variableWidthRunsFilled({{rectangle(0, 0, 20, 4.3), {}}}, variableWidthRunsSolid(0.4, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   double longest = 0.0;
   for (std::size_t i = 1; i < runs[0].points.size(); ++i) {
@@ -53,29 +53,29 @@ TEST(VariableWidthRuns, DivideARectangleEvenly) {
     EXPECT_NEAR(std::remainder(runs[0].points[i].y() / (4.3 / 11) - 0.5, 1.0), 0.0, 1e-6);
   }
   EXPECT_GT(longest, 19.0);
-  EXPECT_NEAR(filledArea(runs), 20 * 4.3, 0.02 * 20 * 4.3);
+  EXPECT_NEAR(variableWidthRunsFilledArea(runs), 20 * 4.3, 0.02 * 20 * 4.3);
 }
 
 TEST(VariableWidthRuns, FillEachConvexRegionInOneRun) {
   for (const double angle : {0.0, 0.4, 1.1}) {
-    EXPECT_EQ(filled({{circle({0, 0}, 9, 80), {}}}, solid(0.4, angle)).size(), 1U);
-    EXPECT_EQ(filled({{rectangle(0, 0, 13, 7), {}}}, solid(0.4, angle)).size(), 1U);
+    EXPECT_EQ(variableWidthRunsFilled({{circle({0, 0}, 9, 80), {}}}, variableWidthRunsSolid(0.4, angle)).size(), 1U);
+    EXPECT_EQ(variableWidthRunsFilled({{rectangle(0, 0, 13, 7), {}}}, variableWidthRunsSolid(0.4, angle)).size(), 1U);
   }
 }
 
 TEST(VariableWidthRuns, TaperTowardsABorderThatIsSlanted) {
-  const std::vector<FillPath> runs = filled({{{{0, 0}, {30, 0}, {10, 4}, {0, 4}}, {}}}, solid(0.5, 0.0));
+  const std::vector<FillPath> runs = variableWidthRunsFilled({{{{0, 0}, {30, 0}, {10, 4}, {0, 4}}, {}}}, variableWidthRunsSolid(0.5, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   const auto [least, greatest] = std::minmax_element(runs[0].width_mm.begin() + 1, runs[0].width_mm.end());
   EXPECT_NEAR(*least, 0.3 * 0.5, 1e-9) << "the narrowest bead";
   EXPECT_LE(*greatest, 0.5 + 1e-9);
-  EXPECT_NEAR(filledArea(runs), 80.0, 0.02 * 80.0);
+  EXPECT_NEAR(variableWidthRunsFilledArea(runs), 80.0, 0.02 * 80.0);
 }
 
 TEST(VariableWidthRuns, NarrowUnderAHoleThatComesIntoTheirStrip) {
   const Regions plate = {{rectangle(0, 0, 20, 10), {reversed(rectangle(5, 4.3, 15, 7))}}};
-  const std::vector<FillPath> runs = filled(plate, solid(0.5, 0.0));
-  EXPECT_NEAR(filledArea(runs), area(plate), 0.02 * area(plate));
+  const std::vector<FillPath> runs = variableWidthRunsFilled(plate, variableWidthRunsSolid(0.5, 0.0));
+  EXPECT_NEAR(variableWidthRunsFilledArea(runs), area(plate), 0.02 * area(plate));
 }
 
 TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
@@ -83,8 +83,8 @@ TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions regions = randomRegions(random);
     const std::vector<Polygon> borders = outlines(regions);
-    const InfillRequest request = solid(random.uniform(0.3, 1.0), random.uniform(-7.0, 7.0));
-    const std::vector<FillPath> runs = filled(regions, request);
+    const InfillRequest request = variableWidthRunsSolid(random.uniform(0.3, 1.0), random.uniform(-7.0, 7.0));
+    const std::vector<FillPath> runs = variableWidthRunsFilled(regions, request);
     for (const FillPath& run : runs) {
       RC_ASSERT(run.points.size() == run.width_mm.size());
       for (std::size_t i = 1; i < run.points.size(); ++i) {
@@ -97,13 +97,13 @@ TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
         }
       }
     }
-    RC_ASSERT(std::abs(filledArea(runs) / area(regions) - 1.0) < 0.08);
+    RC_ASSERT(std::abs(variableWidthRunsFilledArea(runs) / area(regions) - 1.0) < 0.08);
   }));
 }
 
 TEST(VariableWidthRuns, OfNothingAreNone) {
-  EXPECT_TRUE(variableWidthRuns({}, solid(0.4, 0.0)).empty());
-  EXPECT_TRUE(filled({{rectangle(0, 0, 5, 0.1), {}}}, solid(0.4, 0.0)).empty());
+  EXPECT_TRUE(variableWidthRuns({}, variableWidthRunsSolid(0.4, 0.0)).empty());
+  EXPECT_TRUE(variableWidthRunsFilled({{rectangle(0, 0, 5, 0.1), {}}}, variableWidthRunsSolid(0.4, 0.0)).empty());
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ SliceJob cubes(int count, const std::string& output = "") {
   return job;
 }
 
-SlicedPart run(const SliceJob& job) {
+SlicedPart copiesRun(const SliceJob& job) {
   NoProgress nobody;
   return runSliceJob(job, nobody);
 }
@@ -57,8 +57,8 @@ Span beltSpan(const SlicedPart& sliced, std::size_t from_layer, std::size_t to_l
 }
 
 TEST(Copies, FollowEachOtherAlongTheBeltAndAreAlike) {
-  const SlicedPart one = run(cubes(1));
-  const SlicedPart three = run(cubes(3));
+  const SlicedPart one = copiesRun(cubes(1));
+  const SlicedPart three = copiesRun(cubes(3));
   const std::size_t layers = one.toolpath.layers.size();
   ASSERT_EQ(three.toolpath.layers.size(), 3 * layers);
   EXPECT_NO_THROW(validate(three.toolpath));
@@ -85,7 +85,7 @@ TEST(Copies, FollowEachOtherAlongTheBeltAndAreAlike) {
 }
 
 TEST(Copies, TheBeltGoesOnBeforeTheNozzleGoesAcross) {
-  const SlicedPart two = run(cubes(2));
+  const SlicedPart two = copiesRun(cubes(2));
   const std::size_t layers = two.toolpath.layers.size() / 2;
   const Path& travel = two.toolpath.layers[layers].paths.front();
   ASSERT_EQ(travel.role, PathRole::Travel);
@@ -101,7 +101,7 @@ TEST(Copies, TheBeltGoesOnBeforeTheNozzleGoesAcross) {
 
 TEST(Copies, StandInTheProgram) {
   const test::ScratchFolder folder;
-  const SlicedPart two = run(cubes(2, folder.file("two.gcode")));
+  const SlicedPart two = copiesRun(cubes(2, folder.file("two.gcode")));
   const Toolpath read = toolpathFromGcodeFile(folder.file("two.gcode"), ProgramSettings{});
   EXPECT_EQ(read.layers.size(), two.toolpath.layers.size());
   EXPECT_NEAR(depositionBox(read).size().y(), depositionBox(two.toolpath).size().y(), 5e-3);
@@ -111,7 +111,7 @@ TEST(Copies, NeedABelt) {
   SliceJob job = cubes(2);
   job.settings.machine.name = "gantry_45";
   try {
-    run(job);
+    copiesRun(job);
     FAIL() << "a plate has no room that never ends";
   } catch (const InvalidConfig& error) {
     EXPECT_NE(std::string(error.what()).find("part.copies is 2"), std::string::npos) << error.what();

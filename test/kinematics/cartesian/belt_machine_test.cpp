@@ -12,7 +12,7 @@ namespace lamina {
 namespace {
 
 constexpr double kRadians = M_PI / 180.0;
-constexpr double kRoundTrip = 1e-9;  // mm
+constexpr double kBeltMachineRoundTrip = 1e-9;  // mm
 
 /// The belt printer with its gantry at another angle.
 CartesianMachine beltMachine(double angle_deg) {
@@ -45,7 +45,7 @@ TEST(BeltMachine, CoordinatesComeBackAtAnyAngle) {
     Random random(seed);
     const Eigen::Affine3d axes_from_bed = programFromBed(beltMachine(random.uniform(15.0, 75.0)));
     const Point3 point(random.uniform(0.0, 300.0), random.uniform(-1e4, 0.0), random.uniform(0.0, 200.0));
-    RC_ASSERT((axes_from_bed.inverse() * (axes_from_bed * point) - point).norm() < kRoundTrip);
+    RC_ASSERT((axes_from_bed.inverse() * (axes_from_bed * point) - point).norm() < kBeltMachineRoundTrip);
   }));
 }
 
@@ -58,7 +58,7 @@ TEST(BeltMachine, TheBeltStandsStillInPlanesOfTheGantry) {
                                 std::sin(angle * kRadians));
     const Point3 start(0.0, random.uniform(-1e3, 0.0), 0.0);
     const double there = axisValues(machine, start + up_the_incline).z();
-    RC_ASSERT(std::abs(there - axisValues(machine, start).z()) < kRoundTrip);
+    RC_ASSERT(std::abs(there - axisValues(machine, start).z()) < kBeltMachineRoundTrip);
   }));
 }
 

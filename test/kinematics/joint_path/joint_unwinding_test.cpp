@@ -12,10 +12,10 @@
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kJointUnwindingDegree = M_PI / 180.0;
 
 std::vector<JointRange> oneJoint(double limit_deg) {
-  return jointRanges({{"c", JointKind::Rotary, -limit_deg * kDegree, limit_deg * kDegree, 1.0}});
+  return jointRanges({{"c", JointKind::Rotary, -limit_deg * kJointUnwindingDegree, limit_deg * kJointUnwindingDegree, 1.0}});
 }
 
 /// A joint that turns on and on, in steps.
@@ -25,25 +25,25 @@ struct Turning {
 
   void add(double angle_deg, WindLink link) {
     JointValues value(1);
-    value[0] = std::remainder(angle_deg, 360.0) * kDegree;
+    value[0] = std::remainder(angle_deg, 360.0) * kJointUnwindingDegree;
     values.push_back(value);
     links.push_back(link);
   }
 };
 
 /// Whole turns in steps of 10 degrees; they may be rewound in between, at the ranks given.
-Turning turning(int turns, const std::vector<double>& ranks = {}) {
-  Turning turning;
+Turning jointUnwindingTurning(int turns, const std::vector<double>& ranks = {}) {
+  Turning jointUnwindingTurning;
   for (int step = 0; step <= 36 * turns; ++step) {
     WindLink link{step > 0, step > 0 && step % 36 == 0, 0.0};
     if (link.may_rewind && !ranks.empty()) link.rank = ranks[static_cast<std::size_t>(step / 36 - 1)];
-    turning.add(10.0 * step, link);
+    jointUnwindingTurning.add(10.0 * step, link);
   }
-  return turning;
+  return jointUnwindingTurning;
 }
 
 std::size_t rewindsOf(int turns, double limit_deg) {
-  Turning way = turning(turns);
+  Turning way = jointUnwindingTurning(turns);
   const Unwound unwound = unwind(way.values, way.links, oneJoint(limit_deg));
   EXPECT_TRUE(unwound.wound_up.empty());
   return unwound.rewinds;
@@ -61,15 +61,15 @@ TEST(JointUnwinding, IsRewoundAsOftenAsCountedByHand) {
 
 TEST(JointUnwinding, RewindsWhereTheRankIsHighestAmongTheFewest) {
   // Of 3 turns 2 fit, so one rewind is needed, at the first place or the second.
-  Turning way = turning(3, {5.0, 1.0, 9.0});
+  Turning way = jointUnwindingTurning(3, {5.0, 1.0, 9.0});
   const Unwound unwound = unwind(way.values, way.links, oneJoint(370.0));
   ASSERT_EQ(unwound.rewinds, 1U);
-  EXPECT_NEAR(unwound.values[35][0], 350.0 * kDegree, 1e-9);
-  EXPECT_NEAR(unwound.values[36][0], -360.0 * kDegree, 1e-9);
+  EXPECT_NEAR(unwound.values[35][0], 350.0 * kJointUnwindingDegree, 1e-9);
+  EXPECT_NEAR(unwound.values[36][0], -360.0 * kJointUnwindingDegree, 1e-9);
 }
 
 TEST(JointUnwinding, NamesWhereARunIsTooLong) {
-  Turning way = turning(2);
+  Turning way = jointUnwindingTurning(2);
   for (WindLink& link : way.links) link.may_rewind = false;
   // It can start at 0 only; 190 deg is its limit.
   const Unwound unwound = unwind(way.values, way.links, oneJoint(190.0));
@@ -91,7 +91,7 @@ TEST(JointUnwinding, KeepsEveryValueWithinItsLimitsAndChangesItByWholeTurnsOnly)
     const Unwound unwound = unwind(way.values, way.links, oneJoint(limit));
     std::size_t rewinds = 0;
     for (std::size_t i = 0; i < unwound.values.size(); ++i) {
-      RC_ASSERT(std::abs(unwound.values[i][0]) <= limit * kDegree + 1e-6);
+      RC_ASSERT(std::abs(unwound.values[i][0]) <= limit * kJointUnwindingDegree + 1e-6);
       RC_ASSERT(std::abs(std::remainder(unwound.values[i][0] - way.values[i][0], 2.0 * M_PI)) < 1e-9);
       if (i > 0 && std::abs(unwound.values[i][0] - unwound.values[i - 1][0]) > M_PI) ++rewinds;
     }

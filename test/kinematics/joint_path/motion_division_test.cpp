@@ -20,7 +20,7 @@ Path corner() {
   return path;
 }
 
-Toolpath toolpathOf(Path path) {
+Toolpath motionDivisionToolpathOf(Path path) {
   Toolpath toolpath;
   toolpath.layers.push_back({0.2, 0.2, {std::move(path)}});
   return toolpath;
@@ -29,7 +29,7 @@ Toolpath toolpathOf(Path path) {
 DividedToolpath inSteps(Path path, double max_step_mm) {
   MotionDivision division;
   division.max_step_mm = max_step_mm;
-  return divideMotions(toolpathOf(std::move(path)), division);
+  return divideMotions(motionDivisionToolpathOf(std::move(path)), division);
 }
 
 TEST(MotionDivision, DividesALongMotionIntoEqualStepsOfItsFeedAndBead) {
@@ -62,7 +62,7 @@ TEST(MotionDivision, TurnsTheNozzleSteadily) {
   MotionDivision division;
   division.max_step_mm = 100.0;
   division.max_step_deg = 0.1 * 180.0 / M_PI;
-  const DividedToolpath divided = divideMotions(toolpathOf(path), division);
+  const DividedToolpath divided = divideMotions(motionDivisionToolpathOf(path), division);
   const Path& steps = divided.toolpath.layers[0].paths[0];
   ASSERT_EQ(steps.points.size(), 5U);
   for (std::size_t i = 0; i < 5; ++i)

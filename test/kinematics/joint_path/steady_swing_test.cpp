@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kSteadySwingDegree = M_PI / 180.0;
 
 /// Along x, the tool axis inclined by `tilt_deg` towards an azimuth that goes to and fro by 80 deg.
 Toolpath wavering(double tilt_deg) {
@@ -22,8 +22,8 @@ Toolpath wavering(double tilt_deg) {
   std::vector<Eigen::Quaterniond> nozzles;
   for (int i = 0; i <= 200; ++i) {
     path.points.emplace_back(0.5 * i, 0.0, 0.0);
-    const double azimuth = 80.0 * kDegree * std::sin(0.3 * i);
-    const Eigen::AngleAxisd tilt(-tilt_deg * kDegree, Point3(-std::sin(azimuth), std::cos(azimuth), 0.0));
+    const double azimuth = 80.0 * kSteadySwingDegree * std::sin(0.3 * i);
+    const Eigen::AngleAxisd tilt(-tilt_deg * kSteadySwingDegree, Point3(-std::sin(azimuth), std::cos(azimuth), 0.0));
     nozzles.push_back(tilt * nozzleDown());
   }
   path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));
@@ -69,16 +69,16 @@ TEST(SteadySwing, KeepsTipAndToolAxisWhereNoToleranceIsGiven) {
 
 TEST(SteadySwing, HardlySwingsWhereTheToolAxisLeansLessThanTheTolerance) {
   const Swing swing = swingOf(0.2, 0.5);
-  EXPECT_LT(swing.total, 180.0 * kDegree);
-  EXPECT_GT(swingOf(0.2, 0.0).total, 1500.0 * kDegree);
-  EXPECT_LT(swing.tool_axis_off, 0.5 * kDegree + 1e-9);
+  EXPECT_LT(swing.total, 180.0 * kSteadySwingDegree);
+  EXPECT_GT(swingOf(0.2, 0.0).total, 1500.0 * kSteadySwingDegree);
+  EXPECT_LT(swing.tool_axis_off, 0.5 * kSteadySwingDegree + 1e-9);
   EXPECT_LT(swing.tip_off_mm, 1e-9);
 }
 
 TEST(SteadySwing, SwingsLessWithinTheToleranceOfALargerLean) {
   const Swing swing = swingOf(3.0, 1.0);
   EXPECT_LT(swing.total, 0.95 * swingOf(3.0, 0.0).total);
-  EXPECT_LT(swing.tool_axis_off, 1.0 * kDegree + 1e-9);
+  EXPECT_LT(swing.tool_axis_off, 1.0 * kSteadySwingDegree + 1e-9);
   EXPECT_LT(swing.tip_off_mm, 1e-9);
 }
 

@@ -54,7 +54,7 @@ Eigen::Isometry3d poseOf(const KDL::Frame& frame) {
   return pose;
 }
 
-Eigen::Isometry3d forward(const KDL::Chain& chain, const JointValues& values) {
+Eigen::Isometry3d kdlComparisonForward(const KDL::Chain& chain, const JointValues& values) {
   KDL::Frame frame;
   KDL::ChainFkSolverPos_recursive(chain).JntToCart(jointsOf(chain, values), frame);
   return poseOf(frame);
@@ -68,11 +68,11 @@ TEST(KdlComparison, TheNozzleIsWhereKdlPutsIt) {
     const auto arm = kinematicModelFromUrdf(urdf);
     const auto model = urdf::parseURDF(urdf);
     const KDL::Chain to_nozzle = chainTo(*model, "nozzle");
-    const Eigen::Isometry3d root_from_bed = forward(chainTo(*model, "bed"), JointValues::Zero(6));
+    const Eigen::Isometry3d root_from_bed = kdlComparisonForward(chainTo(*model, "bed"), JointValues::Zero(6));
     EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
       Random random(seed);
       const JointValues values = test::anyJointValues(*arm, random);
-      const Eigen::Isometry3d expected = root_from_bed.inverse() * forward(to_nozzle, values);
+      const Eigen::Isometry3d expected = root_from_bed.inverse() * kdlComparisonForward(to_nozzle, values);
       RC_ASSERT(test::distance(arm->bedFromNozzle(values), expected) < 1e-12);
     }));
   }

@@ -16,7 +16,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kWide = 1e3;  // mm, rad: of joints without end
+constexpr double kKinematicModelWide = 1e3;  // mm, rad: of joints without end
 constexpr double kStep = 1e-4;
 constexpr double kOfDifferences = 1e-6;  // of the Jacobian: the step's square, and rounding over the step
 
@@ -24,7 +24,7 @@ JointValues anyValues(const KinematicModel& model, Random& random) {
   JointValues values(static_cast<Eigen::Index>(model.joints().size()));
   for (Eigen::Index j = 0; j < values.size(); ++j) {
     const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
-    values[j] = random.uniform(std::max(joint.low, -kWide), std::min(joint.high, kWide));
+    values[j] = random.uniform(std::max(joint.low, -kKinematicModelWide), std::min(joint.high, kKinematicModelWide));
   }
   return values;
 }
@@ -38,7 +38,7 @@ std::vector<std::string> serialNames() {
 }
 
 /// Text of the gantry with one thing replaced wherever it stands.
-std::string gantryWith(const std::string& what, const std::string& by) {
+std::string kinematicModelGantryWith(const std::string& what, const std::string& by) {
   std::string text = machineByName("cartesian_gantry").urdf;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
@@ -130,22 +130,22 @@ TEST(KinematicModel, ABeltHasNoEnd) {
 }
 
 TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
-  EXPECT_EQ(test::descriptionFailure(gantryWith("\"nozzle\"", "\"tip\"")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("\"nozzle\"", "\"tip\"")),
             "machine 'cartesian_gantry' has no link 'nozzle'");
-  EXPECT_EQ(test::descriptionFailure(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
             "machine 'cartesian_gantry': the axis of joint 'z' is 2.000000 long; expected 1");
-  EXPECT_EQ(test::descriptionFailure(gantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
             "machine 'cartesian_gantry': the axes x, y and z do not span space");
-  EXPECT_EQ(test::descriptionFailure(gantryWith("upper=\"0.25\"", "upper=\"-1\"")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("upper=\"0.25\"", "upper=\"-1\"")),
             "machine 'cartesian_gantry': joint 'z' has limits 0.000000 to -1.000000; the lower must be the "
             "lesser");
-  EXPECT_EQ(test::descriptionFailure(gantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
             "machine 'cartesian_gantry': joint 'z' has a velocity of 0.000000; must be positive");
   EXPECT_EQ(test::descriptionFailure(
-                gantryWith("<joint name=\"z\" type=\"prismatic\">", "<joint name=\"z\" type=\"fixed\">")),
+                kinematicModelGantryWith("<joint name=\"z\" type=\"prismatic\">", "<joint name=\"z\" type=\"fixed\">")),
             "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
   const std::string unknown =
-      test::descriptionFailure(gantryWith("<joint name=\"x\"", "<joint name=\"left\""));
+      test::descriptionFailure(kinematicModelGantryWith("<joint name=\"x\"", "<joint name=\"left\""));
   EXPECT_EQ(unknown.find(
                 "machine 'cartesian_gantry' has no joint by which its kind is reported; expected one of x"),
             0U);
@@ -153,8 +153,8 @@ TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
 
 TEST(KinematicModel, NamesTheJointThatHasNoLimits) {
   const std::string limit = "<limit lower=\"0\" upper=\"0.25\" velocity=\"0.2\" effort=\"100\"/>";
-  EXPECT_NE(test::descriptionFailure(gantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
-      << test::descriptionFailure(gantryWith(limit, ""));
+  EXPECT_NE(test::descriptionFailure(kinematicModelGantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
+      << test::descriptionFailure(kinematicModelGantryWith(limit, ""));
 }
 
 TEST(KinematicModel, RefusesAnUnknownName) { EXPECT_THROW(kinematicModelByName("delta"), InvalidConfig); }

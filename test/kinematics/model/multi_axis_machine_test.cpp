@@ -28,7 +28,7 @@ JointValues valuesOf(const std::vector<double>& numbers) {
 }
 
 /// Linear values in mm, rotary ones in turns of the tool axis by up to 95 degrees.
-JointValues anyValues(Random& random, double most_turn) {
+JointValues multiAxisMachineAnyValues(Random& random, double most_turn) {
   JointValues values(5);
   for (int i = 0; i < 3; ++i) values[i] = random.uniform(-200.0, 200.0);
   for (int i = 3; i < 5; ++i) values[i] = random.uniform(-most_turn, most_turn);
@@ -98,7 +98,7 @@ TEST(MultiAxisMachine, BothBranchesReachThePoseAndOneIsWhereItCameFrom) {
     Random random(seed);
     for (const std::string& name : kFiveAxes) {
       const auto machine = kinematicModelByName(name);
-      const JointValues values = anyValues(random, M_PI);
+      const JointValues values = multiAxisMachineAnyValues(random, M_PI);
       const Eigen::Isometry3d pose = machine->bedFromNozzle(values);
       const auto solutions = machine->solutions(pose, values);
       RC_ASSERT(solutions.size() == 2U);
@@ -116,7 +116,7 @@ TEST(MultiAxisMachine, AnyArrangementOfItsJointsIsSolved) {
   EXPECT_TRUE(rc::check("arbitrary axes, places and order", [](std::uint64_t seed) {
     Random random(seed);
     const auto machine = anyUsableMachine(random);
-    const JointValues values = anyValues(random, M_PI);
+    const JointValues values = multiAxisMachineAnyValues(random, M_PI);
     RC_PRE(machine->singularityMargin(values) > 0.02);
     const Eigen::Isometry3d pose = machine->bedFromNozzle(values);
     bool is_found = false;
@@ -134,7 +134,7 @@ TEST(MultiAxisMachine, NearItsSingularityItReachesThePoseAsWell) {
     for (const std::string& name : kFiveAxes) {
       const auto machine = kinematicModelByName(name);
       for (double tilt = 1e-3; tilt > 1e-17; tilt *= 0.1) {
-        JointValues values = anyValues(random, M_PI);
+        JointValues values = multiAxisMachineAnyValues(random, M_PI);
         values[3] = random.below(2) == 0 ? tilt : -tilt;
         const Eigen::Isometry3d pose = machine->bedFromNozzle(values);
         const auto solutions = machine->solutions(pose, values);

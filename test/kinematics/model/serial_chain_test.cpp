@@ -28,7 +28,7 @@ std::string urdfWith(const std::string& wheel) {
 
 SerialChain chainOf(const std::string& urdf) { return serialChain(*parseMachine(urdf), urdf); }
 
-std::string failureOf(const std::string& urdf) {
+std::string serialChainFailureOf(const std::string& urdf) {
   try {
     chainOf(urdf);
     return "";
@@ -65,12 +65,12 @@ TEST(SerialChain, AJointThatMimicsFollows) {
 
 TEST(SerialChain, NothingElseMoves) {
   EXPECT_EQ(
-      failureOf(urdfWith("")),
+      serialChainFailureOf(urdfWith("")),
       "machine 'lathe': joint 'spin' moves, but neither stands between bed and nozzle nor mimics one that "
       "does");
   std::string floating = urdfWith(kMimic);
   floating.replace(floating.find("\"prismatic\""), 11, "\"floating\"");
-  EXPECT_EQ(failureOf(floating),
+  EXPECT_EQ(serialChainFailureOf(floating),
             "machine 'lathe': joint 'z' is neither prismatic, revolute, continuous nor fixed");
 }
 

@@ -30,7 +30,7 @@ double poseError(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
 }
 
-std::string unreachable(const Eigen::Isometry3d& pose) {
+std::string rusKinematicsUnreachable(const Eigen::Isometry3d& pose) {
   try {
     crankAngles(huntPlatform(), pose);
     return "";
@@ -110,11 +110,11 @@ TEST(RusKinematics, InverseAnswersForwardOverTheCranks) {
 TEST(RusKinematics, PosesOutOfReachNameEveryLegThatFails) {
   Eigen::Isometry3d pose = huntPlatform().home;
   pose.translation().z() = -600.0;
-  const std::string low = unreachable(pose);
+  const std::string low = rusKinematicsUnreachable(pose);
   for (int leg = 1; leg <= 6; ++leg)
     EXPECT_NE(low.find("leg " + std::to_string(leg)), std::string::npos) << low;
   pose.translation() = Point3(-330, 0, -260);
-  const std::string aside = unreachable(pose);
+  const std::string aside = rusKinematicsUnreachable(pose);
   EXPECT_NE(aside.find("leg 1"), std::string::npos) << aside;
   EXPECT_EQ(aside.find("leg 3"), std::string::npos) << aside;
   EXPECT_NE(aside.find("mm from motor to ball"), std::string::npos) << aside;

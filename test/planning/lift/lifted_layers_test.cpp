@@ -22,7 +22,7 @@ using test::layersOf;
 using test::rectangle;
 
 constexpr double kLength = 12.0;
-constexpr std::uint32_t kSides = 48;
+constexpr std::uint32_t kLiftedLayersSides = 48;
 
 /// Half cylinders on each other, and what is planned on them.
 struct Stack {
@@ -41,7 +41,7 @@ struct Stack {
 Stack halfCylinders(int count) {
   Stack stack;
   for (int i = 0; i < count; ++i)
-    stack.add(test::halfCylinder(5.1 + test::kLayerHeight * i, kLength, kSides));
+    stack.add(test::halfCylinder(5.1 + test::kLayerHeight * i, kLength, kLiftedLayersSides));
   stack.layers = layersOf(count, [&](int i) {
     const Point2 corner = stack.charts[static_cast<std::size_t>(i)][0].plan.back();
     return std::vector<Polygon>{rectangle(0, 0, corner.x(), corner.y())};
@@ -222,7 +222,7 @@ TEST(LiftedLayers, TurnTheNozzleWithoutJumps) {
         for (std::size_t i = 0; i < path.points.size(); ++i) {
           const Eigen::Quaterniond& now = path.orientation.at(i);
           if (before != nullptr && path.role != PathRole::Travel && i > 0) {
-            EXPECT_LE(before->angularDistance(now), 2.0 * M_PI / kSides) << strategy;
+            EXPECT_LE(before->angularDistance(now), 2.0 * M_PI / kLiftedLayersSides) << strategy;
           }
           before = &now;
         }

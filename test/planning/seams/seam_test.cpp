@@ -10,31 +10,31 @@
 namespace lamina {
 namespace {
 
-const Polygon kSquare = test::rectangle(0, 0, 10, 10);
+const Polygon kSeamSquare = test::rectangle(0, 0, 10, 10);
 
 Seam seam(SeamPlacement placement, int seed = 1, std::uint64_t layer = 0) {
   return Seam({placement, seed}, Point2(11, -1), layer);
 }
 
 TEST(Seam, AlignedIsTheVertexNearestToTheAnchor) {
-  EXPECT_EQ(seam(SeamPlacement::Aligned).placed(kSquare).front(), Point2(10, 0));
+  EXPECT_EQ(seam(SeamPlacement::Aligned).placed(kSeamSquare).front(), Point2(10, 0));
 }
 
 TEST(Seam, RearIsTheVertexFarthestBack) {
-  EXPECT_EQ(seam(SeamPlacement::Rear).placed(kSquare).front(), Point2(10, 10));
+  EXPECT_EQ(seam(SeamPlacement::Rear).placed(kSeamSquare).front(), Point2(10, 10));
 }
 
 TEST(Seam, NearestIsTheVertexNearestToTheNozzle) {
   const Seam nearest = seam(SeamPlacement::Nearest);
-  EXPECT_EQ(nearest.approached(kSquare, {1, 8}).front(), Point2(0, 10));
-  EXPECT_EQ(seam(SeamPlacement::Aligned).approached(kSquare, {1, 8}), kSquare);
+  EXPECT_EQ(nearest.approached(kSeamSquare, {1, 8}).front(), Point2(0, 10));
+  EXPECT_EQ(seam(SeamPlacement::Aligned).approached(kSeamSquare, {1, 8}), kSeamSquare);
 }
 
 TEST(Seam, RandomDependsOnSeedAndLayerOnly) {
-  const Polygon first = seam(SeamPlacement::Random, 1, 5).placed(kSquare);
-  EXPECT_EQ(seam(SeamPlacement::Random, 1, 5).placed(kSquare), first);
-  EXPECT_NE(seam(SeamPlacement::Random, 2, 5).placed(kSquare), first);
-  EXPECT_NE(seam(SeamPlacement::Random, 1, 6).placed(kSquare), first);
+  const Polygon first = seam(SeamPlacement::Random, 1, 5).placed(kSeamSquare);
+  EXPECT_EQ(seam(SeamPlacement::Random, 1, 5).placed(kSeamSquare), first);
+  EXPECT_NE(seam(SeamPlacement::Random, 2, 5).placed(kSeamSquare), first);
+  EXPECT_NE(seam(SeamPlacement::Random, 1, 6).placed(kSeamSquare), first);
 }
 
 TEST(Seam, LeavesTheLoopTheSameLoop) {

@@ -7,12 +7,12 @@
 namespace lamina {
 namespace {
 
-TravelSettings settings() { return {100.0, 0.5, 2.0}; }
+TravelSettings travelSettings() { return {100.0, 0.5, 2.0}; }
 
-TEST(Travel, ToTheSamePointIsNone) { EXPECT_FALSE(makeTravel({1, 2, 3}, {1, 2, 3}, settings())); }
+TEST(Travel, ToTheSamePointIsNone) { EXPECT_FALSE(makeTravel({1, 2, 3}, {1, 2, 3}, travelSettings())); }
 
 TEST(Travel, WithinTheThresholdIsStraight) {
-  const auto travel = makeTravel({0, 0, 1}, {2, 0, 1}, settings());
+  const auto travel = makeTravel({0, 0, 1}, {2, 0, 1}, travelSettings());
   ASSERT_TRUE(travel);
   EXPECT_EQ(travel->points, (std::vector<Point3>{{0, 0, 1}, {2, 0, 1}}));
   EXPECT_FALSE(travel->process.is_retracted);
@@ -22,21 +22,21 @@ TEST(Travel, WithinTheThresholdIsStraight) {
 }
 
 TEST(Travel, BeyondTheThresholdGoesUpOverAndDownRetracted) {
-  const auto travel = makeTravel({0, 0, 1}, {5, 0, 1}, settings());
+  const auto travel = makeTravel({0, 0, 1}, {5, 0, 1}, travelSettings());
   ASSERT_TRUE(travel);
   EXPECT_EQ(travel->points, (std::vector<Point3>{{0, 0, 1}, {0, 0, 1.5}, {5, 0, 1.5}, {5, 0, 1}}));
   EXPECT_TRUE(travel->process.is_retracted);
 }
 
 TEST(Travel, OverInfillIsStraightAtAnyLength) {
-  const auto travel = makeTravel({0, 0, 1}, {50, 0, 1}, settings(), TravelOver::Infill);
+  const auto travel = makeTravel({0, 0, 1}, {50, 0, 1}, travelSettings(), TravelOver::Infill);
   ASSERT_TRUE(travel);
   EXPECT_EQ(travel->points.size(), 2U);
   EXPECT_FALSE(travel->process.is_retracted);
 }
 
 TEST(Travel, WithoutHopIsStraightThoughRetracted) {
-  TravelSettings flat = settings();
+  TravelSettings flat = travelSettings();
   flat.hop_mm = 0.0;
   const auto travel = makeTravel({0, 0, 1}, {5, 0, 1}, flat);
   EXPECT_EQ(travel->points.size(), 2U);
@@ -44,11 +44,11 @@ TEST(Travel, WithoutHopIsStraightThoughRetracted) {
 }
 
 TEST(Travel, ToTheNextLayerRisesBeforeItMovesOver) {
-  const auto near = makeTravel({0, 0, 1}, {1, 0, 1.2}, settings());
+  const auto near = makeTravel({0, 0, 1}, {1, 0, 1.2}, travelSettings());
   EXPECT_EQ(near->points, (std::vector<Point3>{{0, 0, 1}, {0, 0, 1.2}, {1, 0, 1.2}}));
-  const auto far = makeTravel({0, 0, 1}, {9, 0, 1.2}, settings());
+  const auto far = makeTravel({0, 0, 1}, {9, 0, 1.2}, travelSettings());
   EXPECT_EQ(far->points, (std::vector<Point3>{{0, 0, 1}, {0, 0, 1.7}, {9, 0, 1.7}, {9, 0, 1.2}}));
-  const auto above = makeTravel({0, 0, 1}, {0, 0, 1.2}, settings());
+  const auto above = makeTravel({0, 0, 1}, {0, 0, 1.2}, travelSettings());
   EXPECT_EQ(above->points, (std::vector<Point3>{{0, 0, 1}, {0, 0, 1.2}}));
 }
 

@@ -14,7 +14,7 @@ namespace lamina {
 namespace {
 
 /// A wall of 45 degrees at phi = 0 that is vertical at 180, in layers of 0.8 mm.
-Toolpath planned(const PlanSettings& settings) {
+Toolpath adaptedWallsPlanned(const PlanSettings& settings) {
   const Mesh mesh = test::loftedSolid(
       {0.0, 12.0}, 120, [](double phi, double z) { return 20.0 + z * (1.0 + std::cos(phi)) / 2.0; });
   SlicingSettings slicing;
@@ -30,7 +30,7 @@ Toolpath planned(const PlanSettings& settings) {
 TEST(AdaptedWalls, AreAToolpathOfOneWallPerLayer) {
   PlanSettings settings;
   settings.bead.width_mm = 1.2;
-  const Toolpath toolpath = planned(settings);
+  const Toolpath toolpath = adaptedWallsPlanned(settings);
   EXPECT_NO_THROW(validate(toolpath));
   bool is_any_open = false;
   for (const ToolpathLayer& layer : toolpath.layers) {
@@ -80,7 +80,7 @@ TEST(AdaptedWalls, PartsThinnerThanABeadAreRefused) {
 TEST(AdaptedWalls, LoopsStartWhereTheSeamIs) {
   PlanSettings settings;
   settings.seam.placement = SeamPlacement::Rear;
-  const Toolpath toolpath = planned(settings);
+  const Toolpath toolpath = adaptedWallsPlanned(settings);
   for (const ToolpathLayer& layer : toolpath.layers) {
     for (const Path& path : layer.paths) {
       if (!path.is_closed) continue;

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-AdaptedCurve upright(const std::vector<Point3>& points) {
+AdaptedCurve curveInsetUpright(const std::vector<Point3>& points) {
   return {true, points, std::vector<Point3>(points.size(), Point3::UnitZ()),
           std::vector<double>(points.size(), 0.2)};
 }
@@ -39,12 +39,12 @@ AdaptedCurve dense(const std::vector<Point3>& corners) {
     for (int piece = 0; piece < pieces; ++piece)
       points.emplace_back(corners[i] + double(piece) / pieces * along);
   }
-  return upright(points);
+  return curveInsetUpright(points);
 }
 
 TEST(CurveInset, CornersOfASquareStaySharp) {
   const auto inset =
-      insetCurve(upright({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}), 0.5, InsetWay::AcrossWall);
+      insetCurve(curveInsetUpright({{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}}), 0.5, InsetWay::AcrossWall);
   ASSERT_EQ(inset.size(), 1U);
   ASSERT_EQ(inset[0].points.size(), 4U);
   EXPECT_LE((inset[0].points[0] - Point3(0.5, 0.5, 1)).norm(), 1e-12);

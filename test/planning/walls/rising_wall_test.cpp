@@ -18,13 +18,13 @@ using test::circle;
 using test::rectangle;
 using test::reversed;
 
-constexpr double kHeight = test::kLayerHeight;
-constexpr double kPitch = test::kLayerPitch;
-constexpr int kLayers = 20;
+constexpr double kRisingWallHeight = test::kLayerHeight;
+constexpr double kRisingWallPitch = test::kLayerPitch;
+constexpr int kRisingWallLayers = 20;
 
 template <class Contours>
 std::vector<Layer> layersOf(Contours contours) {
-  return test::layersOf(kLayers, contours);
+  return test::layersOf(kRisingWallLayers, contours);
 }
 
 std::vector<Layer> box() {
@@ -47,7 +47,7 @@ Toolpath vaseOf(const std::vector<Layer>& layers, int base_layers) {
 }
 
 /// What the vase is refused for.
-std::string refusalOf(const std::vector<Layer>& layers) {
+std::string risingWallRefusalOf(const std::vector<Layer>& layers) {
   try {
     vaseOf(layers, 2);
   } catch (const InvalidInput& error) {
@@ -72,7 +72,7 @@ TEST(RisingWall, RisesInProportionToTheWayRound) {
     double gone = 0.0;
     for (std::size_t k = 0; k < turn.points.size(); ++k) {
       if (k > 0) gone += (turn.points[k] - turn.points[k - 1]).head<2>().norm();
-      EXPECT_NEAR(turn.points[k].z(), kHeight * (static_cast<double>(i) + gone / whole), 1e-5);
+      EXPECT_NEAR(turn.points[k].z(), kRisingWallHeight * (static_cast<double>(i) + gone / whole), 1e-5);
     }
     EXPECT_NEAR(gone, whole, 1e-3);
   }
@@ -80,7 +80,7 @@ TEST(RisingWall, RisesInProportionToTheWayRound) {
 
 TEST(RisingWall, HoldsTheVolumeOfTheWall) {
   // What the first turn lacks the closing one at the top adds.
-  const double wall = 4.0 * (12.0 - 0.4) * kPitch * kHeight * kLayers;
+  const double wall = 4.0 * (12.0 - 0.4) * kRisingWallPitch * kRisingWallHeight * kRisingWallLayers;
   EXPECT_NEAR(totals(vaseOf(box(), 0)).deposited_mm3, wall, 1e-3 * wall);
 }
 
@@ -90,11 +90,11 @@ TEST(RisingWall, BeginsAndEndsWithABeadOfNoHeight) {
   double volume = 0.0;
   for (std::size_t i = 1; i < first.points.size(); ++i)
     volume += crossSection(first.bead.at(i)) * (first.points[i] - first.points[i - 1]).norm();
-  EXPECT_NEAR(volume, 0.5 * 4.0 * (12.0 - 0.4) * kPitch * kHeight, 1e-3 * volume);
-  EXPECT_LT(first.bead.at(1).height_mm, 0.02 * kHeight);
+  EXPECT_NEAR(volume, 0.5 * 4.0 * (12.0 - 0.4) * kRisingWallPitch * kRisingWallHeight, 1e-3 * volume);
+  EXPECT_LT(first.bead.at(1).height_mm, 0.02 * kRisingWallHeight);
   const Path& last = toolpath.layers.back().paths.front();
-  EXPECT_LT(last.bead.at(last.points.size() - 1).height_mm, 0.02 * kHeight);
-  EXPECT_EQ(last.points.back().z(), kHeight * kLayers);
+  EXPECT_LT(last.bead.at(last.points.size() - 1).height_mm, 0.02 * kRisingWallHeight);
+  EXPECT_EQ(last.points.back().z(), kRisingWallHeight * kRisingWallLayers);
 }
 
 TEST(RisingWall, HasNoStepBetweenTurnsOfACone) {
@@ -116,13 +116,13 @@ TEST(RisingWall, StandsOnSolidLayers) {
   double filled = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
     for (const Path& path : toolpath.layers[i].paths) filled += depositedVolume(path);
-  EXPECT_NEAR(filled, 3 * kHeight * 12.0 * 12.0, 0.05 * filled);
+  EXPECT_NEAR(filled, 3 * kRisingWallHeight * 12.0 * 12.0, 0.05 * filled);
   EXPECT_EQ(toolpath.layers[3].paths.back().role, PathRole::OuterWall);
-  EXPECT_NEAR(toolpath.layers[3].paths.back().points.front().z(), 3 * kHeight, 1e-9);
+  EXPECT_NEAR(toolpath.layers[3].paths.back().points.front().z(), 3 * kRisingWallHeight, 1e-9);
 }
 
 TEST(RisingWall, RefusesALayerOfTwoRegionsByItsNumber) {
-  const std::string told = refusalOf(layersOf([](int i) {
+  const std::string told = risingWallRefusalOf(layersOf([](int i) {
     std::vector<Polygon> contours = {rectangle(0, 0, 5, 5)};
     if (i == 7) contours.push_back(rectangle(7, 0, 12, 5));
     return contours;
@@ -132,7 +132,7 @@ TEST(RisingWall, RefusesALayerOfTwoRegionsByItsNumber) {
 }
 
 TEST(RisingWall, RefusesAHoleByTheLayerItIsIn) {
-  const std::string told = refusalOf(layersOf([](int i) {
+  const std::string told = risingWallRefusalOf(layersOf([](int i) {
     std::vector<Polygon> contours = {rectangle(0, 0, 12, 12)};
     if (i > 4) contours.push_back(reversed(circle({6, 6}, 3, 30)));
     return contours;
@@ -142,7 +142,7 @@ TEST(RisingWall, RefusesAHoleByTheLayerItIsIn) {
 }
 
 TEST(RisingWall, RefusesALayerWithoutRoomBetweenOthers) {
-  const std::string told = refusalOf(layersOf(
+  const std::string told = risingWallRefusalOf(layersOf(
       [](int i) { return i == 6 ? std::vector<Polygon>{} : std::vector<Polygon>{rectangle(0, 0, 12, 12)}; }));
   EXPECT_NE(told.find("layer 6 "), std::string::npos) << told;
 }
@@ -163,7 +163,7 @@ TEST(RisingWall, IsWrittenWithAHeightOnEachMotion) {
   settings.end_code = "";
   std::string text;
   Toolpath toolpath = vaseOf(box(), 0);
-  toolpath.layers.resize(kLayers - 1);  // without the turn at the top, which stays at its height
+  toolpath.layers.resize(kRisingWallLayers - 1);  // without the turn at the top, which stays at its height
   writeGcode(toolpath, Eigen::Isometry3d::Identity(), settings,
              [&](std::string_view piece) { text += piece; });
   std::size_t motions = 0;
@@ -176,7 +176,7 @@ TEST(RisingWall, IsWrittenWithAHeightOnEachMotion) {
     z = std::stod(line.substr(word + 2));
     ++motions;
   }
-  EXPECT_GT(motions, 64U * (kLayers - 2));
+  EXPECT_GT(motions, 64U * (kRisingWallLayers - 2));
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 using test::rectangle;
 using test::reversed;
 
-constexpr double kPitch = 0.4;
+constexpr double kWallsPitch = 0.4;
 
-Walls wallsIn(const Regions& material, const PlanSettings& settings, double pitch = kPitch) {
+Walls wallsIn(const Regions& material, const PlanSettings& settings, double pitch = kWallsPitch) {
   return makeWalls(material, settings, pitch, WallContact::Overlapping);
 }
 
@@ -43,7 +43,7 @@ TEST(Walls, LieAPitchApart) {
 }
 
 TEST(Walls, LeaveWhatTheyDoNotFillToTheInfill) {
-  const Walls walls = makeWalls(square(20), wallsOf(2), kPitch, WallContact::Beside);
+  const Walls walls = makeWalls(square(20), wallsOf(2), kWallsPitch, WallContact::Beside);
   EXPECT_NEAR(area(walls.infill), std::pow(20 - 2 * 0.8, 2), 1e-2);
 }
 
@@ -114,12 +114,12 @@ TEST(Walls, FillADiscOfTheRadiusThatTheLastOneVanishesAt) {
 TEST(Walls, LeaveBeadsAlongNarrowPlacesInsteadOfASolidInfill) {
   const PlanSettings settings = wallsOf(1);
   const Regions slot = {{rectangle(0, 0, 20, 1.4), {}}};  // 0.6 mm between the walls
-  const Walls solid = makeWalls(slot, settings, kPitch, WallContact::Fitted);
+  const Walls solid = makeWalls(slot, settings, kWallsPitch, WallContact::Fitted);
   ASSERT_EQ(solid.narrow_infill.size(), 1U);
   EXPECT_EQ(solid.narrow_infill[0].role, PathRole::GapFill);
   for (const double width : solid.narrow_infill[0].width_mm) EXPECT_NEAR(width, 0.6, 0.01);
   EXPECT_LT(area(solid.infill), 0.05);
-  const Walls sparse = makeWalls(slot, settings, kPitch, WallContact::Overlapping);
+  const Walls sparse = makeWalls(slot, settings, kWallsPitch, WallContact::Overlapping);
   EXPECT_TRUE(sparse.narrow_infill.empty());
   EXPECT_GT(area(sparse.infill), 19.2 * 0.6);  // it overlaps the wall
 }

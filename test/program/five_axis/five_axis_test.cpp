@@ -21,15 +21,15 @@ FiveAxisSettings settingsOf(FiveAxisCoordinates coordinates) {
   return settings;
 }
 
-std::string written(const Toolpath& toolpath, const JointPath& joints, const FiveAxisSettings& settings) {
+std::string fiveAxisWritten(const Toolpath& toolpath, const JointPath& joints, const FiveAxisSettings& settings) {
   std::string text;
   writeFiveAxis({toolpath, Eigen::Isometry3d::Identity(), kTable, joints}, settings, {},
                 [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
-std::string written(const Toolpath& toolpath, const FiveAxisSettings& settings) {
-  return written(toolpath, test::jointsAlong(toolpath, kTable), settings);
+std::string fiveAxisWritten(const Toolpath& toolpath, const FiveAxisSettings& settings) {
+  return fiveAxisWritten(toolpath, test::jointsAlong(toolpath, kTable), settings);
 }
 
 Toolpath readBack(const std::string& text) { return readFiveAxis(text, kTable, {}, {}, "part"); }
@@ -86,14 +86,14 @@ void expectSame(const Toolpath& read, const Toolpath& toolpath, double position_
 TEST(FiveAxis, ReadsBackTipCoordinatesWithinTheirDecimals) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = leaning(test::randomToolpath(seed), seed);
-    expectSame(readBack(written(toolpath, settingsOf(FiveAxisCoordinates::ToolTip))), toolpath, 1e-4);
+    expectSame(readBack(fiveAxisWritten(toolpath, settingsOf(FiveAxisCoordinates::ToolTip))), toolpath, 1e-4);
   }));
 }
 
 TEST(FiveAxis, ReadsBackJointsThroughForwardKinematics) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = leaning(test::randomToolpath(seed), seed);
-    expectSame(readBack(written(toolpath, settingsOf(FiveAxisCoordinates::Joints))), toolpath, 3e-4);
+    expectSame(readBack(fiveAxisWritten(toolpath, settingsOf(FiveAxisCoordinates::Joints))), toolpath, 3e-4);
   }));
 }
 
@@ -113,7 +113,7 @@ Toolpath turningLine() {
 TEST(FiveAxis, WritesTipCoordinatesBetweenTheCodesOfTheDialect) {
   FiveAxisSettings settings = settingsOf(FiveAxisCoordinates::ToolTip);
   settings.dialect = FiveAxisDialect::Siemens;
-  const std::string text = written(turningLine(), settings);
+  const std::string text = fiveAxisWritten(turningLine(), settings);
   EXPECT_NE(text.find(";FIVE_AXIS:tool_tip X Y Z A C\n"), std::string::npos);
   EXPECT_NE(text.find("; start of the part\nG0 A17.18873 C0\nTRAORI\nG0 X20 Y0\nG0 Z0.2\nG94\n"),
             std::string::npos)
@@ -124,7 +124,7 @@ TEST(FiveAxis, WritesTipCoordinatesBetweenTheCodesOfTheDialect) {
 }
 
 TEST(FiveAxis, WritesJointsWithInverseTimeThatSumsUpToTheTimeOfTheToolpath) {
-  const std::string text = written(turningLine(), settingsOf(FiveAxisCoordinates::Joints));
+  const std::string text = fiveAxisWritten(turningLine(), settingsOf(FiveAxisCoordinates::Joints));
   double minutes = 0.0;
   std::size_t lines = 0;
   for (std::size_t at = text.find("\nG1 "); at != std::string::npos; at = text.find("\nG1 ", at + 1), ++lines)
@@ -144,7 +144,7 @@ TEST(FiveAxis, ReadsBackTheInverseTimeOfTheShortestMotionThatIsWritten) {
   hop.orientation = toolpath.layers[0].paths[0].orientation.at(1);
   hop.feed_mm_s = 500.0;
   toolpath.layers[0].paths.push_back(hop);
-  const std::string text = written(toolpath, settingsOf(FiveAxisCoordinates::Joints));
+  const std::string text = fiveAxisWritten(toolpath, settingsOf(FiveAxisCoordinates::Joints));
   const std::size_t feed = text.rfind(" F", text.find("; end of the part")) + 2;
   EXPECT_NEAR(std::stod(text.substr(feed)), 3e7, 1.0) << "60 s/min over 2 us";
   EXPECT_EQ(readBack(text).layers[0].paths.size(), 2U);
@@ -183,7 +183,7 @@ TEST(FiveAxis, RefusesJointsThatCannotBeRunBeforeTheFirstPiece) {
 }
 
 std::string readRefusal(const std::string& from, const std::string& to) {
-  std::string text = written(turningLine(), settingsOf(FiveAxisCoordinates::Joints));
+  std::string text = fiveAxisWritten(turningLine(), settingsOf(FiveAxisCoordinates::Joints));
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
@@ -209,7 +209,7 @@ TEST(FiveAxis, ReaderNamesTheLineWhatWasFoundAndWhatWasExpected) {
 }
 
 TEST(FiveAxis, ReadsOrRefusesAnyMutatedText) {
-  const std::string text = written(leaning(test::twoLayers(), 1), settingsOf(FiveAxisCoordinates::ToolTip));
+  const std::string text = fiveAxisWritten(leaning(test::twoLayers(), 1), settingsOf(FiveAxisCoordinates::ToolTip));
   EXPECT_TRUE(rc::check([&text](std::uint64_t seed) {
     Random random(seed);
     std::string mutated = text;

@@ -42,14 +42,14 @@ Toolpath grating() {
   return toolpath;
 }
 
-std::string written(const Toolpath& toolpath) {
+std::string fullControlWriterWritten(const Toolpath& toolpath) {
   std::string text;
   writeFullControl(toolpath, {}, {}, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
 TEST(FullControlWriterTest, HasTheMarksOfTheDialectAndNoOtherComments) {
-  const std::string text = written(grating());
+  const std::string text = fullControlWriterWritten(grating());
   EXPECT_EQ(text.rfind(";FLAVOR:", 0), 0U);
   const std::size_t begin = text.find(";END OF THE START GCODE\n");
   const std::size_t end = text.find(";START OF THE END GCODE\n");
@@ -62,7 +62,7 @@ TEST(FullControlWriterTest, HasTheMarksOfTheDialectAndNoOtherComments) {
 
 TEST(FullControlWriterTest, IsReadBackAsWhatWasWritten) {
   const Toolpath toolpath = grating();
-  const Toolpath read = toolpathFromGcode(written(toolpath), {}, "grating");
+  const Toolpath read = toolpathFromGcode(fullControlWriterWritten(toolpath), {}, "grating");
   ASSERT_EQ(read.layers.size(), 2U);
   const ToolpathTotals before = totals(toolpath);
   const ToolpathTotals after = totals(read);
@@ -72,14 +72,14 @@ TEST(FullControlWriterTest, IsReadBackAsWhatWasWritten) {
 }
 
 TEST(FullControlWriterTest, RefusesWhatTheDialectCannotTell) {
-  EXPECT_THROW(written({}), InvalidInput);
+  EXPECT_THROW(fullControlWriterWritten({}), InvalidInput);
   Toolpath tilted = grating();
   tilted.layers[1].paths.back().orientation =
       Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Point3::UnitX())) * nozzleDown();
-  EXPECT_THROW(written(tilted), InvalidInput);
+  EXPECT_THROW(fullControlWriterWritten(tilted), InvalidInput);
   Toolpath drops = grating();
   drops.layers[0].paths[0].deposit = Deposit::Drops;
-  EXPECT_THROW(written(drops), InvalidInput);
+  EXPECT_THROW(fullControlWriterWritten(drops), InvalidInput);
 }
 
 }  // namespace

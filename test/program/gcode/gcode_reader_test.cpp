@@ -23,7 +23,7 @@ std::vector<GcodeMotion> motions(std::string_view program) {
 
 Point3 endOf(std::string_view program) { return motions(program).back().end; }
 
-std::string refusal(std::string_view program) {
+std::string gcodeReaderRefusal(std::string_view program) {
   try {
     motions(program);
     return "";
@@ -150,27 +150,27 @@ TEST(GcodeReader, ReadsTheSameInPiecesOfAnySize) {
 }
 
 TEST(GcodeReader, NamesTheLineOfWhatItRefuses) {
-  EXPECT_EQ(refusal("G1 X1\nG1 X1.2.3\n"), "line 2: unexpected character at '.3'");
-  EXPECT_EQ(refusal("G1 X\n"), "line 1: X has no value");
-  EXPECT_EQ(refusal("G1 X1 X2\n"), "line 1: X stands twice");
-  EXPECT_EQ(refusal("G1 X-\n"), "line 1: bad number at '-'");
-  EXPECT_NE(refusal("G1 Xnan\n"), "");
-  EXPECT_NE(refusal("G1 Xinf\n"), "");
-  EXPECT_NE(refusal("G1 X99999999999\n"), "");
-  EXPECT_EQ(refusal("X1\n"), "line 1: coordinates before any motion command");
-  EXPECT_EQ(refusal("G1 X1 F0\n"), "line 1: feed is 0.000000; must be positive");
-  EXPECT_EQ(refusal("G2 X10\n"), "line 1: arc without centre: neither R nor IJ");
-  EXPECT_EQ(refusal("G2 X10 I0 J0\n"), "line 1: arc without centre: the centre is where it starts");
-  EXPECT_EQ(refusal("G2 X10 I4\n"), "line 1: the arc ends 2.000000 mm off its circle");
-  EXPECT_NE(refusal("G2 X10 R4\n"), "");
-  EXPECT_NE(refusal("G2 R4\n"), "");
-  EXPECT_EQ(refusal("G1 G2 X1\n"), "line 1: two commands that use the same words");
-  EXPECT_EQ(refusal("G5 X1\n"), "line 1: G5 is not supported");
-  EXPECT_NE(refusal("G1 A90\n"), "");
-  EXPECT_EQ(refusal("N1 G1 X1*3\n").substr(0, 26), "line 1: checksum is 3; the");
-  EXPECT_EQ(refusal("G1 (X1\n"), "line 1: comment is not closed at '(X1'");
-  EXPECT_NE(refusal("\x01\x02\n"), "");
-  EXPECT_NE(refusal(std::string(2U << 20, 'X')), "");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X1\nG1 X1.2.3\n"), "line 2: unexpected character at '.3'");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X\n"), "line 1: X has no value");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X1 X2\n"), "line 1: X stands twice");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X-\n"), "line 1: bad number at '-'");
+  EXPECT_NE(gcodeReaderRefusal("G1 Xnan\n"), "");
+  EXPECT_NE(gcodeReaderRefusal("G1 Xinf\n"), "");
+  EXPECT_NE(gcodeReaderRefusal("G1 X99999999999\n"), "");
+  EXPECT_EQ(gcodeReaderRefusal("X1\n"), "line 1: coordinates before any motion command");
+  EXPECT_EQ(gcodeReaderRefusal("G1 X1 F0\n"), "line 1: feed is 0.000000; must be positive");
+  EXPECT_EQ(gcodeReaderRefusal("G2 X10\n"), "line 1: arc without centre: neither R nor IJ");
+  EXPECT_EQ(gcodeReaderRefusal("G2 X10 I0 J0\n"), "line 1: arc without centre: the centre is where it starts");
+  EXPECT_EQ(gcodeReaderRefusal("G2 X10 I4\n"), "line 1: the arc ends 2.000000 mm off its circle");
+  EXPECT_NE(gcodeReaderRefusal("G2 X10 R4\n"), "");
+  EXPECT_NE(gcodeReaderRefusal("G2 R4\n"), "");
+  EXPECT_EQ(gcodeReaderRefusal("G1 G2 X1\n"), "line 1: two commands that use the same words");
+  EXPECT_EQ(gcodeReaderRefusal("G5 X1\n"), "line 1: G5 is not supported");
+  EXPECT_NE(gcodeReaderRefusal("G1 A90\n"), "");
+  EXPECT_EQ(gcodeReaderRefusal("N1 G1 X1*3\n").substr(0, 26), "line 1: checksum is 3; the");
+  EXPECT_EQ(gcodeReaderRefusal("G1 (X1\n"), "line 1: comment is not closed at '(X1'");
+  EXPECT_NE(gcodeReaderRefusal("\x01\x02\n"), "");
+  EXPECT_NE(gcodeReaderRefusal(std::string(2U << 20, 'X')), "");
 }
 
 TEST(GcodeReader, EndsAnyBytesWithMotionsOrAnError) {

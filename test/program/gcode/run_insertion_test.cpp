@@ -32,7 +32,7 @@ Path bead(double z) {
 }
 
 /// Takes the blocks out again.
-std::string withoutBlocks(std::string program) {
+std::string runInsertionWithoutBlocks(std::string program) {
   const std::string end = ";end of void fill\n";
   for (std::size_t at = program.find(";void fill\n"); at != std::string::npos;
        at = program.find(";void fill\n"))
@@ -49,7 +49,7 @@ TEST(RunInsertion, OfNoRunGivesTheProgramByteForByte) {
 TEST(RunInsertion, KeepsEveryLineOfTheProgram) {
   const std::string filled = insertRuns(kAbsolute, read(kAbsolute), {{bead(0.2)}, {bead(0.4)}}, {});
   EXPECT_GT(filled.size(), kAbsolute.size());
-  EXPECT_EQ(withoutBlocks(filled), kAbsolute);
+  EXPECT_EQ(runInsertionWithoutBlocks(filled), kAbsolute);
 }
 
 TEST(RunInsertion, ReportsTheHeightOfTheRunAndThatOfTheBeadsAfterIt) {

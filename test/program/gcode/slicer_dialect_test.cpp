@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-Toolpath read(const std::string& program) { return toolpathFromGcode(program, ProgramSettings{}, "part"); }
+Toolpath slicerDialectRead(const std::string& program) { return toolpathFromGcode(program, ProgramSettings{}, "part"); }
 
 std::vector<PathRole> depositingRoles(const Toolpath& toolpath) {
   std::vector<PathRole> roles;
@@ -86,7 +86,7 @@ G1 X100 Y100 E30
 )";
 
 TEST(SlicerDialect, Simplify3dReportsRolesAndLayers) {
-  const Toolpath toolpath = read(kSimplify3d);
+  const Toolpath toolpath = slicerDialectRead(kSimplify3d);
   ASSERT_EQ(toolpath.layers.size(), 2U);
   EXPECT_DOUBLE_EQ(toolpath.layers[1].z_mm, 0.6);
   EXPECT_DOUBLE_EQ(toolpath.layers[1].height_mm, 0.3);
@@ -96,7 +96,7 @@ TEST(SlicerDialect, Simplify3dReportsRolesAndLayers) {
 }
 
 TEST(SlicerDialect, MatrixOfSimplify3dHasNeitherSkirtNorSupport) {
-  const std::vector<CoordinateRow> rows = coordinateMatrix(read(kSimplify3d), 1.75);
+  const std::vector<CoordinateRow> rows = coordinateMatrix(slicerDialectRead(kSimplify3d), 1.75);
   ASSERT_EQ(rows.size(), 9U);
   EXPECT_EQ(trajectoryCount(rows), 4U);
   // X and Y of 0 are coordinates like any other.
@@ -128,7 +128,7 @@ M84
 )";
 
 TEST(SlicerDialect, FullControlPrintsBetweenItsMarks) {
-  const Toolpath toolpath = read(kFullControl);
+  const Toolpath toolpath = slicerDialectRead(kFullControl);
   ASSERT_EQ(toolpath.layers.size(), 2U);
   const std::vector<CoordinateRow> rows = coordinateMatrix(toolpath, 1.75);
   ASSERT_EQ(rows.size(), 5U);
@@ -142,10 +142,10 @@ TEST(SlicerDialect, FullControlPrintsBetweenItsMarks) {
 TEST(SlicerDialect, FullControlCountsFilamentByMotionUnlessSetOtherwise) {
   std::string silent = kFullControl;
   for (const char* mode : {"M82\n", "M83\n"}) silent.erase(silent.find(mode), 4);
-  EXPECT_EQ(toolpathId(read(silent)), toolpathId(read(kFullControl)));
+  EXPECT_EQ(toolpathId(slicerDialectRead(silent)), toolpathId(slicerDialectRead(kFullControl)));
   std::string absolute = kFullControl;
   absolute.erase(absolute.find("M83\n"), 4);
-  EXPECT_NE(toolpathId(read(absolute)), toolpathId(read(kFullControl)));
+  EXPECT_NE(toolpathId(slicerDialectRead(absolute)), toolpathId(slicerDialectRead(kFullControl)));
 }
 
 /// Listing of [Vega2023, figure 19].
@@ -170,7 +170,7 @@ G1 E2.7459 F2400.00000 ; retract extruder 0
 )";
 
 TEST(SlicerDialect, Slic3rLoopIsOneTrajectory) {
-  const std::vector<CoordinateRow> rows = coordinateMatrix(read(kSlic3r), 1.75);
+  const std::vector<CoordinateRow> rows = coordinateMatrix(slicerDialectRead(kSlic3r), 1.75);
   ASSERT_EQ(rows.size(), 5U);
   const std::vector<Point3> points = {
       {2, 2, 0.3}, {41.5, 2, 0.3}, {41.5, 6.5, 0.3}, {2, 6.5, 0.3}, {2, 2, 0.3}};
@@ -191,7 +191,7 @@ TEST(SlicerDialect, Slic3rSkirtAndMovesInwardsAreLeftOut) {
                               "G1 X10 Y4 F7800 ; move to first infill (bridge) point\n"
                               "G1 Z0.300 F7800 ; restore layer Z\n"
                               "G1 X20 Y4 E6.5 F1800 ; infill (bridge)\n";
-  const std::vector<CoordinateRow> rows = coordinateMatrix(read(program), 1.75);
+  const std::vector<CoordinateRow> rows = coordinateMatrix(slicerDialectRead(program), 1.75);
   ASSERT_EQ(rows.size(), 7U);
   EXPECT_EQ(rows[5].flag, CoordinateFlag::Start);
   EXPECT_LT((rows[5].point - Point3(10, 4, 0.3)).norm(), 1e-12);
@@ -199,8 +199,8 @@ TEST(SlicerDialect, Slic3rSkirtAndMovesInwardsAreLeftOut) {
 }
 
 TEST(SlicerDialect, FilamentReportedAfterTheMotionsScalesTheBeads) {
-  const double thin = totals(read(kSlic3r)).deposited_mm3;
-  const double thick = totals(read(std::string(kSlic3r) + "; filament_diameter = 2.85\n")).deposited_mm3;
+  const double thin = totals(slicerDialectRead(kSlic3r)).deposited_mm3;
+  const double thick = totals(slicerDialectRead(std::string(kSlic3r) + "; filament_diameter = 2.85\n")).deposited_mm3;
   EXPECT_NEAR(thick / thin, std::pow(2.85 / 1.75, 2), 1e-9);
   EXPECT_NEAR(thin, 2.7459 * M_PI * 0.875 * 0.875, 1e-4);
 }

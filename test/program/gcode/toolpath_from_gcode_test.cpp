@@ -18,7 +18,7 @@ constexpr double kPositionRounding = 0.5e-3 * (1 + 1e-6);  // mm: half the last 
 constexpr double kFeedRounding = 0.5e-3 / 60 * (1 + 1e-6);
 constexpr double kFilamentRounding = 1e-5;  // mm: both ends of the sum that E is a difference of
 
-std::string written(const Toolpath& toolpath, const ProgramSettings& settings) {
+std::string toolpathFromGcodeWritten(const Toolpath& toolpath, const ProgramSettings& settings) {
   std::string text;
   writeGcode(toolpath, Eigen::Isometry3d::Identity(), settings,
              [&](std::string_view piece) { text += piece; });
@@ -44,11 +44,11 @@ void requireSamePath(const Path& read, const Path& original, double volume_per_f
 
 TEST(ToolpathFromGcode, ReadsBackWhatWasWritten) {
   EXPECT_TRUE(
-      rc::check("the toolpath read back equals the one written within the rounding", [](std::uint64_t seed) {
+      rc::check("the toolpath read back equals the one toolpathFromGcodeWritten within the rounding", [](std::uint64_t seed) {
         const Toolpath original = test::randomToolpath(seed);
         validate(original);
         const ProgramSettings settings;
-        const Toolpath read = toolpathFromGcode(written(original, settings), settings, original.part_name);
+        const Toolpath read = toolpathFromGcode(toolpathFromGcodeWritten(original, settings), settings, original.part_name);
         validate(read);
         const double volume_per_filament = M_PI * 0.875 * 0.875;
         RC_ASSERT(read.layers.size() == original.layers.size());

@@ -10,22 +10,22 @@ using lamina::ErrorCode;
 using lamina::Failure;
 using lamina_msgs::Status;
 
-std::uint8_t number(ErrorCode code) { return static_cast<std::uint8_t>(code); }
+std::uint8_t statusNumber(ErrorCode code) { return static_cast<std::uint8_t>(code); }
 
 TEST(Status, HasTheNumbersOfTheErrorCodes) {
-  EXPECT_EQ(number(ErrorCode::Ok), Status::OK + 0);
-  EXPECT_EQ(number(ErrorCode::Internal), Status::INTERNAL + 0);
-  EXPECT_EQ(number(ErrorCode::InvalidInput), Status::INVALID_INPUT + 0);
-  EXPECT_EQ(number(ErrorCode::InvalidMesh), Status::INVALID_MESH + 0);
-  EXPECT_EQ(number(ErrorCode::InvalidConfig), Status::INVALID_CONFIG + 0);
-  EXPECT_EQ(number(ErrorCode::InvalidProgram), Status::INVALID_PROGRAM + 0);
-  EXPECT_EQ(number(ErrorCode::FileError), Status::FILE_ERROR + 0);
-  EXPECT_EQ(number(ErrorCode::Unreachable), Status::UNREACHABLE + 0);
-  EXPECT_EQ(number(ErrorCode::DeviceError), Status::DEVICE_ERROR + 0);
-  EXPECT_EQ(number(ErrorCode::Disconnected), Status::DISCONNECTED + 0);
-  EXPECT_EQ(number(ErrorCode::Rejected), Status::REJECTED + 0);
-  EXPECT_EQ(number(ErrorCode::TimedOut), Status::TIMED_OUT + 0);
-  EXPECT_EQ(number(ErrorCode::Cancelled), Status::CANCELLED + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Ok), Status::OK + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Internal), Status::INTERNAL + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::InvalidInput), Status::INVALID_INPUT + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::InvalidMesh), Status::INVALID_MESH + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::InvalidConfig), Status::INVALID_CONFIG + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::InvalidProgram), Status::INVALID_PROGRAM + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::FileError), Status::FILE_ERROR + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Unreachable), Status::UNREACHABLE + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::DeviceError), Status::DEVICE_ERROR + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Disconnected), Status::DISCONNECTED + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Rejected), Status::REJECTED + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::TimedOut), Status::TIMED_OUT + 0);
+  EXPECT_EQ(statusNumber(ErrorCode::Cancelled), Status::CANCELLED + 0);
 }
 
 TEST(Status, CarriesAFailureThereAndBack) {

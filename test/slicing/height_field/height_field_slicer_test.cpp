@@ -18,7 +18,7 @@ namespace {
 
 using test::solidUnder;
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kHeightFieldSlicerDegree = M_PI / 180.0;
 
 HeightFieldSlices slice(const Mesh& mesh, const HeightFieldSettings& settings = {}) {
   NoProgress progress;
@@ -26,7 +26,7 @@ HeightFieldSlices slice(const Mesh& mesh, const HeightFieldSettings& settings = 
 }
 
 Mesh roof(double angle_deg) {
-  const double slope = std::tan(angle_deg * kDegree);
+  const double slope = std::tan(angle_deg * kHeightFieldSlicerDegree);
   return solidUnder({20.0, 12.0}, 1, 1, [&](double x, double) { return 8.0 + slope * x; });
 }
 
@@ -58,11 +58,11 @@ TEST(HeightFieldSlicer, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
   const LayerChart chart = bentLayer(slices.field, last.bounds, boundingBox(last.section.contours));
   for (const Point3& tip : chart.surface.tip)
     if (tip.x() >= 0.0 && tip.x() <= 20.0) {
-      EXPECT_NEAR(tip.z(), 8.0 + std::tan(10.0 * kDegree) * tip.x(), 1e-5);
+      EXPECT_NEAR(tip.z(), 8.0 + std::tan(10.0 * kHeightFieldSlicerDegree) * tip.x(), 1e-5);
     }
   EXPECT_NEAR(slices.report.bent_error_mm, 0.0, 1e-5);
   EXPECT_NEAR(slices.report.bent_steps_per_mm, 0.0, 1e-4);
-  EXPECT_NEAR(slices.report.level_steps_per_mm, std::tan(10.0 * kDegree) / 0.2, 1e-6);
+  EXPECT_NEAR(slices.report.level_steps_per_mm, std::tan(10.0 * kHeightFieldSlicerDegree) / 0.2, 1e-6);
   // Level layers leave a saw tooth of 0.2 mm.
   EXPECT_NEAR(slices.report.level_error_mm, 0.05, 0.005);
   EXPECT_EQ(slices.report.share, 1.0);
@@ -73,7 +73,7 @@ TEST(HeightFieldSlicer, MakesTheTopLayerOfAnInclinedRoofLieOnIt) {
 
 TEST(HeightFieldSlicer, MakesLayersThickerWhereTheRoofIsHigher) {
   const HeightFieldSlices slices = slice(roof(10.0));
-  const double rise = 20.0 * std::tan(10.0 * kDegree);
+  const double rise = 20.0 * std::tan(10.0 * kHeightFieldSlicerDegree);
   EXPECT_NEAR(slices.field.factorAt({20.0, 6.0}) / slices.field.factorAt({0.0, 6.0}), (8.0 + rise) / 8.0,
               1e-6);
 }
@@ -89,7 +89,7 @@ TEST(HeightFieldSlicer, FollowsADomeAsFarAsItIsFlatEnough) {
   EXPECT_LT(slices.report.bent_error_mm, 0.05 * slices.report.level_error_mm);
   EXPECT_LE(slices.report.greatest_slope_deg, 20.0 + 1e-9);
   // The cap of the sphere up to 20 deg, in the part's square.
-  const double cap = M_PI * std::pow(20.0 * std::sin(20.0 * kDegree), 2);
+  const double cap = M_PI * std::pow(20.0 * std::sin(20.0 * kHeightFieldSlicerDegree), 2);
   EXPECT_NEAR(slices.report.followed_mm2, cap, 0.1 * cap);
 }
 
@@ -148,7 +148,7 @@ TEST(HeightFieldSlicer, KeepsSlopeAndThicknessWithinTheirLimitsOnAnyPart) {
     settings.cell_mm = random.uniform(0.7, 2.0);
     const Mesh part = hills(random);
     const HeightFieldSlices slices = slice(part, settings);
-    const double steepest = std::tan(settings.max_slope_deg * kDegree) + 1e-9;
+    const double steepest = std::tan(settings.max_slope_deg * kHeightFieldSlicerDegree) + 1e-9;
     for (std::size_t i = 0; i < slices.layers.size(); i += 5) {
       const Layer& layer = slices.layers[i];
       // Points of the layer: where it is thinner, thicker or steeper than allowed.

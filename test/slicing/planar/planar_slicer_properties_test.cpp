@@ -33,14 +33,14 @@ std::vector<double> middles(const Mesh& mesh, std::size_t count) {
   return heights;
 }
 
-std::vector<Section> slice(const Mesh& mesh, const std::vector<double>& heights) {
+std::vector<Section> planarSlicerPropertiesSlice(const Mesh& mesh, const std::vector<double>& heights) {
   NoProgress progress;
   return sliceMesh(mesh, heights, progress);
 }
 
 double slicedVolume(const Mesh& mesh, std::size_t layers) {
   double area_sum = 0.0;
-  for (const Section& section : slice(mesh, middles(mesh, layers))) area_sum += signedArea(section.contours);
+  for (const Section& section : planarSlicerPropertiesSlice(mesh, middles(mesh, layers))) area_sum += signedArea(section.contours);
   return area_sum * boundingBox(mesh).size().z() / static_cast<double>(layers);
 }
 
@@ -52,7 +52,7 @@ bool areSame(const std::vector<Section>& a, const std::vector<Section>& b) {
 
 TEST(PlanarSlicerProperties, AClosedMeshGivesClosedContoursOnly) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
-    for (const Section& section : slice(randomStar(seed), middles(randomStar(seed), 37))) {
+    for (const Section& section : planarSlicerPropertiesSlice(randomStar(seed), middles(randomStar(seed), 37))) {
       RC_ASSERT(section.open_contours.empty());
       RC_ASSERT(!section.contours.empty());
       RC_ASSERT(signedArea(section.contours) > 0.0);
@@ -66,7 +66,7 @@ TEST(PlanarSlicerProperties, PlanesThroughVerticesGiveClosedContoursOnly) {
     std::vector<double> heights;
     for (const Point3& vertex : mesh.vertices) heights.push_back(vertex.z());
     std::sort(heights.begin(), heights.end());
-    for (const Section& section : slice(mesh, heights)) RC_ASSERT(section.open_contours.empty());
+    for (const Section& section : planarSlicerPropertiesSlice(mesh, heights)) RC_ASSERT(section.open_contours.empty());
   }));
 }
 
@@ -84,7 +84,7 @@ TEST(PlanarSlicerProperties, WindingReportsMaterialFromHoles) {
     Mesh cavity = randomStar(seed);
     for (Point3& vertex : cavity.vertices) vertex *= 0.25;
     const Mesh hollow = test::joined(randomStar(seed), test::turnedInsideOut(cavity));
-    const Section section = slice(hollow, {0.0}).front();
+    const Section section = planarSlicerPropertiesSlice(hollow, {0.0}).front();
     // The cavity is the part at a quarter of its size.
     RC_ASSERT(section.contours.size() == 2U);
     const auto [hole, outer] =
@@ -97,10 +97,10 @@ TEST(PlanarSlicerProperties, WindingReportsMaterialFromHoles) {
 TEST(PlanarSlicerProperties, ThreadsChangeNothing) {
   const Mesh mesh = randomStar(7);
   const std::vector<double> heights = middles(mesh, 500);
-  const auto expected = slice(mesh, heights);
+  const auto expected = planarSlicerPropertiesSlice(mesh, heights);
   for (const int threads : {1, 2, 5}) {
     const ThreadLimit limit(threads);
-    EXPECT_TRUE(areSame(slice(mesh, heights), expected));
+    EXPECT_TRUE(areSame(planarSlicerPropertiesSlice(mesh, heights), expected));
   }
 }
 
@@ -114,7 +114,7 @@ TEST(PlanarSlicerProperties, RenumberingVerticesChangesNothing) {
     Mesh renumbered = mesh;
     for (std::size_t v = 0; v < order.size(); ++v) renumbered.vertices[order[v]] = mesh.vertices[v];
     for (Triangle& t : renumbered.triangles) t = {order[t[0]], order[t[1]], order[t[2]]};
-    RC_ASSERT(areSame(slice(mesh, middles(mesh, 25)), slice(renumbered, middles(mesh, 25))));
+    RC_ASSERT(areSame(planarSlicerPropertiesSlice(mesh, middles(mesh, 25)), planarSlicerPropertiesSlice(renumbered, middles(mesh, 25))));
   }));
 }
 
@@ -126,8 +126,8 @@ TEST(PlanarSlicerProperties, MovingTheMeshMovesTheContours) {
     for (Point3& vertex : here.vertices) vertex = (vertex * 0x1p20).array().round().matrix() * 0x1p-20;
     Mesh there = here;
     for (Point3& vertex : there.vertices) vertex += Point3(64.0, -32.0, 16.0);
-    const auto a = slice(here, {-1.0, 0.5, 2.0});
-    const auto b = slice(there, {15.0, 16.5, 18.0});
+    const auto a = planarSlicerPropertiesSlice(here, {-1.0, 0.5, 2.0});
+    const auto b = planarSlicerPropertiesSlice(there, {15.0, 16.5, 18.0});
     for (std::size_t i = 0; i < a.size(); ++i) {
       RC_ASSERT(a[i].contours.size() == b[i].contours.size());
       RC_ASSERT(std::abs(signedArea(a[i].contours) - signedArea(b[i].contours)) < 1e-9);

@@ -15,7 +15,7 @@
 namespace lamina {
 namespace {
 
-constexpr int kSide = 4;
+constexpr int kPlanarSlicerVoxelsSide = 4;
 
 /// Unit cubes on a grid.
 class Cubes {
@@ -26,15 +26,15 @@ class Cubes {
   }
 
   bool at(int x, int y, int z) const {
-    const auto isInside = [](int i) { return i >= 0 && i < kSide; };
+    const auto isInside = [](int i) { return i >= 0 && i < kPlanarSlicerVoxelsSide; };
     if (!isInside(x) || !isInside(y) || !isInside(z)) return false;
-    return is_filled_[static_cast<std::size_t>((z * kSide + y) * kSide + x)];
+    return is_filled_[static_cast<std::size_t>((z * kPlanarSlicerVoxelsSide + y) * kPlanarSlicerVoxelsSide + x)];
   }
 
   int countInLayer(int z) const {
     int count = 0;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) count += at(x, y, z) ? 1 : 0;
+    for (int y = 0; y < kPlanarSlicerVoxelsSide; ++y)
+      for (int x = 0; x < kPlanarSlicerVoxelsSide; ++x) count += at(x, y, z) ? 1 : 0;
     return count;
   }
 
@@ -50,9 +50,9 @@ class Cubes {
   /// The faces between full and empty, corners shared.
   Mesh surface() const {
     Mesh mesh;
-    for (int z = 0; z < kSide; ++z)
-      for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int z = 0; z < kPlanarSlicerVoxelsSide; ++z)
+      for (int y = 0; y < kPlanarSlicerVoxelsSide; ++y)
+        for (int x = 0; x < kPlanarSlicerVoxelsSide; ++x)
           if (at(x, y, z)) addCube(mesh, x, y, z);
     return test::welded(mesh);
   }
@@ -72,10 +72,10 @@ class Cubes {
     }
   }
 
-  std::array<bool, kSide * kSide * kSide> is_filled_{};
+  std::array<bool, kPlanarSlicerVoxelsSide * kPlanarSlicerVoxelsSide * kPlanarSlicerVoxelsSide> is_filled_{};
 };
 
-std::vector<Section> slice(const Mesh& mesh, const std::vector<double>& heights) {
+std::vector<Section> planarSlicerVoxelsSlice(const Mesh& mesh, const std::vector<double>& heights) {
   NoProgress progress;
   return sliceMesh(mesh, heights, progress);
 }
@@ -89,7 +89,7 @@ TEST(PlanarSlicerVoxels, AreasCountTheCubes) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Cubes cubes(seed);
     // Through the middles of the cubes, and through their faces, where what lies above counts.
-    const auto sections = slice(cubes.surface(), {-0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0});
+    const auto sections = planarSlicerVoxelsSlice(cubes.surface(), {-0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0});
     for (std::size_t i = 0; i < sections.size(); ++i) {
       const int layer = i == 0 ? -1 : static_cast<int>(i - 1) / 2;
       RC_ASSERT(sections[i].open_contours.empty());
@@ -101,7 +101,7 @@ TEST(PlanarSlicerVoxels, AreasCountTheCubes) {
 TEST(PlanarSlicerVoxels, ContoursTouchWithoutCrossing) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Cubes cubes(seed);
-    const Section section = slice(cubes.surface(), {1.5}).front();
+    const Section section = planarSlicerVoxelsSlice(cubes.surface(), {1.5}).front();
     for (const Polygon& contour : section.contours) {
       for (std::size_t i = 0; i < contour.size(); ++i) {
         const Point2& point = contour[i];

@@ -14,7 +14,7 @@ namespace {
 
 using test::SimulatedLink;
 
-StreamableProgram program(const std::string& text) { return StreamableProgram::fromText("test", text, 96); }
+StreamableProgram streamerProgram(const std::string& text) { return StreamableProgram::fromText("test", text, 96); }
 
 EmulatedSettings instantMachine() {
   EmulatedSettings settings;
@@ -23,7 +23,7 @@ EmulatedSettings instantMachine() {
 }
 
 TEST(Streamer, RunsEveryLineOnceInOrder) {
-  const auto spiral = program(test::spiralProgram(500));
+  const auto spiral = streamerProgram(test::spiralProgram(500));
   SimulatedLink link(spiral, {}, instantMachine(), {});
   link.run();
   EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
@@ -37,7 +37,7 @@ TEST(Streamer, RunsEveryLineOnceInOrder) {
 class StreamerUnderFault : public testing::TestWithParam<FaultKind> {};
 
 TEST_P(StreamerUnderFault, RunsEveryLineOnceInOrder) {
-  const auto spiral = program(test::spiralProgram(2000));
+  const auto spiral = streamerProgram(test::spiralProgram(2000));
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     EmulatedSettings machine = instantMachine();
     machine.fault_seed = static_cast<int>(seed);
@@ -70,7 +70,7 @@ rc::Gen<std::vector<Fault>> anyFaults() {
 }
 
 RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderUnderAnyFaults, ()) {
-  const auto spiral = program(test::spiralProgram(*rc::gen::inRange(5, 400)));
+  const auto spiral = streamerProgram(test::spiralProgram(*rc::gen::inRange(5, 400)));
   EmulatedSettings machine;
   machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
   machine.fault_seed = *rc::gen::inRange(1, 1000000);
@@ -85,7 +85,7 @@ RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderUnderAnyFaults, ()) {
 }
 
 RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
-  const auto spiral = program(test::spiralProgram(300));
+  const auto spiral = streamerProgram(test::spiralProgram(300));
   EmulatedSettings machine;
   machine.speed_up = 50.0;
   machine.fault_seed = *rc::gen::inRange(1, 1000000);
@@ -110,7 +110,7 @@ RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
 TEST(Streamer, TurnsHeatersOffThoughTheMachineHearsNothingWhileItHeats) {
   EmulatedSettings deaf;
   deaf.emergency_parser = false;
-  SimulatedLink link(program("M109 S200\nG1 X1\n"), {}, deaf, {});
+  SimulatedLink link(streamerProgram("M109 S200\nG1 X1\n"), {}, deaf, {});
   link.start();
   while (link.firmware.nozzleTarget() == 0.0) link.step();
   link.runUntil(link.now + 1.0);
@@ -124,7 +124,7 @@ TEST(Streamer, TurnsHeatersOffThoughTheMachineHearsNothingWhileItHeats) {
 }
 
 RC_GTEST_PROP(StreamerProperty, EveryConfirmedAbortLeavesTheMachineCold, ()) {
-  const auto hot = program("M104 S200\nM140 S60\n" + test::spiralProgram(200));
+  const auto hot = streamerProgram("M104 S200\nM140 S60\n" + test::spiralProgram(200));
   EmulatedSettings machine;
   machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
   machine.fault_seed = *rc::gen::inRange(1, 1000000);

@@ -41,12 +41,12 @@ std::string tippingHead(const std::string& bodies) {
 }
 
 /// A cone that stands on the tip, 30 mm high.
-std::string coneOf(double half_angle) {
+std::string jointClearanceConeOf(double half_angle) {
   return R"(<collision name="cone"><origin xyz="0 0 -0.015"/><geometry><cylinder radius=")" +
          std::to_string(0.03 * std::tan(half_angle)) + R"(" length="0.03"/></geometry></collision>)";
 }
 
-Path travel(const std::vector<Point3>& points, double tilt = 0.0) {
+Path jointClearanceTravel(const std::vector<Point3>& points, double tilt = 0.0) {
   Path path = test::straightPath(points[0], points[1]);
   path.points = points;
   path.role = PathRole::Travel;
@@ -61,12 +61,12 @@ Path wallAt(double x, double height) {
   return wall;
 }
 
-/// A wall of one bead, 1 mm wide, along y at that x, and a travel that comes down beside it to (0, 0, z) with
+/// A wall of one bead, 1 mm wide, along y at that x, and a jointClearanceTravel that comes down beside it to (0, 0, z) with
 /// the head tilted towards the wall.
-Toolpath besideWall(double x, double wall_height, double z, double tilt) {
+Toolpath jointClearanceBesideWall(double x, double wall_height, double z, double tilt) {
   const Path wall = wallAt(x, wall_height);
-  Path down = travel({{0, 0, 100}, {0, 0, z}}, tilt);
-  return {"wall", {{wall_height, wall_height, {wall, travel({wall.lastPoint(), {0, 0, 100}}), down}}}};
+  Path down = jointClearanceTravel({{0, 0, 100}, {0, 0, z}}, tilt);
+  return {"wall", {{wall_height, wall_height, {wall, jointClearanceTravel({wall.lastPoint(), {0, 0, 100}}), down}}}};
 }
 
 JointPath jointsOf(const KinematicModel& model, const Toolpath& toolpath) {
@@ -91,7 +91,7 @@ JointPath jointsOf(const KinematicModel& model, const Toolpath& toolpath) {
   return path;
 }
 
-JointClearanceReport checked(const Toolpath& toolpath, const std::string& urdf) {
+JointClearanceReport jointClearanceChecked(const Toolpath& toolpath, const std::string& urdf) {
   const auto model = kinematicModelFromUrdf(urdf);
   const JointPath path = jointsOf(*model, toolpath);
   ClearanceSettings settings;
@@ -111,9 +111,9 @@ TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
     const double gap = random.uniform(1.0, 5.0);
     const double limit = 10.0 - gap / std::tan(half_angle + tilt);
     RC_PRE(limit > 0.5 && 9.5 > limit);
-    const std::string machine = tippingHead(coneOf(half_angle));
-    RC_ASSERT(checked(besideWall(gap + 0.5, 10.0, limit + 0.01, tilt), machine).collisions.empty());
-    const auto collisions = checked(besideWall(gap + 0.5, 10.0, limit - 0.01, tilt), machine).collisions;
+    const std::string machine = tippingHead(jointClearanceConeOf(half_angle));
+    RC_ASSERT(jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit + 0.01, tilt), machine).collisions.empty());
+    const auto collisions = jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit - 0.01, tilt), machine).collisions;
     RC_ASSERT(collisions.size() == 1U);
     RC_ASSERT(collisions[0].obstacle == Obstacle::Material);
     RC_ASSERT(collisions[0].at.path == 2U && collisions[0].at.waypoint == 1U);
@@ -122,17 +122,17 @@ TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
 }
 
 TEST(JointClearance, ATiltAwayFromAWallClearsIt) {
-  const std::string machine = tippingHead(coneOf(0.5));
-  EXPECT_EQ(checked(besideWall(1.0, 10.0, 5.0, 0.4), machine).collisions.size(), 1U);
-  EXPECT_TRUE(checked(besideWall(1.0, 10.0, 5.0, -0.5), machine).collisions.empty());
+  const std::string machine = tippingHead(jointClearanceConeOf(0.5));
+  EXPECT_EQ(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.4), machine).collisions.size(), 1U);
+  EXPECT_TRUE(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, -0.5), machine).collisions.empty());
 }
 
 TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
   // The flank of a cone of half angle 0.5 lies on the plate at a tilt of pi / 2 - 0.5.
-  const Path clear = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 - 0.01);
-  const Path below = travel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
-  EXPECT_TRUE(checked({"tip", {{1, 1, {clear}}}}, tippingHead(coneOf(0.5))).collisions.empty());
-  const auto collisions = checked({"tip", {{1, 1, {below}}}}, tippingHead(coneOf(0.5))).collisions;
+  const Path clear = jointClearanceTravel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 - 0.01);
+  const Path below = jointClearanceTravel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
+  EXPECT_TRUE(jointClearanceChecked({"tip", {{1, 1, {clear}}}}, tippingHead(jointClearanceConeOf(0.5))).collisions.empty());
+  const auto collisions = jointClearanceChecked({"tip", {{1, 1, {below}}}}, tippingHead(jointClearanceConeOf(0.5))).collisions;
   ASSERT_EQ(collisions.size(), 2U) << "both waypoints";
   EXPECT_EQ(collisions[0].obstacle, Obstacle::Bed);
   EXPECT_EQ(collisions[0].link, "nozzle");
@@ -140,7 +140,7 @@ TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
 
 TEST(JointClearance, AHeadThatRunsIntoAPostNamesBothLinks) {
   const auto collisions =
-      checked({"post", {{1, 1, {travel({{150, 0, 50}, {190, 0, 50}})}}}}, tippingHead(coneOf(0.5)))
+      jointClearanceChecked({"post", {{1, 1, {jointClearanceTravel({{150, 0, 50}, {190, 0, 50}})}}}}, tippingHead(jointClearanceConeOf(0.5)))
           .collisions;
   ASSERT_EQ(collisions.size(), 1U);
   EXPECT_EQ(collisions[0].obstacle, Obstacle::Machine);
@@ -150,19 +150,19 @@ TEST(JointClearance, AHeadThatRunsIntoAPostNamesBothLinks) {
 }
 
 TEST(JointClearance, PlacesBetweenWaypointsAreLookedAt) {
-  Toolpath toolpath = besideWall(5.0, 10.0, 50.0, 0.0);
-  toolpath.layers[0].paths.push_back(travel({{0, 0, 50}, {-30, 0, 5}, {40, 0, 5}}));
-  const auto collisions = checked(toolpath, tippingHead(coneOf(0.3))).collisions;
+  Toolpath toolpath = jointClearanceBesideWall(5.0, 10.0, 50.0, 0.0);
+  toolpath.layers[0].paths.push_back(jointClearanceTravel({{0, 0, 50}, {-30, 0, 5}, {40, 0, 5}}));
+  const auto collisions = jointClearanceChecked(toolpath, tippingHead(jointClearanceConeOf(0.3))).collisions;
   ASSERT_EQ(collisions.size(), 1U) << "it goes through the wall";
   EXPECT_EQ(collisions[0].at.path, 3U);
   EXPECT_EQ(collisions[0].at.waypoint, 2U);
 }
 
 TEST(JointClearance, WhatIsDepositedLaterIsNotThereYet) {
-  Toolpath toolpath = besideWall(2.0, 10.0, 5.0, 0.0);
+  Toolpath toolpath = jointClearanceBesideWall(2.0, 10.0, 5.0, 0.0);
   std::reverse(toolpath.layers[0].paths.begin(), toolpath.layers[0].paths.end());
   for (Path& path : toolpath.layers[0].paths) std::reverse(path.points.begin(), path.points.end());
-  EXPECT_TRUE(checked(toolpath, tippingHead(coneOf(0.5))).collisions.empty());
+  EXPECT_TRUE(jointClearanceChecked(toolpath, tippingHead(jointClearanceConeOf(0.5))).collisions.empty());
 }
 
 TEST(JointClearance, BeadsOfLayersThatBendLieBelowTheTipAlongTheToolAxis) {
@@ -173,10 +173,10 @@ TEST(JointClearance, BeadsOfLayersThatBendLieBelowTheTipAlongTheToolAxis) {
   bead.bead = Bead{1.0, 2.0};
   bead.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 4, Point3::UnitY())) * nozzleDown();
   const double inside = 1.0 / std::sqrt(2.0);
-  const Path low = travel({{10 + inside, 0, 10}, {10 + inside, 0, 30 - inside}});
-  const Path between = travel({bead.lastPoint(), {60, 0, 60}, {60, 0, 10}, low.firstPoint()});
+  const Path low = jointClearanceTravel({{10 + inside, 0, 10}, {10 + inside, 0, 30 - inside}});
+  const Path between = jointClearanceTravel({bead.lastPoint(), {60, 0, 60}, {60, 0, 10}, low.firstPoint()});
   const auto collisions =
-      checked({"slope", {{40, 2, {bead, between, low}}}}, tippingHead(coneOf(0.1))).collisions;
+      jointClearanceChecked({"slope", {{40, 2, {bead, between, low}}}}, tippingHead(jointClearanceConeOf(0.1))).collisions;
   ASSERT_FALSE(collisions.empty());
   EXPECT_EQ(collisions.back().obstacle, Obstacle::Material);
   EXPECT_EQ(collisions.back().at.path, 2U);
@@ -190,15 +190,15 @@ TEST(JointClearance, WhatTheNozzleHasJustLeftIsSoftAndWhatItComesBackToIsNot) {
   bead.points.clear();
   for (int x = 0; x <= 20; ++x) bead.points.emplace_back(x, 0, 20);
   bead.bead = Bead{2.0, 1.0};
-  EXPECT_TRUE(checked({"leave", {{20, 1, {bead}}}}, machine).collisions.empty());
-  const Path back = travel({{20, 0, 20}, {12, 0, 20}});
-  EXPECT_EQ(checked({"back", {{20, 1, {bead, back}}}}, machine).collisions.size(), 1U);
+  EXPECT_TRUE(jointClearanceChecked({"leave", {{20, 1, {bead}}}}, machine).collisions.empty());
+  const Path back = jointClearanceTravel({{20, 0, 20}, {12, 0, 20}});
+  EXPECT_EQ(jointClearanceChecked({"back", {{20, 1, {bead, back}}}}, machine).collisions.size(), 1U);
 }
 
 TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
-  const std::string urdf = tippingHead(coneOf(0.5));
+  const std::string urdf = tippingHead(jointClearanceConeOf(0.5));
   const auto model = kinematicModelFromUrdf(urdf);
-  const Toolpath toolpath = besideWall(1.0, 10.0, 5.0, 0.4);
+  const Toolpath toolpath = jointClearanceBesideWall(1.0, 10.0, 5.0, 0.4);
   JointPath path = jointsOf(*model, toolpath);
   path.values.back() = JointValues();
   NoProgress nobody;
@@ -209,14 +209,14 @@ TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
 }
 
 TEST(JointClearance, AMachineWithoutBodiesIsRefused) {
-  EXPECT_THROW(checked(besideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")), InvalidConfig);
+  EXPECT_THROW(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")), InvalidConfig);
 }
 
 TEST(JointClearance, IsTheSameWhateverTheThreads) {
-  const Toolpath toolpath = besideWall(1.0, 10.0, 5.0, 0.4);
-  const auto many = checked(toolpath, tippingHead(coneOf(0.5))).collisions;
+  const Toolpath toolpath = jointClearanceBesideWall(1.0, 10.0, 5.0, 0.4);
+  const auto many = jointClearanceChecked(toolpath, tippingHead(jointClearanceConeOf(0.5))).collisions;
   const ThreadLimit limit(1);
-  const auto one = checked(toolpath, tippingHead(coneOf(0.5))).collisions;
+  const auto one = jointClearanceChecked(toolpath, tippingHead(jointClearanceConeOf(0.5))).collisions;
   ASSERT_EQ(one.size(), many.size());
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].tip, many[i].tip);
 }

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kShippedMachinesDegree = M_PI / 180.0;
 
 /// Heights of the tip over the bed [mm].
 const std::vector<double> kHeights = {0.2, 20.0, 100.0};
@@ -63,7 +63,7 @@ Walk walkOverBed(const KinematicModel& model) {
       for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0})
         for (const double turn : {-15.0, 0.0, 15.0}) {
           const Point3 tip(room.centre().x() + x * half.x(), room.centre().y() + y * half.y(), height);
-          add(Eigen::Translation3d(tip) * Eigen::AngleAxisd(turn * kDegree, Point3::UnitZ()) * held);
+          add(Eigen::Translation3d(tip) * Eigen::AngleAxisd(turn * kShippedMachinesDegree, Point3::UnitZ()) * held);
         }
   walk.toolpath = {"walk", {{0.2, 0.2, {path}}}};
   return walk;

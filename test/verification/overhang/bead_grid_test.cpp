@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMargin = 0.3;  // mm
 
-Point3 anywhere(Random& random) {
+Point3 beadGridAnywhere(Random& random) {
   return {random.uniform(-10, 10), random.uniform(-10, 10), random.uniform(0, 3)};
 }
 
@@ -36,9 +36,9 @@ TEST(BeadGrid, FindsEveryBeadWithinTheMarginBetweenTheHeights) {
     Random random(seed);
     std::vector<DepositedBead> beads(100);
     for (DepositedBead& bead : beads)
-      bead = {anywhere(random), anywhere(random), {random.uniform(0.2, 1.0), random.uniform(0.1, 0.5)}};
+      bead = {beadGridAnywhere(random), beadGridAnywhere(random), {random.uniform(0.2, 1.0), random.uniform(0.1, 0.5)}};
     const BeadGrid grid(beads, kMargin);
-    const Point2 place = anywhere(random).head<2>();
+    const Point2 place = beadGridAnywhere(random).head<2>();
     const double low = random.uniform(-1.0, 3.0);
     const double high = low + random.uniform(0.0, 1.0);
     std::set<std::size_t> found;

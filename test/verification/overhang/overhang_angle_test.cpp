@@ -12,11 +12,11 @@
 namespace lamina {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kOverhangAngleDegree = M_PI / 180.0;
 
 /// A frustum on its small end, its wall leaning outwards by that angle.
 Mesh funnel(double lean_deg) {
-  const double top = 10.0 + 10.0 * std::tan(lean_deg * kDegree);
+  const double top = 10.0 + 10.0 * std::tan(lean_deg * kOverhangAngleDegree);
   return makePart("cone", {{"radius_mm", "10"},
                            {"top_radius_mm", std::to_string(top)},
                            {"height_mm", "10"},
@@ -28,16 +28,16 @@ Toolpath wallsOf(double lean_deg, double tool_lean_deg) {
   Toolpath toolpath;
   for (int k = 0; k < 10; ++k) {
     const double z = k + 1.0;
-    const double radius = 10.0 + (k + 0.5) * std::tan(lean_deg * kDegree);
+    const double radius = 10.0 + (k + 0.5) * std::tan(lean_deg * kOverhangAngleDegree);
     Path path;
     path.role = PathRole::OuterWall;
     path.is_closed = true;
     std::vector<Eigen::Quaterniond> tools;
     for (int i = 0; i < 360; ++i) {
-      const Point3 out(std::cos(i * kDegree), std::sin(i * kDegree), 0.0);
+      const Point3 out(std::cos(i * kOverhangAngleDegree), std::sin(i * kOverhangAngleDegree), 0.0);
       path.points.emplace_back(radius * out + z * Point3::UnitZ());
       const Point3 tool_axis =
-          -std::cos(tool_lean_deg * kDegree) * Point3::UnitZ() - std::sin(tool_lean_deg * kDegree) * out;
+          -std::cos(tool_lean_deg * kOverhangAngleDegree) * Point3::UnitZ() - std::sin(tool_lean_deg * kOverhangAngleDegree) * out;
       tools.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(tools));
@@ -48,15 +48,15 @@ Toolpath wallsOf(double lean_deg, double tool_lean_deg) {
 }
 
 double wallArea(double lean_deg) {
-  const double top = 10.0 + 10.0 * std::tan(lean_deg * kDegree);
-  return M_PI * (10.0 + top) * 10.0 / std::cos(lean_deg * kDegree);
+  const double top = 10.0 + 10.0 * std::tan(lean_deg * kOverhangAngleDegree);
+  return M_PI * (10.0 + top) * 10.0 / std::cos(lean_deg * kOverhangAngleDegree);
 }
 
 TEST(OverhangAngle, EachLayerIsPutOutByItsHeightTimesTheTangent) {
   for (const double lean_deg : {10.0, 30.0, 45.0}) {
     const OverhangAngle lean = overhangAngle(funnel(lean_deg), Point3::UnitZ(), {0.8, 1.0});
-    EXPECT_NEAR(lean.steepest_rad / kDegree, lean_deg, 0.01);
-    EXPECT_NEAR(lean.overhang_mm, std::tan(lean_deg * kDegree), 1e-3);
+    EXPECT_NEAR(lean.steepest_rad / kOverhangAngleDegree, lean_deg, 0.01);
+    EXPECT_NEAR(lean.overhang_mm, std::tan(lean_deg * kOverhangAngleDegree), 1e-3);
   }
 }
 
@@ -89,10 +89,10 @@ TEST(OverhangAngle, LevelUndersidesLeanByARightAngle) {
 TEST(OverhangAngle, AToolHeldAlongTheWallClearsTheOverhang) {
   const Mesh mesh = funnel(45.0);
   const OverhangAngle upright = overhangAngle(mesh, wallsOf(45.0, 0.0), 0.8);
-  EXPECT_NEAR(upright.steepest_rad / kDegree, 45.0, 0.05);
+  EXPECT_NEAR(upright.steepest_rad / kOverhangAngleDegree, 45.0, 0.05);
   EXPECT_GT(upright.beyond_bead_mm2, 0.8 * wallArea(45.0));
   const OverhangAngle along = overhangAngle(mesh, wallsOf(45.0, 45.0), 0.8);
-  EXPECT_NEAR(along.steepest_rad / kDegree, 0.0, 0.6);
+  EXPECT_NEAR(along.steepest_rad / kOverhangAngleDegree, 0.0, 0.6);
   EXPECT_EQ(along.beyond_bead_mm2, 0.0);
 }
 

@@ -32,7 +32,7 @@ OverhangReport find(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_
 
 OverhangReport find(const Toolpath& toolpath) { return find(toolpath, Eigen::Isometry3d::Identity()); }
 
-Path travel(const Path& from, const Path& to) {
+Path overhangTravel(const Path& from, const Path& to) {
   Path path;
   path.role = PathRole::Travel;
   path.points = {from.lastPoint(), to.firstPoint()};
@@ -43,7 +43,7 @@ Path travel(const Path& from, const Path& to) {
 ToolpathLayer layerOf(double z_mm, const std::vector<Path>& paths) {
   ToolpathLayer layer{z_mm, 0.2, {}};
   for (const Path& path : paths) {
-    if (!layer.paths.empty()) layer.paths.push_back(travel(layer.paths.back(), path));
+    if (!layer.paths.empty()) layer.paths.push_back(overhangTravel(layer.paths.back(), path));
     layer.paths.push_back(path);
   }
   return layer;

@@ -23,19 +23,19 @@ SliceJob solid(const std::string& part) {
   return job;
 }
 
-OverhangReport find(const SlicedPart& sliced) {
+OverhangReport partOverhangFind(const SlicedPart& sliced) {
   NoProgress nobody;
   return findOverhangs(sliced.toolpath, sliced.bed_from_part, OverhangSettings(), nobody);
 }
 
 OverhangReport inclined(const SliceJob& job) {
   NoProgress nobody;
-  return find(runSliceJob(job, nobody));
+  return partOverhangFind(runSliceJob(job, nobody));
 }
 
 OverhangReport level(const SliceJob& job) {
   NoProgress nobody;
-  return find(runLevelSliceJob(job, nobody));
+  return partOverhangFind(runLevelSliceJob(job, nobody));
 }
 
 /// A column of 10 x 10 x 20 mm with an arm of 10 x 10 x 10 mm at its top.
@@ -84,9 +84,9 @@ TEST(PartOverhang, IsTheSameWhateverTheNumberOfThreads) {
   SliceJob job = solid("sphere");
   job.settings.planning.infill.density = 0.2;
   const SlicedPart sliced = runSliceJob(job, nobody);
-  const OverhangReport many = find(sliced);
+  const OverhangReport many = partOverhangFind(sliced);
   const ThreadLimit limit(1);
-  const OverhangReport one = find(sliced);
+  const OverhangReport one = partOverhangFind(sliced);
   ASSERT_EQ(one.stretches.size(), many.stretches.size());
   EXPECT_GT(one.stretches.size(), 10U);
   for (std::size_t i = 0; i < one.stretches.size(); ++i)

@@ -23,18 +23,18 @@ using test::requestOf;
 using test::reversed;
 
 constexpr double kPitch = 0.4;
-constexpr double kHeight = 0.2;
+constexpr double kStrategyVoidsHeight = 0.2;
 
 Path toPath(const FillPath& run) {
   Path path;
   path.role = run.role;
   path.is_closed = run.is_closed;
-  for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), kHeight);
-  path.bead = beadOfArea(kPitch * kHeight, kHeight);
+  for (const Point2& point : run.points) path.points.emplace_back(point.x(), point.y(), kStrategyVoidsHeight);
+  path.bead = beadOfArea(kPitch * kStrategyVoidsHeight, kStrategyVoidsHeight);
   path.feed_mm_s = 30.0;
   if (run.width_mm.empty()) return path;
   std::vector<Bead> beads;
-  for (const double width : run.width_mm) beads.push_back(beadOfArea(width * kHeight, kHeight));
+  for (const double width : run.width_mm) beads.push_back(beadOfArea(width * kStrategyVoidsHeight, kStrategyVoidsHeight));
   path.bead = AlongPath<Bead>(std::move(beads));
   return path;
 }
@@ -82,7 +82,7 @@ class BeadStrategy : public testing::TestWithParam<std::string> {
  protected:
   LayerVoids voidsOf(const Regions& regions, const InfillRequest& request) const {
     ToolpathLayer layer;
-    layer.z_mm = layer.height_mm = kHeight;
+    layer.z_mm = layer.height_mm = kStrategyVoidsHeight;
     for (const FillPath& run : infillStrategy(GetParam()).fill(regions, request))
       layer.paths.push_back(toPath(run));
     return findVoids(regions, layer, {});

@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kHeight = 0.2;
+constexpr double kVoidMapPointsHeight = 0.2;
 /// Between the points at which layers are looked at [mm].
 constexpr double kStep = 0.04;
 /// In pitches: parts of a run nearer along it are one pass, by definition.
@@ -72,8 +72,8 @@ Path runThrough(const Polyline& points, const std::vector<double>& widths, bool 
   run.role = PathRole::Infill;
   run.is_closed = is_closed;
   std::vector<Bead> beads;
-  for (const Point2& point : points) run.points.emplace_back(point.x(), point.y(), kHeight);
-  for (const double width : widths) beads.push_back(beadOfArea(width * kHeight, kHeight));
+  for (const Point2& point : points) run.points.emplace_back(point.x(), point.y(), kVoidMapPointsHeight);
+  for (const double width : widths) beads.push_back(beadOfArea(width * kVoidMapPointsHeight, kVoidMapPointsHeight));
   run.bead = AlongPath<Bead>(std::move(beads));
   run.feed_mm_s = 10.0;
   return run;
@@ -94,8 +94,8 @@ TEST(VoidMap, AgreesWithACountOfPoints) {
     const Regions contour = unite(
         {test::star(random, {5, 5}, 2.5, 5.0, 12), test::reversed(test::star(random, {5, 5}, 0.5, 2.0, 7))});
     ToolpathLayer layer;
-    layer.z_mm = kHeight;
-    layer.height_mm = kHeight;
+    layer.z_mm = kVoidMapPointsHeight;
+    layer.height_mm = kVoidMapPointsHeight;
     const int runs = 1 + static_cast<int>(random.below(3));
     for (int i = 0; i < runs; ++i) layer.paths.push_back(randomRun(random));
     const LayerVoids voids = findVoids(contour, layer, {});
@@ -109,8 +109,8 @@ TEST(VoidMap, AgreesWithACountOfPoints) {
 TEST(VoidMap, CountsARunThatCrossesItselfOnceMore) {
   // A loop back across: two beads 0.5 mm wide that cross at a right angle.
   ToolpathLayer layer;
-  layer.z_mm = kHeight;
-  layer.height_mm = kHeight;
+  layer.z_mm = kVoidMapPointsHeight;
+  layer.height_mm = kVoidMapPointsHeight;
   layer.paths = {runThrough({{1, 5}, {9, 5}, {9, 9}, {5, 9}, {5, 1}}, std::vector<double>(5, 0.5), false)};
   const LayerVoids voids = findVoids({{test::rectangle(0, 0, 10, 10), {}}}, layer, {});
   EXPECT_NEAR(voids.overfill_mm2, 0.25, 0.01);

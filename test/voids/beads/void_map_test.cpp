@@ -18,14 +18,14 @@ namespace {
 using test::circle;
 using test::rectangle;
 
-constexpr double kHeight = 0.2;
+constexpr double kVoidMapHeight = 0.2;
 
 /// A run whose beads fill the width, as flat as the layer so that they reach no farther.
 Path runOf(const Polyline& points, double width, PathRole role = PathRole::Infill) {
   Path path;
   path.role = role;
-  for (const Point2& point : points) path.points.emplace_back(point.x(), point.y(), kHeight);
-  path.bead = beadOfArea(width * kHeight, kHeight);
+  for (const Point2& point : points) path.points.emplace_back(point.x(), point.y(), kVoidMapHeight);
+  path.bead = beadOfArea(width * kVoidMapHeight, kVoidMapHeight);
   path.feed_mm_s = 10.0;
   return path;
 }
@@ -38,8 +38,8 @@ Path loopOf(const Polygon& points, double width, PathRole role) {
 
 ToolpathLayer layerOf(std::vector<Path> paths) {
   ToolpathLayer layer;
-  layer.z_mm = kHeight;
-  layer.height_mm = kHeight;
+  layer.z_mm = kVoidMapHeight;
+  layer.height_mm = kVoidMapHeight;
   layer.paths = std::move(paths);
   return layer;
 }
@@ -59,7 +59,7 @@ ToolpathLayer linesEvery(double spacing, const Point2& along) {
 
 const Regions kSquare = {{rectangle(0, 0, 10, 10), {}}};
 /// How much wider than it fills a bead of 0.2 mm height is: (1 - pi / 4) h.
-const double kCorners = (1.0 - M_PI / 4.0) * kHeight;
+const double kCorners = (1.0 - M_PI / 4.0) * kVoidMapHeight;
 
 TEST(VoidMap, OfLinesFartherApartThanTheyAreWideIsWhatLiesBetween) {
   const LayerVoids voids = findVoids(kSquare, linesEvery(0.5, {1, 0}), {});
@@ -171,9 +171,9 @@ TEST(VoidMap, ReportsTheCornerAndTheBorderOfARaster) {
 TEST(VoidMap, OfDropsIsWhatTheirDiscsLeave) {
   Path drops = runOf({}, 1.0);
   drops.deposit = Deposit::Drops;
-  drops.bead = Bead{1.0, kHeight};
+  drops.bead = Bead{1.0, kVoidMapHeight};
   for (int i = 0; i < 10; ++i)
-    for (int k = 0; k < 10; ++k) drops.points.emplace_back(i + 0.5, k + 0.5, kHeight);
+    for (int k = 0; k < 10; ++k) drops.points.emplace_back(i + 0.5, k + 0.5, kVoidMapHeight);
   const LayerVoids voids = findVoids(kSquare, layerOf({drops}), {});
   EXPECT_NEAR(voids.uncovered_mm2, 21.46, 0.2);  // 1 - pi / 4 of a square raster
   EXPECT_NEAR(voids.overfill_mm2, 0.0, 0.05);

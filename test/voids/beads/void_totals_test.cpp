@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-LayerVoids layerOf(double area, double uncovered, double overfill, std::size_t runs) {
+LayerVoids voidTotalsLayerOf(double area, double uncovered, double overfill, std::size_t runs) {
   LayerVoids layer;
   layer.area_mm2 = area;
   layer.uncovered_mm2 = uncovered;
@@ -18,7 +18,7 @@ LayerVoids layerOf(double area, double uncovered, double overfill, std::size_t r
 }
 
 TEST(VoidTotals, ReportTheMeanOfTheLayersTheWholeAndTheWorst) {
-  const VoidTotals sums = totals({layerOf(100, 1, 4, 2), layerOf(10, 1, 0, 3), layerOf(0, 0, 0, 0)});
+  const VoidTotals sums = totals({voidTotalsLayerOf(100, 1, 4, 2), voidTotalsLayerOf(10, 1, 0, 3), voidTotalsLayerOf(0, 0, 0, 0)});
   EXPECT_EQ(sums.layers, 3U);
   EXPECT_DOUBLE_EQ(sums.uncovered.mean_percent, (1.0 + 10.0) / 2) << "a layer without area has no percentage";
   EXPECT_DOUBLE_EQ(sums.uncovered.total_percent, 100.0 * 2 / 110);

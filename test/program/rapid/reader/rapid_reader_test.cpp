@@ -18,7 +18,7 @@ constexpr double kPosition = 0.5e-4 + 1e-9;  // mm: half of the last decimal
 constexpr double kOrientation = 1.1e-7;      // rad: half of the last decimal of each of four parts, twice
 constexpr double kFeed = 0.5e-3 + 1e-9;      // mm/s
 
-Toolpath readBack(const std::vector<std::string>& texts) {
+Toolpath rapidReaderReadBack(const std::vector<std::string>& texts) {
   std::vector<RapidText> modules;
   for (std::size_t m = 0; m < texts.size(); ++m)
     modules.push_back({"m" + std::to_string(m) + ".mod", texts[m]});
@@ -40,7 +40,7 @@ void expectSamePath(const Path& read, const Path& written) {
   }
 }
 
-void expectSame(const Toolpath& read, const Toolpath& written) {
+void rapidReaderExpectSame(const Toolpath& read, const Toolpath& written) {
   validate(read);
   RC_ASSERT(read.layers.size() == written.layers.size());
   for (std::size_t l = 0; l < read.layers.size(); ++l) {
@@ -61,7 +61,7 @@ TEST(RapidReader, ReadsBackWhatWasWrittenOfEachVariant) {
       RapidSettings settings;
       settings.variant = variant;
       settings.start_point_mm = {12.5, -3, 0.25};
-      expectSame(readBack(test::rapidModules(toolpath, settings)), toolpath);
+      rapidReaderExpectSame(rapidReaderReadBack(test::rapidModules(toolpath, settings)), toolpath);
     }));
 }
 
@@ -70,7 +70,7 @@ TEST(RapidReader, JoinsTheModulesOfASplitProgram) {
     const Toolpath toolpath = test::tilted(test::randomToolpath(seed), seed);
     RapidSettings settings;
     settings.max_points = 1 + static_cast<int>(seed % 30);
-    expectSame(readBack(test::rapidModules(toolpath, settings)), toolpath);
+    rapidReaderExpectSame(rapidReaderReadBack(test::rapidModules(toolpath, settings)), toolpath);
   }));
 }
 
@@ -96,18 +96,18 @@ TEST(RapidReader, FindsTheFilesOfTheModules) {
 TEST(RapidReader, KeepsInclinedLayers) {
   Toolpath toolpath = test::twoLayers();
   toolpath.part_from_layers = Eigen::AngleAxisd(0.5, Point3::UnitX());
-  const Toolpath read = readBack(test::rapidModules(toolpath, {}));
+  const Toolpath read = rapidReaderReadBack(test::rapidModules(toolpath, {}));
   EXPECT_LT(read.part_from_layers.angularDistance(toolpath.part_from_layers), 1e-12);
 }
 
 /// The error that reading the text with `from` replaced by `to` gives.
-std::string refusal(const std::string& from, const std::string& to) {
+std::string rapidReaderRefusal(const std::string& from, const std::string& to) {
   std::string text = test::rapidModules(test::twoLayers(), {})[0];
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
   try {
-    readBack({text});
+    rapidReaderReadBack({text});
   } catch (const InvalidProgram& error) {
     return error.what();
   }
@@ -116,31 +116,31 @@ std::string refusal(const std::string& from, const std::string& to) {
 
 TEST(RapidReader, NamesTheLineWhatWasFoundAndWhatWasExpected) {
   EXPECT_EQ(
-      refusal("    deposit_1;", "    deposit_7;"),
+      rapidReaderRefusal("    deposit_1;", "    deposit_7;"),
       "'m0.mod' line 19: found 'deposit_7'; expected an instruction that is known, or a procedure of the "
       "program");
-  EXPECT_NE(refusal("MoveL [[10", "MoveJ [[10").find("found instruction 'movej'; expected MoveL"),
+  EXPECT_NE(rapidReaderRefusal("MoveL [[10", "MoveJ [[10").find("found instruction 'movej'; expected MoveL"),
             std::string::npos);
-  EXPECT_NE(refusal("fine,t_", "fino,t_").find("found zone 'fino'; expected"), std::string::npos);
-  EXPECT_NE(refusal("speed_prueba,z0", "speed_x,z0").find("found speed 'speed_x'"), std::string::npos);
-  EXPECT_NE(refusal("[[0.0000,", "[[x,").find("found 'x,0.0000"), std::string::npos);
-  EXPECT_NE(refusal("1.0000000", "0.9000000").find("length 0.9"), std::string::npos);
-  EXPECT_NE(refusal("WObj:=temple", "WObj:=wobj1").find("expected 'wobj1' as in the moves before"),
+  EXPECT_NE(rapidReaderRefusal("fine,t_", "fino,t_").find("found zone 'fino'; expected"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("speed_prueba,z0", "speed_x,z0").find("found speed 'speed_x'"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("[[0.0000,", "[[x,").find("found 'x,0.0000"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("1.0000000", "0.9000000").find("length 0.9"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("WObj:=temple", "WObj:=wobj1").find("expected 'wobj1' as in the moves before"),
             std::string::npos);
-  EXPECT_NE(refusal("PERS tooldata", "PERS toolbox").find("found data of type 'toolbox'"), std::string::npos);
-  EXPECT_NE(refusal("ENDMODULE", "").find("the text ends; expected PROC, ENDMODULE"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("PERS tooldata", "PERS toolbox").find("found data of type 'toolbox'"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("ENDMODULE", "").find("the text ends; expected PROC, ENDMODULE"), std::string::npos);
 }
 
 TEST(RapidReader, RefusesMovesThatTheCommentsDoNotFit) {
-  EXPECT_NE(refusal("closed turned 5", "closed turned 4").find("a closed path does not return"),
+  EXPECT_NE(rapidReaderRefusal("closed turned 5", "closed turned 4").find("a closed path does not return"),
             std::string::npos);
-  EXPECT_NE(refusal("!# bead 0.4 0.2 4", "!# bead 0.4 0.2 3").find("expected one bead for each"),
+  EXPECT_NE(rapidReaderRefusal("!# bead 0.4 0.2 4", "!# bead 0.4 0.2 3").find("expected one bead for each"),
             std::string::npos);
-  EXPECT_NE(refusal("!# path", "! path").find("a note of a path before its beads"), std::string::npos);
-  EXPECT_NE(refusal("!# layer 0.2 0.2\n", "").find("expected a note '!# layer'"), std::string::npos);
-  EXPECT_NE(refusal("outer_wall closed", "outer_hall closed").find("expected the role of a path"),
+  EXPECT_NE(rapidReaderRefusal("!# path", "! path").find("a note of a path before its beads"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("!# layer 0.2 0.2\n", "").find("expected a note '!# layer'"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("outer_wall closed", "outer_hall closed").find("expected the role of a path"),
             std::string::npos);
-  EXPECT_NE(refusal("Haz_ON;\n", "\n").find("the process is off in a path that is outer_wall"),
+  EXPECT_NE(rapidReaderRefusal("Haz_ON;\n", "\n").find("the process is off in a path that is outer_wall"),
             std::string::npos);
 }
 
@@ -168,7 +168,7 @@ TEST(RapidReader, ReadsOrRefusesAnyMutatedText) {
       }
     }
     try {
-      validate(readBack({mutated}));
+      validate(rapidReaderReadBack({mutated}));
     } catch (const InvalidProgram&) {
     }
   }));

@@ -16,7 +16,7 @@ using test::countOf;
 using test::pointLines;
 using test::rapidModules;
 
-RapidSettings settingsOf(RapidVariant variant) {
+RapidSettings rapidProgramSettingsOf(RapidVariant variant) {
   RapidSettings settings;
   settings.variant = variant;
   return settings;
@@ -39,7 +39,7 @@ TEST(RapidProgram, IsAWholeModule) {
   Toolpath toolpath = test::twoLayers();
   toolpath.layers[0].paths.resize(1);
   toolpath.layers.resize(1);
-  RapidSettings settings = settingsOf(RapidVariant::Powder3Axes);
+  RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder3Axes);
   settings.aliases = "SolicitudLaser=doLaser";
   EXPECT_EQ(rapidModules(toolpath, settings)[0],
             "MODULE Lamina\n"
@@ -96,7 +96,7 @@ TEST(RapidProgram, IsAWholeModule) {
 TEST(RapidProgram, StartsAndStopsTheLaserOncePerRunAndNeverMovesThroughAirWithIt) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::randomToolpath(seed);
-    const auto modules = rapidModules(toolpath, settingsOf(RapidVariant::Powder3Axes));
+    const auto modules = rapidModules(toolpath, rapidProgramSettingsOf(RapidVariant::Powder3Axes));
     const auto lines = pointLines(modules);
     RC_ASSERT(countOf(lines, "Haz_ON;") == runCount(toolpath));
     RC_ASSERT(countOf(lines, "Haz_OFF;WaitTime 1.2;") == runCount(toolpath));
@@ -116,7 +116,7 @@ TEST(RapidProgram, StartsAndStopsTheLaserOncePerRunAndNeverMovesThroughAirWithIt
 TEST(RapidProgram, StopsTheWireBeforeTheEndOfEachRun) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::randomToolpath(seed);
-    const auto lines = pointLines(rapidModules(toolpath, settingsOf(RapidVariant::Wire3Axes)));
+    const auto lines = pointLines(rapidModules(toolpath, rapidProgramSettingsOf(RapidVariant::Wire3Axes)));
     RC_ASSERT(countOf(lines, "TriggL ") == runCount(toolpath));
     for (std::size_t i = 0; i + 1 < lines.size(); i += 2)
       RC_ASSERT((lines[i].substr(0, 6) == "TriggL") ==
@@ -127,7 +127,7 @@ TEST(RapidProgram, StopsTheWireBeforeTheEndOfEachRun) {
 TEST(RapidProgram, WritesTwoLinesForEachPoint) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::tilted(test::randomToolpath(seed), seed);
-    const auto lines = pointLines(rapidModules(toolpath, settingsOf(RapidVariant::Powder5Axes)));
+    const auto lines = pointLines(rapidModules(toolpath, rapidProgramSettingsOf(RapidVariant::Powder5Axes)));
     RC_ASSERT(lines.size() % 2 == 0U);
     for (std::size_t i = 0; i < lines.size(); i += 2) RC_ASSERT(lines[i].substr(0, 8) == "MoveL [[");
     RC_ASSERT(countOf(lines, "Haz_ON;") == countOf(lines, "Haz_OFF;"));
@@ -137,7 +137,7 @@ TEST(RapidProgram, WritesTwoLinesForEachPoint) {
 TEST(RapidProgram, SplitInModulesHasTheSameLines) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::randomToolpath(seed);
-    RapidSettings settings = settingsOf(RapidVariant::Powder3Axes);
+    RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder3Axes);
     const auto whole = pointLines(rapidModules(toolpath, settings));
     settings.max_points = 5 + static_cast<int>(seed % 40);
     const auto modules = rapidModules(toolpath, settings);
@@ -150,7 +150,7 @@ TEST(RapidProgram, SplitInModulesHasTheSameLines) {
 TEST(RapidProgram, IsSplitBetweenRunsWhereTheyFit) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Toolpath toolpath = test::randomToolpath(seed);
-    RapidSettings settings = settingsOf(RapidVariant::Powder3Axes);
+    RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder3Axes);
     settings.max_points = 60;  // four paths of ten motions may meet in one run
     settings.loading = RapidLoading::InTurn;
     try {
@@ -164,7 +164,7 @@ TEST(RapidProgram, IsSplitBetweenRunsWhereTheyFit) {
 }
 
 TEST(RapidProgram, LoadsModulesInTurnIfAsked) {
-  RapidSettings settings = settingsOf(RapidVariant::Powder3Axes);
+  RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder3Axes);
   settings.max_points = 6;
   settings.loading = RapidLoading::InTurn;
   const auto modules = rapidModules(test::twoLayers(), settings);
@@ -178,7 +178,7 @@ TEST(RapidProgram, LoadsModulesInTurnIfAsked) {
 }
 
 TEST(RapidProgram, KeepsThePartWhereTheStartPointIsDeclared) {
-  RapidSettings settings = settingsOf(RapidVariant::Powder3Axes);
+  RapidSettings settings = rapidProgramSettingsOf(RapidVariant::Powder3Axes);
   settings.start_point_mm = {20, -5, 0.2};
   const std::string line = pointLines(rapidModules(test::twoLayers(), settings))[2];
   EXPECT_NE(line.find("Offs(Pinicial,off_x-10.0000,off_y+5.0000,off_z+0.0000)"), std::string::npos) << line;
@@ -187,7 +187,7 @@ TEST(RapidProgram, KeepsThePartWhereTheStartPointIsDeclared) {
 TEST(RapidProgram, NumbersFurtherFeeds) {
   Toolpath toolpath = test::twoLayers();
   toolpath.layers[1].paths[0].feed_mm_s = 12.5;
-  const auto modules = rapidModules(toolpath, settingsOf(RapidVariant::Powder3Axes));
+  const auto modules = rapidModules(toolpath, rapidProgramSettingsOf(RapidVariant::Powder3Axes));
   EXPECT_NE(modules[0].find("CONST speeddata speed_prueba_2:=[12.500,500,5000,1000];"), std::string::npos);
   EXPECT_EQ(countOf(pointLines(modules), "speed_prueba_2"), 1U);
 }
@@ -215,7 +215,7 @@ TEST(RapidProgram, RefusesWhatItCannotReportBeforeTheFirstPiece) {
   split.max_points = 3;
   RapidSettings joints;
   joints.configuration = RapidConfiguration::Joints;
-  EXPECT_NE(refusal(turning, settingsOf(RapidVariant::Wire3Axes)).find("layer 1, path 0, waypoint 0"),
+  EXPECT_NE(refusal(turning, rapidProgramSettingsOf(RapidVariant::Wire3Axes)).find("layer 1, path 0, waypoint 0"),
             std::string::npos);
   EXPECT_NE(refusal(drops, {}).find("drops"), std::string::npos);
   EXPECT_NE(refusal({"empty", {}}, {}).find("no path"), std::string::npos);
