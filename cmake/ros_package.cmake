@@ -1,4 +1,6 @@
 # The catkin side: messages, devel space, and what other packages get.
+# Messages for C++ and Python; nobody here speaks the others.
+set(ENV{ROS_LANG_DISABLE} "geneus:genlisp:gennodejs")
 find_package(catkin REQUIRED COMPONENTS
   actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs kdl_parser message_generation nav_msgs
   rosbag roscpp

@@ -5,9 +5,8 @@ if(LAMINA_WERROR)
   target_compile_options(lamina_flags INTERFACE -Werror)
 endif()
 if(LAMINA_SANITIZE)
-  # Null pointers and misaligned ones stop a program anyway; the checks for them double the time to compile.
-  target_compile_options(lamina_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,vptr,object-size
-    -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_compile_options(lamina_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+    -fno-omit-frame-pointer)
   target_link_options(lamina_flags INTERFACE -fsanitize=address,undefined)
   # Under the sanitizer Eigen pads what it allocates; libraries that are built without it free the same memory plainly.
   target_compile_definitions(lamina_flags INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
@@ -20,4 +19,8 @@ endif()
 # them has this warning.
 if(LAMINA_SANITIZE)
   target_compile_options(lamina_flags INTERFACE -Wno-maybe-uninitialized)
+endif()
+if(LAMINA_THREADS)
+  target_compile_options(lamina_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(lamina_flags INTERFACE -fsanitize=thread)
 endif()
