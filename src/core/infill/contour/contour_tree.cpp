@@ -11,7 +11,6 @@
 
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "infill/contour/contour_loop.hpp"
-#include "infill/contour/straightened.hpp"
 #include "infill/medial/axis_loops.hpp"
 #include "infill/medial/axis_steps.hpp"
 #include "infill/medial/bead_axis.hpp"
@@ -19,9 +18,20 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/polygon/simplify.hpp"
 
 namespace lamina {
 namespace {
+
+/// The region without the points that lie within the tolerance of the edge that replaces them; as it is where
+/// its outlines would vanish or come apart so.
+Region straightened(Region region, double tolerance_mm) {
+  const std::vector<Polygon> whole = outlines({region});
+  const std::vector<Polygon> simple = simplify(whole, tolerance_mm);
+  if (simple == whole) return region;
+  Regions straight = unite(simple);
+  return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
+}
 
 /// Thickness below which nothing is deposited, in pitches.
 constexpr double kLeastWidth = 0.3;
