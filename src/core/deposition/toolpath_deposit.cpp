@@ -13,6 +13,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/strand.hpp"
 #include "lamina/deposition/voxel_deposit.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -160,15 +161,13 @@ ToolAxisMotion toolAxisDrop(const Path& path, std::size_t waypoint) {
 }
 
 std::vector<ToolAxisMotion> toolAxisMotions(const Path& path) {
-  if (path.role == PathRole::Travel) return {};
-  const bool is_drops = path.deposit == Deposit::Drops;
-  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
   std::vector<ToolAxisMotion> motions;
-  motions.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const ToolAxisMotion motion = is_drops ? toolAxisDrop(path, i) : toolAxisMotion(path, i);
+  motions.reserve(path.points.size());
+  forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+    const ToolAxisMotion motion = path.deposit == Deposit::Drops ? toolAxisDrop(path, segment.waypoint)
+                                                                 : toolAxisMotion(path, segment.from);
     if (motion.volume_mm3 > 0.0) motions.push_back(motion);
-  }
+  });
   return motions;
 }
 

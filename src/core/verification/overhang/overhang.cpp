@@ -15,6 +15,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/verification/overhang/overhang_settings.hpp"
+#include "toolpath/deposited_segment.hpp"
 #include "verification/overhang/bead_grid.hpp"
 #include "verification/overhang/deposited_beads.hpp"
 
@@ -251,9 +252,8 @@ double greatestSideways(const Toolpath& toolpath) {
   return greatest;
 }
 
-double lengthDeposited(const Path& path, std::size_t waypoint) {
-  if (path.deposit == Deposit::Drops) return path.bead.at(waypoint).width_mm;
-  return (path.points[waypoint] - cameFrom(path, waypoint)).norm();
+double lengthDeposited(const Path& path, const DepositedSegment& segment) {
+  return path.deposit == Deposit::Drops ? segment.bead.width_mm : segment.length();
 }
 
 /// Into how many equal pieces a bead is cut; the middle of each is looked at.
@@ -278,12 +278,12 @@ class Survey {
     std::vector<bool> is_carried;
     std::size_t bead = deposited_.first_of_layer[layer];
     for (const Path& path : toolpath_.layers[layer].paths)
-      forEachDeposited(path, [&](std::size_t waypoint) {
-        const double length = lengthDeposited(path, waypoint);
+      forEachBead(path, [&](const DepositedSegment& segment) {
+        const double length = lengthDeposited(path, segment);
         const std::size_t pieces = piecesOf(path, length, step_mm_);
         LayingPlace place;
-        place.section = path.bead.at(waypoint);
-        place.tool_axis = toolAxisAt(path, waypoint, layers_from_part_);
+        place.section = segment.bead;
+        place.tool_axis = toolAxisAt(path, segment.waypoint, layers_from_part_);
         place.bead = bead;
         const Point3& start = deposited_.beads[bead].start;
         const Point3 along = deposited_.beads[bead].end - start;
@@ -304,17 +304,17 @@ class Survey {
     for (std::size_t p = 0; p < paths.size(); ++p) {
       const Path& path = paths[p];
       if (!lays(path)) chain.stop();
-      forEachDeposited(path, [&](std::size_t waypoint) {
+      forEachBead(path, [&](const DepositedSegment& segment) {
         if (path.deposit == Deposit::Drops) chain.stop();
         DepositedPiece piece;
-        piece.at = {layer, p, waypoint};
+        piece.at = {layer, p, segment.waypoint};
         piece.role = path.role;
-        piece.section = path.bead.at(waypoint);
-        const double length = lengthDeposited(path, waypoint);
+        piece.section = segment.bead;
+        const double length = lengthDeposited(path, segment);
         const std::size_t pieces = piecesOf(path, length, step_mm_);
         piece.length_mm = length / static_cast<double>(pieces);
-        const Point3& start = cameFrom(path, waypoint);
-        const Point3 along = path.points[waypoint] - start;
+        const Point3& start = segment.start;
+        const Point3 along = segment.end - start;
         for (std::size_t i = 0; i < pieces; ++i) {
           piece.start = start + static_cast<double>(i) / static_cast<double>(pieces) * along;
           piece.end = start + static_cast<double>(i + 1) / static_cast<double>(pieces) * along;

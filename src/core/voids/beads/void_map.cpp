@@ -18,6 +18,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/void_class.hpp"
+#include "toolpath/deposited_segment.hpp"
 #include "voids/beads/bead_spans.hpp"
 #include "voids/beads/scan_rows.hpp"
 
@@ -423,14 +424,11 @@ double meanPlanWidth(const ToolpathLayer& layer) {
   double widest_drop = 0.0;
   for (const Path& path : layer.paths) {
     if (!isPartOfPart(path)) continue;
-    if (path.deposit == Deposit::Drops)
-      for (std::size_t i = 0; i < path.points.size(); ++i)
-        widest_drop = std::max(widest_drop, path.bead.at(i).width_mm);
-    for (std::size_t m = 0; path.deposit == Deposit::Bead && m < path.motionCount(); ++m) {
-      const double step = (path.points[path.motionEnd(m)] - path.points[m]).norm();
-      length += step;
-      area += step * planWidth(path.bead.at(path.motionEnd(m)));
-    }
+    forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+      if (path.deposit == Deposit::Drops) widest_drop = std::max(widest_drop, segment.bead.width_mm);
+      length += segment.length();
+      area += segment.length() * planWidth(segment.bead);
+    });
   }
   return length > 0.0 ? area / length : widest_drop;
 }
