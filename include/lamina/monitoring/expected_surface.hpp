@@ -31,8 +31,6 @@ class ExpectedSurface {
   const std::vector<std::size_t>& topCells() const { return top_cells_; }
 
  private:
-  void addBead(const Path& path);
-  void addDrops(const Path& path);
   void addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role);
 
   HeightMap heights_;

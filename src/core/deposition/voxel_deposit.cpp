@@ -3,17 +3,113 @@
 #include "lamina/deposition/voxel_deposit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "column_tops.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/strand.hpp"
-#include "nearest_room.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 
 namespace lamina {
+
+/// Lengths within a search count in 256ths of a voxel, as whole numbers: so distances compare exactly.
+constexpr int kFine = 256;
+
+/// Where a portion of material comes out. Lengths are in voxels, from the corner of the frame.
+struct Outlet {
+  Point3 tip = Point3::Zero();  ///< the plane through it, square to the tool axis, is not passed
+  Eigen::Vector3d tool_axis{0, 0, -1};
+  Point3 middle = Point3::Zero();  ///< what lies nearest is filled first
+};
+
+/// A voxel that may be filled.
+struct OpenVoxel {
+  std::int64_t distance2 = 0;  ///< from the middle, squared [256ths of a voxel]
+  int i = 0;
+  int j = 0;
+  int k = 0;
+};
+
+/// Finds the open voxels nearest to an outlet. It remembers the ball that the last search left full, and
+/// looks only around it as long as the outlets follow each other: voxels only ever become solid.
+class NearestRoom {
+ public:
+  /// @param lowest_k     voxels below are never room
+  /// @param reach        farthest from the middle [voxels]
+  NearestRoom(int lowest_k, double reach);
+
+  /// The `count` open voxels of the grid nearest to the outlet's middle, or all within reach if there are
+  /// fewer. All of them must be solid before the next call. Of those at the same distance, one side of the
+  /// middle comes first, another at every call.
+  const std::vector<OpenVoxel>& find(const VoxelGrid& grid, const Outlet& outlet, std::int64_t count);
+
+ private:
+  struct Search;
+  struct Row;
+
+  std::int64_t radiusKnownFull(const Search& search) const;
+  void collect(const Search& search, std::int64_t inner, std::int64_t outer);
+  void collectRow(const Search& search, const Row& row, std::int64_t inner, std::int64_t outer);
+  std::int64_t keepNearest(std::int64_t count);
+
+  int lowest_k_;
+  std::int64_t reach_;       ///< [256ths of a voxel], as all below
+  std::int64_t usual_ = 0;   ///< how far the last search went
+  std::uint32_t calls_ = 0;  ///< decides between sides
+  std::vector<OpenVoxel> found_;
+  Outlet last_;
+  std::array<std::int64_t, 3> last_middle_{};
+  std::int64_t full_ = 0;  ///< every voxel nearer than this to the last middle, behind its plane, is solid
+};
+
+/// Height of the top in each column of voxels, as floats [mm above the bed].
+class ColumnTops {
+ public:
+  ColumnTops(const VoxelFrame& frame, double bed_z_mm);
+
+  void raise(int i, int j, double z);
+  double at(double x, double y) const;
+
+ private:
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(frame_.count[0]) +
+           static_cast<std::size_t>(i);
+  }
+
+  VoxelFrame frame_;
+  double bed_z_mm_;
+  std::vector<float> above_bed_;
+};
+
 namespace {
+
+constexpr int kShift = 8;                  // kFine = 1 << kShift
+constexpr std::int64_t kHalf = kFine / 2;  // a voxel's centre from its corner
+constexpr double kOnPlane = 1e-6;          // voxels: a centre on the plane counts as behind it
+constexpr double kParallel = 1e-12;
+constexpr double kFarBorder = 2e9;       // voxels: beyond all frames, within whole numbers
+constexpr std::int64_t kMostLikely = 3;  // times the ball that a portion would fill
+
+/// Largest whole number whose square is not above. Exact below 2^53.
+std::int64_t wholeRoot(std::int64_t square) {
+  return static_cast<std::int64_t>(std::sqrt(static_cast<double>(square)));
+}
+
+std::int64_t centreOf(int index) { return (std::int64_t{index} << kShift) + kHalf; }
+
+/// First voxel whose centre is not below, last one whose centre is not above.
+int firstFrom(std::int64_t low) { return static_cast<int>((low - kHalf + kFine - 1) >> kShift); }
+int lastUpTo(std::int64_t high) { return static_cast<int>((high - kHalf) >> kShift); }
+
+/// Bits of a word from `low` to `high`, both included; either may lie beyond the word.
+std::uint64_t bitsBetween(int low, int high) {
+  constexpr int kLast = VoxelGrid::kWord - 1;
+  return ~std::uint64_t{0} << std::max(0, low) & ~std::uint64_t{0} >> (kLast - std::min(kLast, high));
+}
 
 constexpr double kFarthest = 1e6;       // mm
 constexpr double kUnit = 1e-6;          // of the length of a tool axis
@@ -83,6 +179,150 @@ double topOf(const OpenVoxel& voxel, const Outlet& outlet) {
 }
 
 }  // namespace
+
+struct NearestRoom::Search {
+  const VoxelGrid& grid;
+  const Outlet& outlet;
+  std::array<std::int64_t, 3> middle{};
+};
+
+/// Voxels along x.
+struct NearestRoom::Row {
+  int j = 0;
+  int k = 0;
+  std::int64_t across2 = 0;  ///< of the distance from the middle squared, what j and k contribute
+  double behind = 0.0;       ///< of the distance behind the nozzle's plane, what j and k contribute [voxels]
+};
+
+NearestRoom::NearestRoom(int lowest_k, double reach)
+    : lowest_k_(lowest_k), reach_(static_cast<std::int64_t>(std::ceil(reach * kFine))) {}
+
+/// A ball around the middle in which nothing is open, from what the last search left.
+std::int64_t NearestRoom::radiusKnownFull(const Search& search) const {
+  const Outlet& outlet = search.outlet;
+  const bool is_behind =
+      outlet.tool_axis == last_.tool_axis && outlet.tool_axis.dot(outlet.tip - last_.tip) >= 0.0;
+  if (!is_behind) return 0;
+  std::int64_t square = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t moved = search.middle[axis] - last_middle_[axis];
+    square += moved * moved;
+  }
+  return std::max<std::int64_t>(0, full_ - wholeRoot(square) - 1);
+}
+
+/// Adds the open voxels of the row at distances in [inner, outer).
+void NearestRoom::collectRow(const Search& search, const Row& row, std::int64_t inner, std::int64_t outer) {
+  const std::int64_t middle = search.middle[0];
+  const std::int64_t half = wholeRoot(outer * outer - row.across2 - 1);
+  int low = std::max(0, firstFrom(middle - half));
+  int high = std::min(search.grid.frame().count[0] - 1, lastUpTo(middle + half));
+  const double tool_axis_x = search.outlet.tool_axis.x();
+  if (std::abs(tool_axis_x) >= kParallel) {
+    const double border =
+        std::clamp(search.outlet.tip.x() - 0.5 - row.behind / tool_axis_x, -2.0, kFarBorder);
+    if (tool_axis_x > 0.0) {
+      low = std::max(low, static_cast<int>(std::ceil(border)));
+    } else {
+      high = std::min(high, static_cast<int>(std::floor(border)));
+    }
+  }
+  if (low > high) return;
+  for (int w = low / VoxelGrid::kWord; w <= high / VoxelGrid::kWord; ++w) {
+    const int begin = w * VoxelGrid::kWord;
+    std::uint64_t open = ~search.grid.word(w, row.j, row.k) & bitsBetween(low - begin, high - begin);
+    for (; open != 0; open &= open - 1) {
+      const int i = begin + __builtin_ctzll(open);
+      const std::int64_t dx = centreOf(i) - middle;
+      const std::int64_t distance2 = dx * dx + row.across2;
+      if (distance2 >= inner * inner) found_.push_back({distance2, i, row.j, row.k});
+    }
+  }
+}
+
+/// Adds the open voxels at distances in [inner, outer).
+void NearestRoom::collect(const Search& search, std::int64_t inner, std::int64_t outer) {
+  const VoxelFrame& frame = search.grid.frame();
+  const Outlet& outlet = search.outlet;
+  const bool is_level =
+      std::abs(outlet.tool_axis.x()) < kParallel && std::abs(outlet.tool_axis.y()) < kParallel;
+  const int last_k = std::min(frame.count[2] - 1, lastUpTo(search.middle[2] + outer));
+  for (int k = std::max(lowest_k_, firstFrom(search.middle[2] - outer)); k <= last_k; ++k) {
+    const double behind = outlet.tool_axis.z() * (k + 0.5 - outlet.tip.z()) + kOnPlane;
+    if (is_level && behind < 0.0) continue;
+    const std::int64_t dz = centreOf(k) - search.middle[2];
+    const std::int64_t left = outer * outer - dz * dz;
+    if (left <= 0) continue;
+    const std::int64_t half = wholeRoot(left - 1);
+    const int last_j = std::min(frame.count[1] - 1, lastUpTo(search.middle[1] + half));
+    for (int j = std::max(0, firstFrom(search.middle[1] - half)); j <= last_j; ++j) {
+      const std::int64_t dy = centreOf(j) - search.middle[1];
+      const Row row{j, k, dy * dy + dz * dz, behind + outlet.tool_axis.y() * (j + 0.5 - outlet.tip.y())};
+      if (row.behind >= 0.0 || std::abs(outlet.tool_axis.x()) >= kParallel)
+        collectRow(search, row, inner, outer);
+    }
+  }
+}
+
+/// Drops all but the nearest, which there must be enough of; returns the square of the largest distance left.
+std::int64_t NearestRoom::keepNearest(std::int64_t count) {
+  const int side_x = (calls_ & 1U) != 0 ? 1 : -1;
+  const int side_y = (calls_ & 2U) != 0 ? 1 : -1;
+  const auto is_nearer = [side_x, side_y](const OpenVoxel& a, const OpenVoxel& b) {
+    if (a.distance2 != b.distance2) return a.distance2 < b.distance2;
+    if (a.k != b.k) return a.k < b.k;
+    if (a.j != b.j) return a.j * side_y < b.j * side_y;
+    return a.i * side_x < b.i * side_x;
+  };
+  const auto last = found_.begin() + (count - 1);
+  std::nth_element(found_.begin(), last, found_.end(), is_nearer);
+  const std::int64_t farthest2 = last->distance2;
+  found_.resize(static_cast<std::size_t>(count));
+  return farthest2;
+}
+
+const std::vector<OpenVoxel>& NearestRoom::find(const VoxelGrid& grid, const Outlet& outlet,
+                                                std::int64_t count) {
+  Search search{grid, outlet, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    search.middle[axis] = std::llround(outlet.middle[static_cast<Eigen::Index>(axis)] * kFine);
+  ++calls_;
+  found_.clear();
+  const auto ball = static_cast<std::int64_t>(kFine * std::cbrt(static_cast<double>(count) * 0.75 / M_PI));
+  std::int64_t inner = std::min(radiusKnownFull(search), reach_);
+  const std::int64_t likely = std::clamp(usual_, ball, kMostLikely * ball);
+  std::int64_t outer = std::min(std::max(likely, inner) + kHalf / 2, reach_);
+  collect(search, inner, outer);
+  while (static_cast<std::int64_t>(found_.size()) < count && outer < reach_) {
+    inner = outer;
+    outer = std::min(outer + outer / 4 + kHalf, reach_);
+    collect(search, inner, outer);
+  }
+  const bool is_enough = static_cast<std::int64_t>(found_.size()) >= count;
+  full_ = is_enough ? wholeRoot(keepNearest(count)) : reach_;
+  usual_ = full_;
+  last_ = outlet;
+  last_middle_ = search.middle;
+  return found_;
+}
+
+ColumnTops::ColumnTops(const VoxelFrame& frame, double bed_z_mm)
+    : frame_(frame),
+      bed_z_mm_(bed_z_mm),
+      above_bed_(static_cast<std::size_t>(frame.count[0]) * static_cast<std::size_t>(frame.count[1]), 0.0F) {}
+
+void ColumnTops::raise(int i, int j, double z) {
+  float& top = above_bed_[index(i, j)];
+  top = std::max(top, static_cast<float>(z - bed_z_mm_));
+}
+
+double ColumnTops::at(double x, double y) const {
+  const double i = std::floor((x - frame_.corner.x()) / frame_.voxel_mm);
+  const double j = std::floor((y - frame_.corner.y()) / frame_.voxel_mm);
+  const bool is_inside = i >= 0.0 && j >= 0.0 && i < frame_.count[0] && j < frame_.count[1];
+  if (!is_inside) return bed_z_mm_;
+  return bed_z_mm_ + static_cast<double>(above_bed_[index(static_cast<int>(i), static_cast<int>(j))]);
+}
 
 class VoxelDeposit::State {
  public:

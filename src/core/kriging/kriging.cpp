@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/kriging/kriging.hpp"
 
+#include <Eigen/Core>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -15,15 +16,111 @@
 #include <openturns/SymbolicFunction.hxx>
 #include <openturns/TBB.hxx>
 #include <openturns/TNC.hxx>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "kriging/regressors.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/optimisation/design_space.hpp"
 #include "lamina/optimisation/fitness.hpp"
 
 namespace lamina {
 namespace {
+
+/// What kriging sees of a design point: numbers of mean 0 and standard deviation 1 over the samples.
+/// Variables with an order are one column; a Categorical one of two choices too, one of more is an indicator
+/// column for each choice. Columns that no sample changes are left out.
+class Regressors {
+ public:
+  /// @param points  at least two, all different
+  /// @throws InvalidInput if they are not
+  Regressors(const DesignSpace& space, const std::vector<DesignPoint>& points);
+
+  std::size_t columns() const { return columns_.size(); }
+  Eigen::VectorXd of(const DesignPoint& point) const;
+
+  /// The variable behind a column and, of an indicator, its choice.
+  std::string nameOf(const DesignSpace& space, std::size_t column) const;
+
+  /// Products of columns that make up a polynomial: (-1, -1) is the constant, (-1, i) column i, (i, j) the
+  /// product. Of the indicators of a variable the last one is left out, and so are their squares.
+  std::vector<std::pair<int, int>> polynomial(int order) const;
+
+ private:
+  struct Column {
+    std::size_t variable;
+    int choice;  ///< -1 for the value itself
+    bool is_redundant;
+    double mean;
+    double deviation;
+  };
+
+  double rawValue(const Column& column, const DesignPoint& point) const;
+
+  std::vector<Column> columns_;
+};
+
+Regressors::Regressors(const DesignSpace& space, const std::vector<DesignPoint>& points) {
+  if (std::set<DesignPoint>(points.begin(), points.end()).size() != points.size() || points.size() < 2)
+    throw InvalidInput("kriging of " + std::to_string(points.size()) +
+                       " samples; expected at least 2 at different points");
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const bool has_indicators = space[i].kind == VariableKind::Categorical && space[i].choices.size() > 2;
+    const int count = has_indicators ? static_cast<int>(space[i].choices.size()) : 1;
+    for (int choice = 0; choice < count; ++choice)
+      columns_.push_back({i, has_indicators ? choice : -1, has_indicators && choice + 1 == count, 0.0, 0.0});
+  }
+  const auto n = static_cast<double>(points.size());
+  for (Column& column : columns_) {
+    for (const DesignPoint& point : points) column.mean += rawValue(column, point) / n;
+    double squares = 0.0;
+    for (const DesignPoint& point : points) squares += std::pow(rawValue(column, point) - column.mean, 2.0);
+    const double range = highOf(space[column.variable]) - lowOf(space[column.variable]);
+    column.deviation = std::sqrt(squares / (n - 1.0));
+    if (column.deviation < 1e-12 * range) column.deviation = 0.0;
+  }
+  const auto is_constant = [](const Column& column) { return column.deviation == 0.0; };
+  columns_.erase(std::remove_if(columns_.begin(), columns_.end(), is_constant), columns_.end());
+}
+
+double Regressors::rawValue(const Column& column, const DesignPoint& point) const {
+  const double value = point.at(column.variable);
+  return column.choice < 0 ? value : static_cast<double>(value == column.choice);
+}
+
+Eigen::VectorXd Regressors::of(const DesignPoint& point) const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(columns_.size()));
+  for (std::size_t c = 0; c < columns_.size(); ++c)
+    values[static_cast<Eigen::Index>(c)] =
+        (rawValue(columns_[c], point) - columns_[c].mean) / columns_[c].deviation;
+  return values;
+}
+
+std::string Regressors::nameOf(const DesignSpace& space, std::size_t column) const {
+  const Variable& variable = space[columns_[column].variable];
+  const int choice = columns_[column].choice;
+  return choice < 0 ? variable.name
+                    : variable.name + "=" + variable.choices[static_cast<std::size_t>(choice)];
+}
+
+std::vector<std::pair<int, int>> Regressors::polynomial(int order) const {
+  std::vector<std::pair<int, int>> terms = {{-1, -1}};
+  if (order < 1) return terms;
+  const auto count = static_cast<int>(columns_.size());
+  for (int i = 0; i < count; ++i)
+    if (!columns_[static_cast<std::size_t>(i)].is_redundant) terms.emplace_back(-1, i);
+  if (order < 2) return terms;
+  for (int i = 0; i < count; ++i)
+    for (int j = i; j < count; ++j) {
+      const Column& a = columns_[static_cast<std::size_t>(i)];
+      const Column& b = columns_[static_cast<std::size_t>(j)];
+      const bool are_indicators = a.choice >= 0 && a.variable == b.variable;
+      if (!a.is_redundant && !b.is_redundant && !are_indicators) terms.emplace_back(i, j);
+    }
+  return terms;
+}
 
 using Terms = std::vector<std::pair<int, int>>;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lamina/geometry/spatial/cells_near_segment.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 
@@ -15,25 +16,10 @@ ExpectedSurface::ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d
 void ExpectedSurface::addLayer(const ToolpathLayer& layer) {
   ++layers_;
   top_cells_.clear();
-  for (const Path& path : layer.paths) {
-    if (path.role == PathRole::Travel) continue;
-    path.deposit == Deposit::Drops ? addDrops(path) : addBead(path);
-  }
-}
-
-void ExpectedSurface::addBead(const Path& path) {
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    addMotion(bed_from_part_ * path.points[m], bed_from_part_ * path.points[end], path.bead.at(end),
-              path.role);
-  }
-}
-
-void ExpectedSurface::addDrops(const Path& path) {
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const Point3 drop = bed_from_part_ * path.points[i];
-    addMotion(drop, drop, path.bead.at(i), path.role);
-  }
+  for (const Path& path : layer.paths)
+    forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+      addMotion(bed_from_part_ * segment.start, bed_from_part_ * segment.end, segment.bead, path.role);
+    });
 }
 
 void ExpectedSurface::addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role) {

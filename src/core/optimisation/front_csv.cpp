@@ -16,7 +16,7 @@ namespace lamina {
 namespace {
 
 /// How numbers are written.
-const Variable kAnyNumber;
+const Variable kFrontNumber;
 
 constexpr std::string_view kMark = "# variables ";
 
@@ -60,7 +60,7 @@ std::string frontCsv(const DesignSpace& space, const std::vector<std::string>& r
     for (std::size_t i = 0; i < space.size(); ++i) cells.push_back(csvCell(textOf(space[i], one.point[i])));
     for (std::size_t k = 0; k < response_names.size(); ++k) {
       const bool is_known = k < one.responses.size() && std::isfinite(one.responses[k]);
-      cells.push_back(is_known ? textOf(kAnyNumber, one.responses[k]) : "");
+      cells.push_back(is_known ? textOf(kFrontNumber, one.responses[k]) : "");
     }
     text += listed(cells, ",") + "\n";
   }

@@ -11,6 +11,7 @@
 #include "lamina/picture/annotation.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "picture/bead_drawing.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -150,25 +151,21 @@ struct SeenBead {
 constexpr double kLongestPiece = 1.0;  // mm: of a longer bead one end may lie before what hides the other
 
 void addSeen(std::vector<SeenBead>& beads, const Path& path, const Point3& towards_viewer) {
-  const bool is_drops = path.deposit == Deposit::Drops;
-  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
-  for (std::size_t m = 0; m < count; ++m) {
-    const std::size_t end = is_drops ? m : path.motionEnd(m);
-    const Point3 way = path.points[end] - path.points[m];
+  forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+    const Point3 way = segment.end - segment.start;
     const int pieces = 1 + static_cast<int>(way.norm() / kLongestPiece);
     for (int i = 0; i < pieces; ++i) {
-      const Point3 from = path.points[m] + static_cast<double>(i) / pieces * way;
-      const Point3 to = path.points[m] + static_cast<double>(i + 1) / pieces * way;
-      beads.push_back({towards_viewer.dot(from + to), &path, end, from, to});
+      const Point3 from = segment.start + static_cast<double>(i) / pieces * way;
+      const Point3 to = segment.start + static_cast<double>(i + 1) / pieces * way;
+      beads.push_back({towards_viewer.dot(from + to), &path, segment.waypoint, from, to});
     }
-  }
+  });
 }
 
 std::vector<SeenBead> beadsFromFarthest(const Toolpath& toolpath, const Point3& towards_viewer) {
   std::vector<SeenBead> beads;
   for (const ToolpathLayer& layer : toolpath.layers)
-    for (const Path& path : layer.paths)
-      if (path.role != PathRole::Travel) addSeen(beads, path, towards_viewer);
+    for (const Path& path : layer.paths) addSeen(beads, path, towards_viewer);
   std::stable_sort(beads.begin(), beads.end(),
                    [](const SeenBead& a, const SeenBead& b) { return a.depth_mm < b.depth_mm; });
   return beads;
@@ -215,7 +212,7 @@ Point3 partSize(const Toolpath& toolpath, const Box3& box) {
   Box3 part;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
-      if (path.role != PathRole::Travel && path.role != PathRole::Skirt)
+      if (isPartOfPart(path))
         for (const Point3& point : path.points) part.include(point);
   Point3 size = part.size();
   size.z() = box.size().z();

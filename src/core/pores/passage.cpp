@@ -3,13 +3,95 @@
 #include "lamina/pores/passage.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "lamina/base/parallel.hpp"
-#include "pores/bit_stack.hpp"
+#include "lamina/geometry/voxel/voxel_grid.hpp"
 
 namespace lamina {
 namespace {
+
+/// The voxels of a grid as layers across an axis, each of rows of bits: what goes on from layer to layer
+/// works on 64 voxels at a time whatever the axis.
+class BitStack {
+ public:
+  /// All open.
+  BitStack(int layers, int rows, int columns)
+      : layers_(layers),
+        rows_(rows),
+        columns_(columns),
+        words_((columns + VoxelGrid::kWord - 1) / VoxelGrid::kWord),
+        bits_(static_cast<std::size_t>(layers) * static_cast<std::size_t>(rows) *
+              static_cast<std::size_t>(words_)) {}
+
+  int layers() const { return layers_; }
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int words() const { return words_; }
+
+  /// The words of a row.
+  std::uint64_t* row(int layer, int row) { return bits_.data() + start(layer, row); }
+  const std::uint64_t* row(int layer, int row) const { return bits_.data() + start(layer, row); }
+
+ private:
+  std::size_t start(int layer, int row) const {
+    return (static_cast<std::size_t>(layer) * static_cast<std::size_t>(rows_) +
+            static_cast<std::size_t>(row)) *
+           static_cast<std::size_t>(words_);
+  }
+
+  int layers_, rows_, columns_, words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+constexpr int kWord = VoxelGrid::kWord;
+using Block = std::array<std::uint64_t, kWord>;
+
+/// Bit b of word w becomes bit w of word b: halves are exchanged across the diagonal, then quarters, and so
+/// on.
+void transpose(Block& block) {
+  std::uint64_t mask = 0x00000000FFFFFFFF;
+  for (unsigned half = 32; half != 0; half >>= 1U, mask ^= mask << half)
+    for (unsigned first = 0; first < kWord; first = ((first | half) + 1) & ~half) {
+      const std::uint64_t exchanged = (block[first] >> half ^ block[first | half]) & mask;
+      block[first] ^= exchanged << half;
+      block[first | half] ^= exchanged;
+    }
+}
+
+BitStack stackAcrossX(const VoxelGrid& grid) {
+  const auto& count = grid.frame().count;
+  BitStack stack(count[0], count[2], count[1]);
+  Block block;
+  for (int k = 0; k < count[2]; ++k)
+    for (int v = 0; v < stack.words(); ++v)
+      for (int w = 0; w < grid.wordCount(); ++w) {
+        block.fill(0);
+        const int rows = std::min(kWord, count[1] - v * kWord);
+        for (int j = 0; j < rows; ++j) block[static_cast<std::size_t>(j)] = grid.word(w, v * kWord + j, k);
+        transpose(block);
+        const int layers = std::min(kWord, count[0] - w * kWord);
+        for (int i = 0; i < layers; ++i) stack.row(w * kWord + i, k)[v] = block[static_cast<std::size_t>(i)];
+      }
+  return stack;
+}
+
+/// Layers across z have rows along x by y; across y, rows along x by z; across x, rows along y by z.
+BitStack stackAcross(const VoxelGrid& grid, int axis) {
+  if (axis == 0) return stackAcrossX(grid);
+  const auto& count = grid.frame().count;
+  const bool is_z = axis == 2;
+  BitStack stack(is_z ? count[2] : count[1], is_z ? count[1] : count[2], count[0]);
+  for (int layer = 0; layer < stack.layers(); ++layer)
+    for (int row = 0; row < stack.rows(); ++row)
+      for (int w = 0; w < stack.words(); ++w)
+        stack.row(layer, row)[w] = is_z ? grid.word(w, row, layer) : grid.word(w, layer, row);
+  return stack;
+}
 
 /// Bits of a row and those beside them.
 std::uint64_t widened(const std::uint64_t* row, int w, int words) {

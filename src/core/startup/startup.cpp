@@ -3,8 +3,12 @@
 #include "lamina/startup/startup.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "startup/startup_checks.hpp"
 #include "startup/startup_code.hpp"
 
 namespace lamina {
@@ -16,6 +20,41 @@ auto* findIn(Entries& entries, StartupStep step) {
   const auto found = std::find_if(entries.begin(), entries.end(),
                                   [&](const auto& entry) { return entry.status.step == step; });
   return found == entries.end() ? nullptr : &*found;
+}
+
+// Between two looks at a bed that is still to become hot [s].
+constexpr double kBedPoll = 10.0;
+
+std::string withChecks(const std::string& code, const StartupSettings& settings) {
+  return code + "\n" + settings.check_code + "\n";
+}
+
+/// Whether firmware refuses to move before homing: Marlin's "echo:Home XYZ First", RepRapFirmware's "Error:
+/// G0/G1: insufficient axes homed".
+bool asksForHoming(const std::string& text) {
+  if (text.find("insufficient axes homed") != std::string::npos) return true;
+  return text.compare(0, 10, "echo:Home ") == 0 && text.find("irst") != std::string::npos;
+}
+
+std::string codeOf(const std::string& command) { return command.substr(0, command.find(' ')); }
+
+/// The number after a letter that stands after a space.
+std::optional<double> wordValue(const std::string& command, char letter) {
+  const std::size_t at = command.find(std::string(" ") + letter);
+  if (at == std::string::npos) return std::nullopt;
+  char* end = nullptr;
+  const double value = std::strtod(command.c_str() + at + 2, &end);
+  return end == command.c_str() + at + 2 ? std::nullopt : std::optional<double>(value);
+}
+
+/// Axes whose motors a command switches off: those it names, or all.
+std::string axesOf(const std::string& command) {
+  const std::string words = command.size() > 3 ? command.substr(3) : "";
+  std::string axes;
+  for (const char axis : {'X', 'Y', 'Z'})
+    if (words.find(axis) != std::string::npos) axes += axis;
+  if (!axes.empty()) return axes;
+  return words.find('E') == std::string::npos ? "XYZ" : "";
 }
 
 }  // namespace
@@ -218,6 +257,233 @@ void Startup::giveUp(StartupStep step, const std::string& why) {
   // A dryer that the operator has switched on goes on drying.
   const bool goes_on = step == StartupStep::DryPellets && isDoneByHand(step, settings_);
   if (stateOf(step) == StartupState::Running && !goes_on) lose(step, why);
+}
+
+// What a running step sends, and what is made of the machine's reports.
+
+std::optional<std::string> Startup::nextCode(StartupStep step) {
+  Entry* const entry = find(step);
+  if (entry == nullptr || entry->status.state != StartupState::Running) return std::nullopt;
+  const int phase = entry->phase;
+  if (const auto axis = homedAxis(step))
+    return withChecks(filled(settings_.home_code, "{axis}", std::string(1, *axis)), settings_);
+  switch (step) {
+    case StartupStep::DryPellets:
+      if (phase > 0 || settings_.dry_code.empty()) return std::nullopt;
+      return withChecks(filled(settings_.dry_code, "{target_c}", shortNumber(settings_.dry_target_c)),
+                        settings_);
+    case StartupStep::HeatBed:
+      if (!reports_.bed()) {
+        entry->phase = -1;
+        return withChecks("M105\n" + dwell(1.0), settings_);
+      }
+      if (phase == 0 && !settings_.bed_code.empty())
+        return withChecks(bedRamp(settings_, *reports_.bed()), settings_);
+      return withChecks(dwell(kBedPoll) + "M105", settings_);
+    case StartupStep::DrawVacuum:
+      if (phase == 0) return withChecks(vacuumOn(settings_) + dwell(settings_.vacuum_evacuate_s), settings_);
+      return withChecks(dwell(settings_.vacuum_hold_s), settings_);
+    case StartupStep::MapHeights:
+      return withChecks(settings_.map_code, settings_);
+    default:
+      return std::nullopt;
+  }
+}
+
+void Startup::finished(StartupStep step, double now_s) {
+  Entry* const entry = find(step);
+  if (entry == nullptr || entry->status.state != StartupState::Running) return;
+  ++entry->phase;
+  if (const auto axis = homedAxis(step)) {
+    const StartupCheck check = checkHomed(*axis, reports_);
+    if (!settings_.home_label.empty() && check.verdict != Verdict::Met) return fail(step, check.reason);
+    complete(*entry, std::string("the machine has homed ") + *axis, now_s);
+  } else if (step == StartupStep::HeatBed) {
+    finishBed(*entry, now_s);
+  } else if (step == StartupStep::DrawVacuum) {
+    finishVacuum(*entry, now_s);
+  } else if (step == StartupStep::MapHeights) {
+    const StartupCheck check = checkHeights(reports_, settings_);
+    if (check.verdict != Verdict::Met) return fail(step, check.reason);
+    complete(*entry, check.reason, now_s);
+  }
+}
+
+void Startup::finishBed(Entry& entry, double now_s) {
+  const StartupCheck check = checkBed(reports_, settings_, Strictness::Reaching);
+  if (check.verdict == Verdict::Met) return complete(entry, check.reason, now_s);
+  const double passed_min = (now_s - entry.since_s) / 60.0;
+  if (passed_min > settings_.bed_timeout_min)
+    fail(entry.status.step, check.reason + " within " + shortNumber(settings_.bed_timeout_min) + " min");
+}
+
+/// The pressure must be reached, and be held.
+void Startup::finishVacuum(Entry& entry, double now_s) {
+  const StartupCheck check = checkVacuum(reports_, settings_);
+  if (check.verdict != Verdict::Met) return fail(entry.status.step, check.reason);
+  if (entry.phase < 2) {
+    reports_.forgetZones();
+    return;
+  }
+  complete(entry, check.reason + ", held for " + shortNumber(settings_.vacuum_hold_s) + " s", now_s);
+}
+
+/// Writes what was measured last into the status of a step.
+void Startup::measure(Entry& entry) {
+  StartupCheck check;
+  switch (entry.status.step) {
+    case StartupStep::DryPellets:
+      check = checkDrying(dried_s_, settings_);
+      break;
+    case StartupStep::HeatBed:
+      check = checkBed(reports_, settings_, Strictness::Reaching);
+      break;
+    case StartupStep::DrawVacuum:
+      if (settings_.vacuum_label.empty()) return;
+      check = checkVacuum(reports_, settings_);
+      break;
+    case StartupStep::MapHeights:
+      check = checkHeights(reports_, settings_);
+      break;
+    default:
+      return;
+  }
+  entry.status.value = check.value;
+  entry.status.unit = check.unit;
+  entry.status.expected = check.expected;
+  if (entry.status.state == StartupState::Running) entry.status.reason = check.reason;
+}
+
+void Startup::read(const MarlinReply& reply, double now_s) {
+  reports_.read(reply, now_s);
+  for (Entry& entry : entries_) {
+    if (entry.status.state == StartupState::Running || entry.status.state == StartupState::Done) {
+      measure(entry);
+      watch(entry);
+    }
+  }
+  if (reply.kind == ReplyKind::Start) losePower("the machine was reset");
+  if (reply.kind == ReplyKind::Fatal) halt("the machine halted: \"" + reply.text + "\"");
+  if (asksForHoming(reply.text)) loseHoming("XYZ", "the machine says \"" + reply.text + "\"");
+  elapse(now_s);
+}
+
+void Startup::halt(const std::string& why) {
+  for (const Entry& entry : entries_)
+    if (!isDoneByHand(entry.status.step, settings_)) fail(entry.status.step, why);
+  losePower(why);
+}
+
+/// Fails a step that runs out of its bounds, loses one that no longer holds.
+void Startup::watch(Entry& entry) {
+  const StartupStep step = entry.status.step;
+  const bool is_done = entry.status.state == StartupState::Done;
+  if (step == StartupStep::HeatBed && !is_done) {
+    const StartupCheck rate = checkBedRate(reports_, settings_);
+    if (rate.verdict == Verdict::NotMet) fail(step, rate.reason);
+  }
+  if (!is_done) return;
+  StartupCheck check;
+  if (step == StartupStep::HeatBed) check = checkBed(reports_, settings_, Strictness::Keeping);
+  if (step == StartupStep::DrawVacuum && !settings_.vacuum_label.empty())
+    check = checkVacuum(reports_, settings_);
+  if (homedAxis(step) && !settings_.home_label.empty()) check = checkHomed(*homedAxis(step), reports_);
+  if (check.verdict == Verdict::NotMet) lose(step, check.reason);
+}
+
+// How steps that were done are lost: by commands, by the machine, by time.
+
+/// The step is Pending again, and with it what rests on it.
+/// @param cause  of the first loss
+void Startup::loseWith(StartupStep step, const std::string& reason, const std::string& cause) {
+  Entry* const entry = find(step);
+  if (entry == nullptr) return;
+  const StartupState before = entry->status.state;
+  if (before != StartupState::Running && before != StartupState::Done) return;
+  entry->status.state = StartupState::Pending;
+  entry->status.reason = reason;
+  for (const Entry& later : entries_)
+    for (const Prerequisite& needed : later.after)
+      if (needed.step == step && needed.on_loss == OnLoss::Spreads)
+        loseWith(later.status.step, std::string(toString(step)) + " was lost: " + cause, cause);
+}
+
+void Startup::lose(StartupStep step, const std::string& why) { loseWith(step, why, why); }
+
+void Startup::loseHoming(const std::string& axes, const std::string& why) {
+  for (const StartupStep step :
+       {StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ, StartupStep::HomeZAgain})
+    if (axes.find(*homedAxis(step)) != std::string::npos) lose(step, why);
+}
+
+void Startup::sent(const std::string& command) {
+  const std::string code = codeOf(command);
+  if (code == "M84" || code == "M18") {
+    loseHoming(axesOf(command), command + " has switched the motors off");
+  } else if (code == "M410") {
+    loseHoming("XYZ", "M410 has stopped the motors without a ramp");
+  } else if (code == "M112") {
+    losePower("M112 has stopped the machine in an emergency");
+  } else if (code == "M140" || code == "M190") {
+    const auto target_c = wordValue(command, 'S') ? wordValue(command, 'S') : wordValue(command, 'R');
+    const bool is_other =
+        target_c && std::abs(*target_c - settings_.bed_target_c) > settings_.bed_tolerance_c;
+    const Entry* const bed = find(StartupStep::HeatBed);
+    if (is_other && bed != nullptr && bed->status.state == StartupState::Done)
+      lose(StartupStep::HeatBed,
+           command + " has set another target than " + shortNumber(settings_.bed_target_c) + " degC");
+  }
+  if (std::find(vacuum_off_.begin(), vacuum_off_.end(), command) != vacuum_off_.end())
+    lose(StartupStep::DrawVacuum, command + " has closed a zone");
+}
+
+void Startup::losePower(const std::string& why) {
+  for (const StartupStep step :
+       {StartupStep::PowerOn, StartupStep::HeatBed, StartupStep::DrawVacuum, StartupStep::MapHeights})
+    lose(step, why);
+  loseHoming("XYZ", why);
+  reports_ = MachineReports(settings_);
+}
+
+void Startup::elapse(double now_s) {
+  if (Entry* const drying = find(StartupStep::DryPellets)) advanceDrying(*drying, now_s);
+  expire(now_s);
+}
+
+/// Counts time between two looks at which the dryer was hot; of a dryer that reports nothing, all time.
+void Startup::advanceDrying(Entry& entry, double now_s) {
+  const bool is_running = entry.status.state == StartupState::Running;
+  if (!is_running && entry.status.state != StartupState::Done) return;
+  const bool tells = isReported(StartupStep::DryPellets, settings_);
+  const bool is_hot = !tells || checkDryer(reports_, settings_).verdict == Verdict::Met;
+  const double told_s = !tells ? now_s : reports_.dryer() ? reports_.dryer()->time_s : dryer_looked_at_s_;
+  if (is_hot && was_dryer_hot_ && is_running) dried_s_ += told_s - dryer_looked_at_s_;
+  if (is_hot && (tells || is_running)) last_dry_s_ = told_s;
+  was_dryer_hot_ = is_hot;
+  dryer_looked_at_s_ = told_s;
+  if (!is_running) return;
+  measure(entry);
+  const StartupCheck check = checkDrying(dried_s_, settings_);
+  if (check.verdict == Verdict::Met)
+    complete(entry, check.reason, now_s);
+  else if (!is_hot)
+    entry.status.reason += "; " + checkDryer(reports_, settings_).reason;
+}
+
+void Startup::expire(double now_s) {
+  const auto hoursPast = [&](double since_s) { return (now_s - since_s) / 3600.0; };
+  const Entry* const drying = find(StartupStep::DryPellets);
+  if (drying != nullptr && drying->status.state == StartupState::Done &&
+      hoursPast(last_dry_s_) > settings_.dry_valid_h)
+    lose(StartupStep::DryPellets, "the pellets were dry " + shortNumber(hoursPast(last_dry_s_)) +
+                                      " h ago; expected at most " + shortNumber(settings_.dry_valid_h) +
+                                      " h");
+  const Entry* const map = find(StartupStep::MapHeights);
+  if (map != nullptr && map->status.state == StartupState::Done &&
+      hoursPast(map->since_s) > settings_.map_valid_h)
+    lose(StartupStep::MapHeights, "the height map is " + shortNumber(hoursPast(map->since_s)) +
+                                      " h old; expected at most " + shortNumber(settings_.map_valid_h) +
+                                      " h");
 }
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/sweep/path_cuts.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -23,17 +24,15 @@ Sweep whole(const Path& path) {
   double length_mm = 0.0, volume_mm3 = 0.0, height_mm2 = 0.0;
   sweep.points.push_back(path.firstPoint());
   sweep.up.push_back(upAt(path, path.motionEnd(0)));
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    const double motion_mm = (path.points[end] - sweep.points.back()).norm();
-    if (motion_mm < kNoLength) continue;
-    sweep.points.push_back(path.points[end]);
-    sweep.up.push_back(upAt(path, end));
-    const Bead& bead = path.bead.at(end);
+  forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+    const double motion_mm = (segment.end - sweep.points.back()).norm();
+    if (motion_mm < kNoLength) return;
+    sweep.points.push_back(segment.end);
+    sweep.up.push_back(upAt(path, segment.waypoint));
     length_mm += motion_mm;
-    volume_mm3 += motion_mm * crossSection(bead);
-    height_mm2 += motion_mm * bead.height_mm;
-  }
+    volume_mm3 += motion_mm * crossSection(segment.bead);
+    height_mm2 += motion_mm * segment.bead.height_mm;
+  });
   if (volume_mm3 > 0.0) sweep.bead = beadOfArea(volume_mm3 / length_mm, height_mm2 / length_mm);
   return sweep;
 }
@@ -97,7 +96,7 @@ std::vector<Sweep> sweepsOf(const Toolpath& toolpath, const SweepSettings& setti
   std::size_t trajectory = 0;
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (const Path& path : toolpath.layers[l].paths) {
-      if (path.role == PathRole::Travel || path.role == PathRole::Skirt) continue;
+      if (!isPartOfPart(path)) continue;
       if (path.deposit == Deposit::Drops)
         throw InvalidInput("layer " + std::to_string(l) +
                            " has a path of drops; expected beads, which can be swept");

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/toolpath/repositions.hpp"
 
+#include "toolpath/deposited_segment.hpp"
+
 namespace lamina {
 namespace {
 
 /// Runs that end and start this near to each other join [mm].
 constexpr double kJoined = 1e-6;
 
-bool isOfPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
 bool isWall(const Path& path) { return path.role == PathRole::OuterWall || path.role == PathRole::InnerWall; }
 
 void count(Repositions& repositions, const Path& from, const Path& to) {
@@ -24,7 +25,7 @@ Repositions countRepositions(const Toolpath& toolpath) {
   for (const ToolpathLayer& layer : toolpath.layers) {
     bool is_first = true;
     for (const Path& path : layer.paths) {
-      if (!isOfPart(path)) continue;
+      if (!isPartOfPart(path)) continue;
       if (from != nullptr && !is_first) count(repositions, *from, path);
       if (from != nullptr && is_first && (path.firstPoint() - from->lastPoint()).norm() > kJoined)
         ++repositions.to_layer;

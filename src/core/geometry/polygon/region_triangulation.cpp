@@ -4,17 +4,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
-#include "geometry/polygon/delaunay.hpp"
+#include "geometry/polygon/plane_vectors.hpp"
+#include "geometry/polygon/point_diagram.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
 namespace {
+
+/// Delaunay triangles of points in the plane, counter-clockwise; of points on one circle any that fit.
+/// @param points  no two the same within a billionth of their extent
+std::vector<Triangle> delaunayTriangles(const std::vector<Point2>& points) {
+  PointDiagram diagram;
+  construct(diagram, points);
+  std::vector<Triangle> triangles;
+  triangles.reserve(diagram.num_vertices());
+  for (const auto& vertex : diagram.vertices()) {
+    const std::vector<std::size_t> around = pointsAround(vertex);
+    for (std::size_t i = 1; i + 1 < around.size(); ++i) {
+      Triangle corner{static_cast<std::uint32_t>(around[0]), static_cast<std::uint32_t>(around[i]),
+                      static_cast<std::uint32_t>(around[i + 1])};
+      const double twice =
+          cross(points[corner[1]] - points[corner[0]], points[corner[2]] - points[corner[0]]);
+      if (twice < 0.0) std::swap(corner[1], corner[2]);
+      triangles.push_back(corner);
+    }
+  }
+  return triangles;
+}
 
 constexpr int kMostDivisions = 10;
 constexpr double kClearance =

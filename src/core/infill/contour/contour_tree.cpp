@@ -2,24 +2,139 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "infill/contour/contour_tree.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "geometry/polygon/edge_collapse_inset.hpp"
-#include "infill/contour/parted_area.hpp"
-#include "infill/contour/straightened.hpp"
-#include "infill/medial/narrow_loops.hpp"
+#include "infill/contour/contour_loop.hpp"
+#include "infill/medial/axis_loops.hpp"
+#include "infill/medial/axis_steps.hpp"
+#include "infill/medial/bead_axis.hpp"
 #include "infill/medial/sharp_tips.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/geometry/polygon/simplify.hpp"
 
 namespace lamina {
 namespace {
 
+/// The region without the points that lie within the tolerance of the edge that replaces them; as it is where
+/// its outlines would vanish or come apart so.
+Region straightened(Region region, double tolerance_mm) {
+  const std::vector<Polygon> whole = outlines({region});
+  const std::vector<Polygon> simple = simplify(whole, tolerance_mm);
+  if (simple == whole) return region;
+  Regions straight = unite(simple);
+  return straight.size() == 1 ? std::move(straight.front()) : std::move(region);
+}
+
+/// Thickness below which nothing is deposited, in pitches.
+constexpr double kLeastWidth = 0.3;
+/// So far the border may be straightened before its axis is sought, in pitches.
+constexpr double kStraightRest = 0.02;
+/// By how much the radius may change within one motion, in pitches.
+constexpr double kWidthStep = 0.05;
+/// Smaller regions are left out, in squared pitches.
+constexpr double kLeastRest = 0.2;
 /// Loops shorter than this many pitches are points.
 constexpr double kShortest = 1.0;
+/// Of regions that are filled along their border, in pitches: the corners of thinner ones are in the way of
+/// links.
+constexpr double kLeastRadius = 0.6;
+/// How much of a region's area a loop along its border may lay.
+constexpr double kMostFilled = 1.06;
+
+double largestRadius(const MedialAxis& axis) {
+  double largest = 0.0;
+  for (const AxisBranch& branch : axis.branches)
+    for (const AxisPoint& point : branch.points) largest = std::max(largest, point.radius_mm);
+  return largest;
+}
+
+/// One loop along the border, half as wide as the largest disc inside: it reaches everything. None if it
+/// would lay too much, because the region is narrower elsewhere.
+std::optional<ContourLoop> borderLoop(const Region& region, double radius) {
+  const Regions centre_lines = offset({region}, -0.5 * radius);
+  if (centre_lines.size() != 1 || !centre_lines.front().holes.empty()) return std::nullopt;
+  ContourLoop loop;
+  loop.points = centre_lines.front().outer;
+  if (perimeter(loop.points) * radius > kMostFilled * area({region})) return std::nullopt;
+  loop.width_mm.assign(loop.points.size(), radius);
+  return loop;
+}
+
+/// Closed loops that fill a narrow region by beads half as wide as it is, out along one side of its medial
+/// axis and back along the other: one loop round each connected axis and one more in each of its holes. Where
+/// the region is about as thick all over, and without holes, the loop runs along its border.
+std::vector<ContourLoop> narrowLoops(const Region& region, double pitch_mm) {
+  if (area({region}) < kLeastRest * pitch_mm * pitch_mm) return {};
+  MedialBeadSettings settings;
+  settings.pitch_mm = pitch_mm;
+  settings.least_width = kLeastWidth;
+  MedialAxis axis = beadAxis(straightened(region, kStraightRest * pitch_mm), settings);
+  const double radius = largestRadius(axis);
+  if (radius > kLeastRadius * pitch_mm)
+    if (std::optional<ContourLoop> loop = borderLoop(region, radius)) return {std::move(*loop)};
+  for (AxisBranch& branch : axis.branches)
+    branch.points = inRadiusSteps(branch.points, kWidthStep * pitch_mm);
+  std::vector<ContourLoop> loops;
+  for (FillPath& path : axisLoops(axis, region)) {
+    if (perimeter(path.points) < kShortest * pitch_mm) continue;
+    ContourLoop loop;
+    loop.points = std::move(path.points);
+    loop.width_mm = std::move(path.width_mm);
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// An area parted by how much room it has for beads side by side.
+struct PartedArea {
+  Regions wide;    ///< what a bead along the border fills and leaves a pitch of thickness at least
+  Regions narrow;  ///< the rest, without hairs along the border
+};
+
+/// How much narrower than an area its core is on each side, in pitches: where there is core, it is wide.
+constexpr double kCoreDepth = 1.5;
+
+/// Of the narrow rest, what is thinner than twice this is left out, in pitches.
+constexpr double kHair = 0.1;
+
+/// What is too small to hold a disc need not be shrunk to find that nothing is left.
+Regions withRoomFor(Regions regions, double radius_mm) {
+  const double least_area = M_PI * radius_mm * radius_mm;
+  regions.erase(std::remove_if(regions.begin(), regions.end(),
+                               [&](const Region& each) { return area({each}) < least_area; }),
+                regions.end());
+  return regions;
+}
+
+/// Parts an area that the functions of `offset.hpp` returned.
+PartedArea partByWidth(const Regions& area, double pitch_mm) {
+  const Regions core = offset(area, -kCoreDepth * pitch_mm);
+  if (core.empty()) return {{}, area};
+  const Regions grown = offset(core, kCoreDepth * pitch_mm);
+  // Rounding leaves hairs along the border: they are cleared away.
+  const double hair_mm = kHair * pitch_mm;
+  const Regions narrow = offset(withRoomFor(difference(area, grown), hair_mm), -hair_mm);
+  if (narrow.empty()) return {area, {}};
+  return {intersection(grown, area), offset(narrow, hair_mm)};
+}
+
+/// Parts an area that shrinks as a whole to `core`, `kCoreDepth` pitches from its border: nothing of it is
+/// narrow then but the tips of sharp corners. Nothing where they are not that simple to cut.
+std::optional<PartedArea> partByTips(const Region& area, const Region& core, double pitch_mm) {
+  std::optional<TipCut> cut = cutSharpTips(area, core, kCoreDepth * pitch_mm);
+  if (!cut) return std::nullopt;
+  const Regions narrow = offset(cut->tips, -kHair * pitch_mm);
+  return PartedArea{{std::move(cut->rest)}, offset(narrow, kHair * pitch_mm)};
+}
+
 /// Contours may be straightened so far from one to the next, in pitches: the points that offsets leave beside
 /// each other would add up.
 constexpr double kStraight = 0.005;

@@ -4,18 +4,145 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "infill/contour/perimeter.hpp"
-#include "infill/rectilinear/metal_zigzag.hpp"
+#include "infill/medial/medial_beads.hpp"
+#include "infill/rectilinear/pass_adaptation.hpp"
+#include "infill/rectilinear/raster.hpp"
 #include "infill/rectilinear/raster_direction.hpp"
 #include "infill/rectilinear/section_order.hpp"
 #include "infill/rectilinear/variable_width_runs.hpp"
 #include "infill/rectilinear/zigzag.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/infill/strategy.hpp"
 
 namespace lamina {
 namespace {
+
+/// What perimeters leave of an area, and what they leave it to.
+struct PerimeterFill {
+  std::vector<FillPath> runs;  ///< closed perimeters, and beads where the area is too narrow for them
+  Regions
+      links;  ///< the area inside, shrunk by half the narrowest bead of a solid raster (`variableWidthRuns`)
+};
+
+/// An area is taken for wide enough if so much of it at most is not, in squared pitches.
+constexpr double kNegligible = 0.1;
+/// Smaller gaps are not worth a run, in squared pitches.
+constexpr double kLeastGap = 0.3;
+/// Half of the thickness of gaps that beads reach over anyway, in pitches.
+constexpr double kThinnestGap = 0.1;
+
+double beadAlong(const Regions& regions) {
+  double sum = 0.0;
+  for (const Region& region : regions) {
+    sum += perimeter(region.outer);
+    for (const Polygon& hole : region.holes) sum += perimeter(hole);
+  }
+  return sum;
+}
+
+/// Whether shrinking took the same from the area everywhere along its border.
+bool isWideEverywhere(const Regions& whole, const Regions& shrunk, double distance, double pitch) {
+  const double taken = area(whole) - area(shrunk);
+  const double alongside = 0.5 * distance * (beadAlong(whole) + beadAlong(shrunk));
+  return std::abs(taken - alongside) < kNegligible * pitch * pitch;
+}
+
+void addLoops(std::vector<FillPath>& runs, const Regions& centre_lines) {
+  for (Polygon& loop : outlines(centre_lines))
+    runs.push_back({std::move(loop), true, PathRole::OuterWall, Deposit::Bead, {}});
+}
+
+/// Without slivers, and without gaps that are too small.
+Regions worthFilling(const Regions& leftover, double pitch) {
+  Regions gaps = offset(offset(leftover, -kThinnestGap * pitch), kThinnestGap * pitch);
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(),
+                            [&](const Region& gap) { return area({gap}) < kLeastGap * pitch * pitch; }),
+             gaps.end());
+  return gaps;
+}
+
+/// Perimeters side by side from the border of an area inwards. Where it is too narrow for them, and for a
+/// narrowest bead between them, beads along its medial axis fill it instead, joined to a perimeter where they
+/// end beside it.
+PerimeterFill layPerimeters(const Regions& whole, int count, const InfillRequest& request) {
+  const double pitch = request.pitch_mm;
+  const double depth = count * pitch + 0.5 * narrowestBead(request);
+  PerimeterFill fill;
+  fill.links = offset(whole, -depth);
+  const bool is_wide = isWideEverywhere(whole, fill.links, depth, pitch);
+  for (int k = 0; k < count; ++k) {
+    const double inset = (k + 0.5) * pitch;
+    addLoops(fill.runs, is_wide ? offset(whole, -inset) : offset(fill.links, depth - inset));
+  }
+  if (is_wide) return fill;
+  MedialBeadSettings beads;
+  beads.pitch_mm = pitch;
+  const Regions gaps = worthFilling(difference(whole, offset(fill.links, depth)), pitch);
+  for (FillPath& bead : medialBeads(gaps, beads)) fill.runs.push_back(std::move(bead));
+  return fill;
+}
+
+BoustrophedonCell endsOf(const GridSection& section) {
+  return {{section.passes.front().front(), section.passes.front().back()},
+          {section.passes.back().front(), section.passes.back().back()},
+          section.passes.size()};
+}
+
+/// The section to and fro, from where it is entered.
+Polyline deposited(GridSection section, SectionEntry entry) {
+  if (static_cast<int>(entry) >= 2) {
+    std::reverse(section.passes.begin(), section.passes.end());
+    std::swap(section.below, section.above);
+  }
+  bool goes_left = static_cast<int>(entry) % 2 != 0;
+  Polyline points;
+  if (section.below) points.push_back(*section.below);
+  for (Polyline& pass : section.passes) {
+    if (goes_left) std::reverse(pass.begin(), pass.end());
+    points.insert(points.end(), pass.begin(), pass.end());
+    goes_left = !goes_left;
+  }
+  if (section.above) points.push_back(*section.above);
+  return points;
+}
+
+/// The zigzag of metal deposition inside perimeters as in [Flores2018, section 6.1.2]: gridSections, adapted
+/// longitudinally and transversally; ordered by `raster.order`.
+///
+/// @param perimeters  areas bounded by the centre lines of perimeters
+std::vector<FillPath> metalZigzag(const Regions& perimeters, const InfillRequest& request) {
+  const HybridSettings& settings = request.settings.hybrid;
+  const RasterFrame frame(request.angle_rad);
+  std::vector<FillPath> runs;
+  InfillRequest next = request;
+  for (const Region& region : perimeters) {
+    std::vector<Polygon> perimeter = outlines({region});
+    for (Polygon& outline : perimeter)
+      for (Point2& point : outline) point = frame.intoRaster(point);
+    std::vector<GridSection> grid = gridSections(perimeter, request.spacing_mm,
+                                                 frame.intoRaster({settings.grid_x_mm, settings.grid_y_mm}));
+    const PerimeterApproach approach(perimeter, request.spacing_mm, settings);
+    adaptLongitudinally(grid, approach);
+    adaptTransversally(grid, approach);
+    std::vector<BoustrophedonCell> sections;
+    sections.reserve(grid.size());
+    for (const GridSection& section : grid) sections.push_back(endsOf(section));
+    for (const SectionVisit& visit :
+         tourOf(sections, frame.intoRaster(next.start), request.settings.raster.order)) {
+      FillPath run;
+      for (const Point2& point : deposited(grid[visit.section], visit.entry))
+        run.points.push_back(frame.outOfRaster(point));
+      if (run.points.size() < 2) continue;
+      next.start = run.points.back();
+      runs.push_back(std::move(run));
+    }
+  }
+  return runs;
+}
 
 int perimeterCount(const InfillRequest& request) {
   const int every = request.settings.hybrid.extra_perimeter_every;

@@ -6,6 +6,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/voids/void_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -15,7 +16,7 @@ Box3 boxOfPart(const Toolpath& program) {
   Box3 box;
   for (const ToolpathLayer& layer : program.layers)
     for (const Path& path : layer.paths) {
-      if (path.role == PathRole::Travel || path.role == PathRole::Skirt) continue;
+      if (!isPartOfPart(path)) continue;
       for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Bead& bead = path.bead.at(i);
         const Point3 beside(0.5 * bead.width_mm, 0.5 * bead.width_mm, 0.0);

@@ -4,25 +4,173 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "job/study/study_comparison.hpp"
-#include "job/study/study_decision.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/version.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/study/study_measurement.hpp"
+#include "lamina/optimisation/criteria.hpp"
+#include "lamina/optimisation/evaluation.hpp"
 #include "lamina/optimisation/evaluation_journal.hpp"
 #include "lamina/optimisation/experiment_table.hpp"
 #include "lamina/optimisation/front_csv.hpp"
 #include "lamina/study/evaluations_csv.hpp"
 #include "lamina/study/report.hpp"
 #include "lamina/study/search_settings.hpp"
+#include "lamina/study/study.hpp"
+#include "lamina/study/study_outcome.hpp"
 
 namespace lamina {
 namespace {
+
+/// A choice, if one can be made, and what a reader has to know of it.
+struct FrontDecision {
+  std::optional<Decision> decision;
+  std::vector<std::string> notes;
+};
+
+bool weighs(const Criterion& criterion) { return criterion.weight > 0.0; }
+
+bool isKnownEverywhere(const std::vector<Evaluation>& front, std::size_t response) {
+  return std::all_of(front.begin(), front.end(), [&](const Evaluation& evaluation) {
+    return std::isfinite(evaluation.responses.at(response));
+  });
+}
+
+/// What a point of the study's front is chosen by: all metrics of a part; else the objectives.
+/// @param front_response_names  what is measured of a front
+/// @throws InvalidConfig as `criteriaOf`; if no weight is greater than 0
+std::vector<Criterion> decisionCriteria(const Study& study,
+                                        const std::vector<std::string>& front_response_names) {
+  std::vector<std::string> objectives;
+  std::vector<std::string> maximised;
+  for (const Objective& objective : study.goals.objectives) {
+    objectives.push_back(objective.response);
+    if (objective.sense == Sense::Maximise) maximised.push_back(objective.response);
+  }
+  std::vector<Criterion> criteria =
+      criteriaOf(study.slice ? front_response_names : objectives, study.decision.weights, maximised);
+  if (std::none_of(criteria.begin(), criteria.end(), weighs))
+    throw InvalidConfig("all weights of the decision are 0; expected one that is greater");
+  return criteria;
+}
+
+/// Decides by those criteria that are among the responses, and numbers at every point of the front; the
+/// others that weigh something become notes. Without any that weighs something nothing is chosen.
+/// @param front  not empty
+FrontDecision decideAmong(const std::vector<Evaluation>& front,
+                          const std::vector<std::string>& response_names,
+                          const std::vector<Criterion>& criteria, DecisionMethod method) {
+  FrontDecision found;
+  std::vector<Criterion> used;
+  std::vector<std::vector<double>> responses(front.size());
+  for (const Criterion& criterion : criteria) {
+    const auto name = std::find(response_names.begin(), response_names.end(), criterion.response);
+    if (!weighs(criterion) || name == response_names.end()) continue;
+    const auto response = static_cast<std::size_t>(name - response_names.begin());
+    if (!isKnownEverywhere(front, response)) {
+      found.notes.push_back("decided without " + criterion.response + ", which is no number somewhere");
+      continue;
+    }
+    used.push_back(criterion);
+    for (std::size_t i = 0; i < front.size(); ++i) responses[i].push_back(front[i].responses[response]);
+  }
+  if (used.empty())
+    found.notes.push_back("nothing is chosen: no response that has a weight is a number everywhere");
+  else
+    found.decision = decide(used, responses, method);
+  return found;
+}
+
+/// Rows to be deposited beside each other, and what could not be measured.
+struct StudyComparison {
+  std::vector<ComparedRow> rows;
+  std::vector<std::string> notes;
+};
+
+/// The point that a published row names; nothing if it leaves a variable out.
+std::optional<DesignPoint> pointOf(const DesignSpace& space, const PublishedRow& row) {
+  DesignPoint point;
+  for (const Variable& variable : space) {
+    const auto found = std::find_if(row.values.begin(), row.values.end(),
+                                    [&](const SettingText& value) { return value.key == variable.name; });
+    if (found == row.values.end()) return std::nullopt;
+    point.push_back(valueOf(variable, found->text));
+  }
+  return point;
+}
+
+class Comparing {
+ public:
+  Comparing(const Study& study, const StudyMeasurement& measurement, Evaluator& in_full, Progress& progress)
+      : study_(study), measurement_(measurement), in_full_(in_full), progress_(progress) {}
+
+  void addPoint(const std::string& name, const std::vector<std::string>& response_names,
+                const Evaluation& evaluation) {
+    found_.rows.push_back({name, valuesOf(study_.variables, response_names, evaluation)});
+  }
+
+  void addPublished(const PublishedRow& row) {
+    found_.rows.push_back({row.name, row.values});
+    const bool is_measured = study_.slice || study_.commands;
+    if (!is_measured) return;
+    const std::string name = row.name + ", measured here";
+    try {
+      const auto point = pointOf(study_.variables, row);
+      if (!point) return;
+      const Evaluation evaluation = in_full_.evaluate({*point}, {}, progress_).front();
+      if (!isEvaluated(evaluation)) throw InvalidInput(evaluation.error);
+      addPoint(name, measurement_.frontResponseNames(), evaluation);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      found_.notes.push_back(name + ": " + error.what());
+    }
+  }
+
+  void addBaseline(const Baseline& baseline) {
+    try {
+      const Evaluation evaluation{{}, measurement_.ofBaseline(baseline, progress_), {}};
+      ComparedRow row{baseline.name + ", measured here",
+                      valuesOf({}, measurement_.frontResponseNames(), evaluation)};
+      found_.rows.push_back(std::move(row));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      found_.notes.push_back(baseline.name + ": " + error.what());
+    }
+  }
+
+  StudyComparison found() && { return std::move(found_); }
+
+ private:
+  const Study& study_;
+  const StudyMeasurement& measurement_;
+  Evaluator& in_full_;
+  Progress& progress_;
+  StudyComparison found_;
+};
+
+/// What was chosen (if anything), each published row and, where it names all variables, what is measured at
+/// its point, then the baselines.
+/// @param in_full  tries points with the measurement's `frontResponseNames`
+/// @throws Cancelled
+StudyComparison comparisonOf(const Study& study, const StudyMeasurement& measurement, Evaluator& in_full,
+                             const StudyOutcome& outcome, Progress& progress) {
+  Comparing comparing(study, measurement, in_full, progress);
+  if (outcome.chosen) comparing.addPoint("chosen", outcome.front_response_names, *outcome.chosen);
+  for (const PublishedRow& row : study.published) comparing.addPublished(row);
+  if (study.slice)
+    for (const Baseline& baseline : study.slice->baselines) comparing.addBaseline(baseline);
+  return std::move(comparing).found();
+}
 
 using Clock = std::chrono::steady_clock;
 

@@ -9,7 +9,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
-#include "voids/beads/bead_spans.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {

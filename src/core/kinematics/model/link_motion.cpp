@@ -2,17 +2,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kinematics/model/link_motion.hpp"
 
+#include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
+#include <string>
 
-#include "kinematics/model/urdf_complaints.hpp"
 #include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
+
+/// While it lives, it keeps what the parser of URDF complains of, which would go to the terminal; the
+/// parser's results report no reasons. One at a time: others wait.
+class UrdfComplaints : public console_bridge::OutputHandler {
+ public:
+  UrdfComplaints();
+  ~UrdfComplaints() override;
+  UrdfComplaints(const UrdfComplaints&) = delete;
+  UrdfComplaints& operator=(const UrdfComplaints&) = delete;
+
+  /// The first error, which later ones follow from; empty if there was none.
+  const std::string& first() const { return first_; }
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override;
+
+ private:
+  std::unique_lock<std::mutex> alone_;
+  console_bridge::OutputHandler* usual_;
+  std::string first_;
+};
+
+/// The parser has one handler for all threads.
+std::mutex& handlerMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+UrdfComplaints::UrdfComplaints() : alone_(handlerMutex()), usual_(console_bridge::getOutputHandler()) {
+  console_bridge::useOutputHandler(this);
+}
+
+UrdfComplaints::~UrdfComplaints() { console_bridge::useOutputHandler(usual_); }
+
+void UrdfComplaints::log(const std::string& text, console_bridge::LogLevel level, const char*, int) {
+  if (level == console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
+}
 
 constexpr double kMillimetres = 1e3;  // in the metre of URDF
 constexpr double kUnit = 1e-6;

@@ -8,11 +8,10 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
-
-bool isOfPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
 
 double filamentArea(double diameter_mm) {
   if (!(diameter_mm > 0.0))
@@ -48,7 +47,7 @@ std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double fil
   std::vector<CoordinateRow> rows;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
-      if (isOfPart(path)) appendTrajectory(path, area_mm2, rows);
+      if (isPartOfPart(path)) appendTrajectory(path, area_mm2, rows);
   moveToCorner(rows);
   return rows;
 }

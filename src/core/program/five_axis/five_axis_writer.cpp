@@ -2,22 +2,277 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/five_axis/five_axis_writer.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/program/five_axis/five_axis_settings.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
-#include "program/five_axis/five_axis_lines.hpp"
-#include "program/five_axis/joint_chords.hpp"
+#include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/extrusion.hpp"
+#include "program/gcode/fixed_point.hpp"
 #include "program/gcode/start_code.hpp"
 #include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr std::size_t kMostPieces = 1000;
+constexpr double kTurn = 2.0 * M_PI;
+
+bool isWoundBack(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
+  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
+    const auto joint = static_cast<Eigen::Index>(j);
+    if (machine.joints()[j].kind == JointKind::Rotary && std::abs(end[joint] - begin[joint]) > M_PI)
+      return true;
+  }
+  return false;
+}
+
+/// How far the tip is from the middle of its line halfway between the joints.
+double chordError(const KinematicModel& machine, const JointValues& begin, const JointValues& end) {
+  const Point3 halfway = machine.bedFromNozzle(0.5 * (begin + end)).translation();
+  const Point3 middle =
+      0.5 * (machine.bedFromNozzle(begin).translation() + machine.bedFromNozzle(end).translation());
+  return (halfway - middle).norm();
+}
+
+/// The values with rotary joints turned by whole turns to be next to others.
+JointValues wound(JointValues values, const KinematicModel& machine, const JointValues& near) {
+  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
+    const auto joint = static_cast<Eigen::Index>(j);
+    if (machine.joints()[j].kind == JointKind::Rotary)
+      values[joint] += kTurn * std::round((near[joint] - values[joint]) / kTurn);
+  }
+  return values;
+}
+
+double rotaryWay(const KinematicModel& machine, const JointValues& from, const JointValues& to) {
+  double most = 0.0;
+  for (std::size_t j = 0; j < machine.joints().size(); ++j) {
+    const auto joint = static_cast<Eigen::Index>(j);
+    if (machine.joints()[j].kind == JointKind::Rotary)
+      most = std::max(most, std::abs(to[joint] - from[joint]));
+  }
+  return most;
+}
+
+JointValues nearest(const KinematicModel& machine, const Eigen::Isometry3d& pose, const JointValues& near) {
+  JointValues best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& solution : machine.solutions(pose, near)) {
+    const JointValues values = wound(solution.values, machine, near);
+    const double way = rotaryWay(machine, near, values);
+    if (way < least) least = way, best = values;
+  }
+  return best;
+}
+
+/// Joints between two stations such that the tip, while all joints move evenly from one to the next, stays on
+/// its straight line within the tolerance; the tool axis turns evenly. Empty where the two will do, or where
+/// a rotary joint is wound back by more than half a turn, which leaves the line whatever stands between.
+/// @param tolerance_mm  positive
+/// @throws Unreachable if the machine has no joints for a pose between that follow those before steadily
+std::vector<JointValues> jointsBetween(const KinematicModel& machine, const JointValues& begin,
+                                       const JointValues& end, double tolerance_mm) {
+  const double error = chordError(machine, begin, end);
+  if (!(error > tolerance_mm) || isWoundBack(machine, begin, end)) return {};
+  const double wanted = std::ceil(std::sqrt(error / tolerance_mm));
+  const auto pieces = static_cast<std::size_t>(std::min(wanted, double{kMostPieces}));
+  const Eigen::Isometry3d from = machine.bedFromNozzle(begin);
+  const Eigen::Isometry3d to = machine.bedFromNozzle(end);
+  const Eigen::Quaterniond from_turn(from.linear());
+  const Eigen::Quaterniond to_turn(to.linear());
+  std::vector<JointValues> between;
+  JointValues last = begin;
+  const double most_step = M_PI / 4.0 + kTurn / static_cast<double>(pieces);
+  for (std::size_t i = 1; i < pieces; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(pieces);
+    Eigen::Isometry3d pose(from_turn.slerp(share, to_turn));
+    pose.translation() = (1.0 - share) * from.translation() + share * to.translation();
+    const JointValues values = nearest(machine, pose, last);
+    if (values.size() == 0 || rotaryWay(machine, last, values) > most_step)
+      throw Unreachable("'" + machine.name() +
+                        "' has no joints on the straight line to it that follow steadily");
+    between.push_back(values);
+    last = values;
+  }
+  if (rotaryWay(machine, last, end) > most_step)
+    throw Unreachable("'" + machine.name() + "' comes to it with other joints than those given");
+  return between;
+}
+
+/// One line's target and how it is reached.
+struct FiveAxisTarget {
+  JointValues joints;
+  Point3 tip = Point3::Zero();  ///< [mm, bed]
+  double filament_mm = 0.0;     ///< laid on the way
+  double time_s = 0.0;
+  double feed = 0.0;        ///< [mm/s], or [deg/s] in place
+  const char* remark = "";  ///< " ;via" between two waypoints, " ;turn" in place
+};
+
+/// Writes the lines of a five-axis program; words that hold are left out.
+class FiveAxisLines {
+ public:
+  FiveAxisLines(const KinematicModel& machine, const FiveAxisSettings& settings,
+                const ProgramSettings& program);
+
+  /// Rotary axes first, then tip control, then over the first waypoint and down.
+  void approach(const JointValues& joints, const Point3& tip, const std::string& tip_control,
+                std::string& text);
+  void move(const FiveAxisTarget& target, std::string& text);
+  /// Where the rotary joints of the line before are others than these, a turn in place.
+  void turn(const JointValues& joints, std::string& text);
+  /// Filament alone.
+  void retract(double length_mm, std::string& text);
+  void comment(const char* key, double value, std::string& text);
+
+ private:
+  static constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
+
+  std::int64_t unitsOf(std::size_t axis, const JointValues& joints, const Point3& tip) const;
+  std::string word(std::size_t axis, std::int64_t units) const;
+  /// Words of the axes from `begin` to `end` that change.
+  std::string changes(std::size_t begin, std::size_t end, const JointValues& joints, const Point3& tip);
+  std::string feedWord(double per_minute);
+
+  const KinematicModel& machine_;
+  std::vector<AxisLetter> letters_;
+  bool has_joints_;  ///< and inverse-time feed
+  double retraction_feed_mm_s_;
+  std::vector<std::int64_t> axes_;  ///< as written last
+  std::int64_t feed_ = kUnknown;
+  JointValues joints_;  ///< as of the line before
+  Point3 tip_ = Point3::Zero();
+  double filament_mm_ = 0.0;
+  std::int64_t filament_ = 0;
+  double waiting_s_ = 0.0;  ///< of motions too short to be written
+};
+
+constexpr double kLinearScale = 1e4;                 // 4 decimals
+constexpr double kRotaryScale = 1e5 * 180.0 / M_PI;  // 5 decimals of a degree
+constexpr double kFilamentScale = 1e5;
+constexpr std::size_t kLinear = 3;
+
+template <int decimals>
+std::string fixed(char letter, std::int64_t units) {
+  char digits[32];
+  return std::string(" ") + letter + std::string(digits, writeFixed<decimals>(digits, units));
+}
+
+FiveAxisLines::FiveAxisLines(const KinematicModel& machine, const FiveAxisSettings& settings,
+                             const ProgramSettings& program)
+    : machine_(machine),
+      letters_(axisLetters(machine)),
+      has_joints_(settings.coordinates == FiveAxisCoordinates::Joints),
+      retraction_feed_mm_s_(program.retraction_feed_mm_s),
+      axes_(letters_.size(), kUnknown) {}
+
+std::int64_t FiveAxisLines::unitsOf(std::size_t axis, const JointValues& joints, const Point3& tip) const {
+  if (axis >= kLinear) return toUnits(joints[letters_[axis].joint], kRotaryScale);
+  const double value = has_joints_ ? joints[letters_[axis].joint] : tip[static_cast<Eigen::Index>(axis)];
+  return toUnits(value, kLinearScale);
+}
+
+std::string FiveAxisLines::word(std::size_t axis, std::int64_t units) const {
+  return axis < kLinear ? fixed<4>(letters_[axis].letter, units) : fixed<5>(letters_[axis].letter, units);
+}
+
+std::string FiveAxisLines::changes(std::size_t begin, std::size_t end, const JointValues& joints,
+                                   const Point3& tip) {
+  std::string words;
+  for (std::size_t axis = begin; axis < end; ++axis) {
+    const std::int64_t units = unitsOf(axis, joints, tip);
+    if (units == axes_[axis]) continue;
+    axes_[axis] = units;
+    words += word(axis, units);
+  }
+  return words;
+}
+
+std::string FiveAxisLines::feedWord(double per_minute) {
+  if (has_joints_) return fixed<5>('F', std::max<std::int64_t>(1, toUnits(per_minute, 1e5)));
+  const std::int64_t units = std::max<std::int64_t>(1, toUnits(per_minute, 1e3));
+  if (units == feed_) return "";
+  feed_ = units;
+  return fixed<3>('F', units);
+}
+
+void FiveAxisLines::approach(const JointValues& joints, const Point3& tip, const std::string& tip_control,
+                             std::string& text) {
+  if (letters_.size() > kLinear) text += "G0" + changes(kLinear, letters_.size(), joints, tip) + "\n";
+  if (!tip_control.empty()) text += tip_control + "\n";
+  text += "G0" + changes(0, 2, joints, tip) + "\n";
+  text += "G0" + changes(2, kLinear, joints, tip) + "\n";
+  joints_ = joints;
+  tip_ = tip;
+}
+
+void FiveAxisLines::move(const FiveAxisTarget& target, std::string& text) {
+  filament_mm_ += target.filament_mm;
+  waiting_s_ += target.time_s;
+  const std::int64_t filament = toUnits(filament_mm_, kFilamentScale);
+  // Too little to be written: without E it would read as a travel. The next motion takes it along.
+  if (target.filament_mm > 0.0 && filament == filament_) return;
+  std::string words = changes(0, letters_.size(), target.joints, target.tip);
+  if (words.empty()) return;
+  if (filament != filament_) words += fixed<5>('E', filament - filament_);
+  filament_ = filament;
+  words += feedWord(has_joints_ ? 60.0 / waiting_s_ : 60.0 * target.feed);
+  text.append("G1").append(words).append(target.remark).append("\n");
+  waiting_s_ = 0.0;
+  joints_ = target.joints;
+  tip_ = target.tip;
+}
+
+void FiveAxisLines::turn(const JointValues& joints, std::string& text) {
+  double time_s = 0.0;
+  double square_deg = 0.0;
+  bool has_changed = false;
+  for (std::size_t axis = 0; axis < letters_.size(); ++axis) {
+    const AxisLetter& letter = letters_[axis];
+    const double way = std::abs(joints[letter.joint] - joints_[letter.joint]);
+    const double speed = machine_.joints()[static_cast<std::size_t>(letter.joint)].max_speed;
+    time_s = std::max(time_s, way / speed);
+    if (axis >= kLinear) square_deg += way * way * (180.0 / M_PI) * (180.0 / M_PI);
+    // The same tip comes of other linear joints where rotary ones turn.
+    has_changed |= axis >= kLinear && unitsOf(axis, joints, tip_) != axes_[axis];
+  }
+  if (!has_changed || !(time_s > 0.0)) return;
+  FiveAxisTarget target;
+  target.joints = joints;
+  target.tip = tip_;
+  target.remark = " ;turn";
+  target.time_s = time_s;
+  target.feed = std::sqrt(square_deg) / time_s;
+  move(target, text);
+}
+
+void FiveAxisLines::retract(double length_mm, std::string& text) {
+  const std::int64_t units = toUnits(length_mm, kFilamentScale);
+  if (units == 0) return;
+  const double feed = retraction_feed_mm_s_;
+  text += "G1" + fixed<5>('E', units) +
+          feedWord(has_joints_ ? 60.0 * feed / std::abs(length_mm) : 60.0 * feed) + "\n";
+}
+
+void FiveAxisLines::comment(const char* key, double value, std::string& text) {
+  char digits[32];
+  text.append(key).append(digits, writeFixed<5>(digits, toUnits(value, 1e5))).append("\n");
+}
 
 constexpr std::size_t kPiece = 1U << 16;  // bytes handed on at once
 

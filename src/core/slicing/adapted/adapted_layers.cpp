@@ -2,23 +2,143 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/adapted/adapted_layers.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/moving_average.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "slicing/adapted/curve_ends.hpp"
 #include "slicing/adapted/curve_length.hpp"
 #include "slicing/adapted/curve_untangling.hpp"
-#include "slicing/adapted/finished_curve.hpp"
-#include "slicing/adapted/steep_faces.hpp"
 #include "slicing/adapted/thinnest_bead.hpp"
 #include "slicing/adapted/wall_growth.hpp"
 #include "slicing/adapted/wall_strand.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kFlat = 1e-6;           // mm within which a corner lies in the bottom or the top
+constexpr double kSteepRounding = 1e-6;  // deg
+
+bool isAt(const Mesh& mesh, const Triangle& corner, double z) {
+  return std::all_of(corner.begin(), corner.end(),
+                     [&](std::uint32_t v) { return std::abs(mesh.vertices[v].z() - z) <= kFlat; });
+}
+
+double leanDeg(const Mesh& mesh, const Triangle& corner) {
+  const Point3& a = mesh.vertices[corner[0]];
+  const Point3 normal = (mesh.vertices[corner[1]] - a).cross(mesh.vertices[corner[2]] - a);
+  return std::atan2(std::abs(normal.z()), normal.head<2>().norm()) * 180.0 / M_PI;
+}
+
+/// Refuses a part one of whose faces leans too far from the vertical. The flat bottom and the flat top of
+/// the part are no walls and may lie as they do.
+/// @throws Unsliceable with those faces, naming the greatest lean and where it is
+void requireNoSteepFaces(const Mesh& mesh, double max_lean_deg) {
+  const Box3 box = boundingBox(mesh);
+  Mesh steep;
+  double greatest = 0.0;
+  Point3 at = Point3::Zero();
+  for (const Triangle& corner : mesh.triangles) {
+    if (isAt(mesh, corner, box.low.z()) || isAt(mesh, corner, box.high.z())) continue;
+    const double lean = leanDeg(mesh, corner);
+    if (lean <= max_lean_deg + kSteepRounding) continue;
+    steep.triangles.push_back(corner);
+    if (lean <= greatest) continue;
+    greatest = lean;
+    at = (mesh.vertices[corner[0]] + mesh.vertices[corner[1]] + mesh.vertices[corner[2]]) / 3.0;
+  }
+  if (steep.triangles.empty()) return;
+  steep.vertices = mesh.vertices;
+  char message[256];
+  std::snprintf(
+      message, sizeof message,
+      "%zu faces lean more from the vertical than adapted.max_lean_deg = %g deg, most by %.1f deg at "
+      "(%.2f, %.2f, %.2f) mm; adapted layers need walls",
+      steep.triangles.size(), max_lean_deg, greatest, at.x(), at.y(), at.z());
+  throw Unsliceable(message, std::move(steep));
+}
+
+constexpr double kCoincident = 1e-6;  // mm
+constexpr double kOnTheWay = 1e-3;    // mm
+constexpr double kClose = 0.1;        // of a step
+
+void append(AdaptedCurve& curve, const Point3& point, const Point3& axis, double height_mm) {
+  curve.points.push_back(point);
+  curve.axis.push_back(axis);
+  curve.height_mm.push_back(height_mm);
+}
+
+double distanceFromChord(const Point3& point, const Point3& from, const Point3& to) {
+  const Point3 along = to - from;
+  const double length = along.norm();
+  if (length <= kCoincident) return (point - from).norm();
+  return along.cross(point - from).norm() / length;
+}
+
+/// Whether the curve does without a point: it is close to the one before it and on the way to the next.
+bool isSpare(const Point3& before, const Point3& point, const Point3& next, double close_mm) {
+  const double distance = (point - before).norm();
+  return distance <= kCoincident ||
+         (distance < close_mm && distanceFromChord(point, before, next) <= kOnTheWay);
+}
+
+AdaptedCurve withoutSpare(const AdaptedCurve& curve, double close_mm) {
+  AdaptedCurve kept;
+  kept.is_closed = curve.is_closed;
+  const std::size_t count = curve.points.size();
+  append(kept, curve.points[0], curve.axis[0], curve.height_mm[0]);
+  for (std::size_t i = 1; i < count; ++i) {
+    const bool is_end = i + 1 == count && !curve.is_closed;
+    const Point3& next = curve.points[(i + 1) % count];
+    if (is_end || !isSpare(kept.points.back(), curve.points[i], next, close_mm))
+      append(kept, curve.points[i], curve.axis[i], curve.height_mm[i]);
+  }
+  if (kept.is_closed && kept.points.size() > 3 &&
+      (kept.points.back() - kept.points.front()).norm() <= kCoincident) {
+    kept.points.pop_back();
+    kept.axis.pop_back();
+    kept.height_mm.pop_back();
+  }
+  return kept;
+}
+
+AdaptedCurve filled(const AdaptedCurve& curve, double step_mm) {
+  AdaptedCurve dense;
+  dense.is_closed = curve.is_closed;
+  const std::size_t count = curve.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    const bool is_end = next == 0 && !curve.is_closed;
+    const double length = is_end ? 0.0 : (curve.points[next] - curve.points[i]).norm();
+    const double pieces = std::max(1.0, std::ceil(length / step_mm - 1e-9));
+    for (double piece = 0.0; piece < pieces; ++piece) {
+      const double share = piece / pieces;
+      append(dense, (1.0 - share) * curve.points[i] + share * curve.points[next],
+             ((1.0 - share) * curve.axis[i] + share * curve.axis[next]).normalized(),
+             (1.0 - share) * curve.height_mm[i] + share * curve.height_mm[next]);
+    }
+  }
+  return dense;
+}
+
+/// The curve with its positions averaged over a window and no two points farther apart than the step. The
+/// average wraps on a closed curve; on an open one the window shrinks evenly towards the ends. Points
+/// within a tenth of a step of the one before them are left out where the curve stays the same within 1 µm.
+/// @param smoothing_window  odd; 1 is none
+AdaptedCurve finishedCurve(const AdaptedCurve& curve, double step_mm, int smoothing_window) {
+  AdaptedCurve finished = withoutSpare(curve, kClose * step_mm);
+  if (smoothing_window > 1)
+    finished.points = movingAverages(finished.points, finished.is_closed ? Course::Closed : Course::Open,
+                                     static_cast<std::size_t>(smoothing_window / 2));
+  return filled(finished, step_mm);
+}
 
 constexpr double kBelowTop = 1e-6;  // mm: at the very top a plane cuts nothing
 constexpr double kMostContours = 1e6;

@@ -2,19 +2,274 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing/adapted/wall_growth.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <iterator>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/parallel.hpp"
-#include "slicing/adapted/curves_between.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/slicing/unsliceable.hpp"
+#include "slicing/adapted/curve_length.hpp"
 #include "slicing/adapted/growth.hpp"
-#include "slicing/adapted/layer_gap.hpp"
-#include "slicing/adapted/top_completion.hpp"
+#include "slicing/adapted/mesh_region.hpp"
 
 namespace lamina {
 namespace {
+
+/// From one unit vector to another by a share of the angle between them.
+Point3 turned(const Point3& from, const Point3& to, double share) {
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  const double sine = std::sin(angle);
+  if (sine < 1e-9) return share < 0.5 ? from : to;
+  return ((std::sin((1.0 - share) * angle) * from + std::sin(share * angle) * to) / sine).normalized();
+}
+
+/// The places of the lower curve that belong to the points of the upper one.
+std::vector<CurvePlace> partners(const PlacedCurve& lower, const AdaptedCurve& upper) {
+  const CurveLength& below = lower.length;
+  const CurveLength above(upper);
+  const double first = below.at(lower.places.nearest(upper.points.front()));
+  double span = below.total();
+  if (!upper.is_closed) {
+    span = below.at(lower.places.nearest(upper.points.back())) - first;
+    if (lower.curve.is_closed && span < 0.0) span += below.total();
+  }
+  std::vector<CurvePlace> places;
+  places.reserve(upper.points.size());
+  for (std::size_t i = 0; i < upper.points.size(); ++i)
+    places.push_back(below.placeAt(first + span * above.atPoint(i) / above.total()));
+  return places;
+}
+
+/// Curves that lead from a curve to the one that was computed above it in equal steps: points by linear
+/// interpolation, axes along the shortest way. Points go together by their share of the length: of closed
+/// curves from the first point of the upper one and the place nearest to it; of an open one from its first
+/// to its last point and from the places nearest to these.
+///
+/// @return as many as `parts`, the last of which is the upper curve; heights are equal shares
+std::vector<AdaptedCurve> curvesBetween(const PlacedCurve& lower, const AdaptedCurve& upper,
+                                        std::size_t parts) {
+  if (parts == 1) return {upper};
+  const std::vector<CurvePlace> places = partners(lower, upper);
+  std::vector<AdaptedCurve> curves;
+  for (std::size_t part = 1; part <= parts; ++part) {
+    const double share = static_cast<double>(part) / static_cast<double>(parts);
+    AdaptedCurve curve = upper;
+    for (double& height : curve.height_mm) height /= static_cast<double>(parts);
+    for (std::size_t i = 0; i < places.size() && part < parts; ++i) {
+      curve.points[i] = (1.0 - share) * places[i].point + share * upper.points[i];
+      curve.axis[i] = turned(directionAt(lower.curve.axis, places[i]), upper.axis[i], share);
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+constexpr double kTopRounding = 1e-6;  // of a height
+
+/// Points of the highest contour, taken round it: the first and how many.
+struct PointRun {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Maximal runs of points that are set; all of them are a run from point 0.
+std::vector<PointRun> runsOf(const std::vector<bool>& is_set) {
+  const std::size_t count = is_set.size();
+  if (std::find(is_set.begin(), is_set.end(), false) == is_set.end()) return {{0, count}};
+  std::vector<PointRun> runs;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_set[i] || is_set[(i + count - 1) % count]) continue;
+    PointRun run{i, 1};
+    while (is_set[(i + run.count) % count]) ++run.count;
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+void appendPiece(AdaptedCurve& curve, const GrownPoint& grown) {
+  curve.points.push_back(grown.point);
+  curve.axis.push_back(grown.axis);
+  curve.height_mm.push_back(grown.height_mm);
+}
+
+class TopCompletion {
+ public:
+  TopCompletion(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
+                std::unique_ptr<PlacedCurve> last)
+      : mesh_(mesh),
+        growth_(growth),
+        level_(strand.levels.size() - 1),
+        top_(strand.levels.back().points),
+        front_of_(top_.size(), 0),
+        grown_(top_.size()) {
+    fronts_.push_back(std::move(last));
+  }
+
+  /// Layers of one step, as long as there is room for it anywhere.
+  std::vector<AdaptedLayer> layersOf(const GrowthStep& step) {
+    std::vector<AdaptedLayer> layers;
+    std::vector<bool> is_active(top_.size(), true);
+    const std::size_t most = mostSteps(step.height_mm);
+    // Layers that are divided must have room for all parts; of others half a height must be left.
+    const double least_mm = step.parts > 1 ? step.height_mm * (1.0 - kTopRounding) : 0.5 * step.height_mm;
+    for (std::size_t taken = 0; grow(is_active, step.height_mm, least_mm); ++taken) {
+      if (taken == most) refuse(taken);
+      const std::vector<PointRun> runs = runsOf(is_active);
+      std::vector<AdaptedLayer> divided(step.parts);
+      const std::vector<GrownPoint> standing = standingPoints();
+      for (const PointRun& run : runs) addCurve(run, step, divided);
+      if (!divided.back().curves.front().is_closed)
+        for (AdaptedLayer& layer : divided) layer.outlines = {outlineOf(layer.curves, runs, standing)};
+      std::move(divided.begin(), divided.end(), std::back_inserter(layers));
+    }
+    return layers;
+  }
+
+ private:
+  /// Whether any point is still active: as far from the curve below it as the least height.
+  bool grow(std::vector<bool>& is_active, double height_mm, double least_mm) {
+    bool is_any = false;
+    for (std::size_t i = 0; i < top_.size(); ++i) {
+      if (!is_active[i]) continue;
+      grown_[i] = growth_.towards(level_, i, *fronts_[front_of_[i]], height_mm);
+      is_active[i] = !grown_[i].is_reached || grown_[i].height_mm >= least_mm;
+      is_any = is_any || is_active[i];
+    }
+    return is_any;
+  }
+
+  void addCurve(const PointRun& run, const GrowthStep& step, std::vector<AdaptedLayer>& divided) {
+    const std::size_t count = top_.size();
+    const std::size_t below = front_of_[run.first];
+    const bool is_closed = run.count == count;
+    std::vector<GrownPoint> points;
+    const auto appendReached = [&](std::size_t i) {
+      points.push_back(growth_.towards(level_, i, *fronts_[below], step.height_mm));
+    };
+    if (!is_closed) appendReached((run.first + count - 1) % count);
+    for (std::size_t k = 0; k < run.count; ++k) points.push_back(grown_[(run.first + k) % count]);
+    if (!is_closed) appendReached((run.first + run.count) % count);
+    AdaptedCurve curve = curveThrough(points, is_closed, *fronts_[below]);
+    std::vector<AdaptedCurve> parts = curvesBetween(*fronts_[below], curve, step.parts);
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      divided[part].curves.push_back(std::move(parts[part]));
+    for (std::size_t k = 0; k < run.count; ++k) front_of_[(run.first + k) % count] = fronts_.size();
+    fronts_.push_back(std::make_unique<PlacedCurve>(std::move(curve)));
+  }
+
+  /// For each point of the top where the wall stands that is to reach it.
+  std::vector<GrownPoint> standingPoints() const {
+    std::vector<GrownPoint> standing(top_.size());
+    for (std::size_t i = 0; i < top_.size(); ++i) {
+      const PlacedCurve& front = *fronts_[front_of_[i]];
+      const CurvePlace foot = front.places.nearest(top_[i]);
+      standing[i].point = foot.point;
+      standing[i].axis = directionAt(front.curve.axis, foot);
+    }
+    return standing;
+  }
+
+  /// Open curves of a layer, one per run, joined by the points between that stay where they stand.
+  AdaptedCurve outlineOf(const std::vector<AdaptedCurve>& curves, const std::vector<PointRun>& runs,
+                         const std::vector<GrownPoint>& standing) const {
+    const std::size_t count = top_.size();
+    AdaptedCurve outline;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      for (std::size_t i = 0; i < curves[r].points.size(); ++i)
+        appendPiece(outline, {curves[r].points[i], curves[r].axis[i], curves[r].height_mm[i]});
+      // Curves end on the point next to the run, on either side.
+      const std::size_t next = runs[(r + 1) % runs.size()].first + (r + 1 == runs.size() ? count : 0);
+      for (std::size_t i = runs[r].first + runs[r].count + 1; i + 1 < next; ++i)
+        appendPiece(outline, standing[i % count]);
+    }
+    return outline;
+  }
+
+  std::size_t mostSteps(double height_mm) const {
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < top_.size(); ++i)
+      farthest = std::max(farthest, fronts_[front_of_[i]]->places.nearest(top_[i]).distance_mm);
+    return 4 * static_cast<std::size_t>(std::ceil(farthest / height_mm)) + 4;
+  }
+
+  [[noreturn]] void refuse(std::size_t taken) const {
+    throw Unsliceable("the top of the part at z = " + std::to_string(top_.front().z()) +
+                          " mm is not reached by " + std::to_string(taken) +
+                          " completing layers; expected walls that lead there without folds",
+                      facesBetween(mesh_, fronts_.front()->curve.points.front().z(), top_.front().z()));
+  }
+
+  const Mesh& mesh_;
+  const Growth& growth_;
+  std::size_t level_;
+  const std::vector<Point3>& top_;
+  std::vector<std::unique_ptr<PlacedCurve>> fronts_;
+  std::vector<std::size_t> front_of_;  // for each point the curve that grows towards it
+  std::vector<GrownPoint> grown_;
+};
+
+/// Layers between the last adapted curve of a wall and the top of the part: grown towards the highest flat
+/// contour where that is far enough, so that curves are open where the top is reached elsewhere. Open curves
+/// end on the point next to them that is not grown. Where less than a layer is left, it is deposited as high
+/// as it is if that is half of it at least.
+///
+/// @param mesh   the part, to show where it cannot be sliced
+/// @param last   the last adapted curve
+/// @param steps  coarse ones first; each is taken as long as there is room for it
+/// @return layers of this wall; outlines where curves are open
+/// @throws Unsliceable if the top is not reached by four times the layers its distance needs
+std::vector<AdaptedLayer> completedTop(const Mesh& mesh, const WallStrand& strand, const Growth& growth,
+                                       std::unique_ptr<PlacedCurve> last,
+                                       const std::vector<GrowthStep>& steps) {
+  TopCompletion completion(mesh, strand, growth, std::move(last));
+  std::vector<AdaptedLayer> layers;
+  for (const GrowthStep& step : steps) {
+    std::vector<AdaptedLayer> more = completion.layersOf(step);
+    std::move(more.begin(), more.end(), std::back_inserter(layers));
+  }
+  return layers;
+}
+
+/// What a layer may leave of the one below it.
+struct GapLimit {
+  double height_mm = 0.0;  ///< that the layer should have
+  double step_mm = 0.0;    ///< between points: smaller details are not seen
+};
+
+constexpr double kMostHeights = 2.0;
+
+/// Refuses a curve that leaves places of the closed curve below it farther away than twice the height and a
+/// step.
+/// @param layer  its number, for the message
+/// @param mesh   the part, whose faces around the gap are the region
+/// @throws Unsliceable naming the gap and where it is
+void requireNoGap(const AdaptedCurve& curve, const PlacedCurve& below, const GapLimit& limit,
+                  std::size_t layer, const Mesh& mesh) {
+  const CurvePlaces places(curve.points, curve.is_closed);
+  double greatest = 0.0;
+  Point3 at = Point3::Zero();
+  for (const Point3& point : below.curve.points) {
+    const double distance = places.nearest(point).distance_mm;
+    if (distance > greatest) at = point;
+    greatest = std::max(greatest, distance);
+  }
+  if (greatest <= kMostHeights * limit.height_mm + limit.step_mm) return;
+  char message[320];
+  std::snprintf(
+      message, sizeof message,
+      "adapted layer %zu leaves a gap of %.2f mm over (%.2f, %.2f, %.2f) mm where layers are %.2f mm high; "
+      "expected walls whose lean changes gently along a loop",
+      layer, greatest, at.x(), at.y(), at.z(), limit.height_mm);
+  throw Unsliceable(message, facesNear(mesh, at, greatest));
+}
 
 constexpr double kRounding = 1e-6;  // of a step
 

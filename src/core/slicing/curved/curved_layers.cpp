@@ -4,14 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "lamina/geometry/spatial/signed_distance.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/slicing/conformal/facing_surface.hpp"
-#include "slicing/curved/curved_division.hpp"
-#include "slicing/curved/curved_refusal.hpp"
+#include "lamina/slicing/unsliceable.hpp"
 #include "slicing/curved/layer_coverage.hpp"
 #include "slicing/curved/part_samples.hpp"
 #include "slicing/curved/shell_tidying.hpp"
@@ -19,6 +26,194 @@
 
 namespace lamina {
 namespace {
+
+/// What all schemes of curved layers start from. The mesh, topology and settings must outlive it.
+struct CurvedPart {
+  const Mesh& mesh;
+  const MeshTopology& topology;
+  const CurvedSettings& settings;
+  double height_mm;
+  SignedDistance inside;
+  std::vector<TriangleNumbers> lower;
+  std::vector<TriangleNumbers> upper;
+  double size_mm;
+};
+
+/// A scheme, its division of the part in height, and the surfaces its shells come from.
+struct CurvedDivision {
+  CurvedScheme scheme = CurvedScheme::BothSides;
+  std::optional<double> lower_top_mm;  // nothing: lower shells go as high as the part
+  double upper_bottom_mm = 0.0;
+  TriangleNumbers lower;
+  TriangleNumbers upper;
+};
+
+// Of the part's size: overlap of lower and upper surface in height that is rounding.
+constexpr double kLevel = 1e-6;
+
+double highest(const Mesh& mesh, const TriangleNumbers& patch, double sign) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const std::uint32_t number : patch)
+    for (const std::uint32_t corner : mesh.triangles[number])
+      highest = std::max(highest, sign * mesh.vertices[corner].z());
+  return highest;
+}
+
+/// The first patch and all others that come below (sign 1) or above (sign -1) a height.
+TriangleNumbers sourceOf(const Mesh& mesh, const std::vector<TriangleNumbers>& patches, double sign,
+                         double level) {
+  TriangleNumbers source;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    if (i == 0 || -highest(mesh, patches[i], -sign) < sign * level)
+      source.insert(source.end(), patches[i].begin(), patches[i].end());
+  std::sort(source.begin(), source.end());
+  return source;
+}
+
+CurvedDivision twoSides(const CurvedPart& part, CurvedScheme scheme, double lower_top, double upper_bottom) {
+  return {scheme, lower_top, upper_bottom, sourceOf(part.mesh, part.lower, 1.0, lower_top),
+          sourceOf(part.mesh, part.upper, -1.0, upper_bottom)};
+}
+
+CurvedDivision lowerOnly(const CurvedPart& part) {
+  return {CurvedScheme::LowerOnly,
+          std::nullopt,
+          0.0,
+          sourceOf(part.mesh, part.lower, 1.0, std::numeric_limits<double>::infinity()),
+          {}};
+}
+
+/// @throws Unsliceable if nothing faces down or up
+/// @throws InvalidMesh if the mesh is open or holds no volume; InvalidConfig
+CurvedPart curvedPart(const Mesh& mesh, const MeshTopology& topology, const CurvedSettings& settings,
+                      double layer_height_mm) {
+  if (!(layer_height_mm > 0.0))
+    throw InvalidConfig("slicing.layer_height_mm is " + std::to_string(layer_height_mm) +
+                        " mm; must be positive");
+  if (topology.has_border) throw InvalidMesh("the mesh is open; curved layers need a closed one");
+  if (!(volume(mesh) > 0.0))
+    throw InvalidMesh("the mesh holds " + std::to_string(volume(mesh)) + " mm³; expected a positive volume");
+  CurvedPart part{mesh,
+                  topology,
+                  settings,
+                  layer_height_mm,
+                  SignedDistance(mesh),
+                  facingPatches(mesh, Facing::Down, settings.normal_limit),
+                  facingPatches(mesh, Facing::Up, settings.normal_limit),
+                  boundingBox(mesh).size().norm()};
+  if (part.lower.empty() || part.upper.empty())
+    throw Unsliceable("no surface faces " + std::string(part.lower.empty() ? "down" : "up") +
+                          " by more than curved.normal_limit " + std::to_string(settings.normal_limit) +
+                          "; curved layers have nothing to grow from",
+                      mesh);
+  return part;
+}
+
+/// The ways to divide a part, the one to be preferred first.
+std::vector<CurvedDivision> curvedDivisions(const CurvedPart& part) {
+  const double lower_top = highest(part.mesh, part.lower.front(), 1.0);
+  const double upper_bottom = -highest(part.mesh, part.upper.front(), -1.0);
+  const double middle = 0.5 * (lower_top + upper_bottom);
+  if (lower_top <= upper_bottom) return {twoSides(part, CurvedScheme::BothSides, lower_top, upper_bottom)};
+  if (lower_top <= upper_bottom + kLevel * part.size_mm)
+    return {twoSides(part, CurvedScheme::BothSides, middle, middle)};
+  return {lowerOnly(part), twoSides(part, CurvedScheme::Halves, middle, middle)};
+}
+
+/// What a scheme gets wrong, as samples of the part.
+struct CurvedFlaws {
+  CurvedScheme scheme = CurvedScheme::BothSides;
+  std::vector<Point3> beside;  ///< beyond the edges of what its layers grow from, found before they grow
+  std::vector<Point3> open;    ///< in no layer
+  std::vector<Point3> twice;   ///< in more than one layer
+
+  /// As many samples as are wrong at least.
+  std::size_t count() const { return std::max(beside.size(), open.size() + twice.size()); }
+};
+
+// Spacings of the samples: how far from one of them others count as of the same place.
+constexpr double kSamePlace = 3.0;
+
+std::string rounded(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+/// The sample with the most others around it: there is most of what is wrong.
+Point3 densest(const std::vector<Point3>& points, double within_mm) {
+  std::size_t most = 0;
+  Point3 densest = points.front();
+  for (const Point3& point : points) {
+    std::size_t near = 0;
+    for (const Point3& other : points)
+      if ((other - point).squaredNorm() <= within_mm * within_mm) ++near;
+    if (near <= most) continue;
+    most = near;
+    densest = point;
+  }
+  return densest;
+}
+
+/// The surface nearest to samples, and what of it is no farther from there than samples from each other.
+Mesh surfaceNear(const CurvedPart& part, const std::vector<Point3>& points, double spacing_mm) {
+  std::vector<char> is_nearest(part.mesh.triangles.size(), 0);
+  for (const Point3& point : points) is_nearest[part.inside.surface().nearest(point).triangle] = 1;
+  TriangleNumbers numbers;
+  for (std::uint32_t i = 0; i < is_nearest.size(); ++i)
+    if (is_nearest[i] != 0) numbers.push_back(i);
+  const Mesh core = patchOf(part.mesh, numbers);
+  const NearestTriangle nearest(core);
+  for (std::uint32_t i = 0; i < is_nearest.size(); ++i) {
+    const Triangle& corner = part.mesh.triangles[i];
+    const Point3 middle =
+        (part.mesh.vertices[corner[0]] + part.mesh.vertices[corner[1]] + part.mesh.vertices[corner[2]]) / 3.0;
+    if (is_nearest[i] == 0 && nearest.nearest(middle, spacing_mm)) is_nearest[i] = 1;
+  }
+  numbers.clear();
+  for (std::uint32_t i = 0; i < is_nearest.size(); ++i)
+    if (is_nearest[i] != 0) numbers.push_back(i);
+  return patchOf(part.mesh, numbers);
+}
+
+const char* surfacesOf(CurvedScheme scheme) {
+  return scheme == CurvedScheme::LowerOnly ? "underside" : "underside and top side";
+}
+
+struct Complaint {
+  const std::vector<Point3>& points;
+  std::string reason;
+};
+
+Complaint complaintOn(const CurvedPart& part, const CurvedFlaws& flaws) {
+  const std::string sides = surfacesOf(flaws.scheme);
+  if (!flaws.beside.empty())
+    return {flaws.beside, " of the part lies beside its " + sides +
+                              ", beyond their edges, where layers that follow them do not come"};
+  if (flaws.open.size() >= flaws.twice.size())
+    return {flaws.open, " of the part would be left open, because layers that follow its " + sides +
+                            " break up where these are rough or bend sharply for layers of " +
+                            rounded(part.height_mm, 3) + " mm"};
+  return {flaws.twice, " of the part would be deposited twice, because layers that grow from its " + sides +
+                           " run into each other"};
+}
+
+/// Refuses a part for what the scheme that comes nearest gets wrong: what, where, and what to do instead. The
+/// region is the surface nearest to it.
+/// @throws Unsliceable always
+[[noreturn]] void refuseCurved(const CurvedPart& part, const PartSamples& samples, const CurvedFlaws& flaws) {
+  const Complaint complaint = complaintOn(part, flaws);
+  const double share =
+      static_cast<double>(complaint.points.size()) / static_cast<double>(samples.points().size());
+  const Point3 where = densest(complaint.points, kSamePlace * samples.spacing());
+  throw Unsliceable("curved layers do not suit this shape: " + rounded(100.0 * share, 1) + " %" +
+                        complaint.reason + ", most of it around (" + rounded(where.x(), 1) + ", " +
+                        rounded(where.y(), 1) + ", " + rounded(where.z(), 1) +
+                        ") mm; open and double are at most " + rounded(part.settings.largest_gap_percent, 1) +
+                        " % expected (curved.largest_gap_percent). Slice it with slicing.mode=planar or "
+                        "heightfield, or turn it so that a smooth side without feet or pockets lies below.",
+                    surfaceNear(part, complaint.points, samples.spacing()));
+}
 
 // Part of a layer's height by which the level layers of [Guacheta2021, listing A.7] may lie in those below
 // and above them.

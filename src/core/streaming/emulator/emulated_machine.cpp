@@ -2,10 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -13,10 +22,56 @@
 #include "lamina/base/error.hpp"
 #include "streaming/transport/byte_link.hpp"
 #include "streaming/transport/deadline_timer.hpp"
-#include "streaming/transport/pseudo_terminal.hpp"
 
 namespace lamina {
+
+/// The machine's side of a raw pseudo-terminal. The other side is held open too, so that it outlives its
+/// users.
+class PseudoTerminal {
+ public:
+  /// @throws DeviceError if the system has none left
+  PseudoTerminal();
+  ~PseudoTerminal();
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  const std::string& path() const { return path_; }
+  /// Hands over the machine's side, to be closed by the caller.
+  int releaseMachineSide();
+
+ private:
+  int machine_ = -1;
+  int user_ = -1;
+  std::string path_;
+};
+
+/// A symbolic link that is removed with the object.
+class SymbolicLink {
+ public:
+  explicit SymbolicLink(std::string path) : path_(std::move(path)) {}
+  ~SymbolicLink();
+  SymbolicLink(const SymbolicLink&) = delete;
+  SymbolicLink& operator=(const SymbolicLink&) = delete;
+
+  /// Makes the link, or makes it point elsewhere.
+  /// @throws FileError if it cannot be made, or the path holds something that is no symbolic link
+  void pointTo(const std::string& target);
+  void remove();
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  bool is_made_ = false;
+};
+
 namespace {
+
+void makeRaw(int descriptor) {
+  struct termios options {};
+  ::tcgetattr(descriptor, &options);
+  ::cfmakeraw(&options);
+  ::tcsetattr(descriptor, TCSANOW, &options);
+}
 
 using boost::asio::ip::tcp;
 using PtyLink = ByteLink<boost::asio::posix::stream_descriptor>;
@@ -26,6 +81,53 @@ using TcpLink = ByteLink<tcp::socket>;
 constexpr std::size_t kMostUnread = 1 << 16;
 
 }  // namespace
+
+PseudoTerminal::PseudoTerminal() {
+  machine_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  char name[128] = {};
+  const bool is_open = machine_ >= 0 && ::grantpt(machine_) == 0 && ::unlockpt(machine_) == 0 &&
+                       ::ptsname_r(machine_, name, sizeof name) == 0;
+  if (is_open) user_ = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (user_ < 0) {
+    const std::string why = std::strerror(errno);
+    if (machine_ >= 0) ::close(machine_);
+    throw DeviceError("cannot open a pseudo-terminal: " + why);
+  }
+  path_ = name;
+  makeRaw(user_);
+}
+
+PseudoTerminal::~PseudoTerminal() {
+  if (machine_ >= 0) ::close(machine_);
+  ::close(user_);
+}
+
+int PseudoTerminal::releaseMachineSide() {
+  const int machine = machine_;
+  machine_ = -1;
+  return machine;
+}
+
+SymbolicLink::~SymbolicLink() { remove(); }
+
+void SymbolicLink::remove() {
+  if (is_made_) ::unlink(path_.c_str());
+  is_made_ = false;
+}
+
+void SymbolicLink::pointTo(const std::string& target) {
+  struct stat about {};
+  if (::lstat(path_.c_str(), &about) == 0 && !S_ISLNK(about.st_mode)) {
+    throw FileError("cannot link " + path_ + " to the pseudo-terminal: something else has that name");
+  }
+  // Made beside and renamed, so that the name never points to nothing.
+  const std::string fresh = path_ + "." + std::to_string(::getpid());
+  ::unlink(fresh.c_str());
+  if (::symlink(target.c_str(), fresh.c_str()) != 0 || std::rename(fresh.c_str(), path_.c_str()) != 0) {
+    throw FileError("cannot link " + path_ + " to the pseudo-terminal: " + std::strerror(errno));
+  }
+  is_made_ = true;
+}
 
 class EmulatedMachine::Impl {
  public:

@@ -5,15 +5,42 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/streaming/emulator/emulated_firmware.hpp"
 #include "streaming/emulator/emulated_heaters.hpp"
 #include "streaming/emulator/emulated_vacuum.hpp"
 #include "streaming/emulator/line_gate.hpp"
-#include "streaming/emulator/reply_queue.hpp"
 
 namespace lamina {
+
+/// Replies on their way to the host, in order; a delayed one holds back all that follow.
+class ReplyQueue {
+ public:
+  void say(std::string_view text) { (held_.empty() ? ready_ : held_.back().text) += text; }
+  /// Everything said from now on is held until `wall_s`.
+  void holdUntil(double wall_s) { held_.push_back({wall_s, {}}); }
+  void elapse(double wall_s) {
+    for (; !held_.empty() && held_.front().until <= wall_s; held_.pop_front()) ready_ += held_.front().text;
+  }
+  double nextDeadline(double otherwise) const { return held_.empty() ? otherwise : held_.front().until; }
+  std::string take() { return std::exchange(ready_, {}); }
+  void clear() {
+    ready_.clear();
+    held_.clear();
+  }
+
+ private:
+  struct Held {
+    double until = 0.0;
+    std::string text;
+  };
+  std::string ready_;
+  std::deque<Held> held_;
+};
 
 /// What the emulated firmware does, behind its interface.
 class EmulatedFirmware::Board {

@@ -2,12 +2,126 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/transport/transport.hpp"
 
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/serial_port.hpp>
+#include <chrono>
+
 #include "lamina/base/error.hpp"
-#include "streaming/transport/serial_transport.hpp"
-#include "streaming/transport/tcp_transport.hpp"
+#include "streaming/transport/byte_link.hpp"
+#include "streaming/transport/serial_baud.hpp"
 
 namespace lamina {
 namespace {
+
+/// A machine that listens on TCP.
+class TcpTransport final : public Transport {
+ public:
+  TcpTransport(boost::asio::io_context& context, std::string host, std::string port)
+      : context_(context), host_(std::move(host)), port_(std::move(port)) {}
+  ~TcpTransport() override { close(); }
+
+  void open(TransportEvents events) override;
+  void send(const std::string& bytes) override { link_->send(bytes); }
+  bool isSending() const override { return link_ && link_->pending() > 0; }
+  void close() override;
+
+ private:
+  boost::asio::io_context& context_;
+  std::string host_;
+  std::string port_;
+  std::shared_ptr<ByteLink<boost::asio::ip::tcp::socket>> link_;
+};
+
+using boost::asio::ip::tcp;
+
+constexpr std::chrono::seconds kConnectTimeout{5};
+
+void TcpTransport::open(TransportEvents events) {
+  boost::system::error_code error;
+  const auto endpoints = tcp::resolver(context_).resolve(host_, port_, error);
+  tcp::socket socket(context_);
+  if (!error) {
+    error = boost::asio::error::timed_out;
+    boost::asio::async_connect(
+        socket, endpoints,
+        [&](const boost::system::error_code& result, const tcp::endpoint&) { error = result; });
+    context_.restart();
+    context_.run_for(kConnectTimeout);
+    if (!context_.stopped()) {
+      socket.close();
+      context_.run();
+      error = boost::asio::error::timed_out;
+    }
+    context_.restart();
+  }
+  if (error) {
+    throw Disconnected("cannot connect to tcp:" + host_ + ":" + port_ + ": " + error.message() +
+                       "; is the machine on?");
+  }
+  socket.set_option(tcp::no_delay(true));
+  socket.set_option(boost::asio::socket_base::keep_alive(true));
+  link_ = std::make_shared<ByteLink<tcp::socket>>(std::move(socket));
+  link_->start(std::move(events));
+}
+
+void TcpTransport::close() {
+  if (link_) link_->close();
+}
+
+/// A serial port or pseudo-terminal: 8 data bits, no parity, one stop bit, no flow control, for this process
+/// alone.
+class SerialTransport final : public Transport {
+ public:
+  SerialTransport(boost::asio::io_context& context, std::string path, int baud)
+      : context_(context), path_(std::move(path)), baud_(baud) {}
+  ~SerialTransport() override { close(); }
+
+  void open(TransportEvents events) override;
+  void send(const std::string& bytes) override { link_->send(bytes); }
+  bool isSending() const override { return link_ && link_->pending() > 0; }
+  void close() override;
+
+ private:
+  boost::asio::io_context& context_;
+  std::string path_;
+  int baud_;
+  std::shared_ptr<ByteLink<boost::asio::serial_port>> link_;
+};
+
+using boost::asio::serial_port;
+
+void configure(serial_port& port, int baud) {
+  port.set_option(serial_port::character_size(8));
+  port.set_option(serial_port::parity(serial_port::parity::none));
+  port.set_option(serial_port::stop_bits(serial_port::stop_bits::one));
+  port.set_option(serial_port::flow_control(serial_port::flow_control::none));
+  setBaudRate(port.native_handle(), baud);
+  ::ioctl(port.native_handle(), TIOCEXCL);
+  // What was said before nobody listened to is of no use.
+  ::tcflush(port.native_handle(), TCIFLUSH);
+}
+
+void SerialTransport::open(TransportEvents events) {
+  try {
+    serial_port port(context_, path_);
+    configure(port, baud_);
+    link_ = std::make_shared<ByteLink<serial_port>>(std::move(port));
+  } catch (const std::system_error& error) {
+    throw Disconnected("cannot open port " + path_ + ": " + error.code().message() +
+                       "; is the machine connected?");
+  } catch (const boost::system::system_error& error) {
+    throw Disconnected("cannot open port " + path_ + ": " + error.code().message() +
+                       "; is the machine connected?");
+  }
+  link_->start(std::move(events));
+}
+
+void SerialTransport::close() {
+  if (link_) link_->close();
+}
 
 constexpr std::string_view kTcp = "tcp:";
 

@@ -2,21 +2,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/verification/collision/clearance.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/kinematics/cartesian/machine_bodies.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "lamina/toolpath/timing.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/verification/collision/clearance_settings.hpp"
 #include "verification/collision/deposited_boxes.hpp"
 #include "verification/collision/deposited_tree.hpp"
-#include "verification/collision/head_body.hpp"
-#include "verification/collision/nozzle_places.hpp"
+#include "verification/collision/extents.hpp"
+#include "verification/collision/solid.hpp"
 
 namespace lamina {
 namespace {
+
+/// A place of the nozzle on its way.
+struct NozzlePlace {
+  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
+  WaypointIndex at;             ///< there, or to which it moves
+  std::size_t deposited = 0;    ///< boxes that are there (`depositedBoxes`)
+};
+
+/// All waypoints of a layer and places between them, `spacing_mm` apart at most, in the order of the motion.
+/// @param deposited  boxes that are there when the layer begins
+std::vector<NozzlePlace> nozzlePlaces(const Toolpath& toolpath, std::size_t layer, std::size_t deposited,
+                                      const Eigen::Isometry3d& bed_from_part,
+                                      const ClearanceSettings& settings) {
+  std::vector<NozzlePlace> places;
+  const std::vector<Path>& paths = toolpath.layers[layer].paths;
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    const Path& path = paths[p];
+    places.push_back({bed_from_part * path.firstPoint(), {layer, p, 0}, deposited});
+    if (!path.is_closed) deposited += piecesDepositedAt(path, 0, settings.tolerance_mm);
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t waypoint = path.motionEnd(m);
+      const Point3 start = bed_from_part * path.points[m];
+      const Point3 along = bed_from_part * path.points[waypoint] - start;
+      const int steps = std::max(1, static_cast<int>(std::ceil(along.norm() / settings.spacing_mm)));
+      for (int i = 1; i <= steps; ++i)
+        places.push_back({start + static_cast<double>(i) / steps * along, {layer, p, waypoint}, deposited});
+      deposited += piecesDepositedAt(path, waypoint, settings.tolerance_mm);
+    }
+  }
+  return places;
+}
+
+/// A body of the machine over the bed, by where the nozzle tip is. It never turns.
+class HeadBody {
+ public:
+  /// @param normal  of the layers [bed frame]
+  HeadBody(const MachineBody& body, const CartesianMachine& machine, const Point3& normal);
+
+  const std::string& link() const { return link_; }
+  /// Origin of the body's frame [mm, bed frame].
+  Point3 originFor(const Point3& tip) const { return origin_from_tip_ * tip; }
+  Extents extentsAt(const Point3& origin) const;
+  /// Whether it is in the box, by FCL.
+  bool meets(const DepositedBox& box, const Point3& origin) const;
+
+ private:
+  std::string link_;
+  Eigen::Affine3d origin_from_tip_;
+  Eigen::Matrix3d rotation_;
+  Point3 normal_;
+  Solid solid_;
+  Extents around_origin_;
+};
+
+HeadBody::HeadBody(const MachineBody& body, const CartesianMachine& machine, const Point3& normal)
+    : link_(body.link),
+      rotation_(body.bed_from_body_at_zero.linear()),
+      normal_(normal),
+      solid_(body.shape),
+      around_origin_(solid_.extentsAt(Eigen::Isometry3d(rotation_), normal)) {
+  const Eigen::Affine3d axes_from_tip = axesFromBed(machine);
+  origin_from_tip_.linear() = body.motion * axes_from_tip.linear();
+  origin_from_tip_.translation() =
+      body.motion * axes_from_tip.translation() + body.bed_from_body_at_zero.translation();
+}
+
+Extents HeadBody::extentsAt(const Point3& origin) const {
+  Extents extents = around_origin_;
+  extents.box.low += origin;
+  extents.box.high += origin;
+  const double along = normal_.dot(origin);
+  extents.low_normal += along;
+  extents.high_normal += along;
+  return extents;
+}
+
+bool HeadBody::meets(const DepositedBox& box, const Point3& origin) const {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = rotation_;
+  pose.translation() = origin;
+  return solid_.meets(box, pose);
+}
 
 constexpr std::size_t kPlacesTogether = 64;  // looked up in the tree at once
 constexpr double kSpacingsTogether = 2.0;    // how far apart these may be, in spacings

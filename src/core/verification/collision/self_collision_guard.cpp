@@ -2,16 +2,85 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/verification/collision/self_collision_guard.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/link_tree.hpp"
-#include "verification/collision/collision_table.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/kinematics/model/link_bodies.hpp"
+#include "verification/collision/solid.hpp"
 
 namespace lamina {
+
+/// Two groups of links that two rotary joints move against each other.
+struct JointedPair {
+  const RigidGroup* near = nullptr;
+  const RigidGroup* far = nullptr;
+  std::array<Eigen::Index, 2> joints{};     ///< of the kinematic model; the first next to `near`
+  std::array<std::string, 2> axis_links{};  ///< whose origins lie on the axes of the joints
+};
+
+/// Every link over the root of the tree [mm], at values of the two joints of a pair [rad].
+using PairPoses = std::function<std::map<std::string, Eigen::Isometry3d>(double first, double second)>;
+
+/// At which values of two rotary joints two groups of links are in each other.
+class CollisionTable {
+ public:
+  CollisionTable(const JointedPair& pair, const std::vector<DrivenJoint>& joints, const PairPoses& poses);
+
+  /// Whether the groups may be in each other there. Never false where they are.
+  bool isBanned(const JointValues& values) const {
+    return cells_[columns_.cellOf(values) * rows_.count + rows_.cellOf(values)];
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  /// The cells of one joint: of its limits, or of a whole turn if they are further apart.
+  struct Cells {
+    Eigen::Index joint = 0;
+    double low = 0.0;    // [rad]
+    double width = 0.0;  // of a cell [rad]
+    std::size_t count = 0;
+
+    std::size_t cellOf(const JointValues& values) const;
+  };
+  struct Filling;
+
+  static Cells cellsOf(Eigen::Index index, const DrivenJoint& joint);
+
+  Cells columns_;
+  Cells rows_;
+  std::vector<bool> cells_;
+  std::string text_;
+};
+
 namespace {
+
+constexpr double kTurn = 2.0 * M_PI;
+constexpr double kFinest = 2.0 * M_PI / 180.0;
+
+std::string namesOf(const RigidGroup& group) {
+  std::string names;
+  for (std::size_t i = 0; i < group.bodies.size(); ++i)
+    if (i == 0 || group.bodies[i].link != group.bodies[i - 1].link)
+      names += (names.empty() ? "'" : " or '") + group.bodies[i].link + "'";
+  return names;
+}
+
+/// Radius about the origin of its frame.
+double radiusOf(const BodyShape& shape) {
+  return Point3(extent(shape, Point3::UnitX()), extent(shape, Point3::UnitY()),
+                extent(shape, Point3::UnitZ()))
+      .norm();
+}
 
 std::optional<Eigen::Index> rotaryJoint(const std::vector<DrivenJoint>& joints, const std::string& name) {
   for (std::size_t j = 0; j < joints.size(); ++j)
@@ -47,6 +116,93 @@ std::optional<JointedPair> jointedPair(const LinkBodies& bodies, std::size_t nea
 }
 
 }  // namespace
+
+/// Bisects the range of both joints until it is clear or one cell.
+struct CollisionTable::Filling {
+  struct Range {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    std::size_t size() const { return end - begin; }
+    std::size_t half() const { return (begin + end) / 2; }
+  };
+
+  CollisionTable& table;
+  const JointedPair& pair;
+  const PairPoses& poses;
+  std::vector<Solid> near_solids;
+
+  void fill(Range columns, Range rows) {
+    if (isClear(columns, rows)) return;
+    if (columns.size() == 1 && rows.size() == 1) {
+      table.cells_[columns.begin * table.rows_.count + rows.begin] = true;
+    } else if (columns.size() >= rows.size()) {
+      fill({columns.begin, columns.half()}, rows);
+      fill({columns.half(), columns.end}, rows);
+    } else {
+      fill(columns, {rows.begin, rows.half()});
+      fill(columns, {rows.half(), rows.end});
+    }
+  }
+
+  /// Bodies are looked at in the middle of the range, those of the far group larger by as much as they move
+  /// within it.
+  bool isClear(Range columns, Range rows) const {
+    const auto middle = [](const Cells& cells, Range range) {
+      return cells.low + 0.5 * cells.width * static_cast<double>(range.begin + range.end);
+    };
+    const double half_column = 0.5 * table.columns_.width * static_cast<double>(columns.size());
+    const double half_row = 0.5 * table.rows_.width * static_cast<double>(rows.size());
+    const auto links = poses(middle(table.columns_, columns), middle(table.rows_, rows));
+    const Point3 first_axis = links.at(pair.axis_links[0]).translation();
+    const Point3 second_axis = links.at(pair.axis_links[1]).translation();
+    for (const LinkBody& body : pair.far->bodies) {
+      const Eigen::Isometry3d pose = links.at(body.link) * body.link_from_body;
+      const double radius = radiusOf(body.shape);
+      const double by_second = half_row * ((pose.translation() - second_axis).norm() + radius);
+      const double by_first = half_column * ((pose.translation() - first_axis).norm() + radius + by_second);
+      if (meetsNear(Solid(grown(body.shape, by_first + by_second)), pose, links)) return false;
+    }
+    return true;
+  }
+
+  bool meetsNear(const Solid& solid, const Eigen::Isometry3d& pose,
+                 const std::map<std::string, Eigen::Isometry3d>& links) const {
+    const Extents extents = solid.extentsAt(pose, Point3::UnitZ());
+    for (std::size_t i = 0; i < near_solids.size(); ++i) {
+      const LinkBody& body = pair.near->bodies[i];
+      const Eigen::Isometry3d near_pose = links.at(body.link) * body.link_from_body;
+      if (near_solids[i].extentsAt(near_pose, Point3::UnitZ()).meets(extents) &&
+          near_solids[i].meets(solid, pose, near_pose))
+        return true;
+    }
+    return false;
+  }
+};
+
+std::size_t CollisionTable::Cells::cellOf(const JointValues& values) const {
+  const double from_low = values[joint] - low;
+  const double within = from_low - kTurn * std::floor(from_low / kTurn);
+  return std::min(count - 1, static_cast<std::size_t>(within / width));
+}
+
+CollisionTable::Cells CollisionTable::cellsOf(Eigen::Index index, const DrivenJoint& joint) {
+  const double range = std::min(kTurn, joint.high - joint.low);
+  const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(range / kFinest)));
+  const double low = std::isfinite(joint.low) ? joint.low : -M_PI;
+  return {index, low, range / static_cast<double>(count), count};
+}
+
+CollisionTable::CollisionTable(const JointedPair& pair, const std::vector<DrivenJoint>& joints,
+                               const PairPoses& poses)
+    : columns_(cellsOf(pair.joints[0], joints[static_cast<std::size_t>(pair.joints[0])])),
+      rows_(cellsOf(pair.joints[1], joints[static_cast<std::size_t>(pair.joints[1])])),
+      cells_(columns_.count * rows_.count, false),
+      text_("link " + namesOf(*pair.far) + " would be in link " + namesOf(*pair.near)) {
+  Filling filling{*this, pair, poses, {}};
+  for (const LinkBody& body : pair.near->bodies) filling.near_solids.emplace_back(body.shape);
+  filling.fill({0, columns_.count}, {0, rows_.count});
+}
 
 SelfCollisionGuard::SelfCollisionGuard(const KinematicModel& model, const LinkBodies& bodies) {
   const LinkTree tree(*parseMachine(model.urdf()));

@@ -19,11 +19,10 @@ DepositedBeads depositedBeads(const Toolpath& toolpath) {
   for (const ToolpathLayer& layer : toolpath.layers) {
     deposited.first_of_layer.push_back(deposited.beads.size());
     for (const Path& path : layer.paths)
-      forEachDeposited(path, [&](std::size_t waypoint) {
-        const Bead& section = path.bead.at(waypoint);
-        const Point3 down(0.0, 0.0, 0.5 * section.height_mm);
-        deposited.beads.push_back({layers_from_part * cameFrom(path, waypoint) - down,
-                                   layers_from_part * path.points[waypoint] - down, section});
+      forEachBead(path, [&](const DepositedSegment& segment) {
+        const Point3 down(0.0, 0.0, 0.5 * segment.bead.height_mm);
+        deposited.beads.push_back(
+            {layers_from_part * segment.start - down, layers_from_part * segment.end - down, segment.bead});
       });
   }
   deposited.first_of_layer.push_back(deposited.beads.size());

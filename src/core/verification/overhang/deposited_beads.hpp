@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 
@@ -19,24 +20,12 @@ struct DepositedBead {
 /// Whether the path lays anything anywhere.
 bool lays(const Path& path);
 
-/// Calls visit(waypoint) for each waypoint on the way to which something is deposited, in order; for a drop
-/// it is deposited there.
+/// Calls visit(segment) for each segment of a path that is not empty, in order.
 template <class Visit>
-void forEachDeposited(const Path& path, const Visit& visit) {
-  if (!lays(path)) return;
-  const bool is_drops = path.deposit == Deposit::Drops;
-  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
-  for (std::size_t m = 0; m < count; ++m) {
-    const std::size_t waypoint = is_drops ? m : path.motionEnd(m);
-    const Bead& bead = path.bead.at(waypoint);
-    if (bead.width_mm > 0.0 && bead.height_mm > 0.0) visit(waypoint);
-  }
-}
-
-/// Where the nozzle comes from on its way to a waypoint: the waypoint itself for a drop.
-inline const Point3& cameFrom(const Path& path, std::size_t waypoint) {
-  if (path.deposit == Deposit::Drops) return path.points[waypoint];
-  return path.points[waypoint == 0 ? path.points.size() - 1 : waypoint - 1];
+void forEachBead(const Path& path, const Visit& visit) {
+  forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+    if (!segment.isEmpty()) visit(segment);
+  });
 }
 
 /// All beads in the order in which they are deposited, and which of them are of which layer.

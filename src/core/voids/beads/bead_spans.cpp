@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/polygon/plane_vectors.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
@@ -63,22 +64,17 @@ class SpanWriter {
       : rows_(rows), measure_(measure), spans_(rows.count) {}
 
   void add(const Path& path, std::uint32_t run) {
+    const bool is_drops = path.deposit == Deposit::Drops;
     double arc = 0.0;
-    if (path.deposit == Deposit::Drops) {
-      for (std::size_t i = 0; i < path.points.size(); ++i, arc += kDropArc) {
-        const Point2 at = path.points[i].head<2>();
-        add(Capsule(at, at, 0.5 * path.bead.at(i).width_mm), run, arc, 0.0);
-      }
-      return;
-    }
-    for (std::size_t m = 0; m < path.motionCount(); ++m) {
-      const Point2 from = path.points[m].head<2>();
-      const Point2 to = path.points[path.motionEnd(m)].head<2>();
-      const Bead& bead = path.bead.at(path.motionEnd(m));
-      const double width = measure_ == BeadMeasure::Reach ? bead.width_mm : planWidth(bead);
-      if (bead.width_mm > 0.0) add(Capsule(from, to, 0.5 * width), run, arc, 0.5 * width);
-      arc += (to - from).norm();
-    }
+    forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+      const Point2 from = segment.start.head<2>();
+      const Point2 to = segment.end.head<2>();
+      const double width =
+          is_drops || measure_ == BeadMeasure::Reach ? segment.bead.width_mm : planWidth(segment.bead);
+      if (is_drops || segment.bead.width_mm > 0.0)
+        add(Capsule(from, to, 0.5 * width), run, arc, is_drops ? 0.0 : 0.5 * width);
+      arc += is_drops ? kDropArc : (to - from).norm();
+    });
   }
 
   std::vector<std::vector<BeadSpan>> spans() && { return std::move(spans_); }
@@ -125,8 +121,6 @@ class SpanWriter {
 };
 
 }  // namespace
-
-bool isPartOfPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
 
 std::vector<std::vector<BeadSpan>> beadSpans(const ToolpathLayer& layer, const ScanRows& rows,
                                              BeadMeasure measure) {

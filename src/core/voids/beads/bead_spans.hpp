@@ -28,9 +28,6 @@ struct BeadSpan : Span {
 std::vector<std::vector<BeadSpan>> beadSpans(const ToolpathLayer& layer, const ScanRows& rows,
                                              BeadMeasure measure);
 
-/// Whether a path is part of the part: it deposits and is no skirt.
-bool isPartOfPart(const Path& path);
-
 /// A drop is a pass of its own: it is this much farther along its run than the drop before [mm].
 constexpr double kDropArc = 1e6;
 

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Whether a path is part of the part: it deposits and is no skirt.
+inline bool isPartOfPart(const Path& path) {
+  return path.role != PathRole::Travel && path.role != PathRole::Skirt;
+}
+
+/// What is laid in one go: a bead along a motion, or a drop, which ends where it starts. The path must
+/// outlive it.
+struct DepositedSegment {
+  std::size_t from = 0;      ///< waypoint at which it starts
+  std::size_t waypoint = 0;  ///< waypoint at which it ends, whose bead and orientation it has
+  const Point3& start;       ///< of the nozzle tip [mm, part frame]
+  const Point3& end;
+  const Bead& bead;
+
+  double length() const { return (end - start).norm(); }
+  /// Whether its section has no area, so that nothing is laid.
+  bool isEmpty() const { return !(bead.width_mm > 0.0 && bead.height_mm > 0.0); }
+};
+
+/// Calls visit(segment) for each motion of a path of beads and each drop of one of drops, in the order in
+/// which they are laid, empty ones too; for nothing of a travel. A closed path of beads ends with its return.
+template <class Visit>
+void forEachDepositedSegment(const Path& path, const Visit& visit) {
+  if (path.role == PathRole::Travel) return;
+  const bool is_drops = path.deposit == Deposit::Drops;
+  const std::size_t count = is_drops ? path.points.size() : path.motionCount();
+  for (std::size_t from = 0; from < count; ++from) {
+    const std::size_t waypoint = is_drops ? from : path.motionEnd(from);
+    visit(DepositedSegment{from, waypoint, path.points[from], path.points[waypoint], path.bead.at(waypoint)});
+  }
+}
+
+}  // namespace lamina
