@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "geometry/polygon/inside.hpp"
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
+#include "lamina/base/error_place.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
+#include "lamina/slicing/layer_place.hpp"
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/bed_side.hpp"
 #include "planning/order/anchored_run.hpp"
@@ -70,7 +73,8 @@ class LayerPlanner {
     infill_ = infillSpacing(settings_.infill, pitch_, {index, context.layer_count});
   }
 
-  PlannedLayer plan(const std::vector<Polygon>& contours) && {
+  /// Once only.
+  PlannedLayer plan(const std::vector<Polygon>& contours) {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
     if (index_ == 0 && !laysDrops() && !context_.bed)
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
@@ -83,12 +87,19 @@ class LayerPlanner {
     for (const OrderedRun& next : orderRuns(islands, nozzle_)) {
       const Region& island = material[next.run];
       island_ = next.run;
+      is_in_island_ = true;
       const std::size_t before = result_.paths.size();
       const double unprinted = addIsland(island);
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
     }
+    is_in_island_ = false;
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
     return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0};
+  }
+
+  /// What is being planned, for messages.
+  std::string place() const {
+    return layerPlace(index_, top_) + (is_in_island_ ? ", island " + std::to_string(island_) : "");
   }
 
  private:
@@ -268,6 +279,7 @@ class LayerPlanner {
   const PlanSettings& settings_;
   std::size_t index_;
   std::size_t island_ = 0;
+  bool is_in_island_ = false;
   Point2 nozzle_;
   Seam seam_;
   double top_;
@@ -286,7 +298,12 @@ class LayerPlanner {
 }  // namespace
 
 PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
-  return LayerPlanner(stacked, index, context).plan(stacked.layer->section.contours);
+  LayerPlanner planner(stacked, index, context);
+  try {
+    return planner.plan(stacked.layer->section.contours);
+  } catch (...) {
+    rethrowAt(planner.place());
+  }
 }
 
 }  // namespace lamina

@@ -46,6 +46,7 @@ struct PlannedLayer {
 /// layers can be planned side by side. An inclined layer is begun at the bed, and its runs are anchored on
 /// the layer before.
 /// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
+/// @throws what the strategy throws, naming layer and island (`rethrowAt`)
 PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context);
 
 }  // namespace lamina

@@ -4,9 +4,10 @@
 
 #include <utility>
 
-#include "lamina/base/error.hpp"
+#include "lamina/base/error_place.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/planning/plan_consistency.hpp"
+#include "lamina/slicing/layer_place.hpp"
 #include "planning/layer_planner.hpp"
 #include "planning/order/anchored_starts.hpp"
 #include "planning/order/layer_chain.hpp"
@@ -115,6 +116,18 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   return planned;
 }
 
+/// Brings a layer that was planned in a plan to where it is deposited.
+void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) {
+  const double top_mm = planned.layer.z_mm;
+  try {
+    LiftedLayer lifted = lift(index, std::move(planned.layer));
+    planned.layer = std::move(lifted.layer);
+    planned.left_out_mm3 = lifted.left_out_mm3;
+  } catch (...) {
+    rethrowAt(layerPlace(index, top_mm));
+  }
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
   const PlanContext context = wallContext(of_settings);
   const std::size_t base_layers = baseLayers(context);
@@ -124,10 +137,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
       layers.size(),
       [&](std::size_t i) {
         planned[i] = planAnywhere(stackedAt(layers, i), i, i < base_layers ? base : context);
-        if (!context.lift) return;
-        LiftedLayer lifted = context.lift(i, std::move(planned[i].layer));
-        planned[i].layer = std::move(lifted.layer);
-        planned[i].left_out_mm3 = lifted.left_out_mm3;
+        if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
