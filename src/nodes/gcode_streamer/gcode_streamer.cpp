@@ -7,7 +7,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/clock.hpp"
-#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/program/gcode/gcode_flavour.hpp"
 #include "names.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
@@ -157,7 +157,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   std::string text;
   ProgramFrame frame(placed.bed_from_part);
   frame.program_from_bed = programFromBed(machine_);
-  writeGcode(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
+  writeFlavoured(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
   return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream.max_line_bytes);
 }
 
