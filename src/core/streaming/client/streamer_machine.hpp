@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/firmware/firmware_protocol.hpp"
 #include "streaming/client/answer_timer.hpp"
 #include "streaming/client/line_feed.hpp"
 #include "streaming/client/sent_lines.hpp"
@@ -71,6 +73,7 @@ class Streamer::Machine {
   void retry(double now);
   void timeOut(double now);
   std::string urgentStop() const;
+  std::vector<std::string> safeStop() const;
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
@@ -80,6 +83,7 @@ class Streamer::Machine {
   void finishAborted(const std::string& remark);
 
   StreamSettings settings_;
+  std::shared_ptr<const FirmwareProtocol> firmware_;
   ReplyListener heard_;
   StreamStatus status_;
   LineFeed feed_;

@@ -25,7 +25,7 @@ void Streamer::Machine::receive(std::string_view bytes, double now) {
       break;
     }
     bytes.remove_prefix(end + 1);
-    const MarlinReply reply = parseReply(received_);
+    const MarlinReply reply = firmware_->read(received_);
     received_.clear();
     onReply(reply, now);
   }
@@ -138,7 +138,9 @@ void Streamer::Machine::settle(double now) {
 
 /// A job has ended when its motions have. A safe stop has ended when the machine says that it no longer
 /// heats: the lines it has taken may still wait behind others.
-void Streamer::Machine::askForRest() { output_ += isStopping() ? "M105\n" : "M400\n"; }
+void Streamer::Machine::askForRest() {
+  output_ += (isStopping() ? firmware_->harmless() : firmware_->endOfMotions()) + "\n";
+}
 
 bool Streamer::Machine::isSafe(const MarlinTemperatures& temperatures) const {
   if (settings_.keep_heaters_on) return true;
