@@ -9,6 +9,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/program/gcode/gcode_flavour.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
@@ -170,7 +171,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     action_.setSucceeded(result);
     return;
   }
-  ROS_ERROR("not streamed: %s: %s", toString(status.failure.code), status.failure.message.c_str());
+  ROS_ERROR_STREAM(refusalText({"stream", job_, ""}, status.failure));
   if (action_.isPreemptRequested()) {
     action_.setPreempted(result, status.failure.message);
   } else {

@@ -10,6 +10,7 @@
 #include "lamina/slicing/unsliceable.hpp"
 #include "names.hpp"
 #include "overhang_markers.hpp"
+#include "refusal_text.hpp"
 #include "region_markers.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
@@ -72,8 +73,7 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
     return given;
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot slice '" << request.part << "': " << toString(failure.code) << ": "
-                                      << failure.message);
+    ROS_ERROR_STREAM(refusalText({"slice", request.part, request.output}, failure));
     Answer refused;
     refused.status = toMessage(failure);
     return refused;
