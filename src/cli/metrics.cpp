@@ -75,7 +75,8 @@ nlohmann::ordered_json toJson(const MeasuredProgram& program) {
                                  {"program_from_part_mm", {place.x(), place.y(), place.z()}},
                                  {"estimated_time_s", program.estimated_time_s}};
   const std::vector<double> values = metricValues(program.metrics);
-  for (std::size_t m = 0; m < values.size(); ++m) json["metrics"][metricNames()[m]] = metricOrNull(values[m]);
+  const std::vector<std::string> names = metricNames();
+  for (std::size_t m = 0; m < values.size(); ++m) json["metrics"][names[m]] = metricOrNull(values[m]);
   return json;
 }
 

@@ -3,16 +3,14 @@
 #include "lamina/scaffold/scaffold.hpp"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "arguments/setting_options.hpp"
-#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/program/gcode/full_control_writer.hpp"
+#include "lamina/program/gcode/gcode_flavour.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -22,7 +20,7 @@ namespace {
 struct ScaffoldArguments {
   std::string kind;
   std::string output;
-  std::string dialect = "fullcontrol";
+  std::string dialect;
   SettingOptions settings;
   bool lists = false;
   bool prints_config = false;
@@ -50,13 +48,12 @@ void listKinds(OutputFormat format) {
   if (format == OutputFormat::Json) std::printf("%s\n", kinds.dump(2).c_str());
 }
 
-void write(const ScaffoldArguments& arguments, const ScaffoldJob& job, const Toolpath& toolpath) {
-  const bool is_gcode = std::filesystem::path(arguments.output).extension() == ".gcode";
-  if (!is_gcode || arguments.dialect == "lamina")
-    return writeOutput(arguments.output, {toolpath, {}}, job.program);
-  AtomicFile file(arguments.output);
-  writeFullControl(toolpath, {}, job.program, [&file](std::string_view piece) { file.write(piece); });
-  file.commit();
+/// The flavour of G-code that the dialect of the command line names; Marlin's has Lamina's comments.
+/// @throws InvalidConfig if there is none
+std::string flavourOf(const std::string& dialect) {
+  const std::string flavour = dialect == "lamina" ? "marlin" : dialect;
+  gcodeFlavours().find(flavour);
+  return flavour;
 }
 
 void print(const ScaffoldArguments& arguments, const Toolpath& toolpath, OutputFormat format) {
@@ -85,15 +82,17 @@ void scaffold(const ScaffoldArguments& arguments, OutputFormat format) {
   if (arguments.lists) return listKinds(format);
   if (arguments.kind.empty()) throw InvalidConfig("no scaffold named; 'lamina scaffold --list' names them");
   ScaffoldJob job{scaffoldDefaults(arguments.kind), {}};
+  job.program.flavour = "fullcontrol";
   SettingsSchema schema;
   describe(schema, job);
   applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
+  if (!arguments.dialect.empty()) job.program.flavour = flavourOf(arguments.dialect);
   if (arguments.prints_config) return printConfig(schema, format);
   if (arguments.output.empty()) throw InvalidConfig("no output named; expected -o FILE.gcode or FILE.csv");
   requireSuffix(arguments.output, outputSuffixes());
   requireApart({arguments.output}, {arguments.settings.config});
   const Toolpath toolpath = makeScaffold(arguments.kind, job.scaffold);
-  write(arguments, job, toolpath);
+  writeOutput(arguments.output, {toolpath, {}}, job.program);
   print(arguments, toolpath, format);
 }
 
@@ -105,9 +104,8 @@ void addScaffold(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<ScaffoldArguments>();
   subcommand->add_option("kind", arguments->kind, "What to make; --list names the kinds");
   subcommand->add_option("-o,--output", arguments->output, "File to write (.gcode, .csv, .mod)");
-  subcommand->add_option("--dialect", arguments->dialect, "Of G-code")
-      ->check(CLI::IsMember({"fullcontrol", "lamina"}))
-      ->capture_default_str();
+  subcommand->add_option("--dialect", arguments->dialect,
+                         "Of G-code, as program.flavour: fullcontrol, the default, or lamina");
   subcommand->add_flag("--list", arguments->lists, "List the kinds instead");
   subcommand->add_flag("--print-config", arguments->prints_config, "Print the settings of the kind instead");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) of scaffold and program");

@@ -62,7 +62,7 @@ void printLean(const OverhangAngle& lean) {
 
 void printJson(const SliceSummary& s, const std::string& output) {
   const nlohmann::ordered_json json = {
-      {"mode", toString(s.mode)},
+      {"mode", s.mode},
       {"mode_reason", s.mode_reason},
       {"notes", s.notes},
       {"steepest_lean_deg", s.lean.steepest_rad * 180.0 / M_PI},
@@ -110,7 +110,7 @@ void printJson(const SliceSummary& s, const std::string& output) {
 
 void printText(const SliceSummary& s, const std::string& output) {
   for (const std::string& repair : s.repairs) std::printf("repaired: %s\n", repair.c_str());
-  std::printf("mode        %s%s%s\n", toString(s.mode), s.mode_reason.empty() ? "" : ": ",
+  std::printf("mode        %s%s%s\n", s.mode.c_str(), s.mode_reason.empty() ? "" : ": ",
               s.mode_reason.c_str());
   for (const std::string& note : s.notes) std::printf("note        %s\n", note.c_str());
   std::printf("mesh        %zu triangles, %.2f cm3\n", s.triangles, s.mesh_volume_mm3 / 1e3);

@@ -147,7 +147,7 @@ Bead fromMessage(const lamina_msgs::Bead& bead) {
 
 lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   lamina_msgs::SliceSummary message;
-  message.mode = toString(summary.mode);
+  message.mode = summary.mode;
   message.mode_reason = summary.mode_reason;
   message.notes = summary.notes;
   message.steepest_lean = summary.lean.steepest_rad;

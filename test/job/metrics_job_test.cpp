@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "lamina/base/error.hpp"
+#include "support/scoped_entry.hpp"
 
 namespace lamina {
 namespace {
@@ -53,6 +54,19 @@ TEST(SliceMeasurement, RefusesWhatItCannotChangeOrMeasure) {
   EXPECT_THROW(measure(measurement, {{"infill.density", "2"}}, {"travel_mm"}), InvalidConfig);
   EXPECT_THROW(measure(measurement, {}, {"beauty"}), InvalidConfig);
   EXPECT_THROW(SliceMeasurement({"no_such_part.stl", "", {}}), FileError);
+}
+
+TEST(SliceMeasurement, TakesAMetricThatWasAdded) {
+  Metric layers;
+  layers.measure = [](const MetricRequest& request) {
+    return static_cast<double>(request.toolpath.layers.size());
+  };
+  const test::ScopedEntry<Metric> entry(toolpathMetrics(), "layers", layers);
+  NoProgress nobody;
+  const SlicedPart sliced =
+      runSliceJob({"tetradecahedron", "", loadJobSettings("", {{"walls.count", "1"}})}, nobody);
+  EXPECT_EQ(measure(ofATetradecahedron(), {}, {"layers"}),
+            (std::vector<double>{static_cast<double>(sliced.summary.layers)}));
 }
 
 }  // namespace

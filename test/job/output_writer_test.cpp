@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
+#include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -65,6 +67,31 @@ TEST(OutputWriter, RefusesAFolderThatIsNotThere) {
   const Toolpath toolpath = oneLine();
   const Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
   EXPECT_THROW(writeOutput("/nowhere/a.csv", {toolpath, bed_from_part}, {}), FileError);
+}
+
+TEST(OutputWriter, ThatWasAddedIsChosenByItsSuffix) {
+  ProgramWriter points;
+  points.write = [](const PlacedToolpath& placed, const ProgramSettings&, const TextSink& sink) {
+    for (const Point3& point : placed.toolpath.layers[0].paths[0].points)
+      sink(std::to_string(std::lround(point.x())) + "\n");
+  };
+  const test::ScopedEntry<ProgramWriter> entry(programWriters(), ".points", points);
+  const test::ScratchFolder folder;
+  const Toolpath toolpath = oneLine();
+  writeOutput(folder.file("a.points"), {toolpath, Eigen::Isometry3d::Identity()}, {});
+  EXPECT_EQ(readFile(folder.file("a.points")), "0\n5\n");
+}
+
+TEST(OutputWriter, WritesGcodeInTheFlavourOfTheSettings) {
+  const test::ScratchFolder folder;
+  ProgramSettings settings;
+  settings.flavour = "fullcontrol";
+  const Toolpath toolpath = oneLine();
+  writeOutput(folder.file("a.gcode"), {toolpath, Eigen::Isometry3d::Identity()}, settings);
+  EXPECT_NE(readFile(folder.file("a.gcode")).find(";END OF THE START GCODE"), std::string::npos);
+  settings.flavour = "morse";
+  EXPECT_THROW(writeOutput(folder.file("a.gcode"), {toolpath, Eigen::Isometry3d::Identity()}, settings),
+               InvalidConfig);
 }
 
 }  // namespace

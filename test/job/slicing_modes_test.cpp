@@ -11,8 +11,9 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
-#include "lamina/job/slice_job.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/slicing/unsliceable.hpp"
+#include "support/scoped_entry.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -36,7 +37,7 @@ class SlicingModes : public ::testing::Test {
   /// A flat cone, 26.6 deg steep.
   void useDome() { usePart("cone", {{"radius_mm", "20"}, {"height_mm", "10"}}); }
 
-  SlicedPart slice(SlicingMode mode) {
+  SlicedPart slice(const std::string& mode) {
     job_.settings.slicing.mode = mode;
     NoProgress nobody;
     return runSliceJob(job_, nobody);
@@ -59,7 +60,7 @@ double greatestTiltDeg(const Toolpath& toolpath) {
 
 TEST_F(SlicingModes, CurvedLayersFillASphere) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "64"}});
-  const SlicedPart sliced = slice(SlicingMode::Curved);
+  const SlicedPart sliced = slice("curved");
   EXPECT_NO_THROW(validate(sliced.toolpath));
   // 7 mm of half a millimetre on each side; the innermost, 0.25 mm in radius, has no room for a bead.
   EXPECT_EQ(sliced.summary.layers, 26U);
@@ -74,7 +75,7 @@ TEST_F(SlicingModes, CurvedLayersFillASphere) {
 TEST_F(SlicingModes, BentLayersKeepTheNozzleUprightAndTheVolume) {
   usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "1"}, {"height_mm", "5"}});
   job_.output = folder_.file("cone.gcode");
-  const SlicedPart sliced = slice(SlicingMode::HeightField);
+  const SlicedPart sliced = slice("heightfield");
   EXPECT_NO_THROW(validate(sliced.toolpath));
   EXPECT_LT(greatestTiltDeg(sliced.toolpath), 1e-6);
   EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
@@ -90,7 +91,7 @@ TEST_F(SlicingModes, AdaptedLayersGrowAlongALeaningWall) {
                    {"height_mm", "10"},
                    {"segments", "256"}});
   job_.settings.planning.infill.density = 0.0;
-  const SlicedPart sliced = slice(SlicingMode::Adapted);
+  const SlicedPart sliced = slice("adapted");
   EXPECT_NO_THROW(validate(sliced.toolpath));
   EXPECT_NEAR(greatestTiltDeg(sliced.toolpath), 30.0, 0.5);
   // h cos 30 deg from one layer to the next.
@@ -101,7 +102,7 @@ TEST_F(SlicingModes, AdaptedLayersGrowAlongALeaningWall) {
 
 TEST_F(SlicingModes, AdaptedLayersCanBeFilled) {
   usePart("cone", {{"radius_mm", "10"}, {"top_radius_mm", "13"}, {"height_mm", "6"}});
-  const SlicedPart sliced = slice(SlicingMode::Adapted);
+  const SlicedPart sliced = slice("adapted");
   EXPECT_NO_THROW(validate(sliced.toolpath));
   EXPECT_NEAR(sliced.summary.deposited_mm3, sliced.summary.mesh_volume_mm3,
               0.08 * sliced.summary.mesh_volume_mm3);
@@ -111,7 +112,7 @@ TEST_F(SlicingModes, ACoatLiesOnThePart) {
   usePart("sphere", {{"radius_mm", "10"}, {"segments", "64"}});
   job_.settings.conformal.thickness_mm = 1.0;
   job_.settings.conformal.max_tilt_deg = 40.0;
-  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  const SlicedPart sliced = slice("conformal");
   EXPECT_EQ(sliced.summary.layers, 2U);
   const Point3 centre(0.0, 0.0, 10.0);
   for (const ToolpathLayer& layer : sliced.toolpath.layers)
@@ -126,7 +127,7 @@ TEST_F(SlicingModes, ACoatLiesOnThePart) {
 TEST_F(SlicingModes, AProgramForAFixedHeadThatWouldHaveToTiltIsRefused) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
   job_.output = folder_.file("sphere.gcode");
-  EXPECT_THROW(slice(SlicingMode::Curved), Unreachable);
+  EXPECT_THROW(slice("curved"), Unreachable);
   EXPECT_FALSE(std::filesystem::exists(job_.output));
 }
 
@@ -134,17 +135,17 @@ TEST_F(SlicingModes, AnUprightNozzleMayLayShellsThatAreNotTooSteep) {
   job_.output = folder_.file("part.gcode");
   job_.settings.orientation.mode = OrientationMode::Fixed;
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
-  EXPECT_THROW(slice(SlicingMode::Curved), InvalidInput);
+  EXPECT_THROW(slice("curved"), InvalidInput);
   EXPECT_FALSE(std::filesystem::exists(job_.output));
   useDome();
-  EXPECT_NO_THROW(slice(SlicingMode::Curved));
+  EXPECT_NO_THROW(slice("curved"));
   EXPECT_TRUE(std::filesystem::exists(job_.output));
 }
 
 TEST_F(SlicingModes, ARefusalShowsTheRegionOnThePart) {
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
   try {
-    slice(SlicingMode::Adapted);
+    slice("adapted");
     FAIL() << "a sphere has no walls";
   } catch (const Unsliceable& refusal) {
     EXPECT_FALSE(refusal.region().triangles.empty());
@@ -154,21 +155,21 @@ TEST_F(SlicingModes, ARefusalShowsTheRegionOnThePart) {
 
 TEST_F(SlicingModes, AutoReportsWhatItChoseAndWhy) {
   usePart("box", {});
-  SlicedPart sliced = slice(SlicingMode::Auto);
-  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  SlicedPart sliced = slice("auto");
+  EXPECT_EQ(sliced.summary.mode, "planar");
   EXPECT_NE(sliced.summary.mode_reason.find("too little"), std::string::npos);
   job_.output = folder_.file("poses.csv");
   useDome();
-  sliced = slice(SlicingMode::Auto);
-  EXPECT_EQ(sliced.summary.mode, SlicingMode::Curved);
+  sliced = slice("auto");
+  EXPECT_EQ(sliced.summary.mode, "curved");
   EXPECT_NE(sliced.summary.mode_reason.find("slopes gently"), std::string::npos);
   job_.output = folder_.file("program.gcode");
-  EXPECT_NE(slice(SlicingMode::Auto).summary.mode, SlicingMode::Curved) << "the head is fixed";
+  EXPECT_NE(slice("auto").summary.mode, "curved") << "the head is fixed";
   // The lower half of a sphere faces down, and hardly any of it lies on the bed.
   job_.output = folder_.file("poses.csv");
   usePart("sphere", {{"radius_mm", "7"}, {"segments", "32"}});
-  sliced = slice(SlicingMode::Auto);
-  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  sliced = slice("auto");
+  EXPECT_EQ(sliced.summary.mode, "planar");
   EXPECT_NE(sliced.summary.mode_reason.find("begin in the air"), std::string::npos);
 }
 
@@ -176,37 +177,37 @@ TEST_F(SlicingModes, AutoReportsWhyItDidNotTakeTheBetterMode) {
   job_.output = folder_.file("poses.csv");
   usePart("cone", {{"radius_mm", "20"}, {"top_radius_mm", "26"}, {"height_mm", "3"}});
   job_.settings.planning.infill.density = 0.0;
-  const SlicedPart sliced = slice(SlicingMode::Auto);
-  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  const SlicedPart sliced = slice("auto");
+  EXPECT_EQ(sliced.summary.mode, "planar");
   EXPECT_NE(sliced.summary.mode_reason.find("not adapted: "), std::string::npos)
       << sliced.summary.mode_reason;
 }
 
 TEST_F(SlicingModes, SettingsThatDoNotGoTogetherAreRefused) {
   usePart("box", {});
-  EXPECT_THROW(slice(SlicingMode::Inclined), InvalidConfig);
+  EXPECT_THROW(slice("inclined"), InvalidConfig);
   job_.settings.slicing.plane.angle_deg = 45.0;
-  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  EXPECT_THROW(slice("curved"), InvalidConfig);
   job_.settings.slicing.plane.angle_deg = 0.0;
   job_.settings.scan.every_layers = 1;
-  EXPECT_THROW(slice(SlicingMode::HeightField), InvalidConfig);
+  EXPECT_THROW(slice("heightfield"), InvalidConfig);
   job_.settings.scan.every_layers = 0;
   job_.settings.planning.skirt.count = 3;
-  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  EXPECT_THROW(slice("curved"), InvalidConfig);
   job_.settings.planning.skirt.count = 0;
   job_.settings.planning.infill.strategy = "vase";
-  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  EXPECT_THROW(slice("curved"), InvalidConfig);
   job_.settings.planning.infill.strategy = "zigzag";
   job_.settings.slicing.first_layer_height_mm = 0.4;
-  EXPECT_THROW(slice(SlicingMode::Curved), InvalidConfig);
+  EXPECT_THROW(slice("curved"), InvalidConfig);
 }
 
 TEST_F(SlicingModes, AutoTakesNoModeThatOtherSettingsContradict) {
   useDome();
   job_.output = folder_.file("poses.csv");
   job_.settings.scan.every_layers = 3;
-  const SlicedPart sliced = slice(SlicingMode::Auto);
-  EXPECT_EQ(sliced.summary.mode, SlicingMode::Planar);
+  const SlicedPart sliced = slice("auto");
+  EXPECT_EQ(sliced.summary.mode, "planar");
   EXPECT_NE(sliced.summary.mode_reason.find("scan.every_layers"), std::string::npos);
 }
 
@@ -216,15 +217,15 @@ TEST_F(SlicingModes, ShellsThatBeginInTheAirAreReported) {
     return std::any_of(summary.notes.begin(), summary.notes.end(),
                        [](const std::string& note) { return note.find("laid on air") != std::string::npos; });
   };
-  EXPECT_TRUE(isTold(slice(SlicingMode::Curved).summary));
+  EXPECT_TRUE(isTold(slice("curved").summary));
   useDome();
-  EXPECT_FALSE(isTold(slice(SlicingMode::Curved).summary));
+  EXPECT_FALSE(isTold(slice("curved").summary));
 }
 
 TEST_F(SlicingModes, TheNozzleComesToACoatFromAbove) {
   usePart("box", {});
   job_.output = folder_.file("coat.gcode");
-  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  const SlicedPart sliced = slice("conformal");
   const Path& approach = sliced.toolpath.layers.front().paths.front();
   EXPECT_EQ(approach.role, PathRole::Travel);
   double highest = 0.0;
@@ -246,16 +247,43 @@ TEST_F(SlicingModes, LayersOnABaseStandWithItOnTheBed) {
   writeStl(job_.part, plate);
   job_.settings.conformal.base = folder_.file("base.stl");
   writeStl(job_.settings.conformal.base, base);
-  const SlicedPart sliced = slice(SlicingMode::Conformal);
+  const SlicedPart sliced = slice("conformal");
   EXPECT_EQ(sliced.summary.layers, 4U);
   EXPECT_NEAR((sliced.bed_from_part * Point3(0.0, 0.0, top)).z(), top, 1e-9) << "the base stands on the bed";
 }
 
 TEST_F(SlicingModes, GiveTheSameOnAnyNumberOfThreads) {
   usePart("sphere", {{"radius_mm", "5"}, {"segments", "32"}});
-  const std::string id = toolpathId(slice(SlicingMode::Curved).toolpath);
+  const std::string id = toolpathId(slice("curved").toolpath);
   const ThreadLimit limit(1);
-  EXPECT_EQ(toolpathId(slice(SlicingMode::Curved).toolpath), id);
+  EXPECT_EQ(toolpathId(slice("curved").toolpath), id);
+}
+
+TEST_F(SlicingModes, AnAddedModeIsChosenByItsName) {
+  SlicingMode lowest;
+  lowest.plan = [](SourcePart source, const PlanningRequest& request, Progress& progress) {
+    PlannedPart planned = slicingModes().find("planar").plan(std::move(source), request, progress);
+    planned.plan.toolpath.layers.resize(3);
+    planned.counts.layers = 3;
+    return planned;
+  };
+  lowest.shape = LayerShape::Plane;
+  const test::ScopedEntry<SlicingMode> entry(slicingModes(), "lowest", lowest);
+  useDome();
+  const JobSettings loaded = loadJobSettings("", {{"slicing.mode", "lowest"}});
+  const SlicedPart sliced = slice(loaded.slicing.mode);
+  EXPECT_EQ(sliced.toolpath.layers.size(), 3U);
+  EXPECT_EQ(sliced.summary.mode, "lowest");
+}
+
+TEST_F(SlicingModes, AnUnknownOneIsRefusedNamingThoseThereAre) {
+  try {
+    loadJobSettings("", {{"slicing.mode", "wavy"}});
+    FAIL() << "nothing thrown";
+  } catch (const InvalidConfig& error) {
+    for (const std::string& name : slicingModeNames())
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "support/random_toolpath.hpp"
+#include "support/scoped_entry.hpp"
 #include "support/toolpaths.hpp"
 
 namespace lamina {
@@ -123,6 +124,33 @@ TEST(ToolpathMetrics, ThePlatformNeitherComesFromHomeNorParks) {
   const ToolpathMetrics metrics = measure(program, settings);
   EXPECT_DOUBLE_EQ(metrics.control_energy_nm2_s, measure(straight({10.0}), settings).control_energy_nm2_s);
   EXPECT_GT(metrics.travel_mm, 10000.0);
+}
+
+TEST(ToolpathMetrics, ThoseAddedStandBehindTheNine) {
+  Metric layers;
+  layers.meaning = "Number of layers [1]";
+  layers.measure = [](const MetricRequest& request) {
+    return static_cast<double>(request.toolpath.layers.size());
+  };
+  const test::ScopedEntry<Metric> entry(toolpathMetrics(), "layers", layers);
+  ASSERT_EQ(metricNames().size(), 10U);
+  EXPECT_EQ(metricNames()[9], "layers");
+  EXPECT_EQ(metricMeanings()[9], "Number of layers [1]");
+  EXPECT_EQ(metricValues(measure(straight({10.0})))[9], 1.0);
+  EXPECT_EQ(metricValues(measure(straight({10.0}), onlyFor({"layers"}, {})))[9], 1.0);
+  EXPECT_TRUE(std::isnan(metricValues(measure(straight({10.0}), onlyFor({"travel_mm"}, {})))[9]));
+}
+
+TEST(ToolpathMetrics, AnAddedOneThatFailsIsNamed) {
+  Metric broken;
+  broken.measure = [](const MetricRequest&) -> double { throw InvalidInput("no layer"); };
+  const test::ScopedEntry<Metric> entry(toolpathMetrics(), "broken", broken);
+  try {
+    measure(straight({10.0}));
+    FAIL() << "nothing thrown";
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(), "metric 'broken': no layer");
+  }
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "support/planned_layers.hpp"
+#include "support/scoped_entry.hpp"
 #include "support/shapes.hpp"
 
 namespace lamina {
@@ -97,6 +99,47 @@ TEST(Planner, RefusesSettingsOutOfRange) {
   PlanSettings settings = plainSettings();
   settings.bead.width_mm = 0.0;
   EXPECT_THROW(plan(prism({rectangle(0, 0, 20, 20)}, 1), settings), InvalidConfig);
+}
+
+/// What `plan` throws where the fill of the second island of layer 1 throws.
+std::string messageOfFailingFill(const FillFunction& fails) {
+  InfillStrategy strategy;
+  strategy.fill = [&](const Regions& regions, const InfillRequest& request) {
+    return request.layer == 1 && request.island == 1 ? fails(regions, request) : std::vector<FillPath>();
+  };
+  const test::ScopedEntry<InfillStrategy> entry(infillStrategies(), "failing", strategy);
+  PlanSettings settings = plainSettings();
+  settings.infill.strategy = "failing";
+  try {
+    plan(prism({rectangle(0, 0, 20, 20), rectangle(30, 0, 50, 20)}, 3), settings);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  } catch (const Error& error) {
+    return std::string(toString(error.code())) + " " + error.what();
+  }
+  return "";
+}
+
+TEST(Planner, NamesLayerAndIslandThatCannotBeFilled) {
+  const FillFunction refuses = [](const Regions&, const InfillRequest&) -> std::vector<FillPath> {
+    throw InvalidInput("too many dots");
+  };
+  EXPECT_EQ(messageOfFailingFill(refuses), "layer 1 at 0.4 mm, island 1: too many dots");
+  const FillFunction breaks = [](const Regions&, const InfillRequest&) -> std::vector<FillPath> {
+    throw std::out_of_range("dot 7");
+  };
+  EXPECT_EQ(messageOfFailingFill(breaks), "Internal layer 1 at 0.4 mm, island 1: dot 7");
+}
+
+TEST(Planner, FillsByAStrategyThatWasAdded) {
+  InfillStrategy strategy;
+  strategy.fill = [](const Regions&, const InfillRequest&) {
+    return std::vector<FillPath>{{{{5, 10}, {15, 10}}, false, PathRole::Infill, Deposit::Bead, {}}};
+  };
+  const test::ScopedEntry<InfillStrategy> entry(infillStrategies(), "one_line", strategy);
+  PlanSettings settings = plainSettings();
+  settings.infill.strategy = "one_line";
+  EXPECT_NEAR(lengthOf(plan(prism({rectangle(0, 0, 20, 20)}, 3), settings), PathRole::Infill), 30.0, 1e-9);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/registry.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/fill_settings.hpp"
@@ -62,6 +63,9 @@ struct InfillStrategy {
   WallContact contact = WallContact::Beside;
   Deposit deposit = Deposit::Bead;  ///< drops cover the whole section: walls and skirt are of beads
 };
+
+/// All strategies, those of plug-ins too. Whoever adds one calls `infillStrategies().add("name", {...})`.
+Registry<InfillStrategy>& infillStrategies();
 
 /// The strategy of that name.
 /// @throws InvalidConfig if there is none, naming those there are

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/registry.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_frame.hpp"
@@ -31,10 +32,26 @@ struct PlacedToolpath {
 };
 
 /// Writes a toolpath in one format.
+/// @throws InvalidInput, InvalidConfig if the format cannot express it, before the first piece is written
 using OutputWriter =
     std::function<void(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink)>;
 
-/// The suffixes that choose a writer, with their dot: .csv, .gcode, .mod.
+/// Writes the file of that path, and others beside it, each whole or not at all.
+/// @throws as `OutputWriter`; FileError
+using FilesWriter = std::function<void(const std::string& path, const PlacedToolpath& placed,
+                                       const ProgramSettings& settings)>;
+
+/// A format of programs or toolpaths.
+struct ProgramWriter {
+  OutputWriter write;
+  FilesWriter write_files;  ///< of a format that may take several files; empty if it takes one
+};
+
+/// All formats by their suffix with its dot, those of plug-ins too. Whoever adds one calls
+/// `programWriters().add(".xyz", {...})`.
+Registry<ProgramWriter>& programWriters();
+
+/// The suffixes that choose a writer, with their dot: .csv, .gcode, .mod, and those of plug-ins.
 std::vector<std::string> outputSuffixes();
 
 /// The writer that the path's suffix chooses.

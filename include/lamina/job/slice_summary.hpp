@@ -10,7 +10,6 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/planner.hpp"
 #include "lamina/planning/seams/fill_starts.hpp"
-#include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/repositions.hpp"
 #include "lamina/verification/overhang/overhang_angle.hpp"
 
@@ -18,12 +17,12 @@ namespace lamina {
 
 /// What slicing a part gave, and what it took.
 struct SliceSummary {
-  SlicingMode mode = SlicingMode::Planar;  ///< that the layers were made by; never `Auto`
-  std::string mode_reason;                 ///< why it was chosen; empty if the settings name it
-  std::vector<std::string> notes;          ///< what to know of the layers and the tool, a sentence each
-  OverhangAngle lean;                      ///< of the part's walls over its layers
-  OrientationReport orientation;           ///< all zero if the nozzle is held as the slicer gave it
-  std::size_t triangles = 0;               ///< of the repaired mesh
+  std::string mode = "planar";     ///< that the layers were made by; never `auto`
+  std::string mode_reason;         ///< why it was chosen; empty if the settings name it
+  std::vector<std::string> notes;  ///< what to know of the layers and the tool, a sentence each
+  OverhangAngle lean;              ///< of the part's walls over its layers
+  OrientationReport orientation;   ///< all zero if the nozzle is held as the slicer gave it
+  std::size_t triangles = 0;       ///< of the repaired mesh
   std::size_t layers = 0;
   std::size_t contours = 0;       ///< closed ones, of all layers
   std::size_t open_contours = 0;  ///< none on a closed mesh

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lamina/base/settings.hpp"
@@ -86,8 +87,9 @@ struct PlatformRunSettings {
 /// How the nine metrics are taken.
 struct MetricsSettings {
   bool measures_surface = true;
-  bool simulates_platform = false;  ///< which takes longest by far
-  double speed_mm_s = 50.0;         ///< of every motion, instead of its feed; 0 for its feed
+  bool simulates_platform = false;    ///< which takes longest by far
+  std::vector<std::string> left_out;  ///< metrics of plug-ins that are not measured; no setting of its own
+  double speed_mm_s = 50.0;           ///< of every motion, instead of its feed; 0 for its feed
   double acceleration_mm_s2 = 1000.0;
   SurfaceFillSettings surface;
   VolumeErrorSettings volume;

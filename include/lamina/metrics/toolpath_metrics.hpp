@@ -3,11 +3,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/base/registry.hpp"
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -26,23 +29,51 @@ struct ToolpathMetrics {
   double control_energy_nm2_s = std::numeric_limits<double>::quiet_NaN();   ///< of the six-legged platform
   double linear_ise_mm2_s = std::numeric_limits<double>::quiet_NaN();       ///< of its nozzle's tip
   double rotational_ise_rad2_s = std::numeric_limits<double>::quiet_NaN();  ///< of its turns
+  std::map<std::string, double> added = {};  ///< what metrics of plug-ins gave, by name
 };
 
-/// The names of the fields, in their order.
-const std::vector<std::string>& metricNames();
+/// What a metric is measured on.
+struct MetricRequest {
+  const Toolpath& toolpath;  ///< in the frame of the part
+  const Mesh& part;          ///< closed, facing outwards
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
+  const MetricsSettings& settings;
+  const ToolpathMetrics& nine;  ///< as far as they are asked for
+};
 
-/// The fields in the order of `metricNames`.
+/// What has to be done for a metric; what none needs is not done.
+enum class MetricNeed {
+  Path,      ///< a walk along the toolpath
+  Surface,   ///< `measureSurfaceFill`
+  Platform,  ///< the simulated platform
+};
+
+/// One number that says how good a toolpath is for a part, to be small.
+struct Metric {
+  std::string meaning;  ///< a sentence with its unit
+  /// The same whatever the number of threads; not a number if it was not measured.
+  std::function<double(const MetricRequest& request)> measure;
+  MetricNeed need = MetricNeed::Path;
+};
+
+/// All metrics, those of plug-ins too. Whoever adds one calls `toolpathMetrics().add("name_unit", {...})`.
+Registry<Metric>& toolpathMetrics();
+
+/// The names of all metrics: the nine in their order, then those added, in alphabetical order.
+std::vector<std::string> metricNames();
+
+/// The values in the order of `metricNames`; of one that was not measured, not a number.
 std::vector<double> metricValues(const ToolpathMetrics& metrics);
 
 /// What each is, a sentence with its unit, in the order of `metricNames`.
-const std::vector<std::string>& metricMeanings();
+std::vector<std::string> metricMeanings();
 
 /// Measures a toolpath against the part that it is to make. The same whatever the number of threads.
 /// @param toolpath       in the frame of the part
 /// @param part           closed, facing outwards
 /// @param bed_from_part  [mm]; how the part is turned says which faces are level
 /// @param progress       stages "surface", and "simulate" if the platform is asked for
-/// @throws InvalidInput if a feed is not positive where it counts
+/// @throws InvalidInput if a feed is not positive where it counts; what an added metric throws, with its name
 /// @throws Unreachable if the platform is asked for and cannot follow
 /// @throws Cancelled
 ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
@@ -50,7 +81,7 @@ ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
                                 Progress& progress);
 
 /// The settings by which no more is done than these metrics need.
-/// @throws InvalidConfig if a name is none of `metricNames`
+/// @throws InvalidConfig if there is no metric of a name
 MetricsSettings onlyFor(const std::vector<std::string>& metrics, MetricsSettings settings);
 
 }  // namespace lamina

@@ -8,23 +8,6 @@
 
 namespace lamina {
 
-/// What kind of layers a part is cut into.
-enum class SlicingMode {
-  Planar,       ///< in parallel planes: level, or as `slicing.plane` says
-  Inclined,     ///< the same, where `slicing.plane` must incline them
-  Adapted,      ///< of a single wall that grows along the tool axis
-  Curved,       ///< equidistant to the part's lower and upper surface, level between them
-  Conformal,    ///< equidistant to a given base surface
-  HeightField,  ///< bent upwards to follow the part's upper side, for machines that cannot tilt
-  Auto,         ///< one of these, chosen by the part and the machine
-};
-
-/// As written in settings: "planar", "heightfield".
-const char* toString(SlicingMode mode);
-
-/// Whether its layers lie in parallel planes.
-bool hasPlaneLayers(SlicingMode mode);
-
 /// How the nozzle is held over inclined layers.
 enum class ToolAxis {
   Normal,  ///< along the layers' normal
@@ -40,12 +23,14 @@ struct PlaneSettings {
 
 /// How a part is cut into layers.
 struct SlicingSettings {
-  SlicingMode mode = SlicingMode::Planar;
+  /// Kind of layers, by its name; `slicingModes` holds those there are. The job describes its key.
+  std::string mode = "planar";
   PlaneSettings plane;
   double layer_height_mm = 0.2;
   double first_layer_height_mm = 0.2;
 };
 
+/// Adds the keys slicing.*, but for `slicing.mode`.
 void describe(SettingsSchema& schema, SlicingSettings& settings);
 
 }  // namespace lamina

@@ -16,8 +16,6 @@
 #include "infill/hilbert/hilbert_quadtree.hpp"
 #include "infill/rectilinear/hybrid.hpp"
 #include "infill/rectilinear/zigzag.hpp"
-#include "lamina/base/error.hpp"
-#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -28,8 +26,8 @@ InfillStrategy drops(const FillFunction& fill) {
   return {fill, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside, Deposit::Drops};
 }
 
-const std::map<std::string, InfillStrategy>& strategies() {
-  static const std::map<std::string, InfillStrategy> by_name = {
+std::map<std::string, InfillStrategy> builtInStrategies() {
+  return {
       {"contour", {contour, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"drops_contour", drops(dropsContour)},
       {"drops_dense", drops(dropsDense)},
@@ -42,7 +40,6 @@ const std::map<std::string, InfillStrategy>& strategies() {
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
   };
-  return by_name;
 }
 
 }  // namespace
@@ -52,17 +49,13 @@ bool isSolid(const InfillRequest& request) {
   return std::abs(request.spacing_mm - request.pitch_mm) < kRounding * request.pitch_mm;
 }
 
-InfillStrategy infillStrategy(const std::string& name) {
-  const auto found = strategies().find(name);
-  if (found != strategies().end()) return found->second;
-  throw InvalidConfig("infill.strategy is '" + name + "'; must be one of " +
-                      listed(infillStrategyNames(), " | "));
+Registry<InfillStrategy>& infillStrategies() {
+  static Registry<InfillStrategy> registry("infill.strategy", builtInStrategies());
+  return registry;
 }
 
-std::vector<std::string> infillStrategyNames() {
-  std::vector<std::string> names;
-  for (const auto& entry : strategies()) names.push_back(entry.first);
-  return names;
-}
+InfillStrategy infillStrategy(const std::string& name) { return infillStrategies().find(name); }
+
+std::vector<std::string> infillStrategyNames() { return infillStrategies().names(); }
 
 }  // namespace lamina

@@ -4,6 +4,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 
 namespace lamina {
@@ -21,7 +22,7 @@ void describe(SettingsSchema& schema, InputSettings& input) {
 /// Over inclined layers no line of a sensor lies level, and no loop round them keeps to the bed.
 void requireConsistentPlane(const JobSettings& settings) {
   const double angle_deg = settings.slicing.plane.angle_deg;
-  if (angle_deg == 0.0 && settings.slicing.mode == SlicingMode::Inclined)
+  if (angle_deg == 0.0 && settings.slicing.mode == "inclined")
     throw InvalidConfig(
         "slicing.mode is 'inclined' with slicing.plane.angle_deg 0; expected an angle above 0");
   if (angle_deg == 0.0) return;
@@ -37,17 +38,16 @@ void requireConsistentPlane(const JobSettings& settings) {
                         ": only level layers have a skirt");
 }
 
-bool takesFirstLayerHeight(SlicingMode mode) {
-  return mode != SlicingMode::Curved && mode != SlicingMode::Conformal;
+bool takesFirstLayerHeight(const std::string& mode) {
+  return slicingModes().find(mode).first_layer == FirstLayer::OwnHeight;
 }
 
 /// What means nothing over layers that are not plane, or cannot be done over them.
 void requirePlaneLayersFor(const JobSettings& settings) {
-  const SlicingMode mode = settings.slicing.mode;
-  if (hasPlaneLayers(mode) || mode == SlicingMode::Auto) return;
+  const std::string& mode = settings.slicing.mode;
+  if (mode == kAutoMode || hasPlaneLayers(mode)) return;
   const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
-    if (!is_met)
-      throw InvalidConfig(key_is + " with slicing.mode '" + toString(mode) + "'; expected " + expected);
+    if (!is_met) throw InvalidConfig(key_is + " with slicing.mode '" + mode + "'; expected " + expected);
   };
   const SlicingSettings usual;
   const SlicingSettings& slicing = settings.slicing;
@@ -83,6 +83,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
                            "Put the part in the middle of the bed, or where its file says.");
   describe(schema, settings.copies);
   describe(schema, settings.machine, "Machine that prints the part.");
+  schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
+                "Kind of layers; docs/modes.md distinguishes them.");
   describe(schema, settings.slicing);
   describe(schema, settings.adapted);
   describe(schema, settings.curved);

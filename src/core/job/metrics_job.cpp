@@ -29,7 +29,7 @@ JobSettings changed(JobSettings settings, const std::vector<SettingText>& overri
 }
 
 std::size_t indexOf(const std::string& metric) {
-  const std::vector<std::string>& names = metricNames();
+  const std::vector<std::string> names = metricNames();
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), metric) - names.begin());
 }
 

@@ -11,49 +11,56 @@
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "lamina/program/five_axis/five_axis_writer.hpp"
-#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/program/gcode/gcode_flavour.hpp"
 
 namespace lamina {
 namespace {
 
 void writeProgram(const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
-  if (!placed.joints) return writeGcode(placed.toolpath, placed.frame, settings, sink);
+  if (!placed.joints) return writeFlavoured(placed.toolpath, placed.frame, settings, sink);
   const FiveAxisMotion motion{placed.toolpath, placed.frame.bed_from_part, placed.joints->model,
                               placed.joints->path};
   writeFiveAxis(motion, settings.five_axis, settings, sink);
 }
 
-std::map<std::string, OutputWriter> registry() {
-  return {
-      {".csv", [](const PlacedToolpath& placed, const ProgramSettings&,
-                  const TextSink& sink) { writeCsv(placed.toolpath, sink); }},
-      {".gcode", writeProgram},
-      {".mod", [](const PlacedToolpath& placed, const ProgramSettings& settings,
-                  const TextSink& sink) { writeRapid(placed, settings.rapid, sink); }},
+std::map<std::string, ProgramWriter> builtInWriters() {
+  ProgramWriter csv;
+  csv.write = [](const PlacedToolpath& placed, const ProgramSettings&, const TextSink& sink) {
+    writeCsv(placed.toolpath, sink);
   };
+  ProgramWriter rapid;
+  rapid.write = [](const PlacedToolpath& placed, const ProgramSettings& settings, const TextSink& sink) {
+    writeRapid(placed, settings.rapid, sink);
+  };
+  rapid.write_files = [](const std::string& path, const PlacedToolpath& placed,
+                         const ProgramSettings& settings) { writeRapidFiles(path, placed, settings.rapid); };
+  return {{".csv", csv}, {".gcode", {writeProgram, {}}}, {".mod", rapid}};
 }
 
-}  // namespace
-
-std::vector<std::string> outputSuffixes() {
-  std::vector<std::string> suffixes;
-  for (const auto& entry : registry()) suffixes.push_back(entry.first);
-  return suffixes;
-}
-
-OutputWriter outputWriterFor(const std::string& path) {
-  const auto writers = registry();
-  const auto found = writers.find(std::filesystem::path(path).extension().string());
-  if (found != writers.end()) return found->second;
+/// @throws InvalidInput if the suffix chooses none
+ProgramWriter programWriterFor(const std::string& path) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  if (programWriters().has(suffix)) return programWriters().find(suffix);
   throw InvalidInput("output '" + path + "' has no suffix that chooses a writer; must be one of " +
                      listed(outputSuffixes()));
 }
 
+}  // namespace
+
+Registry<ProgramWriter>& programWriters() {
+  static Registry<ProgramWriter> registry("the output's suffix", builtInWriters());
+  return registry;
+}
+
+std::vector<std::string> outputSuffixes() { return programWriters().names(); }
+
+OutputWriter outputWriterFor(const std::string& path) { return programWriterFor(path).write; }
+
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings) {
-  const OutputWriter write = outputWriterFor(path);
-  if (isRapidFile(path)) return writeRapidFiles(path, placed, settings.rapid);
+  const ProgramWriter writer = programWriterFor(path);
+  if (writer.write_files) return writer.write_files(path, placed, settings);
   AtomicFile file(path);
-  write(placed, settings, [&file](std::string_view piece) { file.write(piece); });
+  writer.write(placed, settings, [&file](std::string_view piece) { file.write(piece); });
   file.commit();
 }
 

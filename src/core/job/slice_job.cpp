@@ -46,7 +46,7 @@ SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
 
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
   job.settings.slicing.plane = {};
-  job.settings.slicing.mode = SlicingMode::Planar;
+  job.settings.slicing.mode = "planar";
   validate(job.settings);
   return runSliceJob(job, withUprightHead(machineOf(job.settings.machine)), progress);
 }

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
-#include "lamina/base/error.hpp"
+#include "lamina/base/error_place.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/metrics/surface_fill.hpp"
@@ -17,33 +20,44 @@ namespace lamina {
 namespace {
 
 /// One of the nine.
-struct Metric {
+struct NamedField {
   const char* name;
   double ToolpathMetrics::*value;
   const char* meaning;
+  MetricNeed need = MetricNeed::Path;
 };
 
-constexpr std::array<Metric, 9> kMetrics{{
+constexpr std::array<NamedField, 9> kNine{{
     {"print_time_s", &ToolpathMetrics::print_time_s, "Time from rest to rest on every motion [s]"},
     {"material_mm", &ToolpathMetrics::material_mm, "Length along which material is deposited [mm]"},
     {"travel_mm", &ToolpathMetrics::travel_mm, "Length along which none is deposited [mm]"},
-    {"under_fill_mm2", &ToolpathMetrics::under_fill_mm2, "Surface that no bead covers [mm2]"},
-    {"over_fill_mm2", &ToolpathMetrics::over_fill_mm2, "Surface that beads cover twice [mm2]"},
+    {"under_fill_mm2", &ToolpathMetrics::under_fill_mm2, "Surface that no bead covers [mm2]",
+     MetricNeed::Surface},
+    {"over_fill_mm2", &ToolpathMetrics::over_fill_mm2, "Surface that beads cover twice [mm2]",
+     MetricNeed::Surface},
     {"volume_error_mm3", &ToolpathMetrics::volume_error_mm3,
      "Between the volume deposited and the volume asked for [mm3]"},
     {"control_energy_nm2_s", &ToolpathMetrics::control_energy_nm2_s,
-     "Squared torques of the six-legged platform over time [(N m)2 s]"},
+     "Squared torques of the six-legged platform over time [(N m)2 s]", MetricNeed::Platform},
     {"linear_ise_mm2_s", &ToolpathMetrics::linear_ise_mm2_s,
-     "Squared error of its nozzle's tip over time [mm2 s]"},
+     "Squared error of its nozzle's tip over time [mm2 s]", MetricNeed::Platform},
     {"rotational_ise_rad2_s", &ToolpathMetrics::rotational_ise_rad2_s,
-     "Squared errors of its turns over time [rad2 s]"},
+     "Squared errors of its turns over time [rad2 s]", MetricNeed::Platform},
 }};
 
-std::vector<std::string> textsOf(const char* Metric::*text) {
-  std::vector<std::string> texts;
-  texts.reserve(kMetrics.size());
-  for (const Metric& metric : kMetrics) texts.emplace_back(metric.*text);
-  return texts;
+std::map<std::string, Metric> builtInMetrics() {
+  std::map<std::string, Metric> metrics;
+  for (const NamedField& field : kNine)
+    metrics[field.name] = {
+        field.meaning, [value = field.value](const MetricRequest& request) { return request.nine.*value; },
+        field.need};
+  return metrics;
+}
+
+const NamedField* fieldOf(const std::string& name) {
+  const auto found =
+      std::find_if(kNine.begin(), kNine.end(), [&](const NamedField& field) { return name == field.name; });
+  return found != kNine.end() ? &*found : nullptr;
 }
 
 void addMotion(ToolpathMetrics& metrics, const Path& path, std::size_t motion,
@@ -114,22 +128,57 @@ void simulate(ToolpathMetrics& metrics, const Toolpath& toolpath, const Eigen::I
   metrics.rotational_ise_rad2_s = figures.rotational_ise_rad2_s;
 }
 
+/// Those of plug-ins. One whose need was not asked for is left out.
+std::map<std::string, double> measureAdded(const MetricRequest& request) {
+  std::map<std::string, double> values;
+  for (const std::string& name : toolpathMetrics().names()) {
+    const std::vector<std::string>& left_out = request.settings.left_out;
+    const bool is_left_out = std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+    if (fieldOf(name) != nullptr || is_left_out) continue;
+    const Metric metric = toolpathMetrics().find(name);
+    if (metric.need == MetricNeed::Surface && !request.settings.measures_surface) continue;
+    if (metric.need == MetricNeed::Platform && !request.settings.simulates_platform) continue;
+    try {
+      values[name] = metric.measure(request);
+    } catch (...) {
+      rethrowAt("metric '" + name + "'");
+    }
+  }
+  return values;
+}
+
 }  // namespace
 
-const std::vector<std::string>& metricNames() {
-  static const std::vector<std::string> names = textsOf(&Metric::name);
+Registry<Metric>& toolpathMetrics() {
+  static Registry<Metric> registry("the metric", builtInMetrics());
+  return registry;
+}
+
+std::vector<std::string> metricNames() {
+  std::vector<std::string> names;
+  for (const NamedField& field : kNine) names.emplace_back(field.name);
+  for (std::string& name : toolpathMetrics().names())
+    if (fieldOf(name) == nullptr) names.push_back(std::move(name));
   return names;
 }
 
-const std::vector<std::string>& metricMeanings() {
-  static const std::vector<std::string> meanings = textsOf(&Metric::meaning);
+std::vector<std::string> metricMeanings() {
+  std::vector<std::string> meanings;
+  for (const std::string& name : metricNames()) meanings.push_back(toolpathMetrics().find(name).meaning);
   return meanings;
 }
 
 std::vector<double> metricValues(const ToolpathMetrics& metrics) {
   std::vector<double> values;
-  values.reserve(kMetrics.size());
-  for (const Metric& metric : kMetrics) values.push_back(metrics.*metric.value);
+  for (const std::string& name : metricNames()) {
+    const NamedField* field = fieldOf(name);
+    const auto added = metrics.added.find(name);
+    if (field != nullptr)
+      values.push_back(metrics.*field->value);
+    else
+      values.push_back(added != metrics.added.end() ? added->second
+                                                    : std::numeric_limits<double>::quiet_NaN());
+  }
   return values;
 }
 
@@ -147,18 +196,21 @@ ToolpathMetrics measureToolpath(const Toolpath& toolpath, const Mesh& part,
     metrics.over_fill_mm2 = fill.over_fill_mm2;
   }
   if (settings.simulates_platform) simulate(metrics, toolpath, bed_from_part, settings, progress);
+  metrics.added = measureAdded({toolpath, part, bed_from_part, settings, metrics});
   return metrics;
 }
 
 MetricsSettings onlyFor(const std::vector<std::string>& metrics, MetricsSettings settings) {
   settings.measures_surface = settings.simulates_platform = false;
+  settings.left_out = toolpathMetrics().names();
   for (const std::string& name : metrics) {
-    const auto metric = std::find(metricNames().begin(), metricNames().end(), name);
-    if (metric == metricNames().end())
+    if (!toolpathMetrics().has(name))
       throw InvalidConfig("there is no metric '" + name + "'; expected one of " + listed(metricNames()));
-    const auto index = metric - metricNames().begin();
-    settings.measures_surface = settings.measures_surface || index == 3 || index == 4;
-    settings.simulates_platform = settings.simulates_platform || index > 5;
+    const MetricNeed need = toolpathMetrics().find(name).need;
+    settings.left_out.erase(std::remove(settings.left_out.begin(), settings.left_out.end(), name),
+                            settings.left_out.end());
+    settings.measures_surface = settings.measures_surface || need == MetricNeed::Surface;
+    settings.simulates_platform = settings.simulates_platform || need == MetricNeed::Platform;
   }
   return settings;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/error_place.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
@@ -27,6 +29,7 @@
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/order/anchored_run.hpp"
+#include "lamina/slicing/layer_place.hpp"
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
 #include "planning/order/ordering.hpp"
@@ -171,7 +174,8 @@ class LayerPlanner {
     infill_ = infillSpacing(settings_.infill, pitch_, {index, context.layer_count});
   }
 
-  PlannedLayer plan(const std::vector<Polygon>& contours) && {
+  /// Once only.
+  PlannedLayer plan(const std::vector<Polygon>& contours) {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
     if (index_ == 0 && !laysDrops() && !context_.bed)
       for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
@@ -184,12 +188,19 @@ class LayerPlanner {
     for (const OrderedRun& next : orderRuns(islands, nozzle_)) {
       const Region& island = material[next.run];
       island_ = next.run;
+      is_in_island_ = true;
       const std::size_t before = result_.paths.size();
       const double unprinted = addIsland(island);
       unprinted_mm2_ += result_.paths.size() > before ? unprinted : area({island});
     }
+    is_in_island_ = false;
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
     return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0};
+  }
+
+  /// What is being planned, for messages.
+  std::string place() const {
+    return layerPlace(index_, top_) + (is_in_island_ ? ", island " + std::to_string(island_) : "");
   }
 
  private:
@@ -369,6 +380,7 @@ class LayerPlanner {
   const PlanSettings& settings_;
   std::size_t index_;
   std::size_t island_ = 0;
+  bool is_in_island_ = false;
   Point2 nozzle_;
   Seam seam_;
   double top_;
@@ -389,7 +401,12 @@ class LayerPlanner {
 /// the layer before.
 /// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
 PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context) {
-  return LayerPlanner(stacked, index, context).plan(stacked.layer->section.contours);
+  LayerPlanner planner(stacked, index, context);
+  try {
+    return planner.plan(stacked.layer->section.contours);
+  } catch (...) {
+    rethrowAt(planner.place());
+  }
 }
 
 PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& settings) {
@@ -489,6 +506,18 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   return planned;
 }
 
+/// Brings a layer that was planned in a plan to where it is deposited.
+void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) {
+  const double top_mm = planned.layer.z_mm;
+  try {
+    LiftedLayer lifted = lift(index, std::move(planned.layer));
+    planned.layer = std::move(lifted.layer);
+    planned.left_out_mm3 = lifted.left_out_mm3;
+  } catch (...) {
+    rethrowAt(layerPlace(index, top_mm));
+  }
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
   const PlanContext context = wallContext(of_settings);
   const std::size_t base_layers = baseLayers(context);
@@ -498,10 +527,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
       layers.size(),
       [&](std::size_t i) {
         planned[i] = planAnywhere(stackedAt(layers, i), i, i < base_layers ? base : context);
-        if (!context.lift) return;
-        LiftedLayer lifted = context.lift(i, std::move(planned[i].layer));
-        planned[i].layer = std::move(lifted.layer);
-        planned[i].left_out_mm3 = lifted.left_out_mm3;
+        if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));

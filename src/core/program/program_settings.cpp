@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/program_settings.hpp"
 
+#include "lamina/program/gcode/gcode_flavour.hpp"
+
 namespace lamina {
 
 void describe(SettingsSchema& schema, ProgramSettings& settings) {
+  schema.choice("program.flavour", settings.flavour, gcodeFlavours().names(),
+                "Flavour of G-code for machines with linear axes.");
   schema.number("program.filament_diameter_mm", settings.filament_diameter_mm, {0.0, 20.0, true},
                 "Diameter of the filament.");
   schema.number("program.flow", settings.flow, {0.0, 10.0, true}, "Factor on all extrusion.");

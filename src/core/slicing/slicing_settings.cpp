@@ -2,22 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/slicing/slicing_settings.hpp"
 
-#include <utility>
-#include <vector>
-
 namespace lamina {
-
 namespace {
-
-std::vector<std::pair<std::string, SlicingMode>> modes() {
-  return {{"planar", SlicingMode::Planar},
-          {"inclined", SlicingMode::Inclined},
-          {"adapted", SlicingMode::Adapted},
-          {"curved", SlicingMode::Curved},
-          {"conformal", SlicingMode::Conformal},
-          {"heightfield", SlicingMode::HeightField},
-          {"auto", SlicingMode::Auto}};
-}
 
 void describe(SettingsSchema& schema, PlaneSettings& plane) {
   schema.number("slicing.plane.angle_deg", plane.angle_deg, {0.0, 75.0, false},
@@ -32,31 +18,7 @@ void describe(SettingsSchema& schema, PlaneSettings& plane) {
 
 }  // namespace
 
-const char* toString(SlicingMode mode) {
-  switch (mode) {
-    case SlicingMode::Planar:
-      return "planar";
-    case SlicingMode::Inclined:
-      return "inclined";
-    case SlicingMode::Adapted:
-      return "adapted";
-    case SlicingMode::Curved:
-      return "curved";
-    case SlicingMode::Conformal:
-      return "conformal";
-    case SlicingMode::HeightField:
-      return "heightfield";
-    case SlicingMode::Auto:
-      return "auto";
-  }
-  return "";
-}
-
-bool hasPlaneLayers(SlicingMode mode) { return mode == SlicingMode::Planar || mode == SlicingMode::Inclined; }
-
 void describe(SettingsSchema& schema, SlicingSettings& settings) {
-  schema.choice<SlicingMode>("slicing.mode", settings.mode, modes(),
-                             "Kind of layers; docs/modes.md distinguishes them.");
   const Bounds height{0.0, 10.0, true};
   schema.number("slicing.layer_height_mm", settings.layer_height_mm, height,
                 "Height of every layer but the first.");

@@ -14,6 +14,7 @@
 #include "lamina/job/program_file.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"
 
@@ -76,8 +77,8 @@ void DepositionSimulator::onGoal(const Goal& goal) {
     result = simulate(goal, progress);
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot lay '" << (goal.program.empty() ? goal.toolpath_id : goal.program)
-                                    << "': " << toString(failure.code) << ": " << failure.message);
+    const std::string& subject = goal.program.empty() ? goal.toolpath_id : goal.program;
+    ROS_ERROR_STREAM(refusalText({"lay", subject, goal.output}, failure));
     result = {};
     result.status = toMessage(failure);
   }

@@ -18,6 +18,7 @@
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "markers/toolpath_markers.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
@@ -86,8 +87,7 @@ GcodeIncliner::Answer GcodeIncliner::answer(const Request& request, Progress& pr
     return given;
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot incline '" << request.program << "': " << toString(failure.code) << ": "
-                                        << failure.message);
+    ROS_ERROR_STREAM(refusalText({"incline", request.program, request.output}, failure));
     Answer refused;
     refused.status = toMessage(failure);
     return refused;

@@ -7,8 +7,9 @@
 
 #include "conversions.hpp"
 #include "lamina/base/clock.hpp"
-#include "lamina/program/gcode/gcode_writer.hpp"
+#include "lamina/program/gcode/gcode_flavour.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
 #include "stream_messages.hpp"
@@ -157,7 +158,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   std::string text;
   ProgramFrame frame(placed.bed_from_part);
   frame.program_from_bed = programFromBed(machine_);
-  writeGcode(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
+  writeFlavoured(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
   return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream.max_line_bytes);
 }
 
@@ -170,7 +171,7 @@ void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
     action_.setSucceeded(result);
     return;
   }
-  ROS_ERROR("not streamed: %s: %s", toString(status.failure.code), status.failure.message.c_str());
+  ROS_ERROR_STREAM(refusalText({"stream", job_, ""}, status.failure));
   if (action_.isPreemptRequested()) {
     action_.setPreempted(result, status.failure.message);
   } else {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "startup_service.hpp"
 
+#include <ros/console.h>
+
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "startup_messages.hpp"
 #include "status.hpp"
 
@@ -26,7 +29,10 @@ bool StartupService::onRequest(Request& request, Response& response) {
   try {
     follow(request);
   } catch (...) {
-    response.status = toMessage(currentFailure());
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText(
+        {"follow the start-up request for step", request.step.empty() ? "all" : request.step, ""}, failure));
+    response.status = toMessage(failure);
   }
   response.steps = toMessages(startup_.steps());
   return true;

@@ -12,6 +12,7 @@
 #include "lamina/study/study_reader.hpp"
 #include "names.hpp"
 #include "optimiser_settings.hpp"
+#include "refusal_text.hpp"
 #include "status.hpp"
 
 namespace lamina {
@@ -21,6 +22,11 @@ namespace {
 Study studyFrom(const std::string& path_or_text) {
   const bool is_text = path_or_text.find('\n') != std::string::npos;
   return is_text ? readStudy(path_or_text, "study", "") : readStudyFile(path_or_text);
+}
+
+/// As logs name it: its path, or that it came as a text.
+std::string studyName(const std::string& path_or_text) {
+  return path_or_text.find('\n') != std::string::npos ? "given as a text" : path_or_text;
 }
 
 StudyJob jobFrom(const lamina_msgs::OptimiseGoal& goal, const std::vector<SettingText>& search) {
@@ -51,7 +57,7 @@ void Optimiser::onGoal(const Goal& goal) {
     result = run(goal, feedback);
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot run the study: " << toString(failure.code) << ": " << failure.message);
+    ROS_ERROR_STREAM(refusalText({"run the study", studyName(goal.study), goal.output}, failure));
     result = {};
     result.status = toMessage(failure);
   }

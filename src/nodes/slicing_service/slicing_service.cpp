@@ -12,6 +12,7 @@
 #include "markers/region_markers.hpp"
 #include "markers/toolpath_markers.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
@@ -72,8 +73,7 @@ SlicingService::Answer SlicingService::answer(const Request& request, Progress& 
     return given;
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot slice '" << request.part << "': " << toString(failure.code) << ": "
-                                      << failure.message);
+    ROS_ERROR_STREAM(refusalText({"slice", request.part, request.output}, failure));
     Answer refused;
     refused.status = toMessage(failure);
     return refused;

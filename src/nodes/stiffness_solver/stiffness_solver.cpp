@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/stiffness_job.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"
 #include "stiffness_messages.hpp"
@@ -31,8 +32,7 @@ void StiffnessSolver::onGoal(const Goal& goal) {
     result = compute(goal, progress);
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot put '" << goal.part << "' under load: " << toString(failure.code) << ": "
-                                    << failure.message);
+    ROS_ERROR_STREAM(refusalText({"put under load", goal.part, goal.output}, failure));
     result = {};
     result.status = toMessage(failure);
   }

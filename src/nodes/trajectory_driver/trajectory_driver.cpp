@@ -8,6 +8,7 @@
 #include "joint_messages.hpp"
 #include "markers/check_markers.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
 
@@ -99,7 +100,7 @@ void TrajectoryDriver::onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal
         status.feeding.least_queued_s);
     action_.setSucceeded(result);
   } else {
-    ROS_ERROR("not driven: %s: %s", toString(status.failure.code), status.failure.message.c_str());
+    ROS_ERROR_STREAM(refusalText({"drive toolpath", goal->toolpath_id, ""}, status.failure));
     if (action_.isPreemptRequested())
       action_.setPreempted(result, status.failure.message);
     else

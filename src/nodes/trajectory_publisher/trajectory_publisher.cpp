@@ -12,6 +12,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "status.hpp"
 #include "trajectory_messages.hpp"
 
@@ -119,8 +120,7 @@ bool TrajectoryPublisher::onLoadProgram(lamina_msgs::LoadProgram::Request& reque
     response.toolpath_id = load(request.program);
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR("program '%s' refused: %s: %s", request.program.c_str(), toString(failure.code),
-              failure.message.c_str());
+    ROS_ERROR_STREAM(refusalText({"show program", request.program, ""}, failure));
     response.status = toMessage(failure);
   }
   return true;
@@ -140,7 +140,7 @@ void TrajectoryPublisher::onToolpath(const lamina_msgs::ToolpathConstPtr& messag
     accept(fromMessage(*message));
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR("toolpath refused: %s: %s", toString(failure.code), failure.message.c_str());
+    ROS_ERROR_STREAM(refusalText({"show toolpath", message->id, ""}, failure));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "service_progress.hpp"
 #include "status.hpp"
@@ -29,8 +30,7 @@ bool VoidFiller::onService(lamina_msgs::FillVoids::Request& request,
                                << " drops added");
   } catch (...) {
     const Failure failure = currentFailure();
-    ROS_ERROR_STREAM("cannot fill the voids of '" << request.program << "': " << toString(failure.code)
-                                                  << ": " << failure.message);
+    ROS_ERROR_STREAM(refusalText({"fill the voids of", request.program, request.output}, failure));
     response = {};
     response.status = toMessage(failure);
   }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "lamina/base/settings.hpp"
 
 namespace lamina {
 
-/// How a program is streamed to Marlin firmware.
+/// How a program is streamed to firmware.
 struct StreamSettings {
+  std::string firmware = "marlin";  ///< what it speaks, by its name (`firmwareProtocols`)
   int window_bytes = 127;         ///< sent and not yet acknowledged; less than the firmware's receive buffer
   int window_lines = 4;           ///< sent and not yet acknowledged; the firmware's command queue (BUFSIZE)
   int max_line_bytes = 96;        ///< the firmware's longest line (MAX_CMD_SIZE)
@@ -26,7 +29,7 @@ struct StreamSettings {
 /// Adds the keys stream.*.
 void describe(SettingsSchema& schema, StreamSettings& settings);
 
-/// @throws InvalidConfig if a line would not fit into the window
+/// @throws InvalidConfig if a line would not fit into the window, or nothing speaks to the firmware
 void validate(const StreamSettings& settings);
 
 }  // namespace lamina

@@ -36,8 +36,9 @@ struct StreamStatus {
 /// Given every line the machine says, as it comes.
 using ReplyListener = std::function<void(const MarlinReply&)>;
 
-/// Streams one program to Marlin firmware: a state machine without input, output or time of its own. Bytes,
-/// times and commands go in, bytes to send come out; times are seconds since any start and never go back.
+/// Streams one program to firmware (`stream.firmware`): a state machine without input, output or time of its
+/// own. Bytes, times and commands go in, bytes to send come out; times are seconds since any start and never
+/// go back.
 ///
 /// Life: Idle, `start`, Starting (line numbers are set and confirmed), Execute, Completing (the machine has
 /// every line and finishes its motions), Complete. `pause` leads through Holding, when the lines under way
@@ -49,6 +50,7 @@ using ReplyListener = std::function<void(const MarlinReply&)>;
 class Streamer {
  public:
   /// @param heard  may be empty
+  /// @throws InvalidConfig as `validate` of the settings
   Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
   ~Streamer();
   Streamer(const Streamer&) = delete;

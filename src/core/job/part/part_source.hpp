@@ -3,22 +3,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "lamina/geometry/mesh/mesh.hpp"
-#include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/job/job_settings.hpp"
+#include "lamina/job/part/source_part.hpp"
 
 namespace lamina {
 
-/// A part fit to be sliced, and what was changed to make it so.
-struct SourcePart {
-  Mesh mesh;
-  MeshTopology topology;  ///< of the mesh; without border
-  std::vector<std::string> repairs;
-  Mesh base;  ///< what it is laid on, in its frame; empty for the bed
-};
-
+/// Reads a part and makes it fit to be sliced.
 /// @param part  name of a parametric part, otherwise path of a mesh file
 /// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
 /// FileError

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "job/laps.hpp"
+#include "lamina/base/error_place.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/parameterization/chart_outline.hpp"
 #include "lamina/parameterization/layer_charts.hpp"
 #include "lamina/parameterization/layer_volume.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
+#include "lamina/slicing/layer_place.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 
 namespace lamina {
@@ -61,6 +64,20 @@ ChartedLayer charted(StackedSurface layer, const FlatteningSettings& settings) {
   return result;
 }
 
+/// Names the layer where it cannot be laid out flat.
+ChartedLayer chartedAt(std::size_t index, StackedSurface layer, const FlatteningSettings& settings) {
+  double highest_mm = layer.plane.bounds.top_mm;
+  for (const Point3& tip : layer.surface.tip) highest_mm = std::max(highest_mm, tip.z());
+  const std::string place = layerPlace(index, highest_mm);
+  try {
+    return charted(std::move(layer), settings);
+  } catch (const Unsliceable& refusal) {
+    throw Unsliceable(place + ": " + refusal.what(), refusal.region());
+  } catch (...) {
+    rethrowAt(place);
+  }
+}
+
 LayerCounts countsOf(const std::vector<ChartedLayer>& layers) {
   LayerCounts counts;
   counts.layers = layers.size();
@@ -90,8 +107,9 @@ PlannedPart planStack(std::vector<StackedSurface> stack, const PlanningRequest& 
   Laps laps;
   std::vector<ChartedLayer> layers(stack.size());
   parallelFor(
-      layers.size(), [&](std::size_t i) { layers[i] = charted(std::move(stack[i]), settings.flattening); },
-      progress, "flatten");
+      layers.size(),
+      [&](std::size_t i) { layers[i] = chartedAt(i, std::move(stack[i]), settings.flattening); }, progress,
+      "flatten");
   PlannedPart planned;
   planned.counts = countsOf(layers);
   planned.counts.slice_s = laps.lap();

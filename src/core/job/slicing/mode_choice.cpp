@@ -70,20 +70,20 @@ std::vector<ModeChoice> modesBySurface(const Mesh& mesh, const SliceJob& job) {
   const std::string gentle =
       percent(slopes.gentle_mm2, slopes.area_mm2) + " of the surface slopes gently (1 to 45 deg from level)";
   if (slopes.gentle_mm2 < kLeastGentleShare * slopes.area_mm2)
-    return {{SlicingMode::Planar, gentle + ", too little for curved layers to pay"}};
+    return {{"planar", gentle + ", too little for curved layers to pay"}};
   std::vector<ModeChoice> modes;
   const bool lies_on_bed = slopes.hanging_mm2 <= kMostHangingShare * slopes.area_mm2;
   if (maySteer(job) && lies_on_bed)
-    modes.push_back({SlicingMode::Curved, gentle + ", and the output is poses, so that the nozzle may tilt"});
+    modes.push_back({"curved", gentle + ", and the output is poses, so that the nozzle may tilt"});
   if (slopes.followed_mm2 >= kLeastFollowedShare * slopes.upper_mm2 && slopes.followed_mm2 > 0.0)
-    modes.push_back({SlicingMode::HeightField, gentle + ", and bent layers can follow " +
-                                                   percent(slopes.followed_mm2, slopes.upper_mm2) +
-                                                   " of what of it faces up"});
+    modes.push_back({"heightfield", gentle + ", and bent layers can follow " +
+                                        percent(slopes.followed_mm2, slopes.upper_mm2) +
+                                        " of what of it faces up"});
   const std::string hanging = lies_on_bed ? ""
                                           : ", and curved layers would begin in the air, for " +
                                                 percent(slopes.hanging_mm2, slopes.area_mm2) +
                                                 " of the surface faces down above the bed";
-  modes.push_back({SlicingMode::Planar, gentle + ", but bent layers cannot follow it" + hanging});
+  modes.push_back({"planar", gentle + ", but bent layers cannot follow it" + hanging});
   return modes;
 }
 
@@ -91,16 +91,15 @@ std::vector<ModeChoice> modesBySurface(const Mesh& mesh, const SliceJob& job) {
 
 std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job) {
   const JobSettings& settings = job.settings;
-  if (!settings.conformal.base.empty()) return {{SlicingMode::Conformal, "conformal.base is set"}};
-  if (settings.slicing.plane.angle_deg != 0.0)
-    return {{SlicingMode::Inclined, "slicing.plane.angle_deg is not 0"}};
+  if (!settings.conformal.base.empty()) return {{"conformal", "conformal.base is set"}};
+  if (settings.slicing.plane.angle_deg != 0.0) return {{"inclined", "slicing.plane.angle_deg is not 0"}};
   if (!isLoneWall(settings.planning)) return modesBySurface(mesh, job);
   const OverhangAngle lean = overhangAngle(
       mesh, Point3::UnitZ(), {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   std::vector<ModeChoice> modes;
   if (lean.steepest_rad > 0.0 && maySteer(job))
-    modes.push_back({SlicingMode::Adapted, "a lone wall is asked for, and it leans outwards"});
-  modes.push_back({SlicingMode::Planar, "a lone wall is asked for, and layers are not adapted to it"});
+    modes.push_back({"adapted", "a lone wall is asked for, and it leans outwards"});
+  modes.push_back({"planar", "a lone wall is asked for, and layers are not adapted to it"});
   return modes;
 }
 

@@ -12,7 +12,7 @@ namespace lamina {
 
 /// A mode and why it suits a part, a sentence without full stop.
 struct ModeChoice {
-  SlicingMode mode = SlicingMode::Planar;
+  std::string mode = "planar";
   std::string reason;
 };
 

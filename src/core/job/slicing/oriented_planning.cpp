@@ -37,12 +37,13 @@ bool needsPart(const JobSettings& settings) {
 }
 
 /// A refusal gets the part that its region is shown on.
-PlannedPart planShown(SourcePart source, SlicingMode mode, const PlanningRequest& request,
+PlannedPart planShown(SourcePart source, const std::string& mode, const PlanningRequest& request,
                       Progress& progress) {
-  if (hasPlaneLayers(mode)) return planByMode(std::move(source), mode, request, progress);
+  const SlicingMode by = slicingModes().find(mode);
+  if (by.shape == LayerShape::Plane) return by.plan(std::move(source), request, progress);
   const Mesh part = source.mesh;
   try {
-    return planByMode(std::move(source), mode, request, progress);
+    return by.plan(std::move(source), request, progress);
   } catch (Unsliceable& refusal) {
     throw std::move(refusal).on(part);
   }
@@ -64,7 +65,7 @@ PlannedPart planByBestMode(const SourcePart& source, const PlanningRequest& requ
       return planned;
     } catch (const InvalidInput& refusal) {
       if (choice.mode == modes.back().mode) throw;
-      refusals += std::string("; not ") + toString(choice.mode) + ": " + refusal.what();
+      refusals += "; not " + choice.mode + ": " + refusal.what();
     }
   }
   throw InvalidMesh("no slicing mode takes the part" + refusals);
@@ -77,7 +78,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   const JobSettings& settings = request.job.settings;
   const Mesh part = needsPart(settings) ? source.mesh : Mesh();
   summary.mode = settings.slicing.mode;
-  PlannedPart planned = settings.slicing.mode == SlicingMode::Auto
+  PlannedPart planned = settings.slicing.mode == kAutoMode
                             ? planByBestMode(source, request, summary, progress)
                             : planShown(std::move(source), settings.slicing.mode, request, progress);
   addPlanned(summary, planned);

@@ -2,14 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job/slicing/part_planning.hpp"
 
-#include <filesystem>
-#include <utility>
-
-#include "lamina/base/error.hpp"
-
 namespace lamina {
-
-std::string PlanningRequest::partName() const { return std::filesystem::path(job.part).stem().string(); }
 
 LayerCounts countsOf(const std::vector<Layer>& layers) {
   LayerCounts counts;
@@ -20,25 +13,6 @@ LayerCounts countsOf(const std::vector<Layer>& layers) {
     counts.sliced_volume_mm3 += signedArea(layer.section.contours) * layer.bounds.height();
   }
   return counts;
-}
-
-PlannedPart planByMode(SourcePart source, SlicingMode mode, const PlanningRequest& request,
-                       Progress& progress) {
-  switch (mode) {
-    case SlicingMode::Planar:
-    case SlicingMode::Inclined:
-      return planPlanar(std::move(source), request, progress);
-    case SlicingMode::Curved:
-      return planCurved(std::move(source), request, progress);
-    case SlicingMode::Adapted:
-      return planAdapted(std::move(source), request, progress);
-    case SlicingMode::Conformal:
-      return planConformal(std::move(source), request, progress);
-    case SlicingMode::HeightField:
-      return planHeightField(std::move(source), request, progress);
-    default:
-      throw InvalidConfig(std::string("slicing.mode '") + toString(mode) + "' cannot be planned");
-  }
 }
 
 }  // namespace lamina

@@ -11,6 +11,7 @@
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
@@ -95,9 +96,10 @@ void requireToolAxisFor(const SliceJob& job, const CartesianMachine& machine) {
 
 SourcePart readSource(const SliceJob& job) {
   SourcePart source = readPart(job.part, job.settings.input);
-  const SlicingMode mode = job.settings.slicing.mode;
+  const std::string& mode = job.settings.slicing.mode;
   const std::string& base = job.settings.conformal.base;
-  if (!base.empty() && (mode == SlicingMode::Conformal || mode == SlicingMode::Auto))
+  if (base.empty()) return source;
+  if (mode == kAutoMode || slicingModes().find(mode).laid_on == LaidOn::Base)
     source.base = readPart(base, job.settings.input).mesh;
   return source;
 }

@@ -3,11 +3,14 @@
 #include "lamina/streaming/client/stream_settings.hpp"
 
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/firmware/firmware_protocol.hpp"
 
 namespace lamina {
 
 void describe(SettingsSchema& schema, StreamSettings& settings) {
   const Bounds times{0.0, 86400.0, true};
+  schema.choice("stream.firmware", settings.firmware, firmwareProtocols().names(),
+                "Firmware of the machine.");
   schema.integer("stream.window_bytes", settings.window_bytes, {32, 65536},
                  "Bytes sent and not yet acknowledged; below the firmware's receive buffer.");
   schema.integer("stream.window_lines", settings.window_lines, {1, 256},
@@ -35,6 +38,7 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
 }
 
 void validate(const StreamSettings& settings) {
+  firmwareProtocols().find(settings.firmware);
   if (settings.window_bytes >= settings.max_line_bytes) return;
   throw InvalidConfig("stream.window_bytes is " + std::to_string(settings.window_bytes) +
                       "; must be at least stream.max_line_bytes, " + std::to_string(settings.max_line_bytes));

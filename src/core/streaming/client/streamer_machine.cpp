@@ -3,8 +3,6 @@
 #include "streaming/client/streamer_machine.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <limits>
 #include <utility>
 
@@ -15,18 +13,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kReportAttempts = 3;
 // Lines under way when a job is aborted must not be taken for those of the safe stop.
 constexpr std::uint64_t kSafeStopGap = 1000;
-
-/// Commands during which firmware may say nothing for long.
-bool isBlocking(const std::string& command) {
-  constexpr std::array<std::string_view, 16> kCommands = {"G28",  "G29",  "G30",  "G34",  "G4",   "M0",
-                                                          "M1",   "M48",  "M109", "M190", "M191", "M226",
-                                                          "M303", "M400", "M600", "M701"};
-  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view name) {
-    return command.compare(0, name.size(), name) == 0 &&
-           (command.size() == name.size() ||
-            std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
-  });
-}
 
 LineFeed::Source sourceOf(const StreamableProgram& program) {
   return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
@@ -46,13 +32,12 @@ LineFeed::Source sourceOf(std::vector<std::string> commands) {
   };
 }
 
-std::vector<std::string> reportRequests(const StreamSettings& settings) {
+std::vector<std::string> reportRequests(const StreamSettings& settings, const FirmwareProtocol& firmware) {
   std::vector<std::string> requests;
   if (settings.position_interval_s > 0)
-    requests.push_back("M154 S" + std::to_string(settings.position_interval_s));
-  if (settings.temperature_interval_s > 0) {
-    requests.push_back("M155 S" + std::to_string(settings.temperature_interval_s));
-  }
+    requests.push_back(firmware.reportPosition(settings.position_interval_s));
+  if (settings.temperature_interval_s > 0)
+    requests.push_back(firmware.reportTemperatures(settings.temperature_interval_s));
   return requests;
 }
 
@@ -74,9 +59,10 @@ Streamer::Machine::Machine(const StreamableProgram& program, const StreamSetting
                            ReplyListener heard)
     : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
   validate(settings);
+  firmware_ = firmwareProtocols().find(settings.firmware);
   heard_ = std::move(heard);
   status_.lines_total = program.lines();
-  reports_ = reportRequests(settings);
+  reports_ = reportRequests(settings, *firmware_);
 }
 
 void Streamer::Machine::enter(PackmlState state) {
@@ -154,11 +140,12 @@ bool Streamer::Machine::hasRoom(std::size_t bytes) const {
 
 void Streamer::Machine::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
-    const std::string framed = frameLine(feed_.next(), line->command);
+    const std::string framed = firmware_->framed(feed_.next(), line->command);
     if (!hasRoom(framed.size())) break;
     if (sent_.empty()) timer_.restart(now);
     must_send_one_ = false;
-    sent_.add({feed_.next(), framed.size(), isBlocking(line->command), feed_.next() < feed_.end(), false});
+    sent_.add({feed_.next(), framed.size(), firmware_->isBlocking(line->command), feed_.next() < feed_.end(),
+               false});
     output_ += framed;
     feed_.advance();
   }
@@ -170,7 +157,7 @@ void Streamer::Machine::pump(double now) {
 void Streamer::Machine::probe(double) {
   ++status_.probes;
   const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
-  output_ += frameLine(expected + 1, "M105");
+  output_ += firmware_->framed(expected + 1, firmware_->harmless());
 }
 
 void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
@@ -220,7 +207,7 @@ void Streamer::Machine::retry(double now) {
   switch (phase_) {
     case Phase::Numbering:
       if (isStopping()) output_ += urgentStop();
-      output_ += frameLine(base_, "M110 N" + std::to_string(base_));
+      output_ += firmware_->framed(base_, firmware_->numberedFrom(base_));
       probe(now);
       break;
     case Phase::Reporting:
@@ -250,7 +237,18 @@ void Streamer::Machine::retry(double now) {
 /// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
 /// may not answer for minutes, but runs these as soon as it can.
 std::string Streamer::Machine::urgentStop() const {
-  return settings_.keep_heaters_on ? "M108\nM410\n" : "M108\nM410\nM104 S0\nM140 S0\n";
+  std::string text;
+  for (const std::string& command : firmware_->interruption()) text += command + "\n";
+  for (const std::string& command : safeStop()) text += command + "\n";
+  return text;
+}
+
+std::vector<std::string> Streamer::Machine::safeStop() const {
+  std::vector<std::string> commands = firmware_->stop();
+  if (settings_.keep_heaters_on) return commands;
+  const std::vector<std::string> off = firmware_->heatersOff();
+  commands.insert(commands.end(), off.begin(), off.end());
+  return commands;
 }
 
 void Streamer::Machine::timeOut(double now) {
@@ -259,7 +257,9 @@ void Streamer::Machine::timeOut(double now) {
            "no answer from the machine for " + seconds(timer_.quietFor(now)) + whereItStands()},
           now);
   } else if (has_answered_) {
-    abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
+    abort({ErrorCode::Rejected,
+           "the machine answers, but does not check line numbers as " + settings_.firmware + " does"},
+          now);
   } else {
     abort({ErrorCode::TimedOut, "no machine answered within " + seconds(settings_.connect_timeout_s) +
                                     "; is it on, and is the baud rate right?"},
@@ -299,10 +299,8 @@ void Streamer::Machine::abort(const Failure& why, double now) {
 void Streamer::Machine::prepareSafeStop(double now) {
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
   safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
-  std::vector<std::string> safe_stop = {"M410"};
-  if (!settings_.keep_heaters_on) safe_stop.insert(safe_stop.end(), {"M104 S0", "M140 S0"});
   base_ = feed_.end() + kSafeStopGap;
-  feed_ = LineFeed(sourceOf(std::move(safe_stop)), base_ + 1);
+  feed_ = LineFeed(sourceOf(safeStop()), base_ + 1);
   sent_.clear();
   settle_until_ = 0.0;
   must_send_one_ = false;
@@ -354,7 +352,7 @@ void Streamer::Machine::receive(std::string_view bytes, double now) {
       break;
     }
     bytes.remove_prefix(end + 1);
-    const MarlinReply reply = parseReply(received_);
+    const MarlinReply reply = firmware_->read(received_);
     received_.clear();
     onReply(reply, now);
   }
@@ -467,7 +465,9 @@ void Streamer::Machine::settle(double now) {
 
 /// A job has ended when its motions have. A safe stop has ended when the machine says that it no longer
 /// heats: the lines it has taken may still wait behind others.
-void Streamer::Machine::askForRest() { output_ += isStopping() ? "M105\n" : "M400\n"; }
+void Streamer::Machine::askForRest() {
+  output_ += (isStopping() ? firmware_->harmless() : firmware_->endOfMotions()) + "\n";
+}
 
 bool Streamer::Machine::isSafe(const MarlinTemperatures& temperatures) const {
   if (settings_.keep_heaters_on) return true;

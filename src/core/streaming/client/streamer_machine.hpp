@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/firmware/firmware_protocol.hpp"
 #include "streaming/client/line_feed.hpp"
 #include "streaming/client/sent_lines.hpp"
 
@@ -103,6 +105,7 @@ class Streamer::Machine {
   void retry(double now);
   void timeOut(double now);
   std::string urgentStop() const;
+  std::vector<std::string> safeStop() const;
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
@@ -112,6 +115,7 @@ class Streamer::Machine {
   void finishAborted(const std::string& remark);
 
   StreamSettings settings_;
+  std::shared_ptr<const FirmwareProtocol> firmware_;
   ReplyListener heard_;
   StreamStatus status_;
   LineFeed feed_;

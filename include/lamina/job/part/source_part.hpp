@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/mesh/mesh_topology.hpp"
+
+namespace lamina {
+
+/// A part fit to be sliced, and what was changed to make it so.
+struct SourcePart {
+  Mesh mesh;
+  MeshTopology topology;  ///< of the mesh; without border
+  std::vector<std::string> repairs;
+  Mesh base;  ///< what it is laid on, in its frame; empty for the bed
+};
+
+}  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/error_place.hpp"
+
+namespace lamina {
+
+void throwFailure(const Failure& failure) {
+  switch (failure.code) {
+    case ErrorCode::InvalidInput:
+      throw InvalidInput(failure.message);
+    case ErrorCode::InvalidMesh:
+      throw InvalidMesh(failure.message);
+    case ErrorCode::InvalidConfig:
+      throw InvalidConfig(failure.message);
+    case ErrorCode::InvalidProgram:
+      throw InvalidProgram(failure.message);
+    case ErrorCode::FileError:
+      throw FileError(failure.message);
+    case ErrorCode::Unreachable:
+      throw Unreachable(failure.message);
+    case ErrorCode::DeviceError:
+      throw DeviceError(failure.message);
+    case ErrorCode::Disconnected:
+      throw Disconnected(failure.message);
+    case ErrorCode::Rejected:
+      throw Rejected(failure.message);
+    case ErrorCode::TimedOut:
+      throw TimedOut(failure.message);
+    case ErrorCode::Cancelled:
+      throw Cancelled(failure.message);
+    case ErrorCode::Ok:
+    case ErrorCode::Internal:
+      break;
+  }
+  throw Error(ErrorCode::Internal, failure.message);
+}
+
+void rethrowAt(const std::string& place) {
+  const Failure failure = currentFailure();
+  if (failure.code == ErrorCode::Cancelled) throw;
+  throwFailure({failure.code, place + ": " + failure.message});
+}
+
+}  // namespace lamina

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/firmware/firmware_protocol.hpp"
+
+#include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+
+namespace lamina {
+
+Registry<std::shared_ptr<const FirmwareProtocol>>& firmwareProtocols() {
+  static Registry<std::shared_ptr<const FirmwareProtocol>> registry(
+      "stream.firmware", {{"marlin", std::make_shared<MarlinFirmware>()}});
+  return registry;
+}
+
+}  // namespace lamina

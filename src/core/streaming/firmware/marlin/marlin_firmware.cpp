@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace lamina {
+
+std::string MarlinFirmware::framed(std::uint64_t number, std::string_view command) const {
+  return frameLine(number, command);
+}
+
+MarlinReply MarlinFirmware::read(std::string_view line) const { return parseReply(line); }
+
+std::string MarlinFirmware::numberedFrom(std::uint64_t number) const {
+  return "M110 N" + std::to_string(number);
+}
+
+std::string MarlinFirmware::harmless() const { return "M105"; }
+
+std::string MarlinFirmware::endOfMotions() const { return "M400"; }
+
+std::string MarlinFirmware::reportPosition(int interval_s) const {
+  return "M154 S" + std::to_string(interval_s);
+}
+
+std::string MarlinFirmware::reportTemperatures(int interval_s) const {
+  return "M155 S" + std::to_string(interval_s);
+}
+
+bool MarlinFirmware::isBlocking(std::string_view command) const {
+  constexpr std::array<std::string_view, 16> kCommands = {"G28",  "G29",  "G30",  "G34",  "G4",   "M0",
+                                                          "M1",   "M48",  "M109", "M190", "M191", "M226",
+                                                          "M303", "M400", "M600", "M701"};
+  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view name) {
+    return command.compare(0, name.size(), name) == 0 &&
+           (command.size() == name.size() ||
+            std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
+  });
+}
+
+std::vector<std::string> MarlinFirmware::interruption() const { return {"M108"}; }
+
+std::vector<std::string> MarlinFirmware::stop() const { return {"M410"}; }
+
+std::vector<std::string> MarlinFirmware::heatersOff() const { return {"M104 S0", "M140 S0"}; }
+
+}  // namespace lamina
