@@ -18,4 +18,5 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES lamina_core
   CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs kdl_parser message_runtime nav_msgs
-    rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
+    rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs
+  SKIP_PKG_CONFIG_GENERATION)
