@@ -87,7 +87,6 @@ install(FILES ${PROJECT_BINARY_DIR}/install/lamina.pc DESTINATION ${LAMINA_LIB_D
 if(LAMINA_WITH_ROS)
   install(DIRECTORY launch rviz DESTINATION ${LAMINA_SHARE_DIR})
   install(FILES rviz_plugins.xml DESTINATION ${LAMINA_SHARE_DIR})
-  # Messages in a namespace of their own, for what uses the core as well.
   install(FILES src/ros_adapters/messages.hpp DESTINATION include/lamina_ros)
   set(catkin_config ${PROJECT_BINARY_DIR}/catkin_generated/installspace)
   install(FILES ${catkin_config}/laminaConfig.cmake DESTINATION ${LAMINA_CMAKE_DIR} RENAME laminaCatkin.cmake)

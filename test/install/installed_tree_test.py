@@ -6,17 +6,22 @@ import socket
 import subprocess
 import unittest
 
-from trees import (BUILD, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers, run,
+from trees import (BUILD, DEVEL, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers, run,
                    run_paths)
 
 TREE = SCRATCH / "moved"
 PATIENCE = 60.0  # s: far above what a call takes, for loaded machines
 
 
-def build(source, folder, *options):
-    run("cmake", "-S", source, "-B", folder, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={TREE}", "-DCMAKE_CXX_FLAGS=-Wall -Werror",
+def build(source, folder, *options, prefix=TREE):
+    run("cmake", "-S", source, "-B", folder, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_CXX_FLAGS=-Wall -Werror",
         f"-DCMAKE_CXX_COMPILER_LAUNCHER={os.environ.get('LAMINA_COMPILER_LAUNCHER', '')}", *options)
     run("cmake", "--build", folder)
+
+
+def build_consumer(folder, prefix):
+    build(SOURCE / "examples/catkin_consumer", folder, f"-DCATKIN_DEVEL_PREFIX={folder}/devel", "-DPYTHON_EXECUTABLE=/usr/bin/python3",
+          "-DPython3_EXECUTABLE=/usr/bin/python3", prefix=prefix)
 
 
 def setUpModule():
@@ -71,8 +76,6 @@ class Examples(unittest.TestCase):
 @unittest.skipUnless(HAS_ROS, "built without ROS")
 class CatkinConsumer(unittest.TestCase):
     def setUp(self):
-        build(SOURCE / "examples/catkin_consumer", SCRATCH / "consumer", f"-DCATKIN_DEVEL_PREFIX={SCRATCH}/consumer/devel",
-              "-DPYTHON_EXECUTABLE=/usr/bin/python3", "-DPython3_EXECUTABLE=/usr/bin/python3")
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             self.port = free.getsockname()[1]
@@ -88,7 +91,11 @@ class CatkinConsumer(unittest.TestCase):
     def start(self, command, output):
         return subprocess.Popen(["bash", "-c", command], env=self.environment, stdout=output, stderr=subprocess.STDOUT, text=True)
 
+    def test_packages_are_built_against_the_devel_space_too(self):
+        build_consumer(SCRATCH / "beside", DEVEL)
+
     def test_a_node_of_another_package_talks_to_the_installed_one(self):
+        build_consumer(SCRATCH / "consumer", TREE)
         with (SCRATCH / "nodes.log").open("w") as log:
             self.nodes.append(self.start(f"exec roscore -p {self.port}", log))
             self.nodes.append(self.start(f"source {TREE}/setup.bash && exec roslaunch --wait lamina slicing_service.launch", log))

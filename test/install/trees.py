@@ -1,5 +1,5 @@
 """Trees of installed files for the tests beside this file; each is called with source folder, build folder, scratch folder, and
-whether the build is with ROS."""
+the devel space, or `none` without ROS."""
 import os
 import pathlib
 import re
@@ -7,8 +7,8 @@ import shutil
 import subprocess
 import sys
 
-SOURCE, BUILD, SCRATCH = (pathlib.Path(argument) for argument in sys.argv[1:4])
-HAS_ROS = sys.argv[4] == "1"
+SOURCE, BUILD, SCRATCH, DEVEL = (pathlib.Path(argument) for argument in sys.argv[1:5])
+HAS_ROS = DEVEL.name != "none"
 del sys.argv[1:5]
 
 RUN_PATH = re.compile(r"\(RU?N?PATH\).*\[(.*)\]")
