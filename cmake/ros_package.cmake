@@ -20,4 +20,9 @@ catkin_package(
   INCLUDE_DIRS include
   LIBRARIES lamina_core
   CATKIN_DEPENDS actionlib actionlib_msgs diagnostic_msgs diagnostic_updater geometry_msgs kdl_parser message_runtime nav_msgs
-    rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs)
+    rosbag roscpp sensor_msgs std_msgs std_srvs tf2 tf2_ros trajectory_msgs visualization_msgs
+  DEPENDS EIGEN3
+  SKIP_PKG_CONFIG_GENERATION)
+
+# Messages in a namespace of their own, for what uses the core as well; where other packages of a workspace find it.
+configure_file(src/ros_adapters/messages.hpp ${CATKIN_DEVEL_PREFIX}/include/lamina_ros/messages.hpp COPYONLY)

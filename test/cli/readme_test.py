@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""What README.md and docs/commands.md tell to type works: every line but those with a device and those that take minutes."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from lamina_command import LAMINA
+
+SOURCE = pathlib.Path(sys.argv.pop(1))
+LINE = re.compile(r"^    (lamina [^#\n]*)(#.*)?$")
+WITH_DEVICE = re.compile(r"^lamina (emulate|stream)\b")
+
+
+def commands(page):
+    for line in (SOURCE / page).read_text().splitlines():
+        found = LINE.match(line)
+        if found and not WITH_DEVICE.match(found.group(1)) and "minutes" not in (found.group(2) or ""):
+            yield found.group(1).strip()
+
+
+class Pages(unittest.TestCase):
+    def run_all_of(self, page):
+        environment = {**os.environ, "PATH": f"{pathlib.Path(LAMINA).parent}:{os.environ['PATH']}"}
+        with tempfile.TemporaryDirectory() as scratch:
+            (pathlib.Path(scratch) / "examples").symlink_to(SOURCE / "examples")
+            lines = list(commands(page))
+            self.assertGreater(len(lines), 5)
+            for line in lines:
+                done = subprocess.run(line, shell=True, cwd=scratch, env=environment, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, f"{page}: {line}\n{done.stderr}")
+
+    def test_commands_of_the_readme_run(self):
+        self.run_all_of("README.md")
+
+    def test_commands_of_the_documentation_run(self):
+        self.run_all_of("docs/commands.md")
+
+    def test_every_command_is_told(self):
+        help_text = subprocess.run([LAMINA, "--help"], capture_output=True, text=True, check=True).stdout
+        names = re.findall(r"^  ([a-z][a-z-]+)\b", help_text.split("Subcommands:")[1], re.MULTILINE)
+        page = (SOURCE / "docs/commands.md").read_text()
+        self.assertGreater(len(names), 10)
+        for name in names:
+            self.assertRegex(page, rf"(?m)^    lamina {name}\b")
+
+    def test_the_example_of_the_readme_is_the_one_that_is_compiled(self):
+        (example,) = re.findall(r"```cpp\n(.*?)```", (SOURCE / "README.md").read_text(), re.DOTALL)
+        self.assertEqual(example, (SOURCE / "examples/01_slice.cpp").read_text())
+        self.assertLessEqual(len(example.splitlines()), 25)
+
+
+if __name__ == "__main__":
+    unittest.main()
