@@ -65,8 +65,8 @@ Recording recordingOf(const std::vector<std::size_t>& layers) {
 Recording wholePrint() { return recordingOf({0, 1, 2, 3, 4}); }
 
 StampedHeights plates(const MonitorSettings& settings = {}) {
-  return StampedHeights(scannedPlates(std::vector<Box2>(kLayers, kStampedHeightsPlate)), Eigen::Isometry3d::Identity(),
-                        settings);
+  return StampedHeights(scannedPlates(std::vector<Box2>(kLayers, kStampedHeightsPlate)),
+                        Eigen::Isometry3d::Identity(), settings);
 }
 
 /// Poses and profiles as they come, and the reports that they give.

@@ -62,7 +62,8 @@ TEST(FullFactorialTest, TakesNoMoreLevelsThanThereAreWholeNumbers) {
 }
 
 TEST(FullFactorialTest, RefusesWhatCannotBeLaidOut) {
-  EXPECT_EQ(experimentDesignRefusalOf([] { fullFactorial(unitSpace(1), {1}); }), "variable a: 1 levels; expected at least 2");
+  EXPECT_EQ(experimentDesignRefusalOf([] { fullFactorial(unitSpace(1), {1}); }),
+            "variable a: 1 levels; expected at least 2");
   EXPECT_NE(experimentDesignRefusalOf([] {
               fullFactorial(unitSpace(7), std::vector<int>(7, 10));
             }).find("more than 1000000 points"),
@@ -107,8 +108,9 @@ TEST(FractionalFactorialTest, ColumnsAreBalancedAndUncorrelated) {
 TEST(FractionalFactorialTest, RefusesMixedLevelsAndGeneratorsThatMakeNoSense) {
   DesignSpace mixed = unitSpace(3);
   mixed[1] = {"layer_mm", VariableKind::Levels, 0.0, 0.0, {0.15, 0.2, 0.3}, {}};
-  EXPECT_NE(experimentDesignRefusalOf([&] { fractionalFactorial(mixed, "c=ab"); }).find("layer_mm has 3 levels"),
-            std::string::npos);
+  EXPECT_NE(
+      experimentDesignRefusalOf([&] { fractionalFactorial(mixed, "c=ab"); }).find("layer_mm has 3 levels"),
+      std::string::npos);
   const auto refusal = [](const std::string& generators) {
     return experimentDesignRefusalOf([&] { fractionalFactorial(unitSpace(5), generators); });
   };
@@ -177,8 +179,9 @@ TEST(LatinHypercubeTest, TakesEveryPointOfASmallSpaceAndRefusesMore) {
                              {"link", VariableKind::Categorical, 0.0, 0.0, {}, {"a", "b", "c"}}};
   EXPECT_EQ(latinHypercube(space, 6, 1).size(), 6U);
   EXPECT_TRUE(areDifferent(latinHypercube(space, 6, 1)));
-  EXPECT_NE(experimentDesignRefusalOf([&] { latinHypercube(space, 7, 1); }).find("Latin hypercube of 7 points"),
-            std::string::npos);
+  EXPECT_NE(
+      experimentDesignRefusalOf([&] { latinHypercube(space, 7, 1); }).find("Latin hypercube of 7 points"),
+      std::string::npos);
 }
 
 TEST(ExperimentDesignTest, SettingsChooseTheDesign) {
@@ -192,7 +195,9 @@ TEST(ExperimentDesignTest, SettingsChooseTheDesign) {
   EXPECT_EQ(designExperiment(unitSpace(3), settings, 1).size(), 24U);
   for (const char* levels : {"", "1", "2,3", "2,x,3", "2.5"}) {
     settings.levels = levels;
-    EXPECT_NE(experimentDesignRefusalOf([&] { designExperiment(unitSpace(3), settings, 1); }).find("surrogate.levels"),
+    EXPECT_NE(experimentDesignRefusalOf([&] {
+                designExperiment(unitSpace(3), settings, 1);
+              }).find("surrogate.levels"),
               std::string::npos)
         << levels;
   }

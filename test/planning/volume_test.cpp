@@ -16,7 +16,8 @@ constexpr int kLayers = 10;
 double depositedPart(const PlanSettings& settings) {
   std::vector<Layer> layers;
   for (int i = 0; i < kLayers; ++i)
-    layers.push_back({{kVolumeHeight * i, kVolumeHeight * (i + 1)}, {{test::rectangle(0, 0, kSide, kSide)}, {}}});
+    layers.push_back(
+        {{kVolumeHeight * i, kVolumeHeight * (i + 1)}, {{test::rectangle(0, 0, kSide, kSide)}, {}}});
   NoProgress progress;
   return totals(planToolpath("box", layers, settings, progress)).deposited_mm3 /
          (kSide * kSide * kVolumeHeight * kLayers);

@@ -99,7 +99,8 @@ TEST(ProgramFrame, AProgramIsReadBackAsItWasPlanned) {
     ProgramFrame frame;
     frame.bed_from_part.translation() = Point3(random.uniform(0, 100), random.uniform(-100, 0), 3.0);
     frame.program_from_bed = beltFromBed(angle);
-    const Toolpath back = toolpathFromGcode(programFrameWritten(toolpath, frame), programFramePlainSettings(), "square");
+    const Toolpath back =
+        toolpathFromGcode(programFrameWritten(toolpath, frame), programFramePlainSettings(), "square");
     RC_ASSERT(std::abs(inclinationDeg(back) - angle) < 1e-6);
     RC_ASSERT(back.layers.size() == 2U);
     for (std::size_t l = 0; l < 2; ++l) {
@@ -139,7 +140,8 @@ TEST(ProgramFrame, DropsOnInclinedLayersAreWrittenAndNotReadBackAsLevel) {
   Path drop = test::straightPath({0, 0, 0.2}, {1, 0, 0.2});
   drop.deposit = Deposit::Drops;
   drops.layers.push_back({0.2, 0.2, {drop}});
-  EXPECT_NO_THROW(toolpathFromGcode(programFrameWritten(drops, ProgramFrame()), programFramePlainSettings(), "drops"));
+  EXPECT_NO_THROW(
+      toolpathFromGcode(programFrameWritten(drops, ProgramFrame()), programFramePlainSettings(), "drops"));
   const std::string inclined = programFrameWritten(turned(drops, aboutX(30)), ProgramFrame());
   EXPECT_THROW(toolpathFromGcode(inclined, programFramePlainSettings(), "drops"), InvalidProgram);
 }

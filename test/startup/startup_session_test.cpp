@@ -142,9 +142,9 @@ TEST_F(StartupSessionTest, SwitchesOffABedThatDoesNotGetHot) {
   startSession();
   run(StartupSessionStep::HeatBed);
   expectState(StartupSessionStep::HeatBed, State::Failed);
-  EXPECT_NE(
-      statusOf(StartupSessionStep::HeatBed).reason.find("the bed is at 33 degC; expected 39 to 41 degC within 10 min"),
-      std::string::npos)
+  EXPECT_NE(statusOf(StartupSessionStep::HeatBed)
+                .reason.find("the bed is at 33 degC; expected 39 to 41 degC within 10 min"),
+            std::string::npos)
       << statusOf(StartupSessionStep::HeatBed).reason;
   EXPECT_TRUE(waitUntil([&] { return machine_->bedTarget() == 0.0 && hasRun("M42 P4 S0"); }));
 }

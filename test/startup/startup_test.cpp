@@ -108,7 +108,8 @@ TEST(Startup, CountsNoTimeInWhichTheDryerWasCold) {
   };
   for (int i = 0; i < 12; ++i) passAt(30.0);                      // two hours cold
   for (int i = 0; i < 24; ++i) passAt(i % 6 == 0 ? 68.0 : 80.0);  // four hours, with the dips of regeneration
-  EXPECT_EQ(machine.stateOf(StartupStep::DryPellets), StartupState::Running);  // the first 10 min ended hot, but began cold
+  EXPECT_EQ(machine.stateOf(StartupStep::DryPellets),
+            StartupState::Running);  // the first 10 min ended hot, but began cold
   passAt(80.0);
   EXPECT_EQ(machine.stateOf(StartupStep::DryPellets), StartupState::Done);
 }
@@ -142,7 +143,8 @@ TEST(Startup, FailsABedThatHeatsTooFastOrNotAtAll) {
   EXPECT_EQ(weak.stateOf(StartupStep::HeatBed), StartupState::Running);
   weak.startup.finished(StartupStep::HeatBed, 61.0 * 60.0);
   EXPECT_EQ(weak.stateOf(StartupStep::HeatBed), StartupState::Failed);
-  EXPECT_EQ(weak.reasonOf(StartupStep::HeatBed), "the bed is at 71 degC; expected 89 to 91 degC within 60 min");
+  EXPECT_EQ(weak.reasonOf(StartupStep::HeatBed),
+            "the bed is at 71 degC; expected 89 to 91 degC within 60 min");
 }
 
 TEST(Startup, LosesABedThatCoolsAndTheHeightMapWithIt) {
@@ -163,7 +165,8 @@ TEST(Startup, LosesHomingAndTheSheetWhenMotorsAreOff) {
     StartedMachine machine;
     machine.performAll();
     machine.startup.sent(command);
-    for (const StartupStep step : {StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ, StartupStep::HomeZAgain, StartupStep::PlaceSheet})
+    for (const StartupStep step : {StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ,
+                                   StartupStep::HomeZAgain, StartupStep::PlaceSheet})
       EXPECT_EQ(machine.stateOf(step), StartupState::Pending) << command << " " << toString(step);
     EXPECT_EQ(machine.stateOf(StartupStep::HeatBed), StartupState::Done) << command;
     EXPECT_EQ(machine.stateOf(StartupStep::MapHeights), StartupState::Done) << command;
@@ -202,7 +205,8 @@ TEST(Startup, LosesEverythingOfTheMachineWhenItStopsOrStartsAnew) {
     machine.performAll();
     machine.say(line);
     for (const StartupStatus& status : machine.startup.steps()) {
-      const bool is_outside = status.step == StartupStep::DryPellets || status.step == StartupStep::TransferProgram;
+      const bool is_outside =
+          status.step == StartupStep::DryPellets || status.step == StartupStep::TransferProgram;
       EXPECT_EQ(status.state, is_outside ? StartupState::Done : StartupState::Pending)
           << line << " " << toString(status.step);
     }
@@ -227,7 +231,8 @@ TEST(Startup, LosesTheBedToAnotherTargetAndTheVacuumToItsOffCode) {
 TEST(Startup, ReportsTheZoneThatLeaksAtOnceAndLater) {
   StartedMachine machine;
   machine.perform(StartupStep::PowerOn);
-  for (const StartupStep step : {StartupStep::HeatBed, StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ, StartupStep::PlaceSheet})
+  for (const StartupStep step : {StartupStep::HeatBed, StartupStep::HomeX, StartupStep::HomeY,
+                                 StartupStep::HomeZ, StartupStep::PlaceSheet})
     machine.perform(step);
   machine.startup.begin(StartupStep::DrawVacuum, 0.0);
   machine.startup.finished(StartupStep::DrawVacuum, 0.0);
@@ -243,7 +248,8 @@ TEST(Startup, ReportsTheZoneThatLeaksAtOnceAndLater) {
 TEST(Startup, HoldsTheVacuumBeforeItIsDone) {
   StartedMachine machine;
   machine.perform(StartupStep::PowerOn);
-  for (const StartupStep step : {StartupStep::HeatBed, StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ, StartupStep::PlaceSheet})
+  for (const StartupStep step : {StartupStep::HeatBed, StartupStep::HomeX, StartupStep::HomeY,
+                                 StartupStep::HomeZ, StartupStep::PlaceSheet})
     machine.perform(step);
   machine.startup.begin(StartupStep::DrawVacuum, 0.0);
   machine.sayZones(12.0);

@@ -14,7 +14,9 @@ namespace {
 
 constexpr ElasticMaterial kMatrixFreeOperatorMaterial{3861.0, 0.35};
 
-ElementLattice matrixFreeOperatorLatticeOf(const VoxelGrid& grid) { return {grid, {{0, 0, 0}, grid.frame().count}}; }
+ElementLattice matrixFreeOperatorLatticeOf(const VoxelGrid& grid) {
+  return {grid, {{0, 0, 0}, grid.frame().count}};
+}
 
 /// Stiffness by Gauss's quadrature with two points along each axis, from the strains of the corner functions.
 ElementMatrix byQuadrature(const ElasticMaterial& material, double h) {
@@ -79,7 +81,8 @@ TEST(ElementStiffness, IsThatOfGaussianQuadrature) {
 }
 
 TEST(ElementStiffness, HasSixRigidMotionsAndNoOther) {
-  const Eigen::SelfAdjointEigenSolver<ElementMatrix> solver(elementStiffness(kMatrixFreeOperatorMaterial, 1.0));
+  const Eigen::SelfAdjointEigenSolver<ElementMatrix> solver(
+      elementStiffness(kMatrixFreeOperatorMaterial, 1.0));
   EXPECT_LT(std::abs(solver.eigenvalues()[5]), 1e-9);
   EXPECT_GT(solver.eigenvalues()[6], 1.0);
 }
@@ -116,7 +119,8 @@ TEST(MatrixFreeOperator, OfRigidMotionsIsNothing) {
 }
 
 TEST(MatrixFreeOperator, ReportsItsDiagonal) {
-  EXPECT_NEAR(diagonalOfElement(kMatrixFreeOperatorMaterial, 0.7), elementStiffness(kMatrixFreeOperatorMaterial, 0.7)(4, 4), 1e-9);
+  EXPECT_NEAR(diagonalOfElement(kMatrixFreeOperatorMaterial, 0.7),
+              elementStiffness(kMatrixFreeOperatorMaterial, 0.7)(4, 4), 1e-9);
 }
 
 }  // namespace

@@ -155,7 +155,9 @@ TEST(TrajectoryFeeder, PausesAnywhereAndLaysEverythingOnce) {
 }
 
 /// A bead of 30 mm along x.
-Toolpath trajectoryFeederLine() { return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}}; }
+Toolpath trajectoryFeederLine() {
+  return {"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {30, 0, 0.2})}}}};
+}
 
 TEST(TrajectoryFeeder, APauseBrakesAfterTheReaction) {
   TimingSettings settings = powderSettings();

@@ -91,13 +91,14 @@ TEST(PlyReader, RefusesACountThatTheFileCannotHold) {
 TEST(PlyReader, NamesTheLineOfANumberThatIsNotFinite) {
   std::string body = kAsciiBody;
   body.replace(0, 1, "nan");
-  EXPECT_EQ(plyReaderMessageOf(header("ascii") + body), "part.ply:16: 'nan' where a finite number is expected");
+  EXPECT_EQ(plyReaderMessageOf(header("ascii") + body),
+            "part.ply:16: 'nan' where a finite number is expected");
 }
 
 TEST(PlyReader, RefusesAnIndexBeyondTheVertices) {
   EXPECT_NE(plyReaderMessageOf(header("ascii", "3") +
-                      "0 255 0 0 0\n1 0 0 0 0\n0 0 1 0 0\n5\n3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 0\n"
-                      "3 1 2 3 0\n")
+                               "0 255 0 0 0\n1 0 0 0 0\n0 0 1 0 0\n5\n3 0 2 1 0\n3 0 1 3 0\n3 0 3 2 0\n"
+                               "3 1 2 3 0\n")
                 .find("names vertex 3; there are 3"),
             std::string::npos);
 }

@@ -20,23 +20,23 @@ FillPath run(const Polyline& points) {
 }
 
 TEST(BorderConnection, RunsAlongTheOutlineAsAThinBead) {
-  const auto connected =
-      connectAlongBorder({run({{5, 5}, {5, 0.3}}), run({{9.7, 5}, {6, 5}})}, kBorderConnectionSquare, kConnection);
+  const auto connected = connectAlongBorder({run({{5, 5}, {5, 0.3}}), run({{9.7, 5}, {6, 5}})},
+                                            kBorderConnectionSquare, kConnection);
   ASSERT_EQ(connected.size(), 1U);
   EXPECT_EQ(connected[0].points, (Polyline{{5, 5}, {5, 0.3}, {5, 0}, {10, 0}, {10, 5}, {9.7, 5}, {6, 5}}));
   EXPECT_EQ(connected[0].width_mm, (std::vector<double>{0.4, 0.4, 0.1, 0.1, 0.1, 0.1, 0.4}));
 }
 
 TEST(BorderConnection, TakesTheShorterWayRound) {
-  const auto connected =
-      connectAlongBorder({run({{5, 5}, {0.2, 2}}), run({{2, 0.2}, {6, 5}})}, kBorderConnectionSquare, kConnection);
+  const auto connected = connectAlongBorder({run({{5, 5}, {0.2, 2}}), run({{2, 0.2}, {6, 5}})},
+                                            kBorderConnectionSquare, kConnection);
   ASSERT_EQ(connected.size(), 1U);
   EXPECT_EQ(connected[0].points, (Polyline{{5, 5}, {0.2, 2}, {0, 2}, {0, 0}, {2, 0}, {2, 0.2}, {6, 5}}));
 }
 
 TEST(BorderConnection, StaysOnOneEdgeWhereBothEndsAre) {
-  const auto connected =
-      connectAlongBorder({run({{7, 5}, {7, 0.2}}), run({{3, 0.2}, {3, 5}})}, kBorderConnectionSquare, kConnection);
+  const auto connected = connectAlongBorder({run({{7, 5}, {7, 0.2}}), run({{3, 0.2}, {3, 5}})},
+                                            kBorderConnectionSquare, kConnection);
   ASSERT_EQ(connected.size(), 1U);
   EXPECT_EQ(connected[0].points, (Polyline{{7, 5}, {7, 0.2}, {7, 0}, {3, 0}, {3, 0.2}, {3, 5}}));
 }
@@ -44,8 +44,10 @@ TEST(BorderConnection, StaysOnOneEdgeWhereBothEndsAre) {
 TEST(BorderConnection, IsNotLongerThanAllowed) {
   BorderConnection shorter = kConnection;
   shorter.longest_mm = 9.9;
-  EXPECT_EQ(connectAlongBorder({run({{5, 5}, {5, 0.3}}), run({{9.7, 5}, {6, 5}})}, kBorderConnectionSquare, shorter).size(),
-            2U);
+  EXPECT_EQ(
+      connectAlongBorder({run({{5, 5}, {5, 0.3}}), run({{9.7, 5}, {6, 5}})}, kBorderConnectionSquare, shorter)
+          .size(),
+      2U);
 }
 
 TEST(BorderConnection, CoversNoMoreThanAllowed) {
@@ -58,14 +60,17 @@ TEST(BorderConnection, CoversNoMoreThanAllowed) {
 }
 
 TEST(BorderConnection, GoesToTheNearestEndAndTurnsItsRunRound) {
-  const auto connected = connectAlongBorder(
-      {run({{5, 5}, {5, 0.2}}), run({{9, 9.8}, {9, 6}}), run({{4, 5}, {4, 0.2}})}, kBorderConnectionSquare, kConnection);
+  const auto connected =
+      connectAlongBorder({run({{5, 5}, {5, 0.2}}), run({{9, 9.8}, {9, 6}}), run({{4, 5}, {4, 0.2}})},
+                         kBorderConnectionSquare, kConnection);
   ASSERT_EQ(connected.size(), 2U);
   EXPECT_EQ(connected[0].points, (Polyline{{5, 5}, {5, 0.2}, {5, 0}, {4, 0}, {4, 0.2}, {4, 5}}));
 }
 
 TEST(BorderConnection, IsNotMadeFromFarInside) {
-  EXPECT_EQ(connectAlongBorder({run({{5, 5}, {5, 1}}), run({{9.7, 5}, {6, 5}})}, kBorderConnectionSquare, kConnection).size(),
+  EXPECT_EQ(connectAlongBorder({run({{5, 5}, {5, 1}}), run({{9.7, 5}, {6, 5}})}, kBorderConnectionSquare,
+                               kConnection)
+                .size(),
             2U);
 }
 
@@ -78,7 +83,10 @@ TEST(BorderConnection, IsNotMadeBetweenTwoOutlines) {
 TEST(BorderConnection, LeavesClosedRunsAlone) {
   FillPath loop = run({{1, 1}, {9, 1}, {9, 9}, {1, 9}});
   loop.is_closed = true;
-  EXPECT_EQ(connectAlongBorder({loop, run({{5, 0.2}, {5, 5}})}, kBorderConnectionSquare, {0.1, 2.0, 50.0, 100.0}).size(), 2U);
+  EXPECT_EQ(
+      connectAlongBorder({loop, run({{5, 0.2}, {5, 5}})}, kBorderConnectionSquare, {0.1, 2.0, 50.0, 100.0})
+          .size(),
+      2U);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ InfillRequest hybridSolid(double pitch, double angle_rad, HybridLines lines) {
 class Hybrid : public testing::TestWithParam<HybridLines> {};
 
 TEST_P(Hybrid, LaysThePerimeterFirst) {
-  const std::vector<FillPath> runs = hybrid({{circle({0, 0}, 15, 90), {}}}, hybridSolid(1.0, 0.0, GetParam()));
+  const std::vector<FillPath> runs =
+      hybrid({{circle({0, 0}, 15, 90), {}}}, hybridSolid(1.0, 0.0, GetParam()));
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].role, PathRole::OuterWall);
   EXPECT_TRUE(runs[0].is_closed);
@@ -36,7 +37,8 @@ TEST_P(Hybrid, LaysThePerimeterFirst) {
 
 TEST_P(Hybrid, RunsItsPassesAlongTheRaster) {
   for (const double angle : {0.0, M_PI / 2}) {
-    const std::vector<FillPath> runs = hybrid({{rectangle(0, 0, 30, 30), {}}}, hybridSolid(1.0, angle, GetParam()));
+    const std::vector<FillPath> runs =
+        hybrid({{rectangle(0, 0, 30, 30), {}}}, hybridSolid(1.0, angle, GetParam()));
     ASSERT_EQ(runs.size(), 2U);
     int passes = 0;
     int others = 0;

@@ -42,7 +42,8 @@ Regions randomRegions(Random& random) {
 
 TEST(VariableWidthRuns, DivideARectangleEvenly) {
   // 4.3 mm across are 11 variable-width lines of 0.391 mm.
-  const std::vector<FillPath> runs = variableWidthRunsFilled({{rectangle(0, 0, 20, 4.3), {}}}, variableWidthRunsSolid(0.4, 0.0));
+  const std::vector<FillPath> runs =
+      variableWidthRunsFilled({{rectangle(0, 0, 20, 4.3), {}}}, variableWidthRunsSolid(0.4, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   double longest = 0.0;
   for (std::size_t i = 1; i < runs[0].points.size(); ++i) {
@@ -58,13 +59,18 @@ TEST(VariableWidthRuns, DivideARectangleEvenly) {
 
 TEST(VariableWidthRuns, FillEachConvexRegionInOneRun) {
   for (const double angle : {0.0, 0.4, 1.1}) {
-    EXPECT_EQ(variableWidthRunsFilled({{circle({0, 0}, 9, 80), {}}}, variableWidthRunsSolid(0.4, angle)).size(), 1U);
-    EXPECT_EQ(variableWidthRunsFilled({{rectangle(0, 0, 13, 7), {}}}, variableWidthRunsSolid(0.4, angle)).size(), 1U);
+    EXPECT_EQ(
+        variableWidthRunsFilled({{circle({0, 0}, 9, 80), {}}}, variableWidthRunsSolid(0.4, angle)).size(),
+        1U);
+    EXPECT_EQ(
+        variableWidthRunsFilled({{rectangle(0, 0, 13, 7), {}}}, variableWidthRunsSolid(0.4, angle)).size(),
+        1U);
   }
 }
 
 TEST(VariableWidthRuns, TaperTowardsABorderThatIsSlanted) {
-  const std::vector<FillPath> runs = variableWidthRunsFilled({{{{0, 0}, {30, 0}, {10, 4}, {0, 4}}, {}}}, variableWidthRunsSolid(0.5, 0.0));
+  const std::vector<FillPath> runs =
+      variableWidthRunsFilled({{{{0, 0}, {30, 0}, {10, 4}, {0, 4}}, {}}}, variableWidthRunsSolid(0.5, 0.0));
   ASSERT_EQ(runs.size(), 1U);
   const auto [least, greatest] = std::minmax_element(runs[0].width_mm.begin() + 1, runs[0].width_mm.end());
   EXPECT_NEAR(*least, 0.3 * 0.5, 1e-9) << "the narrowest bead";
@@ -103,7 +109,8 @@ TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
 
 TEST(VariableWidthRuns, OfNothingAreNone) {
   EXPECT_TRUE(variableWidthRuns({}, variableWidthRunsSolid(0.4, 0.0)).empty());
-  EXPECT_TRUE(variableWidthRunsFilled({{rectangle(0, 0, 5, 0.1), {}}}, variableWidthRunsSolid(0.4, 0.0)).empty());
+  EXPECT_TRUE(
+      variableWidthRunsFilled({{rectangle(0, 0, 5, 0.1), {}}}, variableWidthRunsSolid(0.4, 0.0)).empty());
 }
 
 }  // namespace

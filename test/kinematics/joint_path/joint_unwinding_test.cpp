@@ -15,7 +15,8 @@ namespace {
 constexpr double kJointUnwindingDegree = M_PI / 180.0;
 
 std::vector<JointRange> oneJoint(double limit_deg) {
-  return jointRanges({{"c", JointKind::Rotary, -limit_deg * kJointUnwindingDegree, limit_deg * kJointUnwindingDegree, 1.0}});
+  return jointRanges(
+      {{"c", JointKind::Rotary, -limit_deg * kJointUnwindingDegree, limit_deg * kJointUnwindingDegree, 1.0}});
 }
 
 /// A joint that turns on and on, in steps.

@@ -23,7 +23,8 @@ Toolpath wavering(double tilt_deg) {
   for (int i = 0; i <= 200; ++i) {
     path.points.emplace_back(0.5 * i, 0.0, 0.0);
     const double azimuth = 80.0 * kSteadySwingDegree * std::sin(0.3 * i);
-    const Eigen::AngleAxisd tilt(-tilt_deg * kSteadySwingDegree, Point3(-std::sin(azimuth), std::cos(azimuth), 0.0));
+    const Eigen::AngleAxisd tilt(-tilt_deg * kSteadySwingDegree,
+                                 Point3(-std::sin(azimuth), std::cos(azimuth), 0.0));
     nozzles.push_back(tilt * nozzleDown());
   }
   path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));

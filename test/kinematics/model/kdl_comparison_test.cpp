@@ -68,7 +68,8 @@ TEST(KdlComparison, TheNozzleIsWhereKdlPutsIt) {
     const auto arm = kinematicModelFromUrdf(urdf);
     const auto model = urdf::parseURDF(urdf);
     const KDL::Chain to_nozzle = chainTo(*model, "nozzle");
-    const Eigen::Isometry3d root_from_bed = kdlComparisonForward(chainTo(*model, "bed"), JointValues::Zero(6));
+    const Eigen::Isometry3d root_from_bed =
+        kdlComparisonForward(chainTo(*model, "bed"), JointValues::Zero(6));
     EXPECT_TRUE(rc::check([&](std::uint64_t seed) {
       Random random(seed);
       const JointValues values = test::anyJointValues(*arm, random);

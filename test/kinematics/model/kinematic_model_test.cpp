@@ -24,7 +24,8 @@ JointValues anyValues(const KinematicModel& model, Random& random) {
   JointValues values(static_cast<Eigen::Index>(model.joints().size()));
   for (Eigen::Index j = 0; j < values.size(); ++j) {
     const DrivenJoint& joint = model.joints()[static_cast<std::size_t>(j)];
-    values[j] = random.uniform(std::max(joint.low, -kKinematicModelWide), std::min(joint.high, kKinematicModelWide));
+    values[j] =
+        random.uniform(std::max(joint.low, -kKinematicModelWide), std::min(joint.high, kKinematicModelWide));
   }
   return values;
 }
@@ -132,17 +133,19 @@ TEST(KinematicModel, ABeltHasNoEnd) {
 TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("\"nozzle\"", "\"tip\"")),
             "machine 'cartesian_gantry' has no link 'nozzle'");
-  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
-            "machine 'cartesian_gantry': the axis of joint 'z' is 2.000000 long; expected 1");
-  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
-            "machine 'cartesian_gantry': the axes x, y and z do not span space");
+  EXPECT_EQ(
+      test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"0 0 2\"/>")),
+      "machine 'cartesian_gantry': the axis of joint 'z' is 2.000000 long; expected 1");
+  EXPECT_EQ(
+      test::descriptionFailure(kinematicModelGantryWith("<axis xyz=\"0 0 1\"/>", "<axis xyz=\"1 0 0\"/>")),
+      "machine 'cartesian_gantry': the axes x, y and z do not span space");
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("upper=\"0.25\"", "upper=\"-1\"")),
             "machine 'cartesian_gantry': joint 'z' has limits 0.000000 to -1.000000; the lower must be the "
             "lesser");
   EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("velocity=\"0.2\"", "velocity=\"0\"")),
             "machine 'cartesian_gantry': joint 'z' has a velocity of 0.000000; must be positive");
-  EXPECT_EQ(test::descriptionFailure(
-                kinematicModelGantryWith("<joint name=\"z\" type=\"prismatic\">", "<joint name=\"z\" type=\"fixed\">")),
+  EXPECT_EQ(test::descriptionFailure(kinematicModelGantryWith("<joint name=\"z\" type=\"prismatic\">",
+                                                              "<joint name=\"z\" type=\"fixed\">")),
             "machine 'cartesian_gantry' has 2 linear axes between bed and nozzle; expected x, y and z");
   const std::string unknown =
       test::descriptionFailure(kinematicModelGantryWith("<joint name=\"x\"", "<joint name=\"left\""));
@@ -153,7 +156,8 @@ TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
 
 TEST(KinematicModel, NamesTheJointThatHasNoLimits) {
   const std::string limit = "<limit lower=\"0\" upper=\"0.25\" velocity=\"0.2\" effort=\"100\"/>";
-  EXPECT_NE(test::descriptionFailure(kinematicModelGantryWith(limit, "")).find("is no URDF: Joint [z]"), std::string::npos)
+  EXPECT_NE(test::descriptionFailure(kinematicModelGantryWith(limit, "")).find("is no URDF: Joint [z]"),
+            std::string::npos)
       << test::descriptionFailure(kinematicModelGantryWith(limit, ""));
 }
 

@@ -21,7 +21,8 @@ FiveAxisSettings settingsOf(FiveAxisCoordinates coordinates) {
   return settings;
 }
 
-std::string fiveAxisWritten(const Toolpath& toolpath, const JointPath& joints, const FiveAxisSettings& settings) {
+std::string fiveAxisWritten(const Toolpath& toolpath, const JointPath& joints,
+                            const FiveAxisSettings& settings) {
   std::string text;
   writeFiveAxis({toolpath, Eigen::Isometry3d::Identity(), kTable, joints}, settings, {},
                 [&text](std::string_view piece) { text += piece; });
@@ -209,7 +210,8 @@ TEST(FiveAxis, ReaderNamesTheLineWhatWasFoundAndWhatWasExpected) {
 }
 
 TEST(FiveAxis, ReadsOrRefusesAnyMutatedText) {
-  const std::string text = fiveAxisWritten(leaning(test::twoLayers(), 1), settingsOf(FiveAxisCoordinates::ToolTip));
+  const std::string text =
+      fiveAxisWritten(leaning(test::twoLayers(), 1), settingsOf(FiveAxisCoordinates::ToolTip));
   EXPECT_TRUE(rc::check([&text](std::uint64_t seed) {
     Random random(seed);
     std::string mutated = text;

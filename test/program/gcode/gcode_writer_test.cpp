@@ -40,7 +40,7 @@ Toolpath line() {
 }
 
 std::string gcodeWriterWritten(const Toolpath& toolpath, const ProgramSettings& settings,
-                    const Eigen::Isometry3d& bed_from_part = Eigen::Isometry3d::Identity()) {
+                               const Eigen::Isometry3d& bed_from_part = Eigen::Isometry3d::Identity()) {
   std::string text;
   writeGcode(toolpath, bed_from_part, settings, [&](std::string_view piece) { text += piece; });
   return text;

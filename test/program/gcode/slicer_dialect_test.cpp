@@ -14,7 +14,9 @@
 namespace lamina {
 namespace {
 
-Toolpath slicerDialectRead(const std::string& program) { return toolpathFromGcode(program, ProgramSettings{}, "part"); }
+Toolpath slicerDialectRead(const std::string& program) {
+  return toolpathFromGcode(program, ProgramSettings{}, "part");
+}
 
 std::vector<PathRole> depositingRoles(const Toolpath& toolpath) {
   std::vector<PathRole> roles;
@@ -200,7 +202,8 @@ TEST(SlicerDialect, Slic3rSkirtAndMovesInwardsAreLeftOut) {
 
 TEST(SlicerDialect, FilamentReportedAfterTheMotionsScalesTheBeads) {
   const double thin = totals(slicerDialectRead(kSlic3r)).deposited_mm3;
-  const double thick = totals(slicerDialectRead(std::string(kSlic3r) + "; filament_diameter = 2.85\n")).deposited_mm3;
+  const double thick =
+      totals(slicerDialectRead(std::string(kSlic3r) + "; filament_diameter = 2.85\n")).deposited_mm3;
   EXPECT_NEAR(thick / thin, std::pow(2.85 / 1.75, 2), 1e-9);
   EXPECT_NEAR(thin, 2.7459 * M_PI * 0.875 * 0.875, 1e-4);
 }

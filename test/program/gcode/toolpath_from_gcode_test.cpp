@@ -43,12 +43,14 @@ void requireSamePath(const Path& read, const Path& original, double volume_per_f
 }
 
 TEST(ToolpathFromGcode, ReadsBackWhatWasWritten) {
-  EXPECT_TRUE(
-      rc::check("the toolpath read back equals the one toolpathFromGcodeWritten within the rounding", [](std::uint64_t seed) {
+  EXPECT_TRUE(rc::check(
+      "the toolpath read back equals the one toolpathFromGcodeWritten within the rounding",
+      [](std::uint64_t seed) {
         const Toolpath original = test::randomToolpath(seed);
         validate(original);
         const ProgramSettings settings;
-        const Toolpath read = toolpathFromGcode(toolpathFromGcodeWritten(original, settings), settings, original.part_name);
+        const Toolpath read =
+            toolpathFromGcode(toolpathFromGcodeWritten(original, settings), settings, original.part_name);
         validate(read);
         const double volume_per_filament = M_PI * 0.875 * 0.875;
         RC_ASSERT(read.layers.size() == original.layers.size());

@@ -40,7 +40,8 @@ std::vector<Section> planarSlicerPropertiesSlice(const Mesh& mesh, const std::ve
 
 double slicedVolume(const Mesh& mesh, std::size_t layers) {
   double area_sum = 0.0;
-  for (const Section& section : planarSlicerPropertiesSlice(mesh, middles(mesh, layers))) area_sum += signedArea(section.contours);
+  for (const Section& section : planarSlicerPropertiesSlice(mesh, middles(mesh, layers)))
+    area_sum += signedArea(section.contours);
   return area_sum * boundingBox(mesh).size().z() / static_cast<double>(layers);
 }
 
@@ -52,7 +53,8 @@ bool areSame(const std::vector<Section>& a, const std::vector<Section>& b) {
 
 TEST(PlanarSlicerProperties, AClosedMeshGivesClosedContoursOnly) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
-    for (const Section& section : planarSlicerPropertiesSlice(randomStar(seed), middles(randomStar(seed), 37))) {
+    for (const Section& section :
+         planarSlicerPropertiesSlice(randomStar(seed), middles(randomStar(seed), 37))) {
       RC_ASSERT(section.open_contours.empty());
       RC_ASSERT(!section.contours.empty());
       RC_ASSERT(signedArea(section.contours) > 0.0);
@@ -66,7 +68,8 @@ TEST(PlanarSlicerProperties, PlanesThroughVerticesGiveClosedContoursOnly) {
     std::vector<double> heights;
     for (const Point3& vertex : mesh.vertices) heights.push_back(vertex.z());
     std::sort(heights.begin(), heights.end());
-    for (const Section& section : planarSlicerPropertiesSlice(mesh, heights)) RC_ASSERT(section.open_contours.empty());
+    for (const Section& section : planarSlicerPropertiesSlice(mesh, heights))
+      RC_ASSERT(section.open_contours.empty());
   }));
 }
 
@@ -114,7 +117,8 @@ TEST(PlanarSlicerProperties, RenumberingVerticesChangesNothing) {
     Mesh renumbered = mesh;
     for (std::size_t v = 0; v < order.size(); ++v) renumbered.vertices[order[v]] = mesh.vertices[v];
     for (Triangle& t : renumbered.triangles) t = {order[t[0]], order[t[1]], order[t[2]]};
-    RC_ASSERT(areSame(planarSlicerPropertiesSlice(mesh, middles(mesh, 25)), planarSlicerPropertiesSlice(renumbered, middles(mesh, 25))));
+    RC_ASSERT(areSame(planarSlicerPropertiesSlice(mesh, middles(mesh, 25)),
+                      planarSlicerPropertiesSlice(renumbered, middles(mesh, 25))));
   }));
 }
 

@@ -28,7 +28,8 @@ class Cubes {
   bool at(int x, int y, int z) const {
     const auto isInside = [](int i) { return i >= 0 && i < kPlanarSlicerVoxelsSide; };
     if (!isInside(x) || !isInside(y) || !isInside(z)) return false;
-    return is_filled_[static_cast<std::size_t>((z * kPlanarSlicerVoxelsSide + y) * kPlanarSlicerVoxelsSide + x)];
+    return is_filled_[static_cast<std::size_t>((z * kPlanarSlicerVoxelsSide + y) * kPlanarSlicerVoxelsSide +
+                                               x)];
   }
 
   int countInLayer(int z) const {
@@ -89,7 +90,8 @@ TEST(PlanarSlicerVoxels, AreasCountTheCubes) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     const Cubes cubes(seed);
     // Through the middles of the cubes, and through their faces, where what lies above counts.
-    const auto sections = planarSlicerVoxelsSlice(cubes.surface(), {-0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0});
+    const auto sections =
+        planarSlicerVoxelsSlice(cubes.surface(), {-0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0});
     for (std::size_t i = 0; i < sections.size(); ++i) {
       const int layer = i == 0 ? -1 : static_cast<int>(i - 1) / 2;
       RC_ASSERT(sections[i].open_contours.empty());

@@ -14,7 +14,9 @@ namespace {
 
 using test::SimulatedLink;
 
-StreamableProgram streamerProgram(const std::string& text) { return StreamableProgram::fromText("test", text, 96); }
+StreamableProgram streamerProgram(const std::string& text) {
+  return StreamableProgram::fromText("test", text, 96);
+}
 
 EmulatedSettings instantMachine() {
   EmulatedSettings settings;

@@ -61,12 +61,13 @@ Path wallAt(double x, double height) {
   return wall;
 }
 
-/// A wall of one bead, 1 mm wide, along y at that x, and a jointClearanceTravel that comes down beside it to (0, 0, z) with
-/// the head tilted towards the wall.
+/// A wall of one bead, 1 mm wide, along y at that x, and a jointClearanceTravel that comes down beside it to
+/// (0, 0, z) with the head tilted towards the wall.
 Toolpath jointClearanceBesideWall(double x, double wall_height, double z, double tilt) {
   const Path wall = wallAt(x, wall_height);
   Path down = jointClearanceTravel({{0, 0, 100}, {0, 0, z}}, tilt);
-  return {"wall", {{wall_height, wall_height, {wall, jointClearanceTravel({wall.lastPoint(), {0, 0, 100}}), down}}}};
+  return {"wall",
+          {{wall_height, wall_height, {wall, jointClearanceTravel({wall.lastPoint(), {0, 0, 100}}), down}}}};
 }
 
 JointPath jointsOf(const KinematicModel& model, const Toolpath& toolpath) {
@@ -112,8 +113,11 @@ TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
     const double limit = 10.0 - gap / std::tan(half_angle + tilt);
     RC_PRE(limit > 0.5 && 9.5 > limit);
     const std::string machine = tippingHead(jointClearanceConeOf(half_angle));
-    RC_ASSERT(jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit + 0.01, tilt), machine).collisions.empty());
-    const auto collisions = jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit - 0.01, tilt), machine).collisions;
+    RC_ASSERT(jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit + 0.01, tilt), machine)
+                  .collisions.empty());
+    const auto collisions =
+        jointClearanceChecked(jointClearanceBesideWall(gap + 0.5, 10.0, limit - 0.01, tilt), machine)
+            .collisions;
     RC_ASSERT(collisions.size() == 1U);
     RC_ASSERT(collisions[0].obstacle == Obstacle::Material);
     RC_ASSERT(collisions[0].at.path == 2U && collisions[0].at.waypoint == 1U);
@@ -123,16 +127,20 @@ TEST(JointClearance, ATiltedConeMeetsAWallWhereItsLeaningFlankDoes) {
 
 TEST(JointClearance, ATiltAwayFromAWallClearsIt) {
   const std::string machine = tippingHead(jointClearanceConeOf(0.5));
-  EXPECT_EQ(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.4), machine).collisions.size(), 1U);
-  EXPECT_TRUE(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, -0.5), machine).collisions.empty());
+  EXPECT_EQ(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.4), machine).collisions.size(),
+            1U);
+  EXPECT_TRUE(
+      jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, -0.5), machine).collisions.empty());
 }
 
 TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
   // The flank of a cone of half angle 0.5 lies on the plate at a tilt of pi / 2 - 0.5.
   const Path clear = jointClearanceTravel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 - 0.01);
   const Path below = jointClearanceTravel({{0, 0, 0.01}, {20, 0, 0.01}}, M_PI / 2 - 0.5 + 0.01);
-  EXPECT_TRUE(jointClearanceChecked({"tip", {{1, 1, {clear}}}}, tippingHead(jointClearanceConeOf(0.5))).collisions.empty());
-  const auto collisions = jointClearanceChecked({"tip", {{1, 1, {below}}}}, tippingHead(jointClearanceConeOf(0.5))).collisions;
+  EXPECT_TRUE(jointClearanceChecked({"tip", {{1, 1, {clear}}}}, tippingHead(jointClearanceConeOf(0.5)))
+                  .collisions.empty());
+  const auto collisions =
+      jointClearanceChecked({"tip", {{1, 1, {below}}}}, tippingHead(jointClearanceConeOf(0.5))).collisions;
   ASSERT_EQ(collisions.size(), 2U) << "both waypoints";
   EXPECT_EQ(collisions[0].obstacle, Obstacle::Bed);
   EXPECT_EQ(collisions[0].link, "nozzle");
@@ -140,7 +148,8 @@ TEST(JointClearance, AHeadThatTipsIntoThePlateNamesTheBed) {
 
 TEST(JointClearance, AHeadThatRunsIntoAPostNamesBothLinks) {
   const auto collisions =
-      jointClearanceChecked({"post", {{1, 1, {jointClearanceTravel({{150, 0, 50}, {190, 0, 50}})}}}}, tippingHead(jointClearanceConeOf(0.5)))
+      jointClearanceChecked({"post", {{1, 1, {jointClearanceTravel({{150, 0, 50}, {190, 0, 50}})}}}},
+                            tippingHead(jointClearanceConeOf(0.5)))
           .collisions;
   ASSERT_EQ(collisions.size(), 1U);
   EXPECT_EQ(collisions[0].obstacle, Obstacle::Machine);
@@ -175,8 +184,9 @@ TEST(JointClearance, BeadsOfLayersThatBendLieBelowTheTipAlongTheToolAxis) {
   const double inside = 1.0 / std::sqrt(2.0);
   const Path low = jointClearanceTravel({{10 + inside, 0, 10}, {10 + inside, 0, 30 - inside}});
   const Path between = jointClearanceTravel({bead.lastPoint(), {60, 0, 60}, {60, 0, 10}, low.firstPoint()});
-  const auto collisions =
-      jointClearanceChecked({"slope", {{40, 2, {bead, between, low}}}}, tippingHead(jointClearanceConeOf(0.1))).collisions;
+  const auto collisions = jointClearanceChecked({"slope", {{40, 2, {bead, between, low}}}},
+                                                tippingHead(jointClearanceConeOf(0.1)))
+                              .collisions;
   ASSERT_FALSE(collisions.empty());
   EXPECT_EQ(collisions.back().obstacle, Obstacle::Material);
   EXPECT_EQ(collisions.back().at.path, 2U);
@@ -209,7 +219,8 @@ TEST(JointClearance, WaypointsWithoutJointValuesAreLeftOut) {
 }
 
 TEST(JointClearance, AMachineWithoutBodiesIsRefused) {
-  EXPECT_THROW(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")), InvalidConfig);
+  EXPECT_THROW(jointClearanceChecked(jointClearanceBesideWall(1.0, 10.0, 5.0, 0.0), tippingHead("")),
+               InvalidConfig);
 }
 
 TEST(JointClearance, IsTheSameWhateverTheThreads) {

@@ -63,7 +63,8 @@ Walk walkOverBed(const KinematicModel& model) {
       for (const double y : {-1.0, -0.5, 0.0, 0.5, 1.0})
         for (const double turn : {-15.0, 0.0, 15.0}) {
           const Point3 tip(room.centre().x() + x * half.x(), room.centre().y() + y * half.y(), height);
-          add(Eigen::Translation3d(tip) * Eigen::AngleAxisd(turn * kShippedMachinesDegree, Point3::UnitZ()) * held);
+          add(Eigen::Translation3d(tip) * Eigen::AngleAxisd(turn * kShippedMachinesDegree, Point3::UnitZ()) *
+              held);
         }
   walk.toolpath = {"walk", {{0.2, 0.2, {path}}}};
   return walk;

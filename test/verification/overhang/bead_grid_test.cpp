@@ -36,7 +36,9 @@ TEST(BeadGrid, FindsEveryBeadWithinTheMarginBetweenTheHeights) {
     Random random(seed);
     std::vector<DepositedBead> beads(100);
     for (DepositedBead& bead : beads)
-      bead = {beadGridAnywhere(random), beadGridAnywhere(random), {random.uniform(0.2, 1.0), random.uniform(0.1, 0.5)}};
+      bead = {beadGridAnywhere(random),
+              beadGridAnywhere(random),
+              {random.uniform(0.2, 1.0), random.uniform(0.1, 0.5)}};
     const BeadGrid grid(beads, kMargin);
     const Point2 place = beadGridAnywhere(random).head<2>();
     const double low = random.uniform(-1.0, 3.0);

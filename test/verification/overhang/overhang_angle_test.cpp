@@ -36,8 +36,8 @@ Toolpath wallsOf(double lean_deg, double tool_lean_deg) {
     for (int i = 0; i < 360; ++i) {
       const Point3 out(std::cos(i * kOverhangAngleDegree), std::sin(i * kOverhangAngleDegree), 0.0);
       path.points.emplace_back(radius * out + z * Point3::UnitZ());
-      const Point3 tool_axis =
-          -std::cos(tool_lean_deg * kOverhangAngleDegree) * Point3::UnitZ() - std::sin(tool_lean_deg * kOverhangAngleDegree) * out;
+      const Point3 tool_axis = -std::cos(tool_lean_deg * kOverhangAngleDegree) * Point3::UnitZ() -
+                               std::sin(tool_lean_deg * kOverhangAngleDegree) * out;
       tools.push_back(Eigen::Quaterniond::FromTwoVectors(Point3::UnitZ(), tool_axis));
     }
     path.orientation = AlongPath<Eigen::Quaterniond>(std::move(tools));

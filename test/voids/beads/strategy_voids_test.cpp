@@ -34,7 +34,8 @@ Path toPath(const FillPath& run) {
   path.feed_mm_s = 30.0;
   if (run.width_mm.empty()) return path;
   std::vector<Bead> beads;
-  for (const double width : run.width_mm) beads.push_back(beadOfArea(width * kStrategyVoidsHeight, kStrategyVoidsHeight));
+  for (const double width : run.width_mm)
+    beads.push_back(beadOfArea(width * kStrategyVoidsHeight, kStrategyVoidsHeight));
   path.bead = AlongPath<Bead>(std::move(beads));
   return path;
 }

@@ -73,7 +73,8 @@ Path runThrough(const Polyline& points, const std::vector<double>& widths, bool 
   run.is_closed = is_closed;
   std::vector<Bead> beads;
   for (const Point2& point : points) run.points.emplace_back(point.x(), point.y(), kVoidMapPointsHeight);
-  for (const double width : widths) beads.push_back(beadOfArea(width * kVoidMapPointsHeight, kVoidMapPointsHeight));
+  for (const double width : widths)
+    beads.push_back(beadOfArea(width * kVoidMapPointsHeight, kVoidMapPointsHeight));
   run.bead = AlongPath<Bead>(std::move(beads));
   run.feed_mm_s = 10.0;
   return run;

@@ -18,7 +18,8 @@ LayerVoids voidTotalsLayerOf(double area, double uncovered, double overfill, std
 }
 
 TEST(VoidTotals, ReportTheMeanOfTheLayersTheWholeAndTheWorst) {
-  const VoidTotals sums = totals({voidTotalsLayerOf(100, 1, 4, 2), voidTotalsLayerOf(10, 1, 0, 3), voidTotalsLayerOf(0, 0, 0, 0)});
+  const VoidTotals sums = totals(
+      {voidTotalsLayerOf(100, 1, 4, 2), voidTotalsLayerOf(10, 1, 0, 3), voidTotalsLayerOf(0, 0, 0, 0)});
   EXPECT_EQ(sums.layers, 3U);
   EXPECT_DOUBLE_EQ(sums.uncovered.mean_percent, (1.0 + 10.0) / 2) << "a layer without area has no percentage";
   EXPECT_DOUBLE_EQ(sums.uncovered.total_percent, 100.0 * 2 / 110);

@@ -122,13 +122,16 @@ TEST(RapidReader, NamesTheLineWhatWasFoundAndWhatWasExpected) {
   EXPECT_NE(rapidReaderRefusal("MoveL [[10", "MoveJ [[10").find("found instruction 'movej'; expected MoveL"),
             std::string::npos);
   EXPECT_NE(rapidReaderRefusal("fine,t_", "fino,t_").find("found zone 'fino'; expected"), std::string::npos);
-  EXPECT_NE(rapidReaderRefusal("speed_prueba,z0", "speed_x,z0").find("found speed 'speed_x'"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("speed_prueba,z0", "speed_x,z0").find("found speed 'speed_x'"),
+            std::string::npos);
   EXPECT_NE(rapidReaderRefusal("[[0.0000,", "[[x,").find("found 'x,0.0000"), std::string::npos);
   EXPECT_NE(rapidReaderRefusal("1.0000000", "0.9000000").find("length 0.9"), std::string::npos);
   EXPECT_NE(rapidReaderRefusal("WObj:=temple", "WObj:=wobj1").find("expected 'wobj1' as in the moves before"),
             std::string::npos);
-  EXPECT_NE(rapidReaderRefusal("PERS tooldata", "PERS toolbox").find("found data of type 'toolbox'"), std::string::npos);
-  EXPECT_NE(rapidReaderRefusal("ENDMODULE", "").find("the text ends; expected PROC, ENDMODULE"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("PERS tooldata", "PERS toolbox").find("found data of type 'toolbox'"),
+            std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("ENDMODULE", "").find("the text ends; expected PROC, ENDMODULE"),
+            std::string::npos);
 }
 
 TEST(RapidReader, RefusesMovesThatTheCommentsDoNotFit) {
@@ -136,8 +139,10 @@ TEST(RapidReader, RefusesMovesThatTheCommentsDoNotFit) {
             std::string::npos);
   EXPECT_NE(rapidReaderRefusal("!# bead 0.4 0.2 4", "!# bead 0.4 0.2 3").find("expected one bead for each"),
             std::string::npos);
-  EXPECT_NE(rapidReaderRefusal("!# path", "! path").find("a note of a path before its beads"), std::string::npos);
-  EXPECT_NE(rapidReaderRefusal("!# layer 0.2 0.2\n", "").find("expected a note '!# layer'"), std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("!# path", "! path").find("a note of a path before its beads"),
+            std::string::npos);
+  EXPECT_NE(rapidReaderRefusal("!# layer 0.2 0.2\n", "").find("expected a note '!# layer'"),
+            std::string::npos);
   EXPECT_NE(rapidReaderRefusal("outer_wall closed", "outer_hall closed").find("expected the role of a path"),
             std::string::npos);
   EXPECT_NE(rapidReaderRefusal("Haz_ON;\n", "\n").find("the process is off in a path that is outer_wall"),

@@ -215,8 +215,9 @@ TEST(RapidProgram, RefusesWhatItCannotReportBeforeTheFirstPiece) {
   split.max_points = 3;
   RapidSettings joints;
   joints.configuration = RapidConfiguration::Joints;
-  EXPECT_NE(refusal(turning, rapidProgramSettingsOf(RapidVariant::Wire3Axes)).find("layer 1, path 0, waypoint 0"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(turning, rapidProgramSettingsOf(RapidVariant::Wire3Axes)).find("layer 1, path 0, waypoint 0"),
+      std::string::npos);
   EXPECT_NE(refusal(drops, {}).find("drops"), std::string::npos);
   EXPECT_NE(refusal({"empty", {}}, {}).find("no path"), std::string::npos);
   EXPECT_NE(refusal(test::twoLayers(), named).find("v20, which is 20.000 mm/s"), std::string::npos);
