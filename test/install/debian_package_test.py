@@ -2,7 +2,8 @@
 """The Debian package holds what is installed, names what it needs, and runs once it is unpacked."""
 import unittest
 
-from trees import BUILD, HAS_ROS, SCRATCH, build_paths, empty_scratch, layers, run, run_paths
+from trees import (BUILD, HAS_ROS, SCRATCH, build_paths, empty_scratch, layers, run,
+                   run_commands_with_libraries_of_their_own, run_paths)
 
 TREE = SCRATCH / "root/usr"
 
@@ -39,6 +40,7 @@ class Package(unittest.TestCase):
 
     def test_the_command_runs_and_slices(self):
         self.assertIn("slice", run(TREE / "bin/lamina", "--help"))
+        run_commands_with_libraries_of_their_own(TREE)
         run(TREE / "bin/lamina", "slice", "box", "-o", SCRATCH / "box.gcode")
         self.assertEqual(layers(SCRATCH / "box.gcode"), 100)  # 20 mm by 0.2 mm
 

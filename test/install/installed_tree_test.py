@@ -7,7 +7,7 @@ import subprocess
 import unittest
 
 from trees import (BUILD, DEVEL, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers, run,
-                   run_paths)
+                   run_commands_with_libraries_of_their_own, run_paths)
 
 TREE = SCRATCH / "moved"
 PATIENCE = 60.0  # s: far above what a call takes, for loaded machines
@@ -42,6 +42,7 @@ class Tree(unittest.TestCase):
 
     def test_the_command_runs(self):
         self.assertIn("slice", run(TREE / "bin/lamina", "--help"))
+        run_commands_with_libraries_of_their_own(TREE)
 
     @unittest.skipUnless(HAS_ROS, "built without ROS")
     def test_ros_finds_package_nodes_and_launch_files(self):

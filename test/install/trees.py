@@ -58,5 +58,13 @@ def deposited_mm(program):
     return sum(extruded)
 
 
+def run_commands_with_libraries_of_their_own(tree):
+    """Runs those that look for more of the tree than the core: what draws, what collides, what searches."""
+    lamina = tree / "bin/lamina"
+    run(lamina, "preview", "box", "-o", SCRATCH / "box.png")
+    run(lamina, "check", "box", "--machine", "cartesian_gantry")
+    run(lamina, "optimise", tree / "share/doc/lamina/examples/studies/mini_specimens.yaml", "-o", SCRATCH / "study")
+
+
 def layers(program):
     return program.read_text().count(";LAYER:")
