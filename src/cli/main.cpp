@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/plugin.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -32,11 +33,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat forma
   return error.get_exit_code();
 }
 
-int runCommandLine(int argc, char** argv) {
-  CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
-  app.require_subcommand(1);
-  Chosen chosen;
-  chosen.format = formatAskedFor({argv + 1, argv + argc});
+void addSubcommands(CLI::App& app, Chosen& chosen) {
   addCheck(app, chosen);
   addClearance(app, chosen);
   addCoordinates(app, chosen);
@@ -61,8 +58,29 @@ int runCommandLine(int argc, char** argv) {
   addSweep(app, chosen);
   addTrack(app, chosen);
   addVoids(app, chosen);
+}
+
+/// Plug-ins of the command line may stand behind the subcommand too.
+void addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
+  app.add_option("--plugin", plugins,
+                 "Shared library that adds strategies, modes or formats; may be repeated; others are those "
+                 "in LAMINA_PLUGINS")
+      ->allow_extra_args(false);
+  for (CLI::App* subcommand : app.get_subcommands({})) subcommand->fallthrough();
+}
+
+int runCommandLine(int argc, char** argv) {
+  CLI::App app{"Lamina: from mesh to deposited layers on printers and robots", "lamina"};
+  app.require_subcommand(1);
+  Chosen chosen;
+  chosen.format = formatAskedFor({argv + 1, argv + argc});
+  std::vector<std::string> plugins;
+  addSubcommands(app, chosen);
+  addPluginOption(app, plugins);
   try {
     app.parse(argc, argv);
+    loadPlugins(pluginsOfEnvironment());
+    loadPlugins(plugins);
     chosen.run();
     return chosen.exit_code;
   } catch (const CLI::ParseError& error) {
