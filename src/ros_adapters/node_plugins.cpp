@@ -47,7 +47,7 @@ std::vector<std::string> loadPluginClasses() {
   // Where no environment names packages there is none that exports a class.
   if (ros::package::getPath("lamina").empty()) return {};
   PluginLoader& loader = foundPlugins();
-  const std::vector<std::string> names = loader.getDeclaredClasses();
+  std::vector<std::string> names = loader.getDeclaredClasses();
   for (const std::string& name : names) addEntriesOf(loader, name);
   return names;
 }
@@ -55,7 +55,7 @@ std::vector<std::string> loadPluginClasses() {
 std::vector<std::string> loadNodePlugins(const ros::NodeHandle& own) {
   loadPlugins(pluginsOfEnvironment());
   loadPlugins(pathsIn(own.param<std::string>(names::kPluginsParameter, "")));
-  const std::vector<std::string> classes = loadPluginClasses();
+  std::vector<std::string> classes = loadPluginClasses();
   for (const std::string& name : classes) ROS_INFO_STREAM("plug-in " << name << " is loaded");
   return classes;
 }
