@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/plugin.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -33,6 +34,15 @@ int refuse(const CLI::App& app, const CLI::ParseError& error, OutputFormat forma
   return error.get_exit_code();
 }
 
+/// Plug-ins of the command line may stand behind the subcommand too.
+void addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
+  app.add_option("--plugin", plugins,
+                 "Shared library that adds strategies, modes or formats; may be repeated; others are those "
+                 "in LAMINA_PLUGINS")
+      ->allow_extra_args(false);
+  for (CLI::App* subcommand : app.get_subcommands({})) subcommand->fallthrough();
+}
+
 }  // namespace
 
 int runCommandLine(int argc, char** argv, const std::vector<AddSubcommand>& subcommands) {
@@ -41,8 +51,12 @@ int runCommandLine(int argc, char** argv, const std::vector<AddSubcommand>& subc
   Chosen chosen;
   chosen.format = formatAskedFor({argv + 1, argv + argc});
   for (const AddSubcommand add : subcommands) add(app, chosen);
+  std::vector<std::string> plugins;
+  addPluginOption(app, plugins);
   try {
     app.parse(argc, argv);
+    loadPlugins(pluginsOfEnvironment());
+    loadPlugins(plugins);
     chosen.run();
     return chosen.exit_code;
   } catch (const CLI::ParseError& error) {

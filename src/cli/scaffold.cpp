@@ -51,7 +51,7 @@ void listKinds(OutputFormat format) {
 /// The flavour of G-code that the dialect of the command line names; Marlin's has Lamina's comments.
 /// @throws InvalidConfig if there is none
 std::string flavourOf(const std::string& dialect) {
-  const std::string flavour = dialect == "lamina" ? "marlin" : dialect;
+  std::string flavour = dialect == "lamina" ? "marlin" : dialect;
   gcodeFlavours().find(flavour);
   return flavour;
 }

@@ -26,6 +26,16 @@ constexpr std::array kSeparateCommands = {
     SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
 };
 
+/// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
+std::string subcommandOf(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--plugin") ++i;
+    else if (argument.rfind("-", 0) != 0) return argument;
+  }
+  return {};
+}
+
 }  // namespace
 
 void addSeparateCommands(CLI::App& app, Chosen&) {
@@ -34,9 +44,9 @@ void addSeparateCommands(CLI::App& app, Chosen&) {
 }
 
 void runSeparateCommand(int argc, char** argv) {
-  if (argc < 2) return;
+  const std::string subcommand = subcommandOf(argc, argv);
   for (const SeparateCommand& command : kSeparateCommands) {
-    if (std::string(argv[1]) != command.name) continue;
+    if (subcommand != command.name) continue;
     const std::string path =
         (std::filesystem::read_symlink("/proc/self/exe").parent_path() / command.executable).string();
     execv(path.c_str(), argv);

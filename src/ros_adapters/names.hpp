@@ -64,6 +64,9 @@ inline constexpr char kFollowJointTrajectory[] =
     "follow_joint_trajectory";                              ///< of control_msgs, or of the same fields
 inline constexpr char kStreamProgram[] = "stream_program";  ///< lamina/StreamProgram
 
+// Parameters.
+inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of plug-ins, colons between
+
 // Frames.
 inline constexpr char kWorldFrame[] = "world";
 inline constexpr char kBaseFrame[] = "base_link";

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "lamina/base/error.hpp"
+#include "names.hpp"
 
 namespace lamina {
 namespace {
@@ -39,6 +40,7 @@ std::string textOf(const std::string& key, XmlRpcValue& value) {
 void flatten(const std::string& prefix, XmlRpcValue& group, std::vector<Parameter>& found) {
   for (auto& [name, value] : group) {
     const std::string key = prefix + name;
+    if (key == names::kPluginsParameter) continue;  // was heard before there were settings
     if (value.getType() == XmlRpcValue::TypeStruct)
       flatten(key + ".", value, found);
     else

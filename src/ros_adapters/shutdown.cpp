@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "lamina/base/error.hpp"
+#include "node_plugins.hpp"
 
 namespace lamina {
 namespace {
@@ -55,6 +56,7 @@ void runNode(int argc, char** argv, const NodeRun& run, const std::function<void
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
     const ros::WallTimer timer =
         run.on_signal == OnSignal::ShutDown ? shutdownOnSignal(node) : ros::WallTimer();
+    loadNodePlugins(ros::NodeHandle("~"));
     body();
   } catch (...) {
     logFailure(currentFailure());

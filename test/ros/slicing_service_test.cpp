@@ -4,8 +4,10 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -88,6 +90,20 @@ TEST_F(SlicingService, SlicesAParametricPartAndPublishesItsToolpath) {
   EXPECT_EQ(toolpath->id, response.toolpath_id);
   EXPECT_EQ(toolpath->header.frame_id, lamina::names::kPartFrame);
   EXPECT_EQ(toolpath->layers.size(), summary.layers);
+}
+
+TEST_F(SlicingService, LogsWhichRequestFailed) {
+  std::vector<std::string> lines;
+  const boost::function<void(const rosgraph_msgs::LogConstPtr&)> onLog =
+      [&](const rosgraph_msgs::LogConstPtr& message) { lines.push_back(message->msg); };
+  const ros::Subscriber rosout = node_.subscribe<rosgraph_msgs::Log>("/rosout", 1000, onLog);
+  const std::string expected = "cannot slice 'nothing' into '" + file("nothing.gcode") + "': ";
+  // What was logged before this test heard the node is lost.
+  EXPECT_TRUE(lamina::test::waitUntil([&] {
+    call("nothing", {}, file("nothing.gcode"));
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.rfind(expected, 0) == 0; });
+  }));
 }
 
 TEST_F(SlicingService, GivesTheSameIdForTheSameRequest) {

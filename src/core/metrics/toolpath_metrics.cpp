@@ -156,6 +156,7 @@ Registry<Metric>& toolpathMetrics() {
 
 std::vector<std::string> metricNames() {
   std::vector<std::string> names;
+  names.reserve(kNine.size());
   for (const NamedField& field : kNine) names.emplace_back(field.name);
   for (std::string& name : toolpathMetrics().names())
     if (fieldOf(name) == nullptr) names.push_back(std::move(name));

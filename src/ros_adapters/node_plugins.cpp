@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "node_plugins.hpp"
+
+#include <ros/console.h>
+#include <ros/package.h>
+
+#include <memory>
+#include <pluginlib/class_loader.hpp>
+
+#include "lamina/base/error_place.hpp"
+#include "lamina/base/plugin.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+using PluginLoader = pluginlib::ClassLoader<Plugin>;
+
+/// Entries hold code of the libraries: these are never unloaded.
+PluginLoader& pluginLoader() {
+  static PluginLoader& loader = *std::make_unique<PluginLoader>("lamina", "lamina::Plugin").release();
+  return loader;
+}
+
+void addEntriesOf(PluginLoader& loader, const std::string& name) {
+  try {
+    loader.createUniqueInstance(name)->addEntries();
+  } catch (const pluginlib::PluginlibException& error) {
+    throw FileError("cannot load plug-in '" + name + "': " + error.what());
+  } catch (...) {
+    rethrowAt("plug-in '" + name + "'");
+  }
+}
+
+PluginLoader& foundPlugins() {
+  try {
+    return pluginLoader();
+  } catch (const pluginlib::PluginlibException& error) {
+    throw FileError(std::string("cannot look for plug-ins: ") + error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> loadPluginClasses() {
+  // Where no environment names packages there is none that exports a class.
+  if (ros::package::getPath("lamina").empty()) return {};
+  PluginLoader& loader = foundPlugins();
+  std::vector<std::string> names = loader.getDeclaredClasses();
+  for (const std::string& name : names) addEntriesOf(loader, name);
+  return names;
+}
+
+std::vector<std::string> loadNodePlugins(const ros::NodeHandle& own) {
+  loadPlugins(pluginsOfEnvironment());
+  loadPlugins(pathsIn(own.param<std::string>(names::kPluginsParameter, "")));
+  std::vector<std::string> classes = loadPluginClasses();
+  for (const std::string& name : classes) ROS_INFO_STREAM("plug-in " << name << " is loaded");
+  return classes;
+}
+
+}  // namespace lamina
