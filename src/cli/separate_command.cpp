@@ -30,8 +30,10 @@ constexpr std::array kSeparateCommands = {
 std::string subcommandOf(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
-    if (argument == "--plugin") ++i;
-    else if (argument.rfind("-", 0) != 0) return argument;
+    if (argument == "--plugin")
+      ++i;
+    else if (argument.rfind("-", 0) != 0)
+      return argument;
   }
   return {};
 }

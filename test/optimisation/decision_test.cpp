@@ -63,20 +63,20 @@ TEST(DecisionTest, CostsThatAreAllEqualOrZeroDoNotDecide) {
     EXPECT_EQ(decision.chosen, 1U);
     for (const double index : decision.indices) EXPECT_TRUE(std::isfinite(index));
   }
-  const Decision same = decide({{7.0}, {7.0}}, {1.0}, DecisionMethod::Topsis);
+  const Decision same = decide(Rows{{7.0}, {7.0}}, {1.0}, DecisionMethod::Topsis);
   EXPECT_EQ(same.indices, (std::vector<double>{1.0, 1.0}));
   EXPECT_EQ(same.chosen, 0U);
-  EXPECT_EQ(decide({{0.0}}, {2.0}, DecisionMethod::Linmap).indices, std::vector<double>{0.0});
+  EXPECT_EQ(decide(Rows{{0.0}}, {2.0}, DecisionMethod::Linmap).indices, std::vector<double>{0.0});
 }
 
 TEST(DecisionTest, RefusesWhatCannotBeWeighed) {
   const auto method = DecisionMethod::Linmap;
-  EXPECT_THROW(decide({}, {}, method), InvalidInput);
-  EXPECT_THROW(decide({{1.0, 2.0}}, {1.0}, method), InvalidInput);
-  EXPECT_THROW(decide({{1.0}, {NAN}}, {1.0}, method), InvalidInput);
-  EXPECT_THROW(decide({{1.0}}, {-1.0}, method), InvalidConfig);
-  EXPECT_THROW(decide({{1.0}}, {0.0}, method), InvalidConfig);
-  EXPECT_THROW(decide({{1.0}}, {NAN}, method), InvalidConfig);
+  EXPECT_THROW(decide(Rows{}, {}, method), InvalidInput);
+  EXPECT_THROW(decide(Rows{{1.0, 2.0}}, {1.0}, method), InvalidInput);
+  EXPECT_THROW(decide(Rows{{1.0}, {NAN}}, {1.0}, method), InvalidInput);
+  EXPECT_THROW(decide(Rows{{1.0}}, {-1.0}, method), InvalidConfig);
+  EXPECT_THROW(decide(Rows{{1.0}}, {0.0}, method), InvalidConfig);
+  EXPECT_THROW(decide(Rows{{1.0}}, {NAN}, method), InvalidConfig);
 }
 
 TEST(DecisionTest, NeitherMethodTakesWhatAnotherAlternativeDominates) {

@@ -42,7 +42,7 @@ PlanSettings randomSettings(Random& random) {
   return settings;
 }
 
-Toolpath plan(const std::vector<Layer>& layers, const PlanSettings& settings) {
+Toolpath planOf(const std::vector<Layer>& layers, const PlanSettings& settings) {
   NoProgress progress;
   return planToolpath("part", layers, settings, progress);
 }
@@ -65,7 +65,7 @@ TEST(PlannerProperties, EveryPlanIsValidAndStaysInsideThePart) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const std::vector<Layer> layers = randomPart(random);
     const PlanSettings settings = randomSettings(random);
-    const Toolpath toolpath = plan(layers, settings);
+    const Toolpath toolpath = planOf(layers, settings);
     validate(toolpath);
     RC_ASSERT(toolpath.layers.size() == layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -83,16 +83,16 @@ TEST(PlannerProperties, EveryPlanIsTheSameForOneThreadAndForMany) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const std::vector<Layer> layers = randomPart(random);
     const PlanSettings settings = randomSettings(random);
-    const std::string id = toolpathId(plan(layers, settings));
+    const std::string id = toolpathId(planOf(layers, settings));
     const ThreadLimit one_thread(1);
-    RC_ASSERT(toolpathId(plan(layers, settings)) == id);
+    RC_ASSERT(toolpathId(planOf(layers, settings)) == id);
   }));
 }
 
 TEST(PlannerProperties, TravelsAndRunsTakeTurnsAndSkirtsAreInTheFirstLayerOnly) {
   EXPECT_TRUE(rc::check("any part and settings", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
-    const Toolpath toolpath = plan(randomPart(random), randomSettings(random));
+    const Toolpath toolpath = planOf(randomPart(random), randomSettings(random));
     const Path* previous = nullptr;
     for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
       for (const Path& path : toolpath.layers[i].paths) {
