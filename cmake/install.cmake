@@ -74,6 +74,9 @@ endforeach()
 install(DIRECTORY include/lamina DESTINATION include)
 install(DIRECTORY config urdf DESTINATION ${LAMINA_SHARE_DIR})
 install(DIRECTORY examples DESTINATION share/doc/lamina)
+# What is there to be read is no package to be found: rospack looks no further.
+file(WRITE ${PROJECT_BINARY_DIR}/rospack_nosubdirs "")
+install(FILES ${PROJECT_BINARY_DIR}/rospack_nosubdirs DESTINATION share/doc/lamina)
 install(FILES LICENSE DESTINATION share/doc/lamina RENAME copyright)
 
 # find_package(lamina) gives the targets; the file is the same with and without ROS (docs/design/007-install.md).
