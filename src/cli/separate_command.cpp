@@ -29,10 +29,10 @@ constexpr std::array kSeparateCommands = {
 /// The first argument that is neither an option before the subcommand nor its value; empty if there is none.
 std::string subcommandOf(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
-    const std::string argument = argv[i];
+    std::string argument = argv[i];
     if (argument == "--plugin")
       ++i;
-    else if (argument.rfind("-", 0) != 0)
+    else if (argument.empty() || argument.front() != '-')
       return argument;
   }
   return {};

@@ -11,7 +11,7 @@ constexpr double kTurn = 0.02;  // s between looks at what is due
 
 }  // namespace
 
-NozzleIntake::NozzleIntake(ros::NodeHandle node, Receiver receiver)
+NozzleIntake::NozzleIntake(const ros::NodeHandle& node, Receiver receiver)
     : transforms_(sequence_, node), receiver_(std::move(receiver)) {
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
 }

@@ -21,7 +21,7 @@ class NozzleIntake {
   using Receiver = std::function<void(const Eigen::Isometry3d& bed_from_nozzle)>;
 
   /// Subscribes to tf. The receiver is called in callbacks of the node's queue.
-  NozzleIntake(ros::NodeHandle node, Receiver receiver);
+  NozzleIntake(const ros::NodeHandle& node, Receiver receiver);
 
  private:
   void passDue();

@@ -29,7 +29,8 @@ TransformIntake::TransformIntake(TransformSequence& sequence, const ros::NodeHan
             sequence.addFixed(transform, authority);
           }) {}
 
-TransformIntake::TransformIntake(const ros::NodeHandle& node, Keeper keep_moving, Keeper keep_fixed)
+TransformIntake::TransformIntake(const ros::NodeHandle& node, const Keeper& keep_moving,
+                                 const Keeper& keep_fixed)
     : node_(node), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   moving_ = subscribe("/tf", keep_moving);

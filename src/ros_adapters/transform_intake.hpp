@@ -29,7 +29,7 @@ class TransformIntake {
   using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;
   using Keeper = std::function<void(const geometry_msgs::TransformStamped&, const std::string& authority)>;
 
-  TransformIntake(const ros::NodeHandle& node, Keeper keep_moving, Keeper keep_fixed);
+  TransformIntake(const ros::NodeHandle& node, const Keeper& keep_moving, const Keeper& keep_fixed);
 
   ros::Subscriber subscribe(const std::string& topic, const Keeper& keep);
   static void store(const Event& event, const Keeper& keep);

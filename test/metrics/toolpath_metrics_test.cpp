@@ -22,7 +22,7 @@ ToolpathMetrics measure(const Toolpath& toolpath, const MetricsSettings& setting
   return measureToolpath(toolpath, makePart("box"), Eigen::Isometry3d::Identity(), settings, nobody);
 }
 
-Toolpath straight(std::vector<double> lengths) {
+Toolpath straight(const std::vector<double>& lengths) {
   Path path = test::straightPath({0, 0, 0.2}, {1, 0, 0.2});
   path.points = {{0, 0, 0.2}};
   for (const double length : lengths) path.points.emplace_back(path.points.back() + Point3(length, 0, 0));

@@ -220,7 +220,7 @@ TEST(StampedHeights, WhateverIsLostNoLayerIsGivenAnotherOnesPoints) {
 TEST(StampedHeights, ALayerWhoseProfilesAllGotLostIsNotSeenAndTheOthersAreAsTheyAre) {
   Recording recording = wholePrint();
   auto& profiles = recording.profiles;
-  profiles.erase(profiles.begin() + 52, profiles.begin() + 2 * 52);
+  profiles.erase(profiles.begin() + 52, profiles.begin() + 104);
   const LayerHeightReports reports = reportsOf(recording);
   ASSERT_EQ(reports.size(), kLayers);
   EXPECT_EQ(reports[1].layer, 1u);

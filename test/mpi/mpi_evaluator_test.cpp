@@ -106,12 +106,17 @@ PointMeasurement unmade() { throw FileError("no part"); }
 }  // namespace lamina
 
 int main(int argc, char**) {
-  const lamina::MpiSession session;
-  const bool is_last_unable = argc > 1;
-  const bool is_last = session.rank() == session.size() - 1;
-  if (session.isLeader())
-    is_last_unable ? lamina::leadInVain(session) : lamina::lead(session);
-  else
-    lamina::servePoints([&] { return is_last && is_last_unable ? lamina::unmade() : lamina::measured; });
-  return lamina::faults == 0 ? 0 : 1;
+  try {
+    const lamina::MpiSession session;
+    const bool is_last_unable = argc > 1;
+    const bool is_last = session.rank() == session.size() - 1;
+    if (session.isLeader())
+      is_last_unable ? lamina::leadInVain(session) : lamina::lead(session);
+    else
+      lamina::servePoints([&] { return is_last && is_last_unable ? lamina::unmade() : lamina::measured; });
+    return lamina::faults == 0 ? 0 : 1;
+  } catch (...) {
+    std::fputs("an exception left the test\n", stderr);
+    return 1;
+  }
 }

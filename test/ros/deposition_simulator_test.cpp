@@ -92,7 +92,7 @@ class DepositionSimulator : public testing::Test {
 
   template <class Message>
   boost::shared_ptr<const Message> published(const std::string& topic) {
-    const auto message = ros::topic::waitForMessage<Message>(topic, node_, kPatience);
+    auto message = ros::topic::waitForMessage<Message>(topic, node_, kPatience);
     EXPECT_TRUE(message) << topic;
     return message;
   }

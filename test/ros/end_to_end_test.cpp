@@ -50,7 +50,7 @@ class PositionRecord {
 };
 
 std::string writtenBox() {
-  const std::string path = kFolder + "/box.stl";
+  std::string path = kFolder + "/box.stl";
   lamina::writeStl(path, lamina::makePart("box", {{"x_mm", "12"}, {"y_mm", "12"}, {"z_mm", "1.5"}}));
   return path;
 }
@@ -93,7 +93,7 @@ bool isAlive(const std::string& name) {
   return ros::service::exists("/" + name + "/set_logger_level", false);
 }
 
-lamina::PrintReport print(ros::NodeHandle node) {
+lamina::PrintReport print(const ros::NodeHandle& node) {
   lamina::PrintPartSettings settings;
   settings.part = writtenBox();
   settings.output_folder = kFolder;

@@ -78,7 +78,7 @@ TEST_F(Layers, HaveTheNozzlesFramesIfAskedFor) {
   EXPECT_EQ(display_.segments("nozzle_z"), 0U);
   part<QDoubleSpinBox>(content_, "frames_every").setValue(4.0);
   // At the start and at the end of each bead.
-  EXPECT_TRUE(waitFor([&] { return display_.segments("nozzle_z") == 2 * kLayers; }));
+  EXPECT_TRUE(waitFor([&] { return display_.segments("nozzle_z") == std::size_t{2} * kLayers; }));
   auto& slider = part<QSlider>(content_, "layers");
   slider.setFocus();
   QTest::keyClick(&slider, Qt::Key_Home);

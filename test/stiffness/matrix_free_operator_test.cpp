@@ -38,7 +38,7 @@ ElementMatrix byQuadrature(const ElasticMaterial& material, double h) {
         }
       }
       const auto [x, y, z] = std::array<double, 3>{gradient.x(), gradient.y(), gradient.z()};
-      strain.block<6, 3>(0, 3 * c) << x, 0, 0, 0, y, 0, 0, 0, z, y, x, 0, 0, z, y, z, 0, x;
+      strain.block<6, 3>(0, Eigen::Index{3} * c) << x, 0, 0, 0, y, 0, 0, 0, z, y, x, 0, 0, z, y, z, 0, x;
     }
     sum += strain.transpose() * elastic * strain * (h * h * h / 8.0);
   }

@@ -37,7 +37,7 @@ TEST(StiffnessVtk, HoldsEveryNodeAndElement) {
   const std::size_t cells = file.find("\nCELLS 36 324\n");
   ASSERT_NE(points, std::string::npos);
   ASSERT_NE(cells, std::string::npos);
-  EXPECT_EQ(cells - points, std::string("POINTS 80 float\n").size() + 80 * 12);
+  EXPECT_EQ(cells - points, std::string("POINTS 80 float\n").size() + std::size_t{80} * 12);
   EXPECT_NE(file.find("VECTORS displacement_mm float\n"), std::string::npos);
   EXPECT_NE(file.find("stress_mpa 6 36 float\n"), std::string::npos);
   // Float -1.0 of the corner (1, 2, 3) begins with 3F 80 00 00, most significant byte first.

@@ -30,7 +30,10 @@ class PngImage {
   Colour at(int column, int row) const {
     const unsigned char* bytes = cairo_image_surface_get_data(surface_);
     std::uint32_t pixel = 0;
-    std::memcpy(&pixel, bytes + row * cairo_image_surface_get_stride(surface_) + 4 * column, sizeof pixel);
+    std::memcpy(
+        &pixel,
+        bytes + std::ptrdiff_t{row} * cairo_image_surface_get_stride(surface_) + std::ptrdiff_t{4} * column,
+        sizeof pixel);
     return {(pixel >> 16 & 255U) / 255.0, (pixel >> 8 & 255U) / 255.0, (pixel & 255U) / 255.0};
   }
 

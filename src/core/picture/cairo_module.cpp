@@ -141,8 +141,9 @@ std::unique_ptr<PixelSurface> surfaceOf(int width, int height) {
 }  // namespace
 }  // namespace lamina
 
-extern "C" const void* lamina_module();
-extern "C" const void* lamina_module() {
+// A name of C.
+extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
+extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
   static constexpr lamina::CairoModule kTable{&lamina::surfaceOf};
   return &kTable;
 }

@@ -48,7 +48,7 @@ std::string assembly() {
   const std::string path = testing::TempDir() + "assembly.3mf";
   EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
   for (Object* handle : {writer, item, component, object, mesh, model}) NMR::lib3mf_release(handle);
-  const std::string bytes = readFile(path);
+  std::string bytes = readFile(path);
   std::remove(path.c_str());
   return bytes;
 }

@@ -20,7 +20,7 @@ ReportWatch watch(SilenceBy by) {
 /// Looks every 20 ms.
 std::optional<std::string> lookAllTheTime(ReportWatch& watch, double from_s, double to_s) {
   for (int i = 0; from_s + 0.02 * i <= to_s; ++i)
-    if (const auto silence = watch.look(after(from_s + 0.02 * i))) return silence;
+    if (auto silence = watch.look(after(from_s + 0.02 * i))) return silence;
   return std::nullopt;
 }
 

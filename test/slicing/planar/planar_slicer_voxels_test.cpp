@@ -28,8 +28,9 @@ class Cubes {
   bool at(int x, int y, int z) const {
     const auto isInside = [](int i) { return i >= 0 && i < kPlanarSlicerVoxelsSide; };
     if (!isInside(x) || !isInside(y) || !isInside(z)) return false;
-    return is_filled_[static_cast<std::size_t>((z * kPlanarSlicerVoxelsSide + y) * kPlanarSlicerVoxelsSide +
-                                               x)];
+    return is_filled_[(static_cast<std::size_t>(z) * kPlanarSlicerVoxelsSide + static_cast<std::size_t>(y)) *
+                          kPlanarSlicerVoxelsSide +
+                      static_cast<std::size_t>(x)];
   }
 
   int countInLayer(int z) const {
@@ -73,7 +74,8 @@ class Cubes {
     }
   }
 
-  std::array<bool, kPlanarSlicerVoxelsSide * kPlanarSlicerVoxelsSide * kPlanarSlicerVoxelsSide> is_filled_{};
+  std::array<bool, std::size_t{kPlanarSlicerVoxelsSide} * kPlanarSlicerVoxelsSide * kPlanarSlicerVoxelsSide>
+      is_filled_{};
 };
 
 std::vector<Section> planarSlicerVoxelsSlice(const Mesh& mesh, const std::vector<double>& heights) {

@@ -166,8 +166,9 @@ Mesh readThreemfByLib3mf(std::string_view bytes, const std::string& name) {
 
 }  // namespace lamina
 
-extern "C" const void* lamina_module();
-extern "C" const void* lamina_module() {
+// A name of C.
+extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
+extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
   static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf};
   return &kTable;
 }

@@ -57,8 +57,9 @@ bool meetsBox(const CollisionShape& shape, const Eigen::Isometry3d& pose, const 
 }  // namespace
 }  // namespace lamina
 
-extern "C" const void* lamina_module();
-extern "C" const void* lamina_module() {
+// A name of C.
+extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
+extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
   static constexpr lamina::FclModule kTable{&lamina::shapeOf, &lamina::meet, &lamina::meetsBox};
   return &kTable;
 }

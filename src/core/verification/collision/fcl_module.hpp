@@ -18,11 +18,11 @@ class CollisionShape {
 /// What the module `fcl` offers: FCL stays out of commands that check no collisions. Poses are of the shapes
 /// in one frame [mm].
 struct FclModule {
-  std::shared_ptr<const CollisionShape> (*shapeOf)(const BodyShape& shape);
+  std::shared_ptr<const CollisionShape> (*shape)(const BodyShape& shape);
   bool (*meet)(const CollisionShape& a, const Eigen::Isometry3d& pose_a, const CollisionShape& b,
                const Eigen::Isometry3d& pose_b);
-  bool (*meetsBox)(const CollisionShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
-                   const Eigen::Isometry3d& box_pose);
+  bool (*meets_box)(const CollisionShape& shape, const Eigen::Isometry3d& pose, const Point3& size,
+                    const Eigen::Isometry3d& box_pose);
 };
 
 }  // namespace lamina

@@ -34,7 +34,7 @@ BodyShape grown(const BodyShape& shape, double margin) {
   return std::visit([margin](const auto& solid) { return grownFrom(solid, margin); }, shape);
 }
 
-Solid::Solid(const BodyShape& shape) : shape_(shape), geometry_(fclModule().shapeOf(shape)) {}
+Solid::Solid(const BodyShape& shape) : shape_(shape), geometry_(fclModule().shape(shape)) {}
 
 Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) const {
   const auto reach = [&](const Point3& direction) {
@@ -52,7 +52,7 @@ Extents Solid::extentsAt(const Eigen::Isometry3d& pose, const Point3& normal) co
 }
 
 bool Solid::meets(const DepositedBox& box, const Eigen::Isometry3d& pose) const {
-  return fclModule().meetsBox(*geometry_, pose, box.size.cast<double>(), box.pose());
+  return fclModule().meets_box(*geometry_, pose, box.size.cast<double>(), box.pose());
 }
 
 bool Solid::meets(const Solid& other, const Eigen::Isometry3d& other_pose,
