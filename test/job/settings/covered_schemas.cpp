@@ -43,4 +43,22 @@ std::vector<std::string> coreKeys() {
                    ProfileSensorSettings, TrackingSettings>();
 }
 
+const std::vector<TestedElsewhere>& testedElsewhere() {
+  static const std::vector<TestedElsewhere> all = {
+      {"clearance.report", "ros/slicing_service_test.cpp", "clearance.report"},
+      {"drop_voids.least_share", "job/voids/drop_void_job_test.cpp", "least_share"},
+      {"frames.every_mm", "ros/frame_markers_test.cpp", "every_mm"},
+      {"frames.length_mm", "ros/frame_markers_test.cpp", "length_mm"},
+      {"joints.branch_change", "kinematics/joint_path/joint_path_planner_test.cpp", "branch_change"},
+      {"joints.branch_change_cost", "kinematics/joint_path/ladder_search_test.cpp", "branch_change_cost"},
+      {"joints.max_slowdown", "kinematics/joint_path/joint_path_planner_test.cpp", "max_slowdown"},
+      {"overhang.report", "ros/slicing_service_test.cpp", "overhang.report"},
+      {"pose_gap_mm", "monitoring/stamped_heights_test.cpp", "pose_gap_mm"},
+      {"quiet_s", "monitoring/stamped_heights_test.cpp", "quiet_s"},
+      {"raster.order", "infill/rectilinear/section_order_test.cpp", "tourByEnds"},
+      {"sweep.cut_height", "sweep/sweep_test.cpp", "CutHeight::Absolute"},
+      {"surrogate.answer_nearness", "job/study/study_job_test.cpp", "answer_nearness"}};
+  return all;
+}
+
 }  // namespace lamina::test

@@ -10,4 +10,12 @@ namespace lamina::test {
 /// Keys of all settings that the core describes.
 std::vector<std::string> coreKeys();
 
+/// A setting whose effect another test shows, and the word for it there.
+struct TestedElsewhere {
+  const char* key;
+  const char* file;  ///< under test/
+  const char* word;
+};
+const std::vector<TestedElsewhere>& testedElsewhere();
+
 }  // namespace lamina::test

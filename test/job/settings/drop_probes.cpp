@@ -33,8 +33,7 @@ SettingProbe dropVoidProbe() {
            {"drop_voids.overlap=0.5", "drop_voids.fill=true"},
            {"drop_voids.definition=area", "drop_voids.fill=true"},
            {"drop_voids.detector=neighbours", "drop_voids.fill=true"},
-           {"drop_voids.passes=until_full", "drop_voids.fill=true;drop_voids.overlap=0.5"},
-           {"drop_voids.least_share=1", "drop_voids.fill=true"}}};
+           {"drop_voids.passes=until_full", "drop_voids.fill=true;drop_voids.overlap=0.5"}}};
 }
 
 SettingProbe dropProgramProbe() {

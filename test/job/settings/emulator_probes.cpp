@@ -67,8 +67,7 @@ SettingProbe queuesProbe() {
            {"emulator.block_queue=4"},
            {"emulator.command_queue=2"},
            {"emulator.rx_buffer_bytes=256"},
-           {"emulator.max_line_bytes=32", "emulator.rx_buffer_bytes=0"},
-           {"motion.acceleration_mm_s2=100"},
+
            {"emulator.moves_unhomed=false"}}};
 }
 

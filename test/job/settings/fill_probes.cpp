@@ -16,7 +16,7 @@ SettingProbe rasterProbe() {
           kPlain,
           toolpathOf("through_hole_plate x_mm=24 y_mm=16 z_mm=1 hole_radius_mm=5 segments=32"),
           {{"raster.direction=fewest_turns"},
-           {"raster.order=ends"},
+
            {"raster.longest_connection_mm=0"},
            {"raster.most_connection=0.5"}}};
 }
@@ -31,7 +31,7 @@ SettingProbe hybridProbe() {
            {"hybrid.grid_y_mm=0.7", "hybrid.lines=documented;infill.angle_deg=90"},
            {"hybrid.perimeter_step=1", "hybrid.lines=documented;hybrid.longitudinal=two_pass"},
            {"hybrid.add_above=3", "hybrid.lines=documented"},
-           {"hybrid.delete_below=0.1", "hybrid.lines=documented"},
+           {"hybrid.delete_below=2.9", "hybrid.lines=documented;hybrid.add_above=3"},
            {"hybrid.approach=1.4", "hybrid.lines=documented"},
            {"hybrid.curve_points=6", "hybrid.lines=documented"},
            {"hybrid.end_margin=1.5", "hybrid.lines=documented"},

@@ -11,6 +11,7 @@ namespace lamina::test {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
+constexpr char kNearLimits[] = "joints.limit_margin_deg=90;joints.limit_weight=1000";
 
 Eigen::Quaterniond leaning(double azimuth_deg, double tilt_deg) {
   const Eigen::Vector3d axis(-std::sin(azimuth_deg * kDegree), std::cos(azimuth_deg * kDegree), 0.0);
@@ -71,10 +72,10 @@ SettingProbe armProbe() {
           "joints.yaw_samples=24",
           jointsOn("irb_4600", beads(60.0, 15.0), {60, 60, 0}),
           {{"joints.yaw=held"},
-           {"joints.yaw_samples=18"},
-           {"joints.yaw_reach=0"},
-           {"joints.yaw_weight=5"},
-           {"joints.smooth_yaw=false"},
+           {"joints.yaw_samples=18", kNearLimits},
+           {"joints.yaw_reach=0", kNearLimits},
+           {"joints.yaw_weight=500", kNearLimits},
+           {"joints.smooth_yaw=false", kNearLimits},
            {"joints.max_turn_deg=0.05"},
            {"joints.singular_margin_deg=80", "joints.singular_weight=1000"},
            {"joints.singular_weight=1000", "joints.singular_margin_deg=80"},
@@ -84,7 +85,8 @@ SettingProbe armProbe() {
            {"joints.max_step_mm=2"},
            {"joints.max_step_deg=1"},
            {"joints.tip_tolerance_mm=0.0005", "joints.max_step_mm=100;joints.max_step_deg=90"},
-           {"joints.tool_axis_tolerance_deg=0.002", "joints.max_step_mm=100;joints.max_step_deg=90"}}};
+           {"joints.tool_axis_tolerance_deg=0.002",
+            "joints.max_step_mm=100;joints.max_step_deg=90;joints.tip_tolerance_mm=100"}}};
 }
 
 SettingProbe turntableProbe() {
@@ -100,22 +102,11 @@ SettingProbe uprightHeadProbe() {
   return {"joints of a head near its singularity",
           "",
           jointsOn("five_axis_head_ac", beads(170.0, 0.3), {60, 60, 0}),
-          {{"joints.singular_tool_axis_tolerance_deg=1"},
-           {"joints.swing_tolerance_deg=0.2"},
-           {"joints.max_slowdown=1"}}};
-}
-
-SettingProbe branchProbe() {
-  return {"branches of a head",
-          "",
-          jointsOn("five_axis_head_ac", beads(150.0, 20.0), {60, 60, 0}),
-          {{"joints.branch_change=never"}, {"joints.branch_change_cost=1000"}}};
+          {{"joints.singular_tool_axis_tolerance_deg=1"}, {"joints.swing_tolerance_deg=0.2"}}};
 }
 
 }  // namespace
 
-std::vector<SettingProbe> jointProbes() {
-  return {armProbe(), turntableProbe(), uprightHeadProbe(), branchProbe()};
-}
+std::vector<SettingProbe> jointProbes() { return {armProbe(), turntableProbe(), uprightHeadProbe()}; }
 
 }  // namespace lamina::test

@@ -47,14 +47,21 @@ SettingProbe curvedProbe() {
           toolpathOf("sphere radius_mm=5 segments=32"),
           {{"curved.normal_limit=0.5"},
            {"curved.longest_edge_mm=2"},
-           {"curved.largest_gap_percent=0.1"},
+
            {"flattening.method=smacof"},
            {"flattening.landmarks=5", "flattening.method=landmark_mds"},
            {"flattening.tolerance=0.02"},
            {"lifting.position_tolerance_mm=0.1"},
            {"lifting.normal_tolerance_deg=0.02"},
-           {"lifting.height_tolerance=0.002"},
+
            {"lifting.widest_bead=1"}}};
+}
+
+SettingProbe gapProbe() {
+  return {"curved layers that leave gaps",
+          std::string(kThick) + "slicing.mode=curved;curved.largest_gap_percent=100",
+          toolpathOf("blade points=16 sections=6 chord_mm=20 height_mm=12"),
+          {{"curved.largest_gap_percent=1"}}};
 }
 
 SettingProbe conformalProbe() {
@@ -87,7 +94,8 @@ SettingProbe heightFieldProbe() {
   return {"bent layers",
           std::string(kThick) + "slicing.mode=heightfield",
           toolpathOf("cone radius_mm=8 top_radius_mm=1 height_mm=2 segments=48"),
-          {{"heightfield.cell_mm=0.8"},
+          {{"lifting.height_tolerance=0.001", "lifting.position_tolerance_mm=1"},
+           {"heightfield.cell_mm=0.8"},
            {"heightfield.max_slope_deg=5"},
            {"heightfield.min_thickness=0.9"},
            {"heightfield.max_thickness=1.1"},
@@ -97,7 +105,7 @@ SettingProbe heightFieldProbe() {
 SettingProbe orientationProbe() {
   return {"the nozzle's orientation",
           std::string(kThick) + "machine.name=five_axis_head_ac",
-          toolpathOf("cone radius_mm=6 top_radius_mm=8 height_mm=1 segments=32"),
+          toolpathOf("cone radius_mm=6 top_radius_mm=6.5 height_mm=1 segments=32"),
           {{"orientation.mode=wall"},
            {"orientation.fixed_tilt_deg=20", "orientation.mode=fixed"},
            {"orientation.fixed_heading_deg=50", "orientation.mode=fixed;orientation.fixed_tilt_deg=20"},
@@ -114,7 +122,7 @@ SettingProbe orientationProbe() {
 }  // namespace
 
 std::vector<SettingProbe> layerProbes() {
-  return {inclinedProbe(),  beltProbe(), adaptedProbe(),     curvedProbe(),
+  return {inclinedProbe(),  beltProbe(), adaptedProbe(),     curvedProbe(),     gapProbe(),
           conformalProbe(), baseProbe(), heightFieldProbe(), orientationProbe()};
 }
 

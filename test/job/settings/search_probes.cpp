@@ -25,9 +25,10 @@ void describe(SettingsSchema& schema, AllSearchSettings& settings) {
   lamina::describe(schema, settings.kriging);
 }
 
-DesignSpace square() {
+DesignSpace room() {
   return {{"x", VariableKind::Continuous, -1.0, 3.0, {}, {}},
-          {"y", VariableKind::Continuous, -2.0, 2.0, {}, {}}};
+          {"y", VariableKind::Continuous, -2.0, 2.0, {}, {}},
+          {"z", VariableKind::Continuous, 0.0, 1.0, {}, {}}};
 }
 
 std::string pointsText(const std::vector<Evaluation>& evaluations) {
@@ -36,11 +37,15 @@ std::string pointsText(const std::vector<Evaluation>& evaluations) {
   return text;
 }
 
-/// Two hills apart; nothing can be tried in a corner.
-std::vector<double> hills(const DesignPoint& point, Progress&) {
-  if (point[0] > 1.2 && point[0] < 1.8) throw InvalidInput("cannot be tried");
-  return {1.0 + std::pow(point[0] - 1.5, 2) + std::pow(std::sin(point[1]), 2),
+/// Two hills apart; of `hills` some points cannot be tried.
+std::vector<double> calmHills(const DesignPoint& point, Progress& /*progress*/) {
+  return {1.0 + std::pow(point[0] - 1.5, 2) + std::pow(std::sin(point[1]), 2) + 0.1 * point[2],
           1.0 + std::pow(point[0], 2) + std::pow(point[1] - 1.0, 2)};
+}
+
+std::vector<double> hills(const DesignPoint& point, Progress& progress) {
+  if (point[0] > 1.2 && point[0] < 1.8) throw InvalidInput("cannot be tried");
+  return calmHills(point, progress);
 }
 
 std::string front(const SettingTexts& set) {
@@ -48,18 +53,17 @@ std::string front(const SettingTexts& set) {
   NoProgress nobody;
   const Goals goals{{{"f", Sense::Minimise, 1.0}, {"g", Sense::Minimise, 1.0}}, {}};
   return pointsText(
-      searchFront({square(), goals, evaluator}, settingsWith<SearchSettings>(set).nsga2, {}, nobody)
+      searchFront({room(), goals, evaluator}, settingsWith<SearchSettings>(set).nsga2, {}, nobody)
           .evaluations);
 }
 
-std::string learnt(const SettingTexts& set) {
+std::string learntOf(const PointMeasurement& measure, const SettingTexts& set) {
   const AllSearchSettings settings = settingsWith<AllSearchSettings>(set);
-  ParallelEvaluator evaluator({"f", "g"}, hills);
+  ParallelEvaluator evaluator({"f", "g"}, measure);
   NoProgress nobody;
   const Goals goals{{{"f", Sense::Minimise, 1.0}}, {{"g", 0.0, 5.0}}};
-  const SurrogateSearch search =
-      searchBySurrogate({square(), goals, evaluator}, {krigingFit(settings.kriging), {}},
-                        settings.search.surrogate, {}, nobody);
+  const SurrogateSearch search = searchBySurrogate(
+      {room(), goals, evaluator}, {krigingFit(settings.kriging), {}}, settings.search.surrogate, {}, nobody);
   return pointsText(search.evaluations) + toString(search.end);
 }
 
@@ -86,15 +90,15 @@ SettingProbe surrogateProbe() {
   return {"a search by surrogates",
           "surrogate.samples=10;surrogate.iterations=3;surrogate.most_iterations=4;genetic.individuals=20;"
           "genetic.generations=10",
-          learnt,
+          [](const SettingTexts& set) { return learntOf(hills, set); },
           {{"surrogate.design=full_factorial"},
            {"surrogate.levels=3", "surrogate.design=full_factorial"},
-           {"surrogate.generators=b=-a", "surrogate.design=fractional_factorial;surrogate.generators=b=a"},
+           {"surrogate.generators=c=-ab", "surrogate.design=fractional_factorial;surrogate.generators=c=ab"},
            {"surrogate.samples=14"},
            {"surrogate.proposal=expected_improvement"},
-           {"surrogate.iterations=4"},
+
            {"surrogate.most_iterations=3"},
-           {"surrogate.accepted_mape_percent=100", "surrogate.iterations=1"},
+
            {"surrogate.least_improvement_percent=100", "surrogate.proposal=expected_improvement"},
            {"surrogate.nearness=0.1", "surrogate.most_iterations=20;surrogate.iterations=20"},
            {"surrogate.failed_proposal=stop"},
@@ -111,6 +115,14 @@ SettingProbe surrogateProbe() {
 
 }  // namespace
 
-std::vector<SettingProbe> searchProbes() { return {frontProbe(), surrogateProbe()}; }
+std::vector<SettingProbe> searchProbes() {
+  return {frontProbe(),
+          surrogateProbe(),
+          {"a search that may stop",
+           "surrogate.samples=12;surrogate.iterations=2;surrogate.most_iterations=4;genetic.individuals=20;"
+           "genetic.generations=10;surrogate.accepted_mape_percent=100",
+           [](const SettingTexts& set) { return learntOf(calmHills, set); },
+           {{"surrogate.iterations=1"}, {"surrogate.accepted_mape_percent=0.000001"}}}};
+}
 
 }  // namespace lamina::test

@@ -42,7 +42,7 @@ std::string numbersText(const std::vector<double>& numbers) {
 
 std::string resultOf(const SettingProbe& probe, const std::string& with, const std::string& change) {
   SettingTexts set = settingTexts(probe.base + ";" + with);
-  if (!change.empty()) set.push_back(settingFromAssignment(change));
+  for (const SettingText& changed : settingTexts(change)) set.push_back(changed);
   try {
     return probe.result(set);
   } catch (const InvalidConfig&) {

@@ -13,6 +13,7 @@ namespace lamina::test {
 using SettingTexts = std::vector<SettingText>;
 
 /// One setting that is changed, and what has to be set besides for it to matter, as "key=value;key=value".
+/// Where a value asks for another setting's, that one stands behind it in the change.
 struct SettingRow {
   const char* change;
   const char* with = "";

@@ -7,19 +7,28 @@
 
 #include "job/settings/covered_schemas.hpp"
 #include "job/settings/setting_probe.hpp"
+#include "lamina/base/atomic_file.hpp"
 
 namespace lamina::test {
 namespace {
 
-std::string keyOf(const SettingRow& row) { return settingFromAssignment(row.change).key; }
+std::string keyOf(const SettingRow& row) { return settingTexts(row.change).front().key; }
 
 TEST(SettingsCoverage, EverySettingHasARow) {
   std::set<std::string> covered;
   for (const SettingProbe& probe : allProbes())
     for (const SettingRow& row : probe.rows) covered.insert(keyOf(row));
+  for (const TestedElsewhere& setting : testedElsewhere()) covered.insert(setting.key);
   for (const std::string& key : coreKeys())
     EXPECT_TRUE(covered.erase(key) > 0) << key << " changes nothing that a row expects";
   for (const std::string& key : covered) ADD_FAILURE() << key << " is no setting";
+}
+
+TEST(SettingsCoverage, WhatOtherTestsCoverStandsInThem) {
+  for (const TestedElsewhere& setting : testedElsewhere()) {
+    const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);
+    EXPECT_NE(text.find(setting.word), std::string::npos) << setting.key << " in " << setting.file;
+  }
 }
 
 TEST(SettingsCoverage, OfSlicing) { expectEffects(sliceProbes()); }

@@ -30,7 +30,6 @@ SilentJob streamedTo(Silence silence, const StreamSettings& settings, const std:
   double now_s = 0.0;
   if (silence != Silence::FromTheStart) {
     streamer.receive(kBeginAnswered, now_s);
-    streamer.receive("ok\nok\n", now_s);  // of the reports that are asked for
     note(streamer, now_s, job);
   }
   if (silence == Silence::FromTheAbort) {

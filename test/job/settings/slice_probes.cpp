@@ -81,10 +81,14 @@ SettingProbe narrowProbe() {
   return {"narrow places are filled",
           std::string(kCoarse) + ";skirt.count=0",
           toolpathOf("pyramid width_mm=10 depth_mm=2 height_mm=2"),
-          {{"walls.narrowest=0.9"},
-           {"raster.narrowest=0.9", "infill.density=1;walls.count=0"},
-           {"voids.refill=beads", "infill.density=1;infill.strategy=hilbert"},
-           {"voids.least_area=3", "infill.density=1;infill.strategy=hilbert;voids.refill=beads"}}};
+          {{"walls.narrowest=0.9"}, {"raster.narrowest=0.9", "infill.density=1;walls.count=0"}}};
+}
+
+SettingProbe refillProbe() {
+  return {"voids are refilled",
+          "skirt.count=0;walls.count=1;infill.density=1;infill.strategy=hilbert",
+          toolpathOf("through_hole_plate x_mm=12 y_mm=12 z_mm=0.2 hole_radius_mm=3 segments=32"),
+          {{"voids.refill=beads"}, {"voids.least_area=5", "voids.refill=beads"}}};
 }
 
 SettingProbe curvedOutlineProbe() {
@@ -97,11 +101,9 @@ SettingProbe curvedOutlineProbe() {
 }  // namespace
 
 std::vector<SettingProbe> sliceProbes() {
-  return {readingProbe(),
-          {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
-          planningProbe(),
-          narrowProbe(),
-          curvedOutlineProbe()};
+  return {readingProbe(),  {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
+          planningProbe(), narrowProbe(),
+          refillProbe(),   curvedOutlineProbe()};
 }
 
 }  // namespace lamina::test
