@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What others see is used: options of the command by a test or tool, launch files and their arguments too, topics, services and
-actions by a node and by a test, fields of messages by a source that fills them and by one that reads them.
+actions by a node and by a test. Fields of messages stand in a source, and once more in a source or test.
 
 Usage: interfaces.py [ROOT]   exits 1 and names what nothing outside its definition uses
 """
@@ -8,8 +8,23 @@ import pathlib
 import re
 import sys
 
+# What is not used yet, by why; nothing may be added, and what is used has to go.
+PANEL = "starts RViz, which has no display in tests"
+NO_TEST = "filled and published, read by people alone; its rostest does not look at it yet"
+GAPS = {
+    "incline.launch": PANEL, "layers.launch": PANEL,
+    "kBaseFrame": "stands in the descriptions of machines", "kToolFrame": "stands in the descriptions of machines",
+    "kProcessTrajectory": NO_TEST, "kTrackingError": NO_TEST, "kPartMarkers": NO_TEST, "kHeightOctomap": NO_TEST,
+    "goal_time_tolerance": "of control_msgs", "goal_tolerance": "of control_msgs",
+    "outside_volume": NO_TEST, "arcs_made_chords": NO_TEST, "build_aids_dropped": NO_TEST, "bed_temperature": NO_TEST,
+    "nozzle_temperature": NO_TEST, "beyond_bead": NO_TEST, "overhang_per_layer": NO_TEST, "refill_runs": NO_TEST,
+    "refilled_volume": NO_TEST, "steepest_lean": NO_TEST, "steepest_lean_at": NO_TEST, "least_queued": NO_TEST,
+    "tip_error": NO_TEST, "overfill_after": NO_TEST, "overfill_before": NO_TEST, "overlap_per_drop": NO_TEST,
+    "greatest_stress": NO_TEST, "is_fresh": NO_TEST,
+}
+
 OPTION = re.compile(r'add_(?:option|flag)\w*\(\s*"([^"]+)"')
-TOPIC = re.compile(r"inline constexpr char (k\w+)\[\]")
+TOPIC = re.compile(r'inline constexpr char (k\w+)\[\]\s*=\s*"([^"]+)"')
 FIELD = re.compile(r"^\s*[\w/]+(?:\[\w*\])?\s+(\w+)\s*(?:#.*)?$", re.MULTILINE)
 ARGUMENT = re.compile(r'<arg\s+name="(\w+)"\s+default=')
 USERS = ("test", "tools", "bench")
@@ -33,12 +48,9 @@ def stands(word, sources):
 def option_faults(root):
     users = texts(root, *USERS)
     for path, text in texts(root, "src/cli").items():
-        for names in OPTION.findall(text):
-            options = [name for name in names.split(",") if name.startswith("-")]
-            for option in options:
-                if option.startswith("--") and not any(
-                        re.search(re.escape(option) + r"(?![\w-])", user) for user in users.values()):
-                    yield f"{path}: option {option} stands in no test, tool or benchmark"
+        for option in sorted({name for names in OPTION.findall(text) for name in names.split(",") if name.startswith("--")}):
+            if not any(re.search(re.escape(option) + r"(?![\w-])", user) for user in users.values()):
+                yield option, f"{path}: option {option} stands in no test, tool or benchmark"
 
 
 def launch_faults(root):
@@ -46,21 +58,21 @@ def launch_faults(root):
     for path, text in texts(root, "launch").items():
         others = {other: words for other, words in users.items() if other != path}
         if not stands(path.name, others):
-            yield f"{path}: nothing starts it"
+            yield path.name, f"{path}: nothing starts it"
         for name in ARGUMENT.findall(text):
             if f"$(arg {name})" not in text and not re.search(rf"\beval\b[^\"]*\b{name}\b", text):
-                yield f"{path}: argument {name} is passed to nothing"
+                yield name, f"{path}: argument {name} is passed to nothing"
 
 
 def topic_faults(root):
     header = root / "src/ros_adapters/names.hpp"
     sources = {path: text for path, text in texts(root, "src").items() if path.name != "names.hpp"}
     tests = texts(root, "test")
-    for name, value in re.findall(r'inline constexpr char (k\w+)\[\]\s*=\s*"([^"]+)"', header.read_text()) if header.exists() else []:
+    for name, value in TOPIC.findall(header.read_text() if header.exists() else ""):
         if not re.search(rf"\b{name}\b", "\n".join(sources.values())):
-            yield f"src/ros_adapters/names.hpp: {name} is used by no node"
+            yield name, f"src/ros_adapters/names.hpp: {name} is used by no node"
         if not any(re.search(rf'\b{name}\b|["/ ]{value}\b', text) for text in tests.values()):
-            yield f"src/ros_adapters/names.hpp: {name} stands in no test"
+            yield name, f"src/ros_adapters/names.hpp: {name} stands in no test"
 
 
 def messages(root):
@@ -77,14 +89,17 @@ def field_faults(root):
         for name in fields:
             use = rf"(?:\.|->){name}\b"
             if not re.search(use, sources):
-                yield f"{path.relative_to(root)}: field {name} is neither filled nor read in src"
+                yield name, f"{path.relative_to(root)}: field {name} is neither filled nor read in src"
             elif len(re.findall(use, sources)) + len(re.findall(use, tests)) < 2:
-                yield f"{path.relative_to(root)}: field {name} is filled or read, but not both"
+                yield name, f"{path.relative_to(root)}: field {name} is filled or read, but not both"
 
 
-def faults(root):
-    for found in (option_faults, launch_faults, topic_faults, field_faults):
-        yield from found(root)
+def faults(root, gaps=None):
+    gaps = GAPS if gaps is None else gaps
+    found = [fault for look in (option_faults, launch_faults, topic_faults, field_faults) for fault in look(root)]
+    yield from (text for name, text in found if name not in gaps)
+    for name in sorted(gaps.keys() - {name for name, _ in found}):
+        yield f"test/architecture/interfaces.py: {name} is used now; expected it to be no gap"
 
 
 def main():
