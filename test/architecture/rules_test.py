@@ -9,6 +9,7 @@ import anonymous_names
 import budgets
 import docs_links
 import include_rule
+import interfaces
 import live_properties
 import one_definition
 import references
@@ -62,6 +63,38 @@ class IncludeRule(unittest.TestCase):
 
     def test_a_folder_outside_the_rule_is_refused(self):
         self.assertEqual(len(faults({"src/core/extras/a.cpp": "\n"})), 1)
+
+
+class Interfaces(unittest.TestCase):
+    def found(self, files, gaps=None):
+        return list(interfaces.faults(tree(files), gaps or {}))
+
+    def test_an_option_stands_in_a_test(self):
+        option = {"src/cli/a.cpp": 'add_flag("-s,--strict", x);\n'}
+        self.assertEqual(len(self.found(option)), 1)
+        self.assertEqual(len(self.found({**option, "test/cli/a.py": 'run("--stricter")\n'})), 1)
+        self.assertEqual(self.found({**option, "test/cli/a.py": 'run("--strict")\n'}), [])
+
+    def test_a_launch_file_is_started_and_passes_its_arguments_on(self):
+        launch = {"launch/a.launch": '<arg name="rate" default="1"/>\n', "tools/demo": "roslaunch a.launch\n"}
+        self.assertEqual(len(self.found(launch)), 1)
+        launch["launch/a.launch"] += '<param name="rate" value="$(arg rate)"/>\n'
+        self.assertEqual(self.found(launch), [])
+        del launch["tools/demo"]
+        self.assertEqual(len(self.found(launch)), 1)
+
+    def test_a_topic_has_a_node_and_a_test(self):
+        topic = {"src/ros_adapters/names.hpp": 'inline constexpr char kHeat[] = "heat";\n'}
+        self.assertEqual(len(self.found(topic)), 2)
+        self.assertEqual(self.found({**topic, "src/nodes/a.cpp": "names::kHeat", "test/ros/a.cpp": '"heat"'}), [])
+
+    def test_a_field_is_filled_and_read(self):
+        field = {"msg/A.msg": "uint8 OFF=0\nfloat64 heat  # [J]\n", "src/nodes/a.cpp": "a.heat = 1;\n"}
+        self.assertEqual(len(self.found(field)), 1)
+        self.assertEqual(self.found({**field, "test/ros/a.cpp": "EXPECT_EQ(a->heat, 1);\n"}), [])
+
+    def test_a_gap_that_is_closed_is_named(self):
+        self.assertEqual(len(self.found({}, {"kHeat": "no test"})), 1)
 
 
 class OneDefinition(unittest.TestCase):

@@ -307,12 +307,17 @@ TEST(StampedHeights, AScanFallsQuietByTheStampsAlone) {
     recording.poses.push_back({rest.stamp_ns + i * 100 * kStep, rest.tip});
     recording.profiles.push_back(profileAt(rest.stamp_ns + i * 100 * kStep, 9.05, 0.0));
   }
-  StampedHeights heights = plates();
-  Feed feed(heights);
-  feed.all(recording);
-  ASSERT_EQ(feed.reports().size(), 1u);
-  EXPECT_EQ(feed.reports()[0].sight, LayerSight::Seen);
-  EXPECT_EQ(feed.reports()[0].profiles, 51u + 21u) << "until more than 2 s have passed";
+  for (const double quiet_s : {1.0, 2.0}) {
+    MonitorSettings settings;
+    settings.quiet_s = quiet_s;
+    StampedHeights heights = plates(settings);
+    Feed feed(heights);
+    feed.all(recording);
+    ASSERT_EQ(feed.reports().size(), 1u);
+    EXPECT_EQ(feed.reports()[0].sight, LayerSight::Seen);
+    EXPECT_EQ(static_cast<double>(feed.reports()[0].profiles), 51.0 + 10.0 * quiet_s + 1.0)
+        << "until more than that time has passed";
+  }
 }
 
 TEST(StampedHeights, AScanThatIsGivenUpIsCutShort) {

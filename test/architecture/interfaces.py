@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""What others see is used: options of the command by a test or tool, launch files and their arguments too, topics, services and
+actions by a node and by a test. Fields of messages stand in a source, and once more in a source or test.
+
+Usage: interfaces.py [ROOT]   exits 1 and names what nothing outside its definition uses
+"""
+import pathlib
+import re
+import sys
+
+# What is not used yet, by why; nothing may be added, and what is used has to go.
+PANEL = "starts RViz, which has no display in tests"
+NO_TEST = "filled and published, read by people alone; its rostest does not look at it yet"
+GAPS = {
+    "incline.launch": PANEL, "layers.launch": PANEL,
+    "kBaseFrame": "stands in the descriptions of machines", "kToolFrame": "stands in the descriptions of machines",
+    "kProcessTrajectory": NO_TEST, "kTrackingError": NO_TEST, "kPartMarkers": NO_TEST, "kHeightOctomap": NO_TEST, "kPluginsParameter": NO_TEST,
+    "goal_time_tolerance": "of control_msgs", "goal_tolerance": "of control_msgs",
+    "outside_volume": NO_TEST, "arcs_made_chords": NO_TEST, "build_aids_dropped": NO_TEST, "bed_temperature": NO_TEST,
+    "nozzle_temperature": NO_TEST, "beyond_bead": NO_TEST, "overhang_per_layer": NO_TEST, "refill_runs": NO_TEST,
+    "refilled_volume": NO_TEST, "steepest_lean": NO_TEST, "steepest_lean_at": NO_TEST, "least_queued": NO_TEST,
+    "tip_error": NO_TEST, "overfill_after": NO_TEST, "overfill_before": NO_TEST, "overlap_per_drop": NO_TEST,
+    "greatest_stress": NO_TEST, "is_fresh": NO_TEST,
+}
+
+OPTION = re.compile(r'add_(?:option|flag)\w*\(\s*"([^"]+)"')
+TOPIC = re.compile(r'inline constexpr char (k\w+)\[\]\s*=\s*"([^"]+)"')
+FIELD = re.compile(r"^\s*[\w/]+(?:\[\w*\])?\s+(\w+)\s*(?:#.*)?$", re.MULTILINE)
+ARGUMENT = re.compile(r'<arg\s+name="(\w+)"\s+default=')
+USERS = ("test", "tools", "bench")
+TEXTS = {".cpp", ".hpp", ".py", ".sh", ".test", ".launch", ".yaml", ".md", ""}
+
+
+def texts(root, *folders):
+    """Paths and texts of the sources in folders of the project; the checks themselves use nothing."""
+    found = {}
+    for folder in folders:
+        for path in sorted((root / folder).rglob("*")):
+            if path.is_file() and path.suffix in TEXTS and "architecture" not in path.parts:
+                found[path.relative_to(root)] = path.read_text(errors="replace")
+    return found
+
+
+def stands(word, sources):
+    return any(word in text for text in sources.values())
+
+
+def option_faults(root):
+    users = texts(root, *USERS)
+    for path, text in texts(root, "src/cli").items():
+        for option in sorted({name for names in OPTION.findall(text) for name in names.split(",") if name.startswith("--")}):
+            if not any(re.search(re.escape(option) + r"(?![\w-])", user) for user in users.values()):
+                yield option, f"{path}: option {option} stands in no test, tool or benchmark"
+
+
+def launch_faults(root):
+    users = {**texts(root, *USERS), **texts(root, "launch")}
+    for path, text in texts(root, "launch").items():
+        others = {other: words for other, words in users.items() if other != path}
+        if not stands(path.name, others):
+            yield path.name, f"{path}: nothing starts it"
+        for name in ARGUMENT.findall(text):
+            if f"$(arg {name})" not in text and not re.search(rf"\beval\b[^\"]*\b{name}\b", text):
+                yield name, f"{path}: argument {name} is passed to nothing"
+
+
+def topic_faults(root):
+    header = root / "src/ros_adapters/names.hpp"
+    sources = {path: text for path, text in texts(root, "src").items() if path.name != "names.hpp"}
+    tests = texts(root, "test")
+    for name, value in TOPIC.findall(header.read_text() if header.exists() else ""):
+        if not re.search(rf"\b{name}\b", "\n".join(sources.values())):
+            yield name, f"src/ros_adapters/names.hpp: {name} is used by no node"
+        if not any(re.search(rf'\b{name}\b|["/ ]{value}\b', text) for text in tests.values()):
+            yield name, f"src/ros_adapters/names.hpp: {name} stands in no test"
+
+
+def messages(root):
+    for kind in ("msg", "srv", "action"):
+        for path in sorted((root / kind).glob("*." + kind)):
+            lines = [line for line in path.read_text().splitlines() if "=" not in line.split("#")[0]]
+            yield path, sorted(set(FIELD.findall("\n".join(lines))))
+
+
+def field_faults(root):
+    sources = "\n".join(texts(root, "src").values())
+    tests = "\n".join(texts(root, "test").values())
+    for path, fields in messages(root):
+        for name in fields:
+            use = rf"(?:\.|->){name}\b"
+            if not re.search(use, sources):
+                yield name, f"{path.relative_to(root)}: field {name} is neither filled nor read in src"
+            elif len(re.findall(use, sources)) + len(re.findall(use, tests)) < 2:
+                yield name, f"{path.relative_to(root)}: field {name} is filled or read, but not both"
+
+
+def faults(root, gaps=None):
+    gaps = GAPS if gaps is None else gaps
+    found = [fault for look in (option_faults, launch_faults, topic_faults, field_faults) for fault in look(root)]
+    yield from (text for name, text in found if name not in gaps)
+    for name in sorted(gaps.keys() - {name for name, _ in found}):
+        yield f"test/architecture/interfaces.py: {name} is used now; expected it to be no gap"
+
+
+def main():
+    found = list(faults(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
+    print("\n".join(found))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

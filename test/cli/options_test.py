@@ -1,0 +1,81 @@
+"""Options of `lamina` that no other test beside this one gives, each with what it changes."""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+from lamina_command import LAMINA, lamina, told
+
+
+class Options(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.box = self.path("box.stl")
+        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=1", "-o", self.box)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def content(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def test_units_and_scale_size_a_mesh(self):
+        volume = told("info", self.box)["volume_mm3"]
+        self.assertAlmostEqual(told("info", self.box, "--unit", "cm")["volume_mm3"] / volume, 1000.0, places=6)
+        self.assertAlmostEqual(told("info", self.box, "--scale", "2")["volume_mm3"] / volume, 8.0, places=6)
+
+    def test_a_broken_mesh_is_refused_if_strict(self):
+        broken = self.path("broken.stl")
+        with open(broken, "wb") as file:
+            stl = self.content("box.stl")
+            file.write(stl[:80] + (11).to_bytes(4, "little") + stl[84:-50])
+        self.assertEqual(lamina("slice", broken).returncode, 0)
+        self.assertNotEqual(lamina("slice", broken, "--strict").returncode, 0)
+
+    def test_density_weighs(self):
+        for command in ("coordinates", "sweep"):
+            light = json.dumps(told(command, self.box, "--density-g-cm3", "1"))
+            self.assertNotEqual(light, json.dumps(told(command, self.box, "--density-g-cm3", "2")), command)
+
+    def test_pictures_have_views(self):
+        for view in ("oblique", "top"):
+            told("preview", self.box, "--view", view, "-o", self.path(view + ".png"))
+        self.assertNotEqual(self.content("oblique.png"), self.content("top.png"))
+
+    def test_programs_have_dialects(self):
+        for dialect in ("fullcontrol", "lamina"):
+            told("scaffold", "box", "--dialect", dialect, "-o", self.path(dialect + ".gcode"))
+        self.assertNotEqual(self.content("fullcontrol.gcode"), self.content("lamina.gcode"))
+
+    def test_overhangs_are_listed_as_many_as_asked_for(self):
+        ball = self.path("ball.stl")
+        told("part", "sphere", "--set", "radius_mm=4", "--set", "segments=16", "-o", ball)
+        self.assertEqual(len(told("overhang", ball, "--worst", "0")["worst"]), 0)
+        self.assertGreater(len(told("overhang", ball, "--worst", "3")["worst"]), 0)
+
+    def test_a_printed_part_is_softer_than_a_solid_one(self):
+        coarse = ["--set", "deposition.voxel_mm=0.5", "--set", "stiffness.compression_mm=0.02"]
+        solid = told("stiffness", self.box, *coarse)["modulus_mpa"]
+        self.assertLess(told("stiffness", self.box, "--printed", *coarse)["modulus_mpa"], solid)
+
+    def test_an_emulator_ends_after_one_job_and_strikes_with_its_faults(self):
+        program, port = self.path("p.gcode"), self.path("machine")
+        with open(program, "w", encoding="ascii") as file:
+            file.write("G1 X1 F6000\n" * 20)
+        emulator = subprocess.Popen([LAMINA, "emulate", "--pty", port, "--speed-up", "0", "--once", "--fault",
+                                     "corrupted_line=5", "--json"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        self.addCleanup(emulator.stdout.close)
+        self.addCleanup(emulator.wait)
+        self.addCleanup(emulator.kill)
+        while not os.path.exists(port):
+            self.assertIsNone(emulator.poll())
+        streamed = told("stream", program, "--port", port, "--baud", "250000")
+        self.assertEqual(emulator.wait(timeout=60), 0)
+        self.assertGreaterEqual(streamed["resends"], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Joints: how a machine or robot is led along a toolpath.
+#include <cmath>
+
+#include "job/settings/setting_probe.hpp"
+#include "lamina/job/kinematic_model_run.hpp"
+#include "lamina/job/run_settings.hpp"
+
+namespace lamina::test {
+namespace {
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr char kNearLimits[] = "joints.limit_margin_deg=90;joints.limit_weight=1000";
+
+Eigen::Quaterniond leaning(double azimuth_deg, double tilt_deg) {
+  const Eigen::Vector3d axis(-std::sin(azimuth_deg * kDegree), std::cos(azimuth_deg * kDegree), 0.0);
+  return Eigen::AngleAxisd(-tilt_deg * kDegree, axis) * nozzleDown();
+}
+
+/// A bead of some 60 mm along x on which the nozzle leans to an azimuth that goes round.
+Path leaningBead(double y_mm, double azimuth_deg, double turn_deg, double tilt_deg) {
+  Path path;
+  path.role = PathRole::OuterWall;
+  path.feed_mm_s = 20.0;
+  path.bead = Bead{0.5, 0.2};
+  std::vector<Eigen::Quaterniond> nozzles;
+  for (int i = 0; i <= 12; ++i) {
+    path.points.emplace_back(5.0 * i, y_mm, 0.2);
+    nozzles.push_back(leaning(azimuth_deg + turn_deg / 12.0 * i, tilt_deg));
+  }
+  path.orientation = AlongPath<Eigen::Quaterniond>(std::move(nozzles));
+  return path;
+}
+
+Path travelBetween(const Path& from, const Path& to) {
+  Path path;
+  path.role = PathRole::Travel;
+  path.feed_mm_s = 100.0;
+  path.points = {from.lastPoint(), to.firstPoint()};
+  path.orientation = AlongPath<Eigen::Quaterniond>(
+      std::vector<Eigen::Quaterniond>{from.orientation.at(12), to.orientation.at(0)});
+  return path;
+}
+
+Toolpath beads(double turn_deg, double tilt_deg) {
+  const Path first = leaningBead(0.0, 20.0, turn_deg, tilt_deg);
+  const Path second = leaningBead(40.0, 200.0, turn_deg, tilt_deg);
+  return {"beads", {{0.2, 0.2, {first, travelBetween(first, second), second}}}};
+}
+
+std::string jointsText(const KinematicModelRun& run) {
+  std::string text;
+  for (const JointValues& values : run.path.values)
+    text += numbersText({values.data(), values.data() + values.size()});
+  for (const FaultyWaypoint& fault : run.path.faults) text += fault.reason + "\n";
+  return text;
+}
+
+std::function<std::string(const SettingTexts& set)> jointsOn(const std::string& machine,
+                                                             const Toolpath& toolpath, const Point3& place) {
+  return [machine, toolpath, place](const SettingTexts& set) {
+    NoProgress nobody;
+    return jointsText(runOn(*kinematicModelByName(machine), toolpath,
+                            Eigen::Isometry3d(Eigen::Translation3d(place)),
+                            settingsWith<RunSettings>(set).joints, nobody));
+  };
+}
+
+SettingProbe armProbe() {
+  return {"joints of an arm",
+          "joints.yaw_samples=24",
+          jointsOn("irb_4600", beads(60.0, 15.0), {60, 60, 0}),
+          {{"joints.yaw=held"},
+           {"joints.yaw_samples=18", kNearLimits},
+           {"joints.yaw_reach=0", kNearLimits},
+           {"joints.yaw_weight=500", kNearLimits},
+           {"joints.smooth_yaw=false", kNearLimits},
+           {"joints.max_turn_deg=0.05"},
+           {"joints.singular_margin_deg=80", "joints.singular_weight=1000"},
+           {"joints.singular_weight=1000", "joints.singular_margin_deg=80"},
+           {"joints.limit_margin_deg=90", "joints.limit_weight=1000"},
+           {"joints.limit_weight=1000", "joints.limit_margin_deg=90"},
+           {"joints.least_margin_deg=85"},
+           {"joints.max_step_mm=2"},
+           {"joints.max_step_deg=1"},
+           {"joints.tip_tolerance_mm=0.0005", "joints.max_step_mm=100;joints.max_step_deg=90"},
+           {"joints.tool_axis_tolerance_deg=0.002",
+            "joints.max_step_mm=100;joints.max_step_deg=90;joints.tip_tolerance_mm=100"}}};
+}
+
+SettingProbe turntableProbe() {
+  return {"joints of an arm with a table",
+          "joints.yaw_samples=24",
+          jointsOn("irb_4600_turntable", beads(60.0, 15.0), {0, 0, 0}),
+          {{"joints.external=follow"},
+           {"joints.external_deg=20"},
+           {"joints.external_azimuth_deg=40", "joints.external=follow"}}};
+}
+
+SettingProbe uprightHeadProbe() {
+  return {"joints of a head near its singularity",
+          "",
+          jointsOn("five_axis_head_ac", beads(170.0, 0.3), {60, 60, 0}),
+          {{"joints.singular_tool_axis_tolerance_deg=1"}, {"joints.swing_tolerance_deg=0.2"}}};
+}
+
+}  // namespace
+
+std::vector<SettingProbe> jointProbes() { return {armProbe(), turntableProbe(), uprightHeadProbe()}; }
+
+}  // namespace lamina::test

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The profile sensor, and what follows the heights it measures.
+#include "job/settings/setting_probe.hpp"
+#include "lamina/monitoring/height_monitor.hpp"
+#include "lamina/monitoring/profile_sensor.hpp"
+#include "support/scanned_plates.hpp"
+
+namespace lamina::test {
+namespace {
+
+/// A plate with a step, from 61 mm above it.
+std::string seen(const SettingTexts& set) {
+  HeightMap map(heightGrid({Point2(0, 0), Point2(100, 100)}, 0.5), 0.0);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = Point3(50, 50, 75);
+  pose.linear() = Eigen::AngleAxisd(M_PI, Point3::UnitX()).toRotationMatrix();
+  std::vector<double> numbers;
+  for (const Point3& point : ProfileSensor(settingsWith<ProfileSensorSettings>(set)).measure(map, pose)) {
+    numbers.push_back(point.x());
+    numbers.push_back(point.z());
+  }
+  return numbersText(numbers) + "points";
+}
+
+std::string monitored(const SettingTexts& set) {
+  const Box2 plate{Point2(5, 5), Point2(15, 12)};
+  HeightMonitor monitor(scannedPlates({plate}), Eigen::Isometry3d::Identity(),
+                        settingsWith<MonitorSettings>(set));
+  for (double y = 2.05; y < 16.0; y += 0.1) {
+    std::vector<Point3> profile;
+    for (double x = 2.05; x < 18.0; x += 0.1) profile.emplace_back(x, y, 0.21 + 0.001 * x);
+    monitor.insert(profile, 1.3);
+  }
+  std::string text;
+  for (const LayerHeightReport& report : monitor.finish())
+    text += numbersText({report.statistics.mean_mm, double(report.statistics.cells),
+                         report.statistics.coverage, double(report.profiles), double(report.sight)});
+  return text + numbersText({double(monitor.pointsOutside())});
+}
+
+}  // namespace
+
+std::vector<SettingProbe> monitorProbes() {
+  return {{"a profile sensor",
+           "",
+           seen,
+           {{"sensor.width_mm=20"},
+            {"sensor.points=100"},
+            {"sensor.stand_off_mm=70"},
+            {"sensor.range_mm=10"},
+            {"sensor.noise_mm=0.05"},
+            {"sensor.seed=2"}}},
+          {"a monitor of heights",
+           "",
+           monitored,
+           {{"monitor.cell_mm=0.2"}, {"monitor.margin_mm=1"}, {"scan.clearance_mm=3"}}}};
+}
+
+}  // namespace lamina::test

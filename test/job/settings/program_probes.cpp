@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Programs: G-code of three and five axes, RAPID.
+#include "job/settings/setting_probe.hpp"
+#include "job/settings/sliced_text.hpp"
+
+namespace lamina::test {
+namespace {
+
+constexpr char kSmall[] =
+    "slicing.layer_height_mm=0.5;slicing.first_layer_height_mm=0.5;bead.width_mm=1;skirt.count=0;";
+constexpr char kPlate[] = "box x_mm=10 y_mm=6 z_mm=1";
+
+SettingProbe gcodeProbe() {
+  return {"G-code",
+          kSmall,
+          programOf(kPlate, ".gcode"),
+          {{"program.filament_diameter_mm=2.85"},
+           {"program.flavour=fullcontrol"},
+           {"program.flow=1.1"},
+           {"program.nozzle_temperature_c=200"},
+           {"program.bed_temperature_c=50"},
+           {"program.retraction_length_mm=2", "travel.retraction_threshold_mm=0"},
+           {"program.retraction_feed_mm_s=20", "travel.retraction_threshold_mm=0"},
+           {"program.start_code=G28 X"},
+           {"program.end_code=M84"}}};
+}
+
+SettingProbe fiveAxisProbe() {
+  return {
+      "five-axis G-code",
+      std::string(kSmall) + "machine.name=five_axis_head_ac;five_axis.use=always;five_axis.dialect=linuxcnc",
+      programOf(kPlate, ".gcode"),
+      {{"five_axis.use=tilted"},
+       {"five_axis.coordinates=joints"},
+       {"five_axis.dialect=fanuc"},
+       {"five_axis.tip_control_on=G43.4 H1"},
+       {"five_axis.tip_control_off=G49 H0"},
+       {"five_axis.chord_tolerance_mm=0.0005",
+        "five_axis.coordinates=joints;orientation.lead_deg=20;joints.max_step_mm=100;"
+        "joints.max_step_deg=90"}}};
+}
+
+SettingProbe rapidNamesProbe() {
+  return {"names in RAPID",
+          std::string(kSmall) + "machine.name=irb_4600;rapid.variant=powder_5_axes",
+          programOf(kPlate, ".mod"),
+          {{"rapid.variant=wire_3_axes"},
+           {"rapid.module=plate"},
+           {"rapid.procedure=lay"},
+           {"rapid.tool=t_head"},
+           {"rapid.work_object=w_table"},
+           {"rapid.start_point=origin", "rapid.variant=powder_3_axes"},
+           {"rapid.offset=way_", "rapid.variant=powder_3_axes"},
+           {"rapid.deposition_speed=v_lay"},
+           {"rapid.air_speed=v_air"},
+           {"rapid.zone=z1"},
+           {"rapid.end_zone=z5"},
+           {"rapid.laser_on=Beam_ON"},
+           {"rapid.laser_off=Beam_OFF"},
+           {"rapid.laser_signal=AskLaser"},
+           {"rapid.laser_ready_signal=Ready", "rapid.variant=wire_3_axes"},
+           {"rapid.wire_signal=AskWire", "rapid.variant=wire_3_axes"},
+           {"rapid.powder_signal=AskPowder"},
+           {"rapid.gas_signal=AskGas"},
+           {"rapid.wire_trigger=StopWire", "rapid.variant=wire_3_axes"},
+           {"rapid.aliases=SolicitudGas=doGas"}}};
+}
+
+SettingProbe rapidValuesProbe() {
+  return {"values in RAPID",
+          std::string(kSmall) + "machine.name=irb_4600;rapid.variant=powder_5_axes",
+          programOf(kPlate, ".mod"),
+          {{"rapid.declare_cell=false"},
+           {"rapid.tool_frame=0,0,10,1,0,0,0"},
+           {"rapid.tool_centre_of_gravity_mm=0,0,2"},
+           {"rapid.tool_mass_kg=2"},
+           {"rapid.work_object_frame=0,0,10,1,0,0,0"},
+           {"rapid.positioner=STN1"},
+           {"rapid.start_point_mm=1,2,3", "rapid.variant=powder_3_axes"},
+           {"rapid.configuration=joints"},
+           {"rapid.fixed_configuration=0,0,1,0"},
+           {"rapid.external_axis=5"},
+           {"rapid.thesis_compat=true"},
+           {"rapid.zone_mm=1", "rapid.zone=mine"},
+           {"rapid.turn_speed_deg_s=300"},
+           {"rapid.powder_wait_s=2"},
+           {"rapid.laser_off_wait_s=2"},
+           {"rapid.wire_lead_s=1", "rapid.variant=wire_3_axes"},
+           {"rapid.laser_lead_s=1", "rapid.variant=wire_3_axes"},
+           {"rapid.layer_wait_s=2", "rapid.variant=wire_3_axes"},
+           {"rapid.wire_stop_s=0.3", "rapid.variant=wire_3_axes"},
+           {"rapid.max_points=20"},
+           {"rapid.loading=in_turn", "rapid.max_points=20"}}};
+}
+
+}  // namespace
+
+std::vector<SettingProbe> programProbes() {
+  return {gcodeProbe(), fiveAxisProbe(), rapidNamesProbe(), rapidValuesProbe()};
+}
+
+}  // namespace lamina::test

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading, placing, planning: what a toolpath over level layers depends on.
+#include <filesystem>
+
+#include "job/settings/setting_probe.hpp"
+#include "job/settings/sliced_text.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina::test {
+namespace {
+
+constexpr char kCoarse[] = "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8";
+
+/// A box with a triangle missing.
+std::string openBox(const SettingTexts& set) {
+  static const ScratchFolder folder;
+  const std::string file = folder.file("open.stl");
+  if (!std::filesystem::exists(file)) {
+    Mesh mesh = makePart("box", {{"x_mm", "8"}, {"y_mm", "6"}, {"z_mm", "1.2"}});
+    mesh.triangles.pop_back();
+    writeStl(file, mesh);
+  }
+  NoProgress nobody;
+  return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
+}
+
+SettingProbe readingProbe() {
+  return {"a box is read and placed",
+          kCoarse,
+          toolpathOf("box x_mm=8 y_mm=6 z_mm=1.2"),
+          {{"input.scale=1.5"},
+           {"input.unit=cm"},
+           {"part.placement=as_is"},
+           {"machine.name=irb_4600"},
+           {"machine.urdf=urdf/irb_4600.urdf"},
+           {"slicing.layer_height_mm=0.3"},
+           {"slicing.first_layer_height_mm=0.3"}}};
+}
+
+SettingProbe planningProbe() {
+  return {"a box is planned",
+          kCoarse,
+          toolpathOf("box x_mm=12 y_mm=9 z_mm=2"),
+          {{"bead.width_mm=0.6"},
+           {"bead.pitch_mm=0.7"},
+           {"walls.count=1"},
+           {"walls.order=outside_in"},
+           {"infill.strategy=hilbert"},
+           {"infill.density=0.4"},
+           {"infill.pitch_mm=1.1"},
+           {"infill.outer_layers=1"},
+           {"infill.outer_pitch_mm=1.5", "infill.outer_layers=1"},
+           {"infill.angle_deg=30"},
+           {"infill.alternation_deg=45"},
+           {"infill.wall_overlap=0.3"},
+           {"skirt.count=2"},
+           {"skirt.distance_mm=5"},
+           {"seam.placement=rear"},
+           {"seam.seed=2", "seam.placement=random"},
+           {"travel.feed_mm_s=90"},
+           {"travel.hop_mm=0.5"},
+           {"travel.retraction_threshold_mm=0.5"},
+           {"feed.outer_wall_mm_s=15"},
+           {"feed.inner_wall_mm_s=25"},
+           {"feed.infill_mm_s=35"},
+           {"feed.skirt_mm_s=10"},
+           {"feed.first_layer_mm_s=12"},
+           {"smoothing.window_mm=1", "infill.density=0.3"},
+           {"smoothing.step_mm=0.2", "infill.density=0.3;smoothing.window_mm=1"},
+           {"scan.every_layers=2"},
+           {"scan.clearance_mm=2", "scan.every_layers=2"},
+           {"scan.feed_mm_s=50", "scan.every_layers=2"},
+           {"scan.swath_mm=5", "scan.every_layers=2"},
+           {"scan.margin_mm=3", "scan.every_layers=2"}}};
+}
+
+SettingProbe narrowProbe() {
+  return {"narrow places are filled",
+          std::string(kCoarse) + ";skirt.count=0",
+          toolpathOf("pyramid width_mm=10 depth_mm=2 height_mm=2"),
+          {{"walls.narrowest=0.9"}, {"raster.narrowest=0.9", "infill.density=1;walls.count=0"}}};
+}
+
+SettingProbe refillProbe() {
+  return {"voids are refilled",
+          "skirt.count=0;walls.count=1;infill.density=1;infill.strategy=hilbert",
+          toolpathOf("through_hole_plate x_mm=12 y_mm=12 z_mm=0.2 hole_radius_mm=3 segments=32"),
+          {{"voids.refill=beads"}, {"voids.least_area=5", "voids.refill=beads"}}};
+}
+
+SettingProbe curvedOutlineProbe() {
+  return {"a cylinder's outline is simplified",
+          std::string(kCoarse) + ";skirt.count=0;infill.density=1",
+          toolpathOf("cylinder radius_mm=6 height_mm=0.8 segments=256"),
+          {{"planning.simplification_mm=0.5"}, {"smoothing.tolerance_mm=0.4", "infill.strategy=contour"}}};
+}
+
+}  // namespace
+
+std::vector<SettingProbe> sliceProbes() {
+  return {readingProbe(),  {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
+          planningProbe(), narrowProbe(),
+          refillProbe(),   curvedOutlineProbe()};
+}
+
+}  // namespace lamina::test
