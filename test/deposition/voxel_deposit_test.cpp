@@ -93,41 +93,41 @@ TEST(VoxelDeposit, LaysWhatIsExtrudedButForLessThanAVoxel) {
 }
 
 TEST(VoxelDeposit, ABeadOnTheBedIsADiscBetweenBedAndNozzle) {
-  constexpr double kVoxel = 0.02;
-  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 1}, kVoxel);
+  constexpr double kVoxelSide = 0.02;
+  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 1}, kVoxelSide);
   deposited.lay(strand({0, 0, 0.3}, {4, 0, 0.3}));
   const double middle = 0.3 - strandRadius(crossSection(kBead));
   const double radius = radiusBetween(middle, 0.3, crossSection(kBead));
   const Box2 section = sectionBox(deposited.grid(), 2.0);
-  EXPECT_NEAR(section.size().x(), 2.0 * radius, 2.01 * kVoxel);
-  EXPECT_NEAR(section.centre().x(), 0.0, 0.51 * kVoxel);
+  EXPECT_NEAR(section.size().x(), 2.0 * radius, 2.01 * kVoxelSide);
+  EXPECT_NEAR(section.centre().x(), 0.0, 0.51 * kVoxelSide);
   EXPECT_NEAR(section.low.y(), 0.0, 1e-9);
   EXPECT_NEAR(section.high.y(), 0.3, 1e-9);
 }
 
 TEST(VoxelDeposit, AStrandInTheAirIsRoundAndTouchesTheNozzlesPlane) {
-  constexpr double kVoxel = 0.02;
-  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 3}, kVoxel);
+  constexpr double kVoxelSide = 0.02;
+  VoxelDeposit deposited = deposit({-1, -1, 0}, {5, 1, 3}, kVoxelSide);
   deposited.lay(strand({0, 0, 2.0}, {4, 0, 2.0}));
   const double diameter = 2.0 * strandRadius(crossSection(kBead));
   const Box2 section = sectionBox(deposited.grid(), 2.0);
-  EXPECT_NEAR(section.size().x(), diameter, 2.01 * kVoxel);
-  EXPECT_NEAR(section.size().y(), diameter, 2.01 * kVoxel);
+  EXPECT_NEAR(section.size().x(), diameter, 2.01 * kVoxelSide);
+  EXPECT_NEAR(section.size().y(), diameter, 2.01 * kVoxelSide);
   EXPECT_LE(section.high.y(), 2.0 + 1e-9);
-  EXPECT_GE(section.high.y(), 2.0 - 1.01 * kVoxel);
+  EXPECT_GE(section.high.y(), 2.0 - 1.01 * kVoxelSide);
 }
 
 TEST(VoxelDeposit, MaterialSpreadsWhereStrandsCross) {  // [Vega2023, figure 29]
-  constexpr double kVoxel = 0.025;
+  constexpr double kVoxelSide = 0.025;
   constexpr int kLowerTop = 12;  // voxels: 0.3 mm
-  VoxelDeposit lower = deposit({-3, -3, 0}, {3, 3, 1}, kVoxel);
+  VoxelDeposit lower = deposit({-3, -3, 0}, {3, 3, 1}, kVoxelSide);
   lower.lay(strand({0, -2, 0.3}, {0, 2, 0.3}));
-  VoxelDeposit both = deposit({-3, -3, 0}, {3, 3, 1}, kVoxel);
+  VoxelDeposit both = deposit({-3, -3, 0}, {3, 3, 1}, kVoxelSide);
   both.lay(strand({0, -2, 0.3}, {0, 2, 0.3}));
   both.lay(strand({-2, 0, 0.6}, {2, 0, 0.6}));
   expectBalance(both);
   EXPECT_EQ(both.totals().excess_mm3, 0.0);
-  const double voxel_mm3 = kVoxel * kVoxel * kVoxel;
+  const double voxel_mm3 = kVoxelSide * kVoxelSide * kVoxelSide;
   EXPECT_NEAR(both.grid().solidVolume(), 8.0 * crossSection(kBead), voxel_mm3);
 
   const VoxelFrame& frame = both.grid().frame();

@@ -51,14 +51,6 @@ std::string trajectoryText(const SettingTexts& set) {
   return text;
 }
 
-std::string jointsInTime(const SettingTexts& set) {
-  const RunSettings settings = settingsWith<RunSettings>(set);
-  const TiltingGantry gantry;
-  const Toolpath toolpath = corners();
-  const TimedPath timed(toolpath, uprightPath(toolpath, gantry), gantry, settings.timing);
-  return numbersText({timed.duration()}) + numbersText(timed.stationTimes());
-}
-
 std::string estimatedTime(const SettingTexts& set) {
   return numbersText({estimateTime(twoLayers(), settingsWith<RunSettings>(set).timing.motion).total_s});
 }

@@ -266,9 +266,8 @@ TEST(StreamSession, ReportsEveryStateInOrder) {
                                 });
     finished(session);
   }
-  using State = PackmlState;
-  EXPECT_EQ(states,
-            (std::vector<State>{State::Starting, State::Execute, State::Completing, State::Complete}));
+  EXPECT_EQ(states, (std::vector<PackmlState>{PackmlState::Starting, PackmlState::Execute,
+                                              PackmlState::Completing, PackmlState::Complete}));
 }
 
 TEST(EmulatedMachine, RefusesToReplaceAFileByItsLink) {
