@@ -83,6 +83,8 @@ install(FILES LICENSE DESTINATION share/doc/lamina RENAME copyright)
 include(CMakePackageConfigHelpers)
 install(EXPORT laminaTargets NAMESPACE lamina:: DESTINATION ${LAMINA_CMAKE_DIR})
 configure_file(cmake/laminaConfig.cmake.in ${PROJECT_BINARY_DIR}/install/laminaConfig.cmake @ONLY)
+# Catkin's file of the same name is there already; CMake would take it for this one if both were written in the same second.
+install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${LAMINA_CMAKE_DIR}/laminaConfig.cmake\")")
 install(FILES ${PROJECT_BINARY_DIR}/install/laminaConfig.cmake DESTINATION ${LAMINA_CMAKE_DIR})
 
 file(RELATIVE_PATH LAMINA_PREFIX_FROM_PC /${LAMINA_LIB_DIR}/pkgconfig /)
