@@ -105,7 +105,7 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   validate(settings);
   const auto model = kinematicModelOf(settings.machine);
   ToolpathInput input = readToolpath(arguments.input, settings);
-  // Programs report where on the bed they stand.
+  // Programs state where on the bed they stand.
   const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
   if (is_toolpath && settings.placement == Placement::Centre)
     input.bed_from_part = placeDeposition(input.toolpath, machineOf(settings.machine));

@@ -12,7 +12,7 @@
 namespace lamina::cli {
 namespace {
 
-/// Arguments that cannot be read leave nothing but themselves to report the format.
+/// The output format that the raw arguments ask for, used where they cannot be parsed.
 OutputFormat formatAskedFor(const std::vector<std::string>& arguments) {
   const bool wants_json = std::find(arguments.begin(), arguments.end(), "--json") != arguments.end();
   return wants_json ? OutputFormat::Json : OutputFormat::Text;

@@ -29,7 +29,7 @@ struct OptimiseArguments {
 };
 
 /// A line on standard error for each generation or iteration.
-void tell(const Study& study, const StudyState& state) {
+void print(const Study& study, const StudyState& state) {
   std::string best;
   for (std::size_t i = 0; i < state.best.size(); ++i)
     best += "  " + study.goals.objectives[i].response + " " + shownNumber(state.best[i]);
@@ -164,7 +164,7 @@ void optimise(const OptimiseArguments& arguments, OutputFormat format) {
   job.earlier = arguments.earlier;
   const SurrogateFit fit = krigingFit(surrogateFitSettingsOf(job.study));
   TerminalProgress progress;
-  const auto hear = [&](const StudyState& state) { tell(job.study, state); };
+  const auto hear = [&](const StudyState& state) { print(job.study, state); };
   const StudyOutcome outcome = runStudy(job, fit, nullptr, hear, progress);
   const StudyFiles files = studyFilesIn(job.output);
   format == OutputFormat::Json ? printJson(job.study, outcome, files) : printText(job.study, outcome, files);

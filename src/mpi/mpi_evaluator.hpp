@@ -50,7 +50,7 @@ class MpiEvaluator final : public Evaluator {
 };
 
 /// Measures what the leader asks for until its session ends.
-/// @param make  makes the measurement; if it throws, the leader's `evaluate` ends with InvalidInput telling
+/// @param make  makes the measurement; if it throws, the leader's `evaluate` ends with InvalidInput naming
 ///   which process cannot measure and why, and no point counts as failed by it
 void servePoints(const std::function<PointMeasurement()>& make);
 

@@ -43,12 +43,12 @@ PointMeasurement measurementOf(const Study& study) {
 void lead(const MpiSession& session, const StudyJob& job) {
   const SurrogateFit fit = krigingFit(surrogateFitSettingsOf(job.study));
   cli::TerminalProgress progress;
-  const auto tell = [](const StudyState& state) {
+  const auto report = [](const StudyState& state) {
     std::fprintf(stderr, "%d: %d evaluations, %d failed, hypervolume %g\n", state.index, state.evaluations,
                  state.failed, state.hypervolume);
   };
   MpiEvaluator evaluator(session, responseNames(job.study), measurementOf(job.study));
-  const StudyOutcome outcome = runStudy(job, fit, &evaluator, tell, progress);
+  const StudyOutcome outcome = runStudy(job, fit, &evaluator, report, progress);
   std::printf("%s: %zu evaluations in %d processes, %.1f s\nreport: %s\n", job.study.name.c_str(),
               outcome.evaluations.size(), session.size(), outcome.wall_s,
               studyFilesIn(job.output).report.c_str());

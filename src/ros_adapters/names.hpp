@@ -69,11 +69,9 @@ inline constexpr char kPluginsParameter[] = "plugins";  ///< private: paths of p
 
 // Frames.
 inline constexpr char kWorldFrame[] = "world";
-inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kBedFrame[] = "bed";
 inline constexpr char kPartFrame[] = "part";
 inline constexpr char kNozzleFrame[] = "nozzle";
-inline constexpr char kToolFrame[] = "tool0";
 inline constexpr char kSensorFrame[] = "sensor";
 
 }  // namespace lamina::names

@@ -18,15 +18,15 @@ namespace {
 const ros::WallDuration kSignalPeriod(0.02);
 
 // A signal handler can reach nothing but a variable of this kind.
-volatile std::sig_atomic_t was_told_to_stop = 0;
+volatile std::sig_atomic_t was_stop_requested = 0;
 
-void stop(int) { was_told_to_stop = 1; }
+void stop(int) { was_stop_requested = 1; }
 
 // roscpp's own handler shuts down from its polling thread, which then logs through loggers that are gone; and
 // it knows SIGINT alone. Here the thread that spins shuts down, on SIGTERM and SIGHUP too.
 ros::WallTimer shutdownOnSignal(const ros::NodeHandle& node) {
   return node.createWallTimer(kSignalPeriod, [](const ros::WallTimerEvent&) {
-    if (was_told_to_stop != 0) ros::shutdown();
+    if (was_stop_requested != 0) ros::shutdown();
   });
 }
 
@@ -45,7 +45,7 @@ void logFailure(const Failure& failure) {
 
 }  // namespace
 
-bool isToldToStop() { return was_told_to_stop != 0; }
+bool isStopRequested() { return was_stop_requested != 0; }
 
 void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body) {
   int exit_code = 0;

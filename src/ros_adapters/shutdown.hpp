@@ -10,7 +10,7 @@ namespace lamina {
 /// What SIGINT, SIGTERM and SIGHUP do to a node.
 enum class OnSignal {
   ShutDown,  ///< request a shutdown: `ros::ok()` becomes false, ros::spin() returns
-  Tell,      ///< nothing but `isToldToStop`: the node still has something to say to others before it goes
+  Request,   ///< nothing but `isStopRequested`: the node still has something to say to others before it goes
 };
 
 /// How a node runs.
@@ -20,7 +20,7 @@ struct NodeRun {
 };
 
 /// Whether one of the signals came.
-bool isToldToStop();
+bool isStopRequested();
 
 /// A node from start to end: joins ROS, loads plug-ins (`loadNodePlugins`), runs `body`, and leaves ROS. On a
 /// signal `body` returns or throws, so that destructors run.

@@ -28,9 +28,8 @@ struct StampedNozzle {
 /// memory, and takes the longer the further back it has to look. Transforms may come on another thread.
 class TransformSequence {
  public:
-  /// @param most_waiting  transforms; with more, the oldest are given to the buffer unasked, and of their
-  /// stamps the nozzle
-  ///   is not reported
+  /// @param most_waiting  transforms; beyond this, the oldest go to the buffer unasked, and the nozzle's pose
+  ///   at their stamps is not returned
   explicit TransformSequence(std::size_t most_waiting = 500000);
 
   /// A transform that moves. One that is older than what the buffer was given goes there at the next call.

@@ -26,7 +26,7 @@ Toolpath read(const std::string& path, const std::atomic<bool>& is_cancelled) {
     if (is_cancelled) throw Cancelled("another program is drawn");
     builder.add(motion);
   };
-  handlers.comment = [&](std::string_view comment) { builder.tell(comment); };
+  handlers.comment = [&](std::string_view comment) { builder.readComment(comment); };
   readGcodeFile(path, {}, handlers);
   Toolpath toolpath = builder.finish(path);
   if (toolpath.layers.empty()) throw InvalidProgram("'" + path + "' has nothing to draw");

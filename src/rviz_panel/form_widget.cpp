@@ -49,10 +49,10 @@ FormWidget::FormWidget(QWidget* parent)
   column->addWidget(tabs);
   joinDialAndNumber();
   source_->chosen = [this] { chooseSource(); };
-  const auto tell = [this] { tellChange(); };
-  source_->edited = output_->edited = axis_->changed = table_->changed = final_->changed = tell;
-  connect(drops_aids_, &QCheckBox::toggled, this, tell);
-  connect(machine_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, tell);
+  const auto notify = [this] { notifyChange(); };
+  source_->edited = output_->edited = axis_->changed = table_->changed = final_->changed = notify;
+  connect(drops_aids_, &QCheckBox::toggled, this, notify);
+  connect(machine_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, notify);
   setForm({});
 }
 
@@ -109,7 +109,7 @@ QWidget* FormWidget::makeCode(const QString& name, const QString& hint, QPlainTe
   edit->setPlaceholderText(hint);
   edit->setLineWrapMode(QPlainTextEdit::NoWrap);
   edit->setMinimumHeight(60);
-  connect(edit, &QPlainTextEdit::textChanged, this, [this] { tellChange(); });
+  connect(edit, &QPlainTextEdit::textChanged, this, [this] { notifyChange(); });
   return edit;
 }
 
@@ -117,7 +117,7 @@ void FormWidget::joinDialAndNumber() {
   dial_->turned = [this](double angle_deg) { angle_->setValue(angle_deg); };
   connect(angle_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double angle_deg) {
     dial_->setAngle(angle_deg);
-    tellChange();
+    notifyChange();
   });
 }
 
@@ -131,7 +131,7 @@ void FormWidget::chooseSource() {
   if (source_chosen) source_chosen(source);
 }
 
-void FormWidget::tellChange() {
+void FormWidget::notifyChange() {
   if (changed) changed();
 }
 

@@ -38,7 +38,7 @@ class FormWidget : public QWidget {
   QWidget* makeCode(const QString& name, const QString& hint, QPlainTextEdit*& edit);
   void joinDialAndNumber();
   void chooseSource();
-  void tellChange();
+  void notifyChange();
 
   PathField* source_;
   PathField* output_;

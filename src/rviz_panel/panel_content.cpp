@@ -90,7 +90,7 @@ void PanelContent::drawSource(const std::string& path) {
   inclined_reader_.stop();
   view_.removeInclined();
   view_.showSource({});
-  tellShown();
+  notifyShown();
   const QFileInfo file(QString::fromStdString(path));
   drawn_source_time_ = file.lastModified();
   if (!file.isFile()) return source_reader_.stop();
@@ -98,7 +98,7 @@ void PanelContent::drawSource(const std::string& path) {
     if (!part.failure.empty() && !client_.isRunning())
       strip_->end(RunState::Idle, "not drawn: " + part.failure);
     view_.showSource(std::move(part));
-    tellShown();
+    notifyShown();
   });
 }
 
@@ -106,11 +106,11 @@ void PanelContent::drawInclined(const std::string& path) {
   inclined_reader_.read(path, [this](DrawnPart part) {
     if (!part.failure.empty()) strip_->end(RunState::Done, "written, but not drawn: " + part.failure);
     view_.showInclined(std::move(part));
-    tellShown();
+    notifyShown();
   });
 }
 
-void PanelContent::tellShown() {
+void PanelContent::notifyShown() {
   slider_->setLayerCount(view_.layerCount());
   view_.showLayers(slider_->shownLayers());
   const std::optional<Box3> box = view_.box();

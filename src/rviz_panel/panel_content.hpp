@@ -39,7 +39,7 @@ class PanelContent : public QWidget {
   void end(const InclineOutcome& outcome);
   void drawSource(const std::string& path);
   void drawInclined(const std::string& path);
-  void tellShown();
+  void notifyShown();
 
   FormWidget* form_;
   RunStrip* strip_;

@@ -13,7 +13,6 @@ PANEL = "starts RViz, which has no display in tests"
 NO_TEST = "filled and published, read by people alone; its rostest does not look at it yet"
 GAPS = {
     "incline.launch": PANEL, "layers.launch": PANEL,
-    "kBaseFrame": "stands in the descriptions of machines", "kToolFrame": "stands in the descriptions of machines",
     "kProcessTrajectory": NO_TEST, "kTrackingError": NO_TEST, "kPartMarkers": NO_TEST, "kHeightOctomap": NO_TEST, "kPluginsParameter": NO_TEST,
     "goal_time_tolerance": "of control_msgs", "goal_tolerance": "of control_msgs",
     "outside_volume": NO_TEST, "arcs_made_chords": NO_TEST, "build_aids_dropped": NO_TEST, "bed_temperature": NO_TEST,

@@ -27,11 +27,11 @@ int exitCodeOfNode(const lamina::NodeRun& run, const std::function<void()>& body
 }
 
 TEST(RunNode, OnlyReportsOfASignalIfAskedTo) {
-  const int exit_code = exitCodeOfNode({"told", lamina::OnSignal::Tell}, [] {
+  const int exit_code = exitCodeOfNode({"told", lamina::OnSignal::Request}, [] {
     std::raise(SIGHUP);
     ros::WallDuration(0.1).sleep();
     ros::spinOnce();
-    if (!lamina::isToldToStop() || !ros::ok())
+    if (!lamina::isStopRequested() || !ros::ok())
       throw lamina::DeviceError("reported, and still there, was expected");
   });
   EXPECT_EQ(exit_code, 0);

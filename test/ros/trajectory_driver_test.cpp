@@ -169,8 +169,8 @@ TEST(TrajectoryDriver, AbortsAndLeavesTheMachineSafeWhenAskedToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
     DriveCell cell("told", "five_axis_head_table");
     test::NodeProcess driver(LAMINA_NODE,
-                             {"__ns:=/told", "_machine/name:=five_axis_head_table", "_hand_over/points:=250",
-                              "_hand_over/ahead_s:=4.0", "_hand_over/reaction_s:=0.5", "_start_delay_s:=2.0",
+                             {"__ns:=/told", "_machine/name:=five_axis_head_table", "_feeder/points:=250",
+                              "_feeder/ahead_s:=4.0", "_feeder/reaction_s:=0.5", "_start_delay_s:=2.0",
                               "_tracking/silence_by:=stamps", "_approach/joint_speed:=1.0"});
     cell.drive(twoBeads());
     ASSERT_TRUE(waitUntil([&] { return cell.isDepositing(); }));

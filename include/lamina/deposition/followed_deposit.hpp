@@ -8,8 +8,7 @@
 namespace lamina {
 
 /// What a toolpath leaves behind, deposited as the nozzle comes by (`PathFollower`, `VoxelDeposit`). Once the
-/// nozzle has been at the end, as much is deposited as `depositedVoxels` lays, in portions that begin
-/// elsewhere.
+/// nozzle has been at the end, the volume is that of `depositedVoxels`, but its portions begin elsewhere.
 class FollowedDeposit {
  public:
   static constexpr double kLeastPiece = 0.2;  ///< of a motion that is not at its end, deposited at once [mm]
@@ -20,7 +19,7 @@ class FollowedDeposit {
   FollowedDeposit(const FollowedDeposit&) = delete;
   FollowedDeposit& operator=(const FollowedDeposit&) = delete;
 
-  /// Lays what the nozzle has passed once it was reported at `tip` [mm, bed].
+  /// Deposits what the nozzle has passed up to its reported position `tip` [mm, bed].
   void observe(const Point3& tip);
 
   const VoxelDeposit& deposit() const { return deposit_; }

@@ -31,12 +31,12 @@ struct FollowingSettings {
 /// Adds the keys following.tolerance_mm and following.look_ahead_mm.
 void describe(SettingsSchema& schema, FollowingSettings& settings);
 
-/// Reports from reported positions of the nozzle how far along a toolpath it is: never back, and all that
-/// lies between two places has been run.
+/// Derives how far along a toolpath the nozzle is from its reported positions: it never goes back, and all
+/// that lies between two places has been run.
 ///
 /// A position is taken for the nearest place of the first stretch ahead that passes within the tolerance. It
 /// counts at once if the way there along the toolpath is that of the nozzle, as it is where reports are dense
-/// or report of every corner. Else it is a guess, which counts once `kSureOnTheWay` reports in a row went on
+/// or include every corner. Else it is a guess, which counts once `kSureOnTheWay` reports in a row went on
 /// from it like this, or `kSureAhead` found places ahead however far, each a tolerance apart at least: so
 /// neither a crossing, a neighbouring line, a stray report nor a motion that is not of the toolpath leads
 /// ahead. Positions off the toolpath change nothing.
@@ -51,7 +51,7 @@ class PathFollower {
   /// @throws InvalidInput as `validate`
   PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
 
-  /// The place once the nozzle was reported at `tip` [mm]. One that is not finite changes nothing.
+  /// Returns the place after a report of the nozzle at `tip` [mm]. A tip that is not finite changes nothing.
   PathPlace observe(const Point3& tip);
 
   const PathPlace& place() const { return place_; }

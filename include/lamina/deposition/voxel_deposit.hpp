@@ -83,7 +83,7 @@ class VoxelDeposit {
   /// nothing is deposited or beyond the frame. The bed everywhere if tops are not kept.
   double surfaceHeight(double x, double y) const;
 
-  /// Hands over the voxels; the deposit is empty of use afterwards.
+  /// Moves the voxels out; the deposit must not be used afterwards.
   VoxelGrid takeGrid();
 
  private:

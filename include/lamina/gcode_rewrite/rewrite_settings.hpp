@@ -37,7 +37,7 @@ enum class ExtrusionMode { Absolute, Relative };
 struct RewriteSettings {
   RewriteMode mode = RewriteMode::Corrected;
   std::optional<int> decimals;  ///< of coordinates, 0 to 6; else 3, or 2 as the listing
-  /// Height at which the lowest deposition end is put; else as the slicer's comments report.
+  /// Height [mm] at which the lowest deposition end is put; if empty, what the slicer's comments state.
   std::optional<double> layer_height_mm;
   Lift lift = Lift::ToFirstLayer;
   Point3 offset_mm = Point3::Zero();  ///< moves the part after the lift
@@ -48,14 +48,15 @@ struct RewriteSettings {
   std::string begin_code;                   ///< after the comments at the head
   std::string end_code;                     ///< after all else
   std::optional<Box3> limits_mm;            ///< of the nozzle
-  /// Direction of the machine's tool axis over the bed, which the comments of the program report; else the
+  /// Direction of the machine's tool axis over the bed, which the output's comments then state; if empty, the
   /// nozzle turns with the layers.
   std::optional<Point3> tool_axis;
   ToolAxisRule tool_axis_rule = ToolAxisRule::AlongNormal;
   Homing homing = Homing::Annulled;
   BuildAids build_aids = BuildAids::Kept;
   ExtrusionRule extrusion_rule = ExtrusionRule::ByVolume;
-  /// Until M82 or M83 reports; not given, it is absolute, and refused if the program contradicts it.
+  /// Mode of E until M82 or M83 sets it. If empty, E is taken as absolute; a program that contradicts this is
+  /// refused.
   std::optional<ExtrusionMode> initial_extrusion;
   double chord_tolerance_mm = 0.01;  ///< how far chords may be off an arc, or off a line that a map bends
 };

@@ -44,7 +44,7 @@ enum class RunOrder {
 /// How the fills of one layer and the next hang together.
 enum class LayerLink {
   Travel,
-  Chained,  ///< the cycle of a layer is opened where that of the layer below ended, and joined to it
+  Chained,  ///< the closed run of a layer is opened where that of the layer below ended, and joined to it
   Rising,   ///< the loops of all layers become one that rises all the time
 };
 

@@ -19,7 +19,7 @@ struct ApproachDemands {
 /// The approach on which no link runs into the bed or another link: with the lift that is asked, or the first
 /// that is clear of twice, four times, ... up to 64 times that and 1 m. Of material that is on the bed
 /// already it knows nothing.
-/// @throws Unreachable if there is none, telling what the first way runs into; as `approach`; Cancelled
+/// @throws Unreachable if there is none, naming what the first way runs into; as `approach`; Cancelled
 Approach clearApproach(const JointValues& from, const JointValues& to, const KinematicModel& model,
                        const ApproachDemands& demands, Progress& progress);
 

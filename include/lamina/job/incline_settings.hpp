@@ -15,10 +15,10 @@ namespace lamina {
 /// Which map a program is inclined by.
 enum class InclineMap { Rotation, Shear, Scale, Matrix };
 
-/// What E is until M82 or M83 reports.
+/// Mode of E until M82 or M83 sets it.
 enum class InclineExtrusion { AsStated, Absolute, Relative };
 
-/// How a program is inclined, as configuration, command line and ROS requests report it. Lists are empty
+/// How a program is inclined, as configuration, command line and ROS requests give it. Lists are empty
 /// where nothing is given.
 struct InclineSettings {
   MachineSettings machine{"none", ""};  ///< whose limits and axes hold
@@ -33,7 +33,7 @@ struct InclineSettings {
   std::vector<double> offset_mm;
   std::vector<double> final_position_mm;
   std::vector<double> limits_mm;  ///< of the nozzle: lowest x, y, z, highest x, y, z
-  double layer_height_mm = 0.0;   ///< 0 is as the program reports
+  double layer_height_mm = 0.0;   ///< 0 takes what the program states
   int decimals = -1;              ///< -1 is as the mode has it
   InclineExtrusion extrusion = InclineExtrusion::AsStated;
   RewriteSettings transform;  ///< all else
@@ -51,7 +51,7 @@ InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vec
 /// @throws as `machineOf`
 std::optional<CartesianMachine> machineOf(const InclineSettings& settings);
 
-/// The job that the settings report. Where neither machine nor limits are given, the corrected mode takes the
+/// The job that the settings give. Where neither machine nor limits are given, the corrected mode takes the
 /// room of the large gantry. Programs for machines whose axes stand askew speak the values of these axes.
 /// @param output  empty for that of `inclinedName`
 /// @throws InvalidConfig if settings do not go together, or there is no such machine; FileError

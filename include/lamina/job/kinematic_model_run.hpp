@@ -17,14 +17,14 @@ namespace lamina {
 
 /// A toolpath as the joints of a machine or robot run it.
 struct KinematicModelRun {
-  DividedToolpath divided;  ///< so finely that steady joints keep the nozzle on its motions
+  DividedToolpath divided;  ///< fine enough for joints at constant speed to keep the nozzle on its motions
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< [mm]
   JointPath path;                                                   ///< of the divided toolpath
 
   const Toolpath& toolpath() const { return divided.toolpath; }
 };
 
-/// The joints that keep links out of each other, as far as `SelfCollisionGuard` reports. Where divisions do
+/// The joints that keep links out of each other, as far as `SelfCollisionGuard` finds. Where divisions do
 /// not keep the nozzle within the tolerances, `inTime` goes on dividing.
 /// @param progress  stage "joints"
 /// @throws as `planJointPath`; InvalidConfig as `linkBodies`

@@ -7,7 +7,7 @@
 
 namespace lamina {
 
-/// Whether both names lead to one file, through links too; files that are not there yet are reported by their
+/// Whether both names lead to one file, through links too; files that are not there yet are compared by their
 /// paths. An empty name is that of no file.
 bool isSameFile(const std::string& one, const std::string& other);
 

@@ -24,7 +24,7 @@ struct ProgramJoints {
 };
 
 /// What becomes a file: a toolpath, where its part stands, the axes that a program speaks of, and the joints
-/// that it reports.
+/// that it states.
 struct PlacedToolpath {
   const Toolpath& toolpath;
   ProgramFrame frame;

@@ -30,7 +30,7 @@ struct SlicedPart {
 /// Everything is checked before the output is touched.
 ///
 /// A machine with rotary joints gets five-axis G-code where the toolpath tilts the nozzle; an arm's program
-/// in RAPID is checked against its joints, and reports them where the settings ask for that.
+/// in RAPID is checked against its joints, and states them where the settings ask for that.
 ///
 /// @param progress  stages "read", "slice", "plan", "joints" where joints are led, "write"
 /// @throws FileError, InvalidMesh, InvalidConfig, InvalidInput (no layer, unknown suffix, G-code for a

@@ -41,7 +41,7 @@ enum class Overlaps {
   All,    ///< also the round ends of joined pieces on each other, as in [Guacheta2021]
 };
 
-/// Section of what the volume is estimated by.
+/// Cross-section from which the volume is estimated.
 enum class VolumeSection {
   Strand,  ///< one section all along, as in [Guacheta2021, eq. 4.6]
   Bead,    ///< of each bead itself
@@ -55,9 +55,9 @@ enum class StrandEnds {
   Commercial,  ///< D / 2, as it does for those of other slicers
 };
 
-/// Of the surface metrics.
+/// Settings of the surface metrics.
 struct SurfaceFillSettings {
-  /// Below a face within which a bead counts for it; 0.25 mm in [Guacheta2021]. 0: half of what
+  /// Depth [mm] below a face within which a bead counts for it; 0.25 in [Guacheta2021]. 0: half of what
   /// the bead measures across the face and a quarter of its height, which is as much for a bead of 0.4 x 0.2
   /// mm at an upright face.
   double depth_mm = 0.0;
@@ -69,7 +69,7 @@ struct SurfaceFillSettings {
   double step_mm = 0.02;  ///< between the lines along which areas are measured, at most
 };
 
-/// Of the volume error.
+/// Settings of the volume error.
 struct VolumeErrorSettings {
   VolumeSection section = VolumeSection::Bead;
   double strand_area_mm2 = 0.08;
@@ -77,7 +77,7 @@ struct VolumeErrorSettings {
   double fill_share = 1.0;  ///< of the part's volume that is asked for
 };
 
-/// Of the simulated platform.
+/// Settings of the simulated platform.
 struct PlatformRunSettings {
   /// Where the middle of what is deposited stands on the bed [mm]; empty leaves it where it is.
   std::vector<double> middle_mm = {0.0, 0.0};

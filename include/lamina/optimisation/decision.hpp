@@ -25,14 +25,13 @@ struct Decision {
 ///
 /// Linmap measures from the ideal 0, where a cost has no negative value; otherwise (a response to be
 /// maximised, with its sign changed) from its least value. Topsis: the ideal is the least of each cost, the
-/// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere reports
-/// nothing.
+/// worst the greatest; where both are the same place, all indices are 1. A cost that is 0 everywhere has no
+/// influence.
 ///
 /// @param costs    by alternative; to be made small
 /// @param weights  one a cost, none negative, not all 0
 /// @throws InvalidInput if there is no alternative, one has another number of costs than there are weights,
-/// or
-///   a number is not finite; InvalidConfig if a weight is not as said
+///   or a number is not finite; InvalidConfig if a weight is not as said
 Decision decide(const std::vector<std::vector<double>>& costs, const std::vector<double>& weights,
                 DecisionMethod method);
 

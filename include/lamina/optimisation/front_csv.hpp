@@ -32,9 +32,8 @@ std::string frontCsv(const DesignSpace& space, const std::vector<std::string>& r
                      const std::vector<Evaluation>& front);
 
 /// Reads what `frontCsv` wrote, or somebody typed in its way.
-/// @throws FileError; InvalidInput naming file and line if the number of variables is not reported or more
-/// than
-///   there are columns, there is no row, or a response is no number
+/// @throws FileError; InvalidInput naming file and line if the number of variables is missing or
+///   greater than the number of columns, there is no row, or a response is no number
 FrontTable readFrontCsv(const std::string& path);
 
 }  // namespace lamina

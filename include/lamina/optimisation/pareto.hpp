@@ -40,7 +40,7 @@ Front paretoFront(const std::vector<Score>& scores);
 
 /// How much room each score of a front has around it (crowding distance of [Deb2002]): the extent of
 /// the box between its neighbours, each cost relative to its extent in the front; infinite at the ends of a
-/// cost. A cost that is the same everywhere reports nothing. Where all are, and for what could not be tried,
+/// cost. A cost that is the same everywhere has no influence. Where all are, and for what could not be tried,
 /// it is 0.
 std::vector<double> crowdingOf(const std::vector<Score>& scores, const Front& front);
 

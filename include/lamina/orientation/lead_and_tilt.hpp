@@ -10,7 +10,7 @@ namespace lamina {
 /// the axis across the path, towards where it travels, then by `tilt_deg` about the path's tangent, to the
 /// left of the path as seen along it from the nozzle. The nozzle's tip stays.
 ///
-/// @param tool axis      of unit length
+/// @param tool_axis  of unit length
 /// @param tangent  direction of travel, of unit length
 /// @return of unit length. A tool axis along the tangent has no axis across the path and stays as it is.
 Point3 withLeadAndTilt(const Point3& tool_axis, const Point3& tangent, double lead_deg, double tilt_deg);

@@ -15,7 +15,7 @@ namespace lamina {
 /// axis, also past the horizontal. Heading 0 gives `nozzleDown()` for a vertical tool axis, 180 the w 0, x 0,
 /// y 1, z 0 of [Flores2018].
 ///
-/// @param tool axis  of unit length [part frame]
+/// @param tool_axis  of unit length [part frame]
 /// @return part_from_nozzle, of unit length; its scalar product with that of a vertical tool axis is not
 /// negative
 /// @throws InvalidInput if the tool axis lies along v within 1e-6, where no such frame is
@@ -25,7 +25,7 @@ Eigen::Quaterniond noSpinFrame(const Point3& tool_axis, double heading_deg);
 /// far as it can, before the first other tool axis that of the waypoint after. No two that follow each other
 /// have a negative scalar product.
 ///
-/// @param tool axes  one or more, of unit length
+/// @param tool_axes  one or more, of unit length
 /// @throws InvalidInput if all of them lie along v
 std::vector<Eigen::Quaterniond> noSpinFrames(const std::vector<Point3>& tool_axes, double heading_deg);
 

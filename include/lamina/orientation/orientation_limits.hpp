@@ -16,7 +16,7 @@ double tiltDeg(const Point3& tool_axis);
 
 /// The tool axis raised towards straight down, in its own vertical plane, until its tilt is at most
 /// `max_deg`. A tool axis straight up has no such plane and is tilted towards x.
-/// @param tool axis  of unit length
+/// @param tool_axis  of unit length
 Point3 withTiltLimit(const Point3& tool_axis, double max_deg);
 
 /// Tool axes near the wanted ones whose turn from waypoint to waypoint is at most `max_deg_per_mm` times the

@@ -14,7 +14,7 @@ struct ToolAngles {
   double beta = 0.0;   ///< -pi to pi
 };
 
-/// @param tool axis  of unit length; along y, where every beta gives the same tool axis, beta is 0
+/// @param tool_axis  of unit length; along y, where every beta gives the same tool axis, beta is 0
 ToolAngles toolAngles(const Point3& tool_axis);
 
 /// The tool axis of two angles, of unit length.

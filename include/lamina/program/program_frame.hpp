@@ -22,17 +22,17 @@ struct ProgramFrame {
   Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();
 };
 
-/// What a program's header reports of layers, nozzle and axes that are other than usual.
+/// What a program's header states about layers, nozzle and axes that differ from the usual ones.
 struct StatedFrame {
   Eigen::Quaterniond bed_from_layers = Eigen::Quaterniond::Identity();
   Eigen::Quaterniond bed_from_nozzle = nozzleDown();
   Eigen::Affine3d bed_from_program = Eigen::Affine3d::Identity();
 };
 
-/// Comment lines that report the frame, with 17 digits: `;LAYER_FRAME:` (bed_from_layers) and
+/// Comment lines that state the frame, with 17 digits: `;LAYER_FRAME:` (bed_from_layers) and
 /// `;NOZZLE_FRAME:` (bed_from_nozzle) as w x y z, `;BED_FROM_AXES:` as the rows of a 3 x 4 matrix. What is as
-/// usual is not reported: level layers, a nozzle that points straight down, axes that are those of the bed.
-std::string frameComments(const StatedFrame& told);
+/// usual is not stated: level layers, a nozzle that points straight down, axes that are those of the bed.
+std::string frameComments(const StatedFrame& frame);
 
 /// Whether a comment, without its semicolon, is one of these.
 bool isFrameComment(std::string_view comment);
@@ -40,6 +40,6 @@ bool isFrameComment(std::string_view comment);
 /// Takes in a comment without its semicolon.
 /// @return whether it is one of these; others change nothing
 /// @throws InvalidProgram if it is one of these and its numbers are no rotation, or no map that can be undone
-bool readFrameComment(std::string_view comment, StatedFrame& told);
+bool readFrameComment(std::string_view comment, StatedFrame& frame);
 
 }  // namespace lamina

@@ -26,7 +26,7 @@ struct TimedTemperature {
   double value_c = 0.0;
 };
 
-/// What a machine has reported last of what its start-up is about. Whatever was not reported is nothing.
+/// The latest values that a machine reported for its start-up. A value that was never reported is empty.
 ///
 /// Read are Marlin's temperatures, values after the labels of the settings, and the rows of numbers that
 /// follow a line with "Leveling Grid" (G29). Times are machine times [s] and never go back.

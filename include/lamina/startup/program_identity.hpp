@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// What reports a program that came whole from one that did not, and from another.
+/// Distinguishes a program that arrived whole from a truncated one, and from any other program.
 struct ProgramIdentity {
   std::string name;  ///< path of a file, or id of a toolpath
   std::uint64_t bytes = 0;

@@ -22,7 +22,7 @@ namespace lamina {
 /// bed, motors that were switched off, a zone that leaks, pellets that are dry no more) makes it Pending
 /// again, and with it whatever rests on it.
 ///
-/// Nothing is believed for longer than it was reported: a Startup begins with every step Pending.
+/// Nothing is carried over from an earlier run: a Startup begins with every step Pending.
 class Startup {
  public:
   /// @throws InvalidConfig as `makeStartupSequence`
@@ -33,7 +33,7 @@ class Startup {
   std::vector<StartupStatus> steps() const;
   /// Whether the step is in the sequence and not left out.
   bool awaits(StartupStep step) const;
-  /// Whether the machine was made to do, or reports, anything that is done or under way.
+  /// Whether any step that is done or under way was run by the machine, or is reported by it.
   bool hasMachineAtWork() const;
   /// Whether every step is satisfied.
   bool isReady() const;

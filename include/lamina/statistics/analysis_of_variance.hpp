@@ -14,7 +14,7 @@ struct Factor {
   std::vector<std::string> levels;
 };
 
-/// What a factor, or two of them together, report of the response.
+/// How much of the response a factor, or the interaction of two factors, explains.
 struct VarianceSource {
   std::string name;  ///< "layer", "layer x infill"
   double sum_of_squares = 0.0;
@@ -35,7 +35,7 @@ struct AnalysisOfVariance {
 /// @throws InvalidInput if there is no factor, one has fewer than two levels or another number of
 /// observations
 ///   than the response, a value is not finite, a pair of levels was never observed (their interaction cannot
-///   be reported), or there is nothing left over to judge by
+///   be estimated), or nothing is left to estimate the error by
 AnalysisOfVariance analyseVariance(const std::vector<double>& response, const std::vector<Factor>& factors);
 
 }  // namespace lamina

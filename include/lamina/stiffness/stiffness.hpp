@@ -52,8 +52,7 @@ struct StiffnessResult {
 /// reported. The result is the same whatever the number of threads.
 ///
 /// @throws InvalidInput   if nothing bears the load, or the memory does not suffice (names the voxel that
-/// would
-///                        fit), or forces are not balanced after as many iterations as are allowed
+///                        would fit), or forces are not balanced after as many iterations as are allowed
 /// @throws InvalidConfig  if a setting is out of range or the span does not lie on the part
 /// @throws Cancelled
 StiffnessResult solveStiffness(const VoxelGrid& grid, const StiffnessSettings& settings, Progress& progress);

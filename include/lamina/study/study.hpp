@@ -67,7 +67,7 @@ struct PublishedRow {
   std::vector<SettingText> values;
 };
 
-/// What a search is to be about, as a person writes it down.
+/// The subject of a search, as a person writes it down.
 struct Study {
   std::string name;
   std::string about;   ///< free text

@@ -17,7 +17,7 @@ struct Sweep {
   Bead bead;               ///< one for the whole trajectory, of its volume
   bool is_ring = false;    ///< ends where it begins, mitred there too
   std::size_t layer = 0;   ///< of the toolpath, 0 based
-  std::size_t trajectory = 0;  ///< that it is of, 0 based, skirts not counted
+  std::size_t trajectory = 0;  ///< trajectory that it belongs to, 0 based, skirts not counted
 
   std::size_t lineCount() const { return points.size() - 1; }
 };

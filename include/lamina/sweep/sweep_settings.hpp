@@ -16,7 +16,7 @@ enum class CornerStrategy : std::uint8_t {
   Sections = 3   ///< trajectories cut where they would meet themselves, each section mitred
 };
 
-/// What a bead's height is where its width reports whether a trajectory meets itself.
+/// Bead height used where the bead's width decides whether a trajectory meets itself.
 enum class CutHeight : std::uint8_t {
   Bead = 0,      ///< that of the bead
   Absolute = 1,  ///< that of the layer above the bed, as in [Vega2023]: too wide in upper layers

@@ -72,7 +72,7 @@ struct ProcessFlags {
 
 /// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what
 /// feed on the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed
-/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then reports of that
+/// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then describes that
 /// return.
 struct Path {
   PathRole role = PathRole::Infill;

@@ -17,7 +17,7 @@ struct WaypointIndex {
     return a.layer == b.layer && a.path == b.path && a.waypoint == b.waypoint;
   }
   friend bool operator!=(const WaypointIndex& a, const WaypointIndex& b) { return !(a == b); }
-  /// In the order of the motion, but for waypoint 0 of a closed path, which reports of its return.
+  /// In the order of the motion, except waypoint 0 of a closed path, which stands for its return.
   friend bool operator<(const WaypointIndex& a, const WaypointIndex& b) {
     return std::tie(a.layer, a.path, a.waypoint) < std::tie(b.layer, b.path, b.waypoint);
   }

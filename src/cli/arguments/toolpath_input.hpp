@@ -26,9 +26,9 @@ ToolpathInput readToolpath(const std::string& input, const JobSettings& settings
 /// The toolpath in coordinates of the bed.
 Toolpath onBed(ToolpathInput input);
 
-/// `readToolpath` for what looks along the tool axis: layers and nozzle of a file that reports neither lie as
+/// `readToolpath` for what looks along the tool axis: layers and nozzle of a file that states neither lie as
 /// `slicing.plane` says.
-/// @throws InvalidInput if the file reports of inclined layers other than those of slicing.plane
+/// @throws InvalidInput if the file states inclined layers other than those of slicing.plane
 ToolpathInput readInclinedToolpath(const std::string& input, const JobSettings& settings);
 
 }  // namespace lamina::cli

@@ -23,7 +23,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
     if (done % report_every == 0)
       progress.report(stage, static_cast<double>(done) / static_cast<double>(count));
   };
-  // A loop within another that ends by an exception would otherwise stop amid its work and report nobody.
+  // A loop within another that ends by an exception would otherwise stop half-way without an error.
   tbb::task_group_context context(tbb::task_group_context::isolated);
   tbb::parallel_for(std::size_t{0}, count, run, context);
 }

@@ -45,7 +45,7 @@ char* writeFixed(char* out, double value, int decimals) {
                        ", which is too much to be written; expected less than 1e9");
   auto units = static_cast<std::uint64_t>(scaled);
   const double rest = scaled - static_cast<double>(units);
-  // The product is rounded itself: whether a value is above a tie only its exact digits report.
+  // The product itself is rounded: only the exact digits show whether a value is above a tie.
   if (std::abs(rest - 0.5) < kNearTie || scaled > kRoundedFinely) return writeExactly(out, value, decimals);
   units += rest > 0.5 ? 1 : 0;
   if (value < 0.0 && units != 0) *out++ = '-';

@@ -42,13 +42,13 @@ StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& tr
   const Eigen::Affine3d map = matrixOf([&](const Point3& point) { return transform.map.map(point); });
   const Point3 normal = source.bed_from_layers * Point3::UnitZ();
   const Eigen::Quaterniond turn = turnOf(map.linear(), normal);
-  StatedFrame told;
-  told.bed_from_layers = unlessStraight((turn * source.bed_from_layers).normalized());
+  StatedFrame stated;
+  stated.bed_from_layers = unlessStraight((turn * source.bed_from_layers).normalized());
   const Point3 held = tool_axis.value_or(turn * (source.bed_from_nozzle * Point3::UnitZ()));
-  told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), held) * nozzleDown();
+  stated.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), held) * nozzleDown();
   if (transform.axes != nullptr)
-    told.bed_from_program = matrixOf([&](const Point3& point) { return transform.axes->inverse(point); });
-  return told;
+    stated.bed_from_program = matrixOf([&](const Point3& point) { return transform.axes->inverse(point); });
+  return stated;
 }
 
 double toolAxisOffNormalDeg(const StatedFrame& frame) {

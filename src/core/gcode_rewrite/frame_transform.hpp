@@ -9,12 +9,12 @@
 
 namespace lamina {
 
-/// What the transformed program is to report of layers, nozzle and axes. Layers and nozzle turn with the map;
+/// What the transformed program states about layers, nozzle and axes. Layers and nozzle turn with the map;
 /// where it is no rotation, by the smallest turn that brings the normal of the layers to where the map brings
 /// the layers. The turn about normal and tool axis is free: none where these are straight. A map that bends
-/// layers leaves nothing to report.
-/// @param source  what the program reports that is transformed
-/// @param tool axis     of a nozzle that is held some way by the machine
+/// layers leaves nothing to state.
+/// @param source     what the source program states
+/// @param tool_axis  of a nozzle whose direction is fixed by the machine
 StatedFrame transformedFrame(const StatedFrame& source, const PointTransform& transform,
                              const std::optional<Point3>& tool_axis);
 

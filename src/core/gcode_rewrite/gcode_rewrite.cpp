@@ -70,7 +70,7 @@ void requireFinalWithin(const Point3& position, const Box3& limits) {
 }
 
 /// What moves the mapped part to its place over the bed [mm].
-/// @throws InvalidProgram if the lift needs a layer height that is neither set nor reported
+/// @throws InvalidProgram if the lift needs a layer height that is neither set nor stated
 Point3 shiftOf(const Survey& survey, const RewriteSettings& settings) {
   Point3 shift = settings.offset_mm;
   const Box3& part = survey.totals.part.box;
@@ -86,8 +86,7 @@ Point3 shiftOf(const Survey& survey, const RewriteSettings& settings) {
   return shift;
 }
 
-/// @throws Unreachable naming line, axis, value and limit if the nozzle would leave the limits, deposit
-/// below
+/// @throws Unreachable naming line, axis, value and limit if the nozzle would leave the limits, deposit below
 ///   the bed, or go to a final position out of the limits
 void requireReachable(const Survey& survey, const Point3& shift, const RewriteSettings& settings) {
   const SurveyTotals& totals = survey.totals;
@@ -296,7 +295,7 @@ struct Measured {
 };
 
 std::filesystem::file_time_type lastWritten(const std::string& path) {
-  std::error_code missing;  // opening the file reports better
+  std::error_code missing;  // opening the file gives a better message
   return std::filesystem::last_write_time(path, missing);
 }
 

@@ -73,9 +73,9 @@ std::optional<double> FilamentWords::feedAlone(const ProgramTracker& tracker) {
 }
 
 std::optional<double> FilamentWords::newFeed(const ProgramTracker& tracker, double feed) {
-  constexpr double kSame = 5e-3;                                // mm/min: the last decimal written
-  const bool is_told = tracker.command().find('F') != nullptr;  // the source's own F must not stay there
-  if (feed == 0.0 || (std::abs(feed - written_feed_) < kSame && !is_told)) return std::nullopt;
+  constexpr double kSame = 5e-3;                                  // mm/min: the last decimal written
+  const bool is_stated = tracker.command().find('F') != nullptr;  // the source's own F must not stay there
+  if (feed == 0.0 || (std::abs(feed - written_feed_) < kSame && !is_stated)) return std::nullopt;
   written_feed_ = feed;
   return feed;
 }
@@ -208,14 +208,14 @@ void ProgramRewriter::writeChords(const std::vector<Point3>& ends, std::string& 
 }
 
 void ProgramRewriter::appendExtrusion(Chord& chord, double pushed, const Point3& end, std::string& out) {
-  double value = tracker_.isExtrusionRelative() ? chord.pushed - chord.told
+  double value = tracker_.isExtrusionRelative() ? chord.pushed - chord.written
                                                 : tracker_.motion().filament_from + chord.pushed;
   if (filament_.scalesExtrusion()) value = filament_.extrusion(tracker_, pushed, chord.from, end);
   out += " E";
   const std::size_t digits = out.size();
   appendFixed(out, value, kExtrusionDecimals);
   // What was written is carried on, so that the sum of relative E is that of the line.
-  chord.told += readDecimal(std::string_view(out).substr(digits)).value;
+  chord.written += readDecimal(std::string_view(out).substr(digits)).value;
 }
 
 void ProgramRewriter::appendFeed(const Chord& chord, const Point3& end, std::string& out) {

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// E and F of a motion where the map is no isometry, following what the machine was reported before.
+/// E and F of a motion where the map is no isometry, given what was written before.
 class FilamentWords {
  public:
   FilamentWords(const PointTransform& transform, ExtrusionRule rule)
@@ -33,8 +33,7 @@ class FilamentWords {
   /// After G92.
   void setFilament(double value) { written_filament_ = value; }
 
-  /// F for a chord; nothing if the machine has that feed already, and the line is not the one that reports
-  /// it.
+  /// F for a chord; nothing if the machine has that feed already and the line does not state it.
   std::optional<double> feed(const ProgramTracker& tracker, const Point3& from, const Point3& to);
   /// F where the feed is not scaled; likewise.
   std::optional<double> feedAlone(const ProgramTracker& tracker);
@@ -58,7 +57,7 @@ struct RewriteCounts {
   std::size_t aids_dropped = 0;
 };
 
-/// Second pass over a program: appends each line as it is to be to a text.
+/// Second pass over a program: appends each rewritten line to a text.
 class ProgramRewriter {
  public:
   /// @param transform  with its shift; all three must outlive this
@@ -74,10 +73,10 @@ class ProgramRewriter {
   /// One of the chords that follow a motion.
   struct Chord {
     Point3 from = Point3::Zero();
-    double length = 0.0;  ///< of all chords [mm]
-    double done = 0.0;    ///< of this and those before [mm]
-    double pushed = 0.0;  ///< filament of this and those before, as sliced
-    double told = 0.0;    ///< sum of E written
+    double length = 0.0;   ///< of all chords [mm]
+    double done = 0.0;     ///< of this and those before [mm]
+    double pushed = 0.0;   ///< filament of this and those before, as sliced
+    double written = 0.0;  ///< sum of E written
   };
 
   void appendBeginCode(std::string& out);
@@ -111,7 +110,7 @@ class ProgramRewriter {
   Box3 footprint_;
   double footprint_top_;
   bool is_elsewhere_ = false;        ///< motions were dropped since the nozzle moved last
-  bool is_filament_behind_ = false;  ///< deposits were dropped since E was reported last
+  bool is_filament_behind_ = false;  ///< deposits were dropped since E was written last
 };
 
 }  // namespace lamina

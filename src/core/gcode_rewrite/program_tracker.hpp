@@ -14,7 +14,7 @@
 
 namespace lamina {
 
-/// Whether E is absolute. G90 and G91 say it too for Marlin, and do not for RepRapFirmware and Klipper; what
+/// Whether E is absolute. G90 and G91 set this in Marlin, but not in RepRapFirmware and Klipper; a mode that
 /// firmwares read differently is disputed.
 class ExtrusionModeState {
  public:
@@ -47,7 +47,7 @@ class ExtrusionModeState {
 
 enum class ProgramSection { Start, Part, End };
 
-/// What a line asks of whoever rewrites the program.
+/// How the rewriter must treat a line.
 enum class LineRole {
   Copied,
   Blank,
@@ -92,7 +92,7 @@ class ProgramTracker {
   bool isPositionRelative() const { return is_relative_; }
   bool isInInches() const { return unit_mm_ != 1.0; }
   double filament() const { return filament_; }  ///< value of E, where it is absolute
-  double feed() const { return feed_; }          ///< [mm/min], 0 until reported
+  double feed() const { return feed_; }          ///< [mm/min], 0 until stated
 
  private:
   void readBeginCode(std::string_view code);

@@ -14,10 +14,9 @@ bool startsWith(std::string_view text, std::string_view prefix) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-bool opensLayer(std::string_view comment) {
-  if (startsWith(comment, "LAYER:")) return comment.size() > 6 && (isDigit(comment[6]) || comment[6] == '-');
-  if (startsWith(comment, "layer ")) return comment.size() > 6 && isDigit(comment[6]);  // Simplify3D
-  return comment == "LAYER_CHANGE" || startsWith(comment, "move to next layer (");
+bool startsLayer(std::string_view comment) {
+  if (const auto mark = readLayerMark(comment)) return mark->is_next || mark->number;
+  return startsWith(comment, "layer ") && comment.size() > 6 && isDigit(comment[6]);  // Simplify3D
 }
 
 bool endsPart(std::string_view comment) {
@@ -57,7 +56,7 @@ SectionMark SectionMarks::read(std::string_view comment) {
   if (startsWith(comment, "TYPE:"))
     unknown_type_ = context_.role || isCustom(comment) ? std::string() : std::string(comment.substr(5));
   readHead(comment);
-  if (opensLayer(comment)) return SectionMark::Layer;
+  if (startsLayer(comment)) return SectionMark::Layer;
   if (comment == "start of the part") return SectionMark::PartStart;
   if (endsPart(comment)) return SectionMark::PartEnd;
   if (isCustom(comment)) return SectionMark::Custom;

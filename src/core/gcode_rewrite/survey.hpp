@@ -57,8 +57,7 @@ class Surveyor {
   void read(std::string_view line, std::size_t number);
 
   /// @throws InvalidProgram if there is no comment that opens a layer, nothing is deposited, motions after
-  /// the
-  ///   last deposition may be of the part or of the end code, or E looks relative without being said so
+  ///   the last deposition may be of the part or of the end code, or E looks relative without being said so
   Survey finish();
 
  private:

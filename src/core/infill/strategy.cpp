@@ -20,8 +20,8 @@
 namespace lamina {
 namespace {
 
-/// Contours wind one way, by which a program's reader reports borders from holes: they must not be turned
-/// round.
+/// Contours wind one way, by which a program's reader distinguishes borders from holes: they must not be
+/// turned round.
 InfillStrategy drops(const FillFunction& fill) {
   return {fill, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside, Deposit::Drops};
 }

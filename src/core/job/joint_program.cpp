@@ -89,13 +89,14 @@ bool isGcode(const SliceJob& job) { return std::filesystem::path(job.output).ext
 
 bool hasExternalAxis(const KinematicModel& arm) { return arm.joints().size() > 6; }
 
-bool tellsJoints(const RapidSettings& settings, const KinematicModel& arm) {
+bool statesJoints(const RapidSettings& settings, const KinematicModel& arm) {
   return settings.variant == RapidVariant::Powder5Axes &&
          (settings.configuration == RapidConfiguration::Joints || hasExternalAxis(arm));
 }
 
-/// Offsets from one point report neither how the tool is turned nor where external axes stand.
-void requireTold(const JointPathSettings& joints, const RapidSettings& settings, const KinematicModel& arm) {
+/// Offsets from one point state neither how the tool is turned nor where external axes stand.
+void requireStated(const JointPathSettings& joints, const RapidSettings& settings,
+                   const KinematicModel& arm) {
   if (settings.variant == RapidVariant::Powder5Axes || !hasExternalAxis(arm)) return;
   if (joints.external == ExternalChoice::Follow)
     throw InvalidConfig(std::string("joints.external is follow with rapid.variant ") +
@@ -120,11 +121,11 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
                                     const SlicedPart& sliced, Progress& progress) {
   const RapidSettings& rapid = job.settings.program.rapid;
   JointPathSettings settings = job.settings.joints;
-  requireTold(settings, rapid, *arm);
-  const bool is_told = tellsJoints(rapid, *arm);
-  if (!is_told) settings.yaw = YawChoice::Held;
+  requireStated(settings, rapid, *arm);
+  const bool is_stated = statesJoints(rapid, *arm);
+  if (!is_stated) settings.yaw = YawChoice::Held;
   KinematicModelRun run = runnable(*arm, sliced, settings, progress);
-  if (!is_told) return std::nullopt;
+  if (!is_stated) return std::nullopt;
   ToolpathAsRun as_run = toolpathAsRun(std::move(run), *arm);
   return JointProgram{std::move(arm), std::move(as_run.toolpath), std::move(as_run.joints)};
 }

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// A toolpath with the joints that run it, for programs that report these.
+/// A toolpath with the joints that run it, for programs that state them.
 struct JointProgram {
   std::unique_ptr<KinematicModel> model;
   Toolpath toolpath;  ///< divided as `runOn` does; of an arm as in `toolpathAsRun`

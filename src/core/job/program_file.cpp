@@ -16,8 +16,8 @@
 namespace lamina {
 namespace {
 
-/// The comments that a program begins with: what reports of five axes stands there, and all the rest, which
-/// may be long, need not be held in memory to know.
+/// The comments at the head of a program. They state whether it has five axes, so the rest, which may be
+/// long, need not be read.
 std::string headOf(const std::string& path) {
   std::ifstream file(path);
   std::string head;

@@ -276,7 +276,7 @@ Fit fitted(const Samples& samples, const Regression& regression, const KrigingSe
       fitRangesOf(algorithm, static_cast<std::size_t>(samples.inputs.front().size()));
       return {algorithm.getResult(), true};
     } catch (const OT::Exception&) {
-      // The likelihood has no top that can be reported from rounding: any ranges do.
+      // The likelihood has no maximum that stands out from rounding: any ranges do.
     }
   }
   OT::KrigingAlgorithm algorithm =

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "toolpath/deposited_segment.hpp"
+
 namespace lamina {
 namespace {
 
@@ -79,49 +81,44 @@ Point3 placeAt(const Path& path, std::size_t waypoint, const Bead& bead, BeadLin
   return path.points[waypoint] + 0.5 * bead.height_mm * toolAxisAt(path, waypoint);
 }
 
-void addDrops(const Path& path, BeadLine line, Chain& chain) {
-  for (std::size_t w = 0; w < path.points.size(); ++w) {
-    StraightBead drop;
-    drop.bead = path.bead.at(w);
-    drop.plan_width_mm = drop.bead.width_mm;
-    drop.tool_axis = toolAxisAt(path, w);
-    drop.start = drop.end = placeAt(path, w, drop.bead, line);
-    if (drop.bead.width_mm > 0.0) chain.addDrop(drop);
-  }
+void addDrop(const Path& path, const DepositedSegment& segment, BeadLine line, Chain& chain) {
+  if (!(segment.bead.width_mm > 0.0)) return;
+  StraightBead drop;
+  drop.bead = segment.bead;
+  drop.plan_width_mm = drop.bead.width_mm;
+  drop.tool_axis = toolAxisAt(path, segment.waypoint);
+  drop.start = drop.end = placeAt(path, segment.waypoint, drop.bead, line);
+  chain.addDrop(drop);
 }
 
-void addBead(const Path& path, BeadLine line, Chain& chain) {
-  for (std::size_t m = 0; m < path.motionCount(); ++m) {
-    const std::size_t end = path.motionEnd(m);
-    StraightBead piece;
-    piece.bead = path.bead.at(end);
-    piece.plan_width_mm = planWidth(piece.bead);
-    piece.tool_axis = toolAxisAt(path, end);
-    piece.start = placeAt(path, m, piece.bead, line);
-    piece.end = placeAt(path, end, piece.bead, line);
-    piece.bead.width_mm > 0.0 ? chain.add(piece) : chain.breakOff();
-  }
+void addBead(const Path& path, const DepositedSegment& segment, BeadLine line, Chain& chain) {
+  if (!(segment.bead.width_mm > 0.0)) return chain.breakOff();
+  StraightBead piece;
+  piece.bead = segment.bead;
+  piece.plan_width_mm = planWidth(piece.bead);
+  piece.tool_axis = toolAxisAt(path, segment.waypoint);
+  piece.start = placeAt(path, segment.from, piece.bead, line);
+  piece.end = placeAt(path, segment.waypoint, piece.bead, line);
+  chain.add(piece);
+}
+
+void addPath(const Path& path, BeadLine line, Chain& chain) {
+  if (path.role == PathRole::Travel) return chain.breakOff();
+  const bool is_drops = path.deposit == Deposit::Drops;
+  const bool is_loop = path.is_closed && !is_drops;
+  if (is_loop) chain.breakOff();
+  forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
+    is_drops ? addDrop(path, segment, line, chain) : addBead(path, segment, line, chain);
+  });
+  if (is_loop) chain.close();
 }
 
 }  // namespace
 
 std::vector<StraightBead> straightBeads(const Toolpath& toolpath, BeadLine line) {
   Chain chain;
-  for (const ToolpathLayer& layer : toolpath.layers) {
-    for (const Path& path : layer.paths) {
-      if (path.role == PathRole::Travel) {
-        chain.breakOff();
-        continue;
-      }
-      if (path.deposit == Deposit::Drops) {
-        addDrops(path, line, chain);
-        continue;
-      }
-      if (path.is_closed) chain.breakOff();
-      addBead(path, line, chain);
-      if (path.is_closed) chain.close();
-    }
-  }
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) addPath(path, line, chain);
   return chain.take();
 }
 

@@ -40,7 +40,7 @@ ParallelEvaluator::ParallelEvaluator(std::vector<std::string> response_names, Po
 std::vector<Evaluation> ParallelEvaluator::evaluate(const std::vector<DesignPoint>& points,
                                                     const EvaluationListener& done, Progress& progress) {
   std::vector<Evaluation> evaluations(points.size());
-  std::mutex telling;
+  std::mutex reporting;
   const auto evaluateOne = [&](std::size_t i) {
     QuietProgress quiet(progress);
     Evaluation& evaluation = evaluations[i];
@@ -51,7 +51,7 @@ std::vector<Evaluation> ParallelEvaluator::evaluate(const std::vector<DesignPoin
     } catch (...) {
       evaluation = {points[i], {}, currentFailure().message};
     }
-    const std::lock_guard<std::mutex> lock(telling);
+    const std::lock_guard<std::mutex> lock(reporting);
     if (done) done(evaluation);
   };
   parallelFor(points.size(), evaluateOne, progress, "evaluate");

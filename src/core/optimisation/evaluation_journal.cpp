@@ -31,13 +31,13 @@ class JournalLines {
 
   const std::string& header() const { return header_; }
 
-  /// @throws InvalidInput telling in what it differs from this header
+  /// @throws InvalidInput naming in what it differs from this header
   void requireHeader(const std::string& line) const;
 
   /// Reads back to the same values, those that are not finite too.
   std::string lineOf(const Evaluation& evaluation) const;
 
-  /// @throws InvalidInput telling what is wrong with it
+  /// @throws InvalidInput naming what is wrong with it
   Evaluation evaluationOf(const std::string& line) const;
 
  private:
@@ -331,7 +331,7 @@ const std::vector<std::string>& JournalledEvaluator::responseNames() const { ret
 std::vector<Evaluation> JournalledEvaluator::evaluate(const std::vector<DesignPoint>& points,
                                                       const EvaluationListener& done, Progress& progress) {
   for (const DesignPoint& point : points) requireWithin(space_, point);
-  const auto tell = [&](const Evaluation& evaluation) {
+  const auto report = [&](const Evaluation& evaluation) {
     if (done) done(evaluation);
   };
   std::vector<DesignPoint> untried;
@@ -339,7 +339,7 @@ std::vector<Evaluation> JournalledEvaluator::evaluate(const std::vector<DesignPo
   std::vector<std::size_t> repeated;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (const Evaluation* known = journal_->find(points[i])) {
-      tell(*known);
+      report(*known);
     } else if (seen.insert(points[i]).second) {
       untried.push_back(points[i]);
     } else {
@@ -349,19 +349,19 @@ std::vector<Evaluation> JournalledEvaluator::evaluate(const std::vector<DesignPo
   const auto noteDown = [&](const Evaluation& evaluation) {
     if (seen.count(evaluation.point) == 0 || journal_->find(evaluation.point) != nullptr) return;
     journal_->add(evaluation);
-    tell(evaluation);
+    report(evaluation);
   };
   std::vector<Evaluation> found;
   if (!untried.empty()) found = inner_.evaluate(untried, noteDown, progress);
   if (found.size() != untried.size())
     throw Error(ErrorCode::Internal, std::to_string(found.size()) + " evaluations of " +
                                          std::to_string(untried.size()) + " points; expected as many");
-  // What the evaluator did not report of, or reported of at another point, is noted at the point asked for.
+  // A point that the evaluator did not report, or reported at another place, is noted as the point asked for.
   for (std::size_t i = 0; i < found.size(); ++i) {
     found[i].point = untried[i];
     noteDown(found[i]);
   }
-  for (const std::size_t i : repeated) tell(*journal_->find(points[i]));
+  for (const std::size_t i : repeated) report(*journal_->find(points[i]));
   std::vector<Evaluation> evaluations;
   evaluations.reserve(points.size());
   for (const DesignPoint& point : points) evaluations.push_back(*journal_->find(point));

@@ -146,7 +146,7 @@ class Search {
     iteration.mape_percent =
         predictionErrorPercent(goals_, names_, measured.responses, iteration.predictions);
     iteration.is_feasible = violationOf(goals_, names_, measured.responses) == 0.0;
-    // What was learnt from is predicted exactly, which reports nothing of the predictions.
+    // A sample that was learnt from is predicted exactly, which says nothing about the predictions.
     iteration.is_accepted = iteration.is_feasible && !iteration.is_sample &&
                             iteration.mape_percent < settings_.accepted_mape_percent;
   }

@@ -18,7 +18,7 @@ namespace {
 
 // A triangle is nearly a line if its height is this share of its longest side,
 constexpr double kThinness = 1e-6;
-// or so little that no machine can report [mm], neither by itself nor beside a usual triangle.
+// or so little that no machine resolves it [mm], neither by itself nor beside a usual triangle.
 constexpr double kNoStretch = 0.02;
 constexpr double kNoFlip = 0.005;
 constexpr double kUnusual = 0.05;

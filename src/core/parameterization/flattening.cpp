@@ -97,7 +97,7 @@ class Unfolding {
     }
   };
 
-  /// Whether the sides to vertices that are deposited have kept their length.
+  /// Whether the sides to vertices that are placed already have kept their length.
   bool isTrueAround(std::uint32_t vertex) const {
     const auto isTrue = [&](std::uint32_t other, double length) {
       return !is_deposited_[other] ||
@@ -110,7 +110,7 @@ class Unfolding {
     return true;
   }
 
-  /// Where a corner lies of which both other vertices are deposited: at its height above the side between
+  /// Where a corner lies whose two other vertices are placed: at its height above the side between
   /// them, which rounding errors of that side's length do not change, so that they do not grow from row to
   /// row.
   Point2 placeBeyond(const FanCorner& corner) const {
@@ -137,7 +137,7 @@ class Unfolding {
     return sum / weight;
   }
 
-  /// Puts those vertices on the front that a triangle joins to the one just deposited and another one.
+  /// Puts those vertices on the front that a triangle joins to the one just placed and another one.
   void reachFrom(std::uint32_t vertex) {
     for (std::uint32_t i = fans_.first[vertex]; i < fans_.first[vertex + 1]; ++i) {
       const FanCorner& corner = fans_.corners[i];
@@ -176,7 +176,7 @@ constexpr double kFacing = 0.5;
 // Up to so many vertices the exact plan takes no time.
 constexpr std::size_t kFewVertices = 1000;
 
-/// Geodesic distances do not report a surface from its mirror image.
+/// Geodesic distances do not distinguish a surface from its mirror image.
 void turnCounterClockwise(const Mesh& surface, std::vector<Point2>& plan) {
   double area = 0.0;
   for (const Triangle& corner : surface.triangles) {

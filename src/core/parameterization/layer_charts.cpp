@@ -71,7 +71,7 @@ using Complex = std::complex<double>;
 constexpr double kGap = 10.0;
 // Charts are level to this, beyond rounding errors [mm].
 constexpr double kLevel = 1e-6;
-// A fit is reported by less than this share of what a perfect one would have: no direction.
+// A fit that reaches less than this share of a perfect one gives no direction.
 constexpr double kLeastFit = 0.05;
 
 std::vector<double> areaOfVertices(const Mesh& mesh) {
@@ -153,7 +153,7 @@ bool collide(const Ground& a, const Ground& b) {
 }
 
 /// Turns and moves a plan to where the surface lies seen along z: least squares over the area, without
-/// mirroring. Where that reports no direction, as below a surface that faces down, the direction in which the
+/// mirroring. Where that gives no direction, as below a surface that faces down, the direction in which the
 /// surface runs towards x comes to lie along x, or, if it does not run there, the one towards y along y.
 void layOverProjection(LayerChart& chart) {
   const std::vector<double> weight = areaOfVertices(chart.surface.middle);

@@ -108,7 +108,7 @@ std::vector<const ToolpathLayer*> fromFarthest(const Toolpath& toolpath, const P
   return layers;
 }
 
-/// What the colours of heights report.
+/// What the colours of heights mean.
 struct HeightRange {
   double low_mm = 0.0;
   double extent_mm = 0.0;

@@ -81,15 +81,15 @@ bool isIdentity(const Eigen::Affine3d& map) { return map.matrix() == Eigen::Matr
 
 }  // namespace
 
-std::string frameComments(const StatedFrame& told) {
+std::string frameComments(const StatedFrame& frame) {
   const auto line = [](std::string_view key, const std::string& values) {
     return ";" + std::string(key) + values + "\n";
   };
   std::string lines;
-  if (!isSame(told.bed_from_layers, Eigen::Quaterniond::Identity()))
-    lines += line(kLayers, text(told.bed_from_layers));
-  if (!isSame(told.bed_from_nozzle, nozzleDown())) lines += line(kNozzle, text(told.bed_from_nozzle));
-  if (!isIdentity(told.bed_from_program)) lines += line(kAxes, text(told.bed_from_program));
+  if (!isSame(frame.bed_from_layers, Eigen::Quaterniond::Identity()))
+    lines += line(kLayers, text(frame.bed_from_layers));
+  if (!isSame(frame.bed_from_nozzle, nozzleDown())) lines += line(kNozzle, text(frame.bed_from_nozzle));
+  if (!isIdentity(frame.bed_from_program)) lines += line(kAxes, text(frame.bed_from_program));
   return lines;
 }
 
@@ -97,13 +97,13 @@ bool isFrameComment(std::string_view comment) {
   return startsWith(comment, kLayers) || startsWith(comment, kNozzle) || startsWith(comment, kAxes);
 }
 
-bool readFrameComment(std::string_view comment, StatedFrame& told) {
+bool readFrameComment(std::string_view comment, StatedFrame& frame) {
   if (startsWith(comment, kLayers))
-    told.bed_from_layers = rotationBehind(kLayers, comment);
+    frame.bed_from_layers = rotationBehind(kLayers, comment);
   else if (startsWith(comment, kNozzle))
-    told.bed_from_nozzle = rotationBehind(kNozzle, comment);
+    frame.bed_from_nozzle = rotationBehind(kNozzle, comment);
   else if (startsWith(comment, kAxes))
-    told.bed_from_program = mapBehind(kAxes, comment);
+    frame.bed_from_program = mapBehind(kAxes, comment);
   else
     return false;
   return true;

@@ -454,13 +454,15 @@ void Startup::elapse(double now_s) {
 void Startup::advanceDrying(Entry& entry, double now_s) {
   const bool is_running = entry.status.state == StartupState::Running;
   if (!is_running && entry.status.state != StartupState::Done) return;
-  const bool tells = isReported(StartupStep::DryPellets, settings_);
-  const bool is_hot = !tells || checkDryer(reports_, settings_).verdict == Verdict::Met;
-  const double told_s = !tells ? now_s : reports_.dryer() ? reports_.dryer()->time_s : dryer_looked_at_s_;
-  if (is_hot && was_dryer_hot_ && is_running) dried_s_ += told_s - dryer_looked_at_s_;
-  if (is_hot && (tells || is_running)) last_dry_s_ = told_s;
+  const bool is_reported = isReported(StartupStep::DryPellets, settings_);
+  const bool is_hot = !is_reported || checkDryer(reports_, settings_).verdict == Verdict::Met;
+  const double reported_s = !is_reported       ? now_s
+                            : reports_.dryer() ? reports_.dryer()->time_s
+                                               : dryer_looked_at_s_;
+  if (is_hot && was_dryer_hot_ && is_running) dried_s_ += reported_s - dryer_looked_at_s_;
+  if (is_hot && (is_reported || is_running)) last_dry_s_ = reported_s;
   was_dryer_hot_ = is_hot;
-  dryer_looked_at_s_ = told_s;
+  dryer_looked_at_s_ = reported_s;
   if (!is_running) return;
   measure(entry);
   const StartupCheck check = checkDrying(dried_s_, settings_);

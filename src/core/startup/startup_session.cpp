@@ -46,7 +46,7 @@ class StartupSession::Impl {
   double now() const { return clock_.now() * settings_.speed_up; }
   void requireNoJob() const;
   void requireIdle() const;
-  void tell(Lock& lock);
+  void notify(Lock& lock);
 
   void lookBeforeJob(Lock& lock);
   void work();
@@ -164,7 +164,7 @@ void StartupSession::Impl::requireIdle() const {
 }
 
 /// Reports the observer, which must not find the session locked.
-void StartupSession::Impl::tell(Lock& lock) {
+void StartupSession::Impl::notify(Lock& lock) {
   if (!changed_) return;
   const std::vector<StartupStatus> steps = startup_.steps();
   lock.unlock();
@@ -184,7 +184,7 @@ void StartupSession::Impl::run(std::optional<StartupStep> step) {
   }
   task_ = step ? Task::Step : Task::AllSteps;
   wake_.notify_all();
-  tell(lock);
+  notify(lock);
 }
 
 void StartupSession::Impl::confirm(StartupStep step) {
@@ -192,14 +192,14 @@ void StartupSession::Impl::confirm(StartupStep step) {
   requireNoJob();
   startup_.confirm(step, now());
 
-  tell(lock);
+  notify(lock);
 }
 
 void StartupSession::Impl::transferred(const ProgramIdentity& program) {
   Lock lock(mutex_);
   requireNoJob();
   startup_.transferred(program, now());
-  tell(lock);
+  notify(lock);
 }
 
 void StartupSession::Impl::abort() {
@@ -250,7 +250,7 @@ void StartupSession::Impl::endJob(const StreamableProgram& program, const Stream
   if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.losePower(status.failure.message);
   port_user_ = PortUser::Nobody;
   wake_.notify_all();
-  tell(lock);
+  notify(lock);
 }
 
 StartupSession::StartupSession(const StartupSettings& settings, const StreamSettings& stream,
@@ -287,7 +287,7 @@ void StartupSession::Impl::work() {
     if (task == Task::None) look(lock);
     // Aborted meanwhile: that is the next task.
     if (task_ == task) task_ = Task::None;
-    tell(lock);
+    notify(lock);
   }
   if (startup_.hasMachineAtWork()) leaveSafe(lock);
 }
@@ -306,7 +306,7 @@ void StartupSession::Impl::drive(Lock& lock, StartupStep step) {
       if (!code) break;
       stream(lock, *code, [this, step] { return isWanted(step); });
       startup_.finished(step, now());
-      tell(lock);
+      notify(lock);
     }
     // A bed that does not heat as it should must not go on.
     if (step == StartupStep::HeatBed && startup_.stateOf(step) == StartupState::Failed)

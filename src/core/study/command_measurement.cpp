@@ -15,16 +15,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostToldOfErrors = 500;
+constexpr std::size_t kMostOfErrors = 500;
 
 /// What a person needs of it: its end, in whole characters of UTF-8.
 std::string tail(const std::string& text) {
-  std::string told(trimmed(text));
-  if (told.size() <= kMostToldOfErrors) return told;
+  std::string shown(trimmed(text));
+  if (shown.size() <= kMostOfErrors) return shown;
   const auto isWithinCharacter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  std::size_t begin = told.size() - kMostToldOfErrors;
-  while (begin < told.size() && isWithinCharacter(told[begin])) ++begin;
-  return "..." + told.substr(begin);
+  std::size_t begin = shown.size() - kMostOfErrors;
+  while (begin < shown.size() && isWithinCharacter(shown[begin])) ++begin;
+  return "..." + shown.substr(begin);
 }
 
 std::map<std::string, std::string> valuesAt(const DesignSpace& space, const DesignPoint& point,

@@ -9,7 +9,7 @@
 namespace lamina {
 namespace {
 
-/// FNV-1a over 64-bit words instead of bytes: as good for telling toolpaths apart, eight times as fast.
+/// FNV-1a over 64-bit words instead of bytes: as good to distinguish toolpaths, eight times as fast.
 class Fingerprint {
  public:
   void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001B3ULL; }

@@ -125,7 +125,7 @@ void LayerHeightMonitor::onTimer() {
   last_maps_s_ = now;
 }
 
-/// The last resort where nothing by the stamps reports that a scan is over.
+/// The last resort where no stamp shows that a scan is over.
 bool LayerHeightMonitor::isSilent(double now) {
   const std::uint64_t news = intake_.news();
   if (news != news_) last_news_s_ = now;

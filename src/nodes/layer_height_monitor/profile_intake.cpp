@@ -99,7 +99,7 @@ bool ProfileIntake::passFirst(const std::string& frame) {
   if (ready == Readiness::NotYet) return false;
   const Readiness nozzle = sequence_.passTo(names::kNozzleFrame, cloud->header.stamp);
   if (ready == Readiness::Ready && nozzle == Readiness::NotYet) return false;
-  tellNozzles();
+  addNozzles();
   clouds.erase(clouds.begin());
   if (ready == Readiness::Never)
     settle(*cloud, counts_.without_transform);
@@ -110,7 +110,7 @@ bool ProfileIntake::passFirst(const std::string& frame) {
   return true;
 }
 
-void ProfileIntake::tellNozzles() {
+void ProfileIntake::addNozzles() {
   for (const StampedNozzle& nozzle : sequence_.takeNozzles()) receivers_.nozzle(nozzle);
 }
 

@@ -44,7 +44,7 @@ struct IntakeCounts {
   CloudTally without_frame;
   CloudTally malformed;                 ///< without the fields or bytes a cloud needs
   CloudTally without_transform;         ///< older than what tf reported first
-  CloudTally without_nozzle;            ///< tf reports of the cloud, but not where the nozzle was
+  CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
   CloudTally pushed_out;                ///< of the queue, while waiting for tf
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
   std::uint64_t points_not_finite = 0;  ///< of those placed
@@ -86,7 +86,7 @@ class ProfileIntake {
   /// The frame of the oldest cloud, of those frames that tf names; empty if there is none.
   std::string nextFrame(const std::set<std::string>& passed_over) const;
   bool passFirst(const std::string& frame);
-  void tellNozzles();
+  void addNozzles();
   void place(const sensor_msgs::PointCloud2& cloud);
   void settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as);
 

@@ -69,7 +69,7 @@ Optimiser::Result Optimiser::run(const Goal& goal, StudyFeedback& feedback) {
   ROS_INFO_STREAM("running the study '" << job.study.name << "' into " << job.output);
   const StudyOutcome outcome = runStudy(
       job, krigingFit(surrogateFitSettingsOf(job.study)), nullptr,
-      [&](const StudyState& state) { feedback.tell(state); }, feedback);
+      [&](const StudyState& state) { feedback.send(state); }, feedback);
   const StudyFiles files = studyFilesIn(job.output);
   Result result;
   result.evaluations = static_cast<std::uint32_t>(outcome.evaluations.size());

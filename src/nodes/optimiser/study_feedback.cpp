@@ -15,7 +15,7 @@ void StudyFeedback::report(const std::string& stage, double fraction) {
   server_.publishFeedback(feedback_);
 }
 
-void StudyFeedback::tell(const StudyState& state) {
+void StudyFeedback::send(const StudyState& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
   feedback_.generation = static_cast<std::uint32_t>(state.index);
   feedback_.evaluations = static_cast<std::uint32_t>(state.evaluations);

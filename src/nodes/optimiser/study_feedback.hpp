@@ -27,7 +27,7 @@ class StudyFeedback final : public Progress {
   bool isCancelled() const override { return cancelling_.isCancelled(); }
 
   /// Always published, whenever the last feedback was.
-  void tell(const StudyState& state);
+  void send(const StudyState& state);
 
  private:
   Server& server_;

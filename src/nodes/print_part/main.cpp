@@ -9,7 +9,7 @@
 #include "shutdown.hpp"
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, {"print_part", lamina::OnSignal::Tell}, [] {
+  lamina::runNode(argc, argv, {"print_part", lamina::OnSignal::Request}, [] {
     lamina::PrintPartSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);

@@ -130,15 +130,15 @@ lamina_msgs::StreamProgramResult PrintPart::stream() {
 
 /// Nobody looks after a machine whose print was given up.
 void PrintPart::stopStreaming() {
-  if (!ros::ok()) return;  // then gcode_streamer is reported by ROS as well
+  if (!ros::ok()) return;  // then ROS shuts gcode_streamer down as well
   stream_.cancelGoal();
   const auto give_up = Clock::now() + kSafeStopPatience;
   while (ros::ok() && !stream_.getState().isDone() && Clock::now() < give_up)
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 
-/// The monitor is behind the machine by as much as the host is slow, so nothing but the reports reports that
-/// it is done. Those that do not come are reported of in the report.
+/// The monitor lags behind the machine by as much as the host is slow, so only its reports show that it is
+/// done. Missing ones are listed in the print report.
 void PrintPart::awaitHeights() {
   noteAdvance();
   const double patience_s = 0.9 * settings_.patience_s;  // before `await` takes it for a failure
@@ -175,7 +175,8 @@ void PrintPart::await(const std::string& what, const std::function<bool()>& isDo
   noteAdvance();
   while (!isDone()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-    if (isToldToStop() || !ros::ok()) throw Cancelled("printing was interrupted while waiting for " + what);
+    if (isStopRequested() || !ros::ok())
+      throw Cancelled("printing was interrupted while waiting for " + what);
     if (silence() > settings_.patience_s)
       throw TimedOut("nothing from " + what + " for " +
                      std::to_string(static_cast<int>(settings_.patience_s)) + " s");

@@ -51,13 +51,13 @@ class PrintPart {
   lamina_msgs::StreamProgramResult stream();
   void stopStreaming();
   void awaitHeights();
-  /// Layers with a scan pass that no report has come of.
+  /// Layers with a scan pass for which no report has come.
   std::vector<std::size_t> unreported() const;
   void saveHeightMap();
   void saveFiles(const PrintReport& report);
   std::string outputFile(const std::string& name) const;
   /// Handles callbacks until `isDone`.
-  /// @throws TimedOut if no callback reported of any advance for `patience_s`
+  /// @throws TimedOut if no callback reported progress for `patience_s`
   void await(const std::string& what, const std::function<bool()>& isDone);
   double silence() const;  ///< [s] since the last advance
   void noteAdvance() { last_advance_ = Clock::now(); }

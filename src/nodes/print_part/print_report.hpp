@@ -16,7 +16,7 @@ struct PrintReport {
   lamina_msgs::SliceSummary slicing;
   lamina_msgs::StreamProgramResult streaming;
   std::vector<lamina_msgs::LayerHeight> layers;  ///< as reported, in that order; seen or not
-  std::vector<std::size_t> unreported;           ///< layers with a scan pass that no report came of
+  std::vector<std::size_t> unreported;           ///< layers with a scan pass but without a report
   double wall_time_s = 0.0;                      ///< from the request to the last measurement
 };
 

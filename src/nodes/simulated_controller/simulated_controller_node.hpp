@@ -60,7 +60,7 @@ class SimulatedControllerNode {
   ros::Subscriber process_trajectory_;
   ros::Timer timer_;
   double goal_end_s_ = 0.0;
-  std::size_t starvations_ = 0;  ///< that were reported of
+  std::size_t starvations_ = 0;  ///< reported so far
   Server server_;
 };
 

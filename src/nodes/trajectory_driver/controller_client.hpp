@@ -30,8 +30,7 @@ class ControllerClient {
   using Listener = std::function<void(const ControllerReport&)>;
 
   /// @param listener  called from ROS's threads, which hold locks of the client: it must not wait for
-  /// anything
-  ///   that is held while a chunk is sent
+  ///   anything that is held while a chunk is sent
   ControllerClient(ros::NodeHandle& node, const KinematicModel& model, Listener listener);
 
   /// @throws TimedOut if the controller is not there in time

@@ -22,11 +22,9 @@ struct DriveJob {
   TimedRun timed;
 };
 
-/// @param found  is reported what stands in the way, also if that is nothing; not called if it is not looked
-/// for
+/// @param found  called with what stands in the way, even if that is nothing; not called if no check is made
 /// @throws InvalidInput if the toolpath was planned for another machine; Unreachable naming the first
-/// waypoint
-///   that cannot be run, or where something collides; Cancelled
+///   waypoint that cannot be run, or where something collides; Cancelled
 DriveJob driveJob(const MachineToolpath& placed, const KinematicModel& model, const DriverSettings& settings,
                   const std::function<void(const MachineCheck&)>& found, Progress& progress);
 

@@ -33,7 +33,7 @@ bool DriveSession::step(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
   watch(now);
-  trajectoryFeeder(jobTime(now));
+  feed(jobTime(now));
   follow(jobTime(now));
   return advance(now);
 }
@@ -44,29 +44,24 @@ void DriveSession::watch(const ros::Time& now) {
   if (const std::optional<std::string> failure = links_.controller.failure())
     return giveUp(now, {ErrorCode::DeviceError, *failure});
   const double now_s = jobTime(now);
-  std::optional<std::string> silence;
-  double tip_mm = 0.0;
+  const bool is_way_to_start = motion_.running == PackmlState::Starting;
+  const double most_mm = settings_.tracking.tip_mm * (is_way_to_start ? kCoarser : 1.0);
+  std::optional<std::string> silence, deviation;
   {
     const std::lock_guard<std::mutex> lock(report_mutex_);
     silence = reports_.look(now);
-    tip_mm = tracking_.tip();
+    deviation = tracking_.deviation(most_mm);
   }
   const bool is_moving = now_s > 0.0 && now_s < feeder_.restTime();
   if (is_moving && silence) return giveUp(now, {ErrorCode::Disconnected, *silence});
-  const bool is_way_to_start = motion_.running == PackmlState::Starting;
-  const double most_mm = settings_.tracking.tip_mm * (is_way_to_start ? kCoarser : 1.0);
-  if (status_.state == PackmlState::Aborting || most_mm <= 0.0 || tip_mm <= most_mm) return;
-  brake(now_s,
-        {ErrorCode::DeviceError, "the nozzle tip is " + std::to_string(tip_mm) +
-                                     " mm from where it is to be; expected at most " +
-                                     std::to_string(most_mm) + " mm"},
-        Lift::No);
+  if (deviation && status_.state != PackmlState::Aborting)
+    brake(now_s, {ErrorCode::DeviceError, *deviation}, Lift::No);
 }
 
-void DriveSession::trajectoryFeeder(double now_s) {
+void DriveSession::feed(double now_s) {
   if (given_up_at_) return;
-  if (feeder_.state() == TrajectoryFeederState::Running && handed_s_ > 0.0) {
-    const double queued_s = std::max(0.0, handed_s_ - now_s);
+  if (feeder_.state() == TrajectoryFeederState::Running && fed_s_ > 0.0) {
+    const double queued_s = std::max(0.0, fed_s_ - now_s);
     status_.feeding.least_queued_s = std::min(status_.feeding.least_queued_s, queued_s);
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
@@ -74,7 +69,7 @@ void DriveSession::trajectoryFeeder(double now_s) {
   while (const std::optional<TrajectoryChunk> chunk = feeder_.next(now_s)) {
     links_.controller.send(*chunk, begin_);
     links_.process.send(*chunk, begin_, motion_.toolpath_id);
-    handed_s_ = chunk->points.back().time_s;
+    fed_s_ = chunk->points.back().time_s;
   }
 }
 
@@ -155,7 +150,7 @@ std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   if (feeder_.state() != TrajectoryFeederState::Paused)
     return std::string("the motion ends before it could be paused");
   status_.state = PackmlState::Holding;
-  trajectoryFeeder(jobTime(now));
+  feed(jobTime(now));
   return std::nullopt;
 }
 
@@ -168,9 +163,9 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
     const std::lock_guard<std::mutex> report_lock(report_mutex_);
     reports_.restart(now);
   }
-  handed_s_ = 0.0;  // at rest nothing is missing
+  fed_s_ = 0.0;  // at rest nothing is missing
   status_.state = PackmlState::Unholding;
-  trajectoryFeeder(jobTime(now));
+  feed(jobTime(now));
   return std::nullopt;
 }
 
@@ -191,7 +186,7 @@ void DriveSession::brake(double now_s, const Failure& why, Lift lift) {
   } catch (const Unreachable& error) {
     status_.failure.message += "; the tool was not lifted: " + std::string(error.what());
   }
-  trajectoryFeeder(now_s);
+  feed(now_s);
 }
 
 /// The controller is to stop by itself: nothing more is sent to it.

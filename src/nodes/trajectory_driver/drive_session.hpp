@@ -74,7 +74,7 @@ class DriveSession {
 
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
   void watch(const ros::Time& now);
-  void trajectoryFeeder(double now_s);
+  void feed(double now_s);
   void follow(double now_s);
   bool advance(const ros::Time& now);
   bool complete(const ros::Time& now);
@@ -89,7 +89,7 @@ class DriveSession {
   mutable std::mutex mutex_;  ///< of what follows up to the reports
   TrajectoryFeeder feeder_;
   ros::Time begin_;
-  double handed_s_ = 0.0;  ///< end of what was handed over
+  double fed_s_ = 0.0;  ///< end of what was sent
   bool was_starved_ = false;
   std::optional<ros::Time> given_up_at_;
   DriveStatus status_;

@@ -18,10 +18,10 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
                 "Time without a report of the controller that aborts the job.");
   schema.choice<SilenceBy>("tracking.silence_by", settings.tracking.silence_by,
                            {{"arrival", SilenceBy::Arrival}, {"stamps", SilenceBy::Stamps}},
-                           "Whether that is reported by when reports come, or by their stamps.");
+                           "Clock of that silence: the arrival of reports, or their stamps.");
   describe(schema, settings.approach);
   schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
-                "From the first hand-over to the first motion.");
+                "From the first chunk sent to the first motion.");
   schema.number("lift_mm", settings.lift_mm, {0.0, 1e3}, "How far the tool is lifted after an abort.");
   schema.number("lift_mm_s", settings.lift_mm_s, {0.0, 1e3, true}, "Speed at which it is lifted.");
   schema.number("controller_wait_s", settings.controller_wait_s, {0.0, 600.0},

@@ -13,7 +13,7 @@
 
 namespace lamina {
 
-/// How silence of a controller is reported: by when reports come, or by their stamps where its clock is not
+/// How silence of a controller is detected: by when reports come, or by their stamps where its clock is not
 /// the wall's, as that of a simulated one on a slow host.
 enum class SilenceBy : std::uint8_t { Arrival, Stamps };
 
@@ -38,7 +38,7 @@ struct DriverSettings {
   double controller_wait_s = 60;  ///< for the controller and the joints' positions to be there
 };
 
-/// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, hand_over.*, clearance.*,
+/// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
 /// tracking.*, approach.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 

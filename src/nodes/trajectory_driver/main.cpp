@@ -14,7 +14,7 @@ const ros::WallDuration kLookPeriod(0.02);
 }  // namespace
 
 int main(int argc, char** argv) {
-  lamina::runNode(argc, argv, {"trajectory_driver", lamina::OnSignal::Tell}, [] {
+  lamina::runNode(argc, argv, {"trajectory_driver", lamina::OnSignal::Request}, [] {
     lamina::DriverSettings settings;
     lamina::SettingsSchema schema;
     describe(schema, settings);
@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
     const lamina::TrajectoryDriver driver(ros::NodeHandle(), settings);
     ros::AsyncSpinner spinner(2);
     spinner.start();
-    while (ros::ok() && !lamina::isToldToStop()) kLookPeriod.sleep();
+    while (ros::ok() && !lamina::isStopRequested()) kLookPeriod.sleep();
     driver.awaitRest();
   });
 }

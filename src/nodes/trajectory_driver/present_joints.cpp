@@ -67,7 +67,7 @@ JointValues PresentJoints::fresh(double age_s, double wait_s) const {
         return values;
       }
     }
-    if (isToldToStop() || !ros::ok()) throw Cancelled("the node was ended");
+    if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
     if ((now - begin).toSec() >= wait_s)
       throw TimedOut("'" + std::string(names::kJointStates) + "' reports nothing of joint '" + missing +
                      "' in " + std::to_string(wait_s) + " s; expected all driven joints of " + model_.name() +

@@ -14,7 +14,7 @@ namespace lamina {
 /// Notices when a controller falls silent.
 ///
 /// By arrival, the time since the last report counts while somebody looks: a driver that did not run itself
-/// cannot report that the controller was silent. By stamps, the gap between the stamps of two reports counts,
+/// cannot know that the controller was silent. By stamps, the gap between the stamps of two reports counts,
 /// and the time since the last one came only against the limit of a lost connection.
 class ReportWatch {
  public:

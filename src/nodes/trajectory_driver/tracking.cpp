@@ -20,4 +20,10 @@ double Tracking::rmsTip() const {
   return reports_ == 0 ? 0.0 : std::sqrt(squares_mm2_ / static_cast<double>(reports_));
 }
 
+std::optional<std::string> Tracking::deviation(double most_mm) const {
+  if (most_mm <= 0.0 || tip_mm_ <= most_mm) return std::nullopt;
+  return "the nozzle tip is " + std::to_string(tip_mm_) + " mm from where it is to be; expected at most " +
+         std::to_string(most_mm) + " mm";
+}
+
 }  // namespace lamina

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
@@ -22,6 +24,9 @@ class Tracking {
   double worstTip() const { return worst_tip_mm_; }      ///< [mm]
   double rmsTip() const;                                 ///< [mm]
 
+  /// Why the last report ends a job: the tip is farther than `most_mm` from where it is to be. 0 is no limit.
+  std::optional<std::string> deviation(double most_mm) const;
+
  private:
   const KinematicModel& model_;
   JointValues joints_;
@@ -34,7 +39,7 @@ class Tracking {
 /// How well a controller was fed.
 struct Feeding {
   std::size_t starvations = 0;  ///< times that it had nothing left to run before the end
-  double least_queued_s = 0.0;  ///< of motion, while there was more to hand over
+  double least_queued_s = 0.0;  ///< of motion, while there was more to send
 };
 
 }  // namespace lamina

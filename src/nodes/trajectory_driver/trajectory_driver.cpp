@@ -26,7 +26,9 @@ class GoalProgress final : public Progress {
  public:
   explicit GoalProgress(Server& server) : server_(server) {}
   void report(const std::string&, double) override {}
-  bool isCancelled() const override { return server_.isPreemptRequested() || isToldToStop() || !ros::ok(); }
+  bool isCancelled() const override {
+    return server_.isPreemptRequested() || isStopRequested() || !ros::ok();
+  }
 
  private:
   Server& server_;
@@ -140,7 +142,7 @@ MachineToolpath TrajectoryDriver::toolpath(const std::string& id) const {
       message = toolpath_;
     }
     const bool is_there = message && message->id == id;
-    if (is_there || ros::Time::now() >= end || isToldToStop() || !ros::ok()) break;
+    if (is_there || ros::Time::now() >= end || isStopRequested() || !ros::ok()) break;
     ros::Duration(kStep).sleep();
   }
   if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");
@@ -166,7 +168,7 @@ DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
   while (session->step(ros::Time::now())) {
     if (action_.isPreemptRequested())
       session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
-    if (isToldToStop() || !ros::ok())
+    if (isStopRequested() || !ros::ok())
       session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
     if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
       shown = ros::Time::now();

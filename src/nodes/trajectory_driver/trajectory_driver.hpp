@@ -34,7 +34,7 @@ class TrajectoryDriver {
   TrajectoryDriver(ros::NodeHandle node, const DriverSettings& settings);
 
   /// Returns once nothing moves any more and that has been reported; a job under way is aborted by
-  /// `isToldToStop`.
+  /// `isStopRequested`.
   void awaitRest() const;
 
  private:

@@ -43,7 +43,7 @@ std::unique_ptr<Playback> linearPlayback(const MachineToolpath& placed, const Ca
                                          const MotionLimits& limits);
 
 /// Of a machine or robot of any joints.
-/// @param kinematic model   must outlive the playback
+/// @param model       must outlive the playback
 /// @param transforms  of the same; must outlive the playback
 std::unique_ptr<Playback> jointPlayback(TimedRun timed, const KinematicModel& model,
                                         const MachineTransforms& transforms);

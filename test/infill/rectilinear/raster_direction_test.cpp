@@ -113,7 +113,7 @@ TEST_P(StrategyInBestDirection, RunsAlongTheLongSideOfATurnedRectangle) {
 }
 
 TEST_P(StrategyInBestDirection, TakesNoMorePassesThroughAConvexRegionThanAtSampledAngles) {
-  EXPECT_TRUE(rc::check("random convex regions", [this] {
+  EXPECT_TRUE(rc::check("random convex regions", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Regions area = {{convexHull(test::star(random, {0, 0}, 9.0, 15.0, 12)), {}}};
     InfillRequest request = rasterDirectionSolid(1.0, RasterDirection::FewestTurns);

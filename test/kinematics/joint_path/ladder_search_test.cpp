@@ -42,9 +42,16 @@ StationMotion randomMotion(Random& random) {
   return motion;
 }
 
+struct RungSlot {
+  const Rung& rung;
+  std::size_t slot;
+};
+
 /// What the header says of edges, written down once more.
-double edgeCost(const Rung& a, std::size_t from, const Rung& b, std::size_t to, const StationMotion& motion,
+double edgeCost(const RungSlot& first, const RungSlot& second, const StationMotion& motion,
                 const JointPathSettings& settings) {
+  const auto& [a, from] = first;
+  const auto& [b, to] = second;
   if (!(a.penalty[from] < kNever) || !(b.penalty[to] < kNever)) return kNever;
   const double winding = std::remainder(b.at(to)[0] - a.at(from)[0], 2.0 * M_PI);
   const double straight = b.at(to)[1] - a.at(from)[1];
@@ -70,8 +77,8 @@ double wayCost(const SmallLadder& ladder, const std::vector<std::size_t>& slots,
                const JointPathSettings& settings) {
   double cost = ladder.rungs[0].penalty[slots[0]] * ladder.motions[0].duration_s;
   for (std::size_t i = 1; i < slots.size(); ++i)
-    cost +=
-        edgeCost(ladder.rungs[i - 1], slots[i - 1], ladder.rungs[i], slots[i], ladder.motions[i], settings);
+    cost += edgeCost({ladder.rungs[i - 1], slots[i - 1]}, {ladder.rungs[i], slots[i]}, ladder.motions[i],
+                     settings);
   return cost;
 }
 

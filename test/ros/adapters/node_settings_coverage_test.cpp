@@ -18,7 +18,9 @@
 #include "nodes/simulated_controller/controller_settings.hpp"
 #include "nodes/trajectory_driver/driver_settings.hpp"
 #include "nodes/trajectory_driver/report_watch.hpp"
+#include "nodes/trajectory_driver/tracking.hpp"
 #include "nodes/trajectory_publisher/publisher_settings.hpp"
+#include "support/gantry_head.hpp"
 
 namespace lamina::test {
 namespace {
@@ -57,6 +59,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"silence_s", "ros/trajectory_driver.test", "silence_s"},
       {"speed_up", "ros/deposition_following.test", "speed_up"},
       {"start_delay_s", "ros/trajectory_driver.test", "start_delay_s"},
+      {"tracking.tip_mm", "ros/adapters/node_settings_coverage_test.cpp", "tracking.tip_mm"},
       {"tracking.silence_by", "ros/adapters/report_watch_test.cpp", "silence_by"},
       {"tracking.silence_s", "ros/trajectory_driver.test", "silence_s"},
       {"view.largest_program_mb", "ros/gcode_incliner_test.cpp", "view.largest_program_mb"}};
@@ -78,8 +81,7 @@ const std::set<std::string>& notYetTested() {
                                             "rate_hz",
                                             "report_hz",
                                             "shown.points",
-                                            "tcp_port",
-                                            "tracking.tip_mm"};
+                                            "tcp_port"};
   return all;
 }
 
@@ -112,6 +114,24 @@ TEST(NodeSettingsCoverage, SilenceEndsAJobAfterItsTime) {
   EXPECT_NEAR(givenUpAt({{"tracking.silence_s", "0.3"}}), 0.3, 0.021);
   EXPECT_NEAR(givenUpAt({{"tracking.silence_s", "2"}}), 2.0, 0.021);
   EXPECT_NEAR(givenUpAt({{"tracking.silence_s", "2"}, {"tracking.silence_by", "stamps"}}), 5.0, 0.021);
+}
+
+TEST(NodeSettingsCoverage, ATipTooFarFromThePathEndsAJob) {
+  const GantryHead gantry(ToolAxisSpin::Free);
+  Tracking tracking(gantry);
+  JointValues wanted = JointValues::Zero(5);
+  JointValues actual = wanted;
+  EXPECT_FALSE(tracking.deviation(1e-3)) << "nothing was reported yet";
+  actual.head<3>() << 2.0, 3.0, 6.0;  // 7 mm off
+  tracking.add(wanted, actual);
+  const auto deviation = [&](const SettingTexts& set) {
+    return tracking.deviation(settingsWith<DriverSettings>(set).tracking.tip_mm);
+  };
+  ASSERT_TRUE(deviation({}));
+  EXPECT_NE(deviation({})->find("expected at most 5"), std::string::npos) << *deviation({});
+  EXPECT_TRUE(deviation({{"tracking.tip_mm", "6.999"}}));
+  EXPECT_FALSE(deviation({{"tracking.tip_mm", "7.001"}}));
+  EXPECT_FALSE(deviation({{"tracking.tip_mm", "0"}})) << "no limit";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace lamina {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Indexed triangles: vertices [mm, part frame], each stored once. Nothing is promised of closedness or
-/// orientation; `reportMesh` reports, `repairMesh` mends.
+/// orientation; `reportMesh` finds defects, `repairMesh` repairs them.
 struct Mesh {
   std::vector<Point3> vertices;
   std::vector<Triangle> triangles;

@@ -18,9 +18,9 @@ struct SelfIntersections {
 
 /// Finds the pairs of triangles of which an edge of one passes from one side of the surface to the other
 /// within the other triangle or through one of its sides. Signs are decided with a bound on the rounding
-/// error: what cannot be reported from touching counts as touching, and touching (a vertex or an edge on a
-/// face, faces on each other, an edge through a vertex) is no intersection. Triangles with a common edge are
-/// not compared. Time is linearithmic, the result the same for any number of threads.
+/// error: what cannot be distinguished from touching counts as touching, and touching (a vertex or an edge on
+/// a face, faces on each other, an edge through a vertex) is no intersection. Triangles with a common edge
+/// are not compared. Time is linearithmic, the result the same for any number of threads.
 ///
 /// @throws Cancelled if `progress` is cancelled
 SelfIntersections findSelfIntersections(const Mesh& mesh, Progress& progress);

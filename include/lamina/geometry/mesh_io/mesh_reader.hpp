@@ -23,8 +23,8 @@ struct MeshUnits {
   double scale = 1.0;          ///< factor on top, for every format; positive
 };
 
-/// Reads STL (binary or ASCII), OBJ, PLY (ASCII or binary) or 3MF. The format is reported by the content, and
-/// by the suffix only where the content leaves it open. Vertices with exactly equal coordinates become one
+/// Reads STL (binary or ASCII), OBJ, PLY (ASCII or binary) or 3MF. The content decides the format, and
+/// the suffix only where the content leaves it open. Vertices with exactly equal coordinates become one
 /// (-0 equals +0); faces with more than three corners become fans. Nothing else is changed: degenerate
 /// triangles and vertex order stay.
 ///
@@ -33,8 +33,7 @@ struct MeshUnits {
 ///
 /// @throws FileError    if the file is missing or cannot be read
 /// @throws InvalidMesh  if it is empty, truncated, none of these formats, has a number that is not finite or
-/// beyond
-///                      1e9 mm, or has no triangle; names line or byte
+///                      beyond 1e9 mm, or has no triangle; names line or byte
 /// @throws InvalidConfig if the scale is not positive and finite
 Mesh readMesh(const std::string& path, const MeshUnits& units = {});
 

@@ -34,8 +34,7 @@ std::vector<PartParameter> partParameters(const std::string& name);
 /// not given keep their defaults.
 ///
 /// @throws InvalidConfig if there is no such part or parameter (names those there are), or a value is out of
-/// bounds or
-///                       contradicts another
+///                       bounds or contradicts another
 Mesh makePart(const std::string& name, const std::vector<SettingText>& parameters = {});
 
 }  // namespace lamina

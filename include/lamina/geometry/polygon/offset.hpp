@@ -24,7 +24,7 @@ enum class Join {
 Regions unite(const std::vector<Polygon>& polygons);
 
 /// The regions grown by `delta_mm`, or shrunk if it is negative: parts narrower than twice that vanish. The
-/// join reports of convex corners when growing and of reflex ones when shrinking; the others stay sharp.
+/// join applies to convex corners when growing and to reflex ones when shrinking; the others stay sharp.
 Regions offset(const Regions& regions, double delta_mm, Join join = Join::Mitre);
 
 /// Where `regions` is and `subtracted` is not.

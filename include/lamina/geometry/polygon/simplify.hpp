@@ -12,8 +12,7 @@ namespace lamina {
 /// within `tolerance_mm` [mm] of the edge that replaces it. Stays closed and keeps its winding.
 ///
 /// @return fewer than three points, hence no outline, only if all of it lies within the tolerance of one
-/// line; its area
-///         is then at most tolerance times perimeter
+///         line; its area is then at most tolerance times perimeter
 Polygon simplify(const Polygon& polygon, double tolerance_mm);
 
 /// The outlines simplified one by one, without those that vanish. Outlines nearer to each other than twice

@@ -17,8 +17,7 @@ class PointGrid {
  public:
   /// @param box      where most points will lie; those outside it are found too, only slower
   /// @param cell_mm  positive: about the distance that is asked for; larger cells are taken where there would
-  /// be
-  ///   more than four million
+  ///   be more than four million
   PointGrid(const Box2& box, double cell_mm);
 
   /// @return index of the point, from 0 in the order of insertion

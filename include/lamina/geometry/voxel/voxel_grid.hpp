@@ -37,8 +37,7 @@ struct VoxelFrame {
 /// The smallest frame of such voxels that covers `box`, its corner at a whole multiple of the voxel from the
 /// origin, so that grids of one voxel size match each other.
 /// @throws InvalidInput if the box is empty or not finite, the voxel is not positive, or more than 2^30
-/// voxels
-///   would lie along an axis; then it names the smallest voxel that fits
+///   voxels would lie along an axis; then it names the smallest voxel that fits
 VoxelFrame voxelFrame(const Box3& box, double voxel_mm);
 
 /// Voxel indices from `low` (included) to `high` (excluded).

@@ -8,7 +8,7 @@ namespace lamina {
 
 /// Where the lines inside the perimeter run.
 enum class HybridLines {
-  Fitted,      ///< strips that divide what the perimeter leaves evenly, filled to their ends
+  Fitted,      ///< variable-width lines that divide what the perimeter leaves evenly, filled to their ends
   Documented,  ///< rows of grid nodes, adapted to the perimeter as in [Flores2018, section 6.1.2]
 };
 

@@ -85,7 +85,7 @@ Registry<SlicingMode>& slicingModes();
 /// What `slicing.mode` may be: the names of all modes, and `auto`.
 std::vector<std::string> slicingModeNames();
 
-/// Whether the layers of a mode lie in parallel planes; those of `auto` are not said to.
+/// Whether the layers of a mode lie in parallel planes; false for `auto`.
 /// @throws InvalidConfig if there is no mode of that name
 bool hasPlaneLayers(const std::string& mode);
 

@@ -57,8 +57,7 @@ StudyFiles studyFilesIn(const std::string& folder);
 ///   measurement; may be null
 /// @param listener  may be empty
 /// @throws InvalidConfig, InvalidMesh, FileError before anything is tried; InvalidInput if the journal is
-/// that
-///   of another study, or an output is a file that the study reads; what the searches throw; Cancelled
+///   that of another study, or an output is a file that the study reads; what the searches throw; Cancelled
 StudyOutcome runStudy(const StudyJob& job, const SurrogateFit& fit, Evaluator* outer,
                       const StudyListener& listener, Progress& progress);
 

@@ -39,7 +39,7 @@ struct FilledDropProgram {
   DropVoidReport report;
 };
 
-/// The layers of the program as voids are searched in them: chains by the roles that the program reports, or
+/// The layers of the program as voids are searched in them: chains by the roles that the program states, or
 /// guessed. A chain back at its start ends where the next drop is farther than two diameters and two steps.
 /// @throws InvalidProgram if it lets no drop go, or its header reports no diameter
 std::vector<DropLayer> dropLayers(const DropProgram& program);

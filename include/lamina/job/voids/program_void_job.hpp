@@ -14,7 +14,7 @@ namespace lamina {
 struct ProgramVoidJob {
   std::string program;  ///< path of a .gcode file
   std::string output;   ///< file to write; empty for none
-  std::string part;     ///< as `VoidJob::part`; programs of drops report their inside by their contours
+  std::string part;     ///< as `VoidJob::part`; programs of drops show their inside by their contours
   JobSettings settings;
 };
 

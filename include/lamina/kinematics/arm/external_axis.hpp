@@ -18,7 +18,7 @@ struct TableHeading {
 /// Value of the joint external_1 of an arm whose bed it turns, with which a tool axis goes at the azimuth
 /// wanted over the robot's base: all tool axes of a part whose walls lean outwards then lean alike, and the
 /// arm keeps its best posture.
-/// @param tool axis   of unit length [bed frame]
+/// @param tool_axis  of unit length [bed frame]
 /// @param near  the value is the one nearest to this [rad]; a tool axis along the table's axis keeps it
 /// @throws InvalidConfig if the kinematic model is no six-axis arm, or has no rotary joint external_1 under
 /// its bed

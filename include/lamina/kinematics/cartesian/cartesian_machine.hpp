@@ -29,7 +29,7 @@ using AxisValues = Eigen::Vector3d;
 
 /// A machine as its three linear axes move it, its nozzle held at a fixed angle. One with rotary joints,
 /// which a `KinematicModel` drives, is the machine with these at zero; an arm or platform is the room over
-/// the bodies of its bed, with an upright nozzle: what of it is reached, a joint path reports.
+/// the bodies of its bed, with an upright nozzle; a joint path shows which part of it is reached.
 struct CartesianMachine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
@@ -52,8 +52,8 @@ CartesianMachine machineByName(const std::string& name);
 /// up to two rotary joints of a, b and c; or an arm or platform (`kinematicModelFromUrdf`) whose link bed has
 /// collision bodies. Lengths in the text are metres, as in every URDF.
 /// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
-/// that moves,
-///   the axes do not span space, or the rotary joints are none that `kinematicModelFromUrdf` takes
+///   that moves, the axes do not span space, or the rotary joints are none that `kinematicModelFromUrdf`
+///   takes
 CartesianMachine machineFromUrdf(const std::string& text);
 
 /// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of
@@ -81,8 +81,7 @@ Eigen::Affine3d programFromBed(const CartesianMachine& machine);
 
 /// Axis values that bring the nozzle to a pose. The turn about the tool axis is free.
 /// @throws Unreachable if the tool axis is another than the machine's by more than 0.01 deg (gives the
-/// angle), or an axis
-///   would leave its limits (gives axis, value and limit)
+///   angle), or an axis would leave its limits (gives axis, value and limit)
 AxisValues axisValuesWithin(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_nozzle);
 
 /// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the

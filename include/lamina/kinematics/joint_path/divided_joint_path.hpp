@@ -19,7 +19,7 @@ struct MotionDeviation {
 std::vector<MotionDeviation> motionDeviations(const JointPath& path, const Toolpath& toolpath,
                                               const KinematicModel& model, const JointPathSettings& settings);
 
-/// A toolpath divided so finely that steady joints lead the nozzle along it, and these joints.
+/// A toolpath divided finely enough for joints at constant speed to lead the nozzle along it, and the joints.
 struct DividedJointPath {
   DividedToolpath divided;
   JointPath joints;          ///< of the divided toolpath

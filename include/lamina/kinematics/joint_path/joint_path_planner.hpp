@@ -24,7 +24,7 @@ namespace lamina {
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                         const KinematicModel& model, const JointPathSettings& settings, Progress& progress);
 
-/// The same with joint values only that the guard allows. What is between waypoints it is not asked.
+/// The same, with only those joint values that the guard allows. The guard is asked at waypoints only.
 JointPath planJointPath(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
                         const GuardedModel& guarded, const JointPathSettings& settings, Progress& progress);
 

@@ -46,7 +46,7 @@ using InverseSolutions = boost::container::small_vector<InverseSolution, 8>;
 
 /// Whether the turn of the nozzle about its tool axis is part of what a kinematic model brings about.
 enum class ToolAxisSpin : std::uint8_t {
-  Free,   ///< it is as it comes: inverse solutions have the tip and the tool axis of what is asked
+  Free,   ///< undefined: inverse solutions have the tip and the tool axis of the pose asked for
   Given,  ///< inverse solutions have the whole pose
 };
 

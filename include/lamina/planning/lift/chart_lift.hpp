@@ -36,8 +36,8 @@ void describe(SettingsSchema& schema, LiftSettings& settings);
 ///
 /// Drops likewise. Where tips come together, in a layer that curves about as tightly as it is high, a motion
 /// may be too short for what it is to hold: then it is deposited over the neighbouring motions too, within a
-/// bead's width. What even so would need a wider bead than allowed is left out, and runs that are too short
-/// as a whole.
+/// bead's width. Material that would still need a wider bead than allowed is left out, as are runs that are
+/// too short as a whole.
 ///
 /// Travels that are not retracted and stay over one chart follow the layer, their inner waypoints raised by
 /// four times the tolerance; on others see `makeSpaceTravel`.

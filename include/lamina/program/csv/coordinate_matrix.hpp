@@ -32,7 +32,7 @@ inline constexpr double kMatrixCorner = 2.0;
 /// first, a closed one with that point again at its end. Skirts and supports are left out, and so is travel.
 /// Moved in x and y so that the lowest coordinates are `kMatrixCorner`; z stays. Empty if nothing is
 /// deposited.
-/// @param filament_diameter_mm  positive; reports what column E counts
+/// @param filament_diameter_mm  positive; fixes what column E counts
 /// @throws InvalidInput if the diameter is not positive, or the toolpath is one of drops
 std::vector<CoordinateRow> coordinateMatrix(const Toolpath& toolpath, double filament_diameter_mm);
 

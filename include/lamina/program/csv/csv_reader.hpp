@@ -14,8 +14,8 @@ namespace lamina {
 /// number is skipped have no paths; nothing is retracted.
 ///
 /// @throws InvalidProgram if the header differs, a row has another number of fields or one that is no number,
-/// the rows'
-///   layers or paths are out of order, or a closed path does not return to its start; names the line
+///   the rows' layers or paths are out of order, or a closed path does not return to its start; names the
+///   line
 /// @throws InvalidInput   if `validate` refuses the whole
 Toolpath readCsv(std::string_view text, const std::string& part_name);
 

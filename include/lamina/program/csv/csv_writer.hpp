@@ -24,7 +24,7 @@ constexpr const char* kDropCsvHeader =
 /// A toolpath that lays drops has one column more, `deposit`: `bead`, or `drops` where a drop of that width
 /// and height falls at each row's position and nothing on the way. Without drops every path is a bead.
 ///
-/// Inclined layers are reported by a line before the header, `#LAYER_FRAME:` and part_from_layers as w x y z.
+/// Inclined layers are stated by a line before the header, `#LAYER_FRAME:` and part_from_layers as w x y z.
 ///
 /// Retraction, the part's name and layers without paths do not appear.
 ///

@@ -17,8 +17,8 @@ namespace lamina {
 struct ProgramDrop {
   Point3 position = Point3::Zero();  ///< [mm, machine]
   double feed_mm_s = 0.0;            ///< of the motion that led there
-  std::optional<PathRole> role;      ///< as the program reports
-  std::size_t section = 0;           ///< counts the comments that report a role
+  std::optional<PathRole> role;      ///< as the program states
+  std::size_t section = 0;           ///< counts the comments that state a role
   std::string command;               ///< that let it go
 };
 
@@ -57,12 +57,12 @@ bool isDropProgram(std::string_view text, const DropDialect& dialect);
 /// Reads the text as GcodeReader does. Layers are those of the comments, and drops before the first are left
 /// alone; without such comments a layer begins where a drop lies at another height.
 /// @throws InvalidProgram naming the line: as GcodeReader; a drop before any motion; a header whose diameter
-///   or height is no positive number or whose unit is not mm, or that reports of inclined layers
+///   or height is no positive number or whose unit is not mm, or that states inclined layers
 DropProgram parseDropProgram(std::string text, const DropDialect& dialect);
 
 /// The text with new drops behind the last of each layer; everything else stays byte for byte. The lines go
-/// there and back in the program's own units and coordinates, report the role of the new drops and then again
-/// that which held before, and let drops go by the command of the last infill drop of the layer, or of its
+/// there and back in the program's own units and coordinates, state the role of the new drops, restore the
+/// role that held before, and let drops go by the command of the last infill drop of the layer, or of its
 /// last drop.
 /// @param added  centres for each layer [mm, machine]
 /// @throws InvalidProgram naming the line if coordinates are relative (G91) or shifted in an unknown way

@@ -12,7 +12,7 @@
 
 namespace lamina {
 
-/// Whether the text's header reports of five axes.
+/// Whether the text's header states five axes.
 bool isFiveAxisProgram(std::string_view program);
 
 /// Reads a program that `writeFiveAxis` wrote for the machine, in coordinates of the bed: poses come from the

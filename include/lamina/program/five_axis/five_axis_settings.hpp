@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What the words of a five-axis program report.
+/// What the words of a five-axis program mean.
 enum class FiveAxisCoordinates : std::uint8_t {
   ToolTip,  ///< the tip over the bed, and the rotary joints; the controller moves the linear ones (RTCP)
   Joints,   ///< all joints, with inverse-time feed (G93)

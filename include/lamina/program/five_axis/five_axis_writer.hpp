@@ -31,8 +31,7 @@ struct FiveAxisMotion {
 /// @throws Unreachable   if the joint path has faults or a joint is outside its limits, or no joints are
 ///   found between two waypoints; names the waypoint
 /// @throws InvalidInput  if the joints are not those of the toolpath, or as `writeGcode`, of drops too. All
-/// of
-///   it before the first piece is written.
+///   of it before the first piece is written.
 void writeFiveAxis(const FiveAxisMotion& motion, const FiveAxisSettings& settings,
                    const ProgramSettings& program, const TextSink& sink);
 

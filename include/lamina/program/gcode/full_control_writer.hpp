@@ -18,8 +18,7 @@ namespace lamina {
 /// The nozzle goes over the first waypoint before it comes down to it.
 ///
 /// @throws InvalidInput if `validate` refuses the toolpath, it deposits nothing, or has drops or a nozzle
-/// that
-///   does not point straight down; before the first piece is written
+///   that does not point straight down; before the first piece is written
 /// @throws InvalidConfig as `writeGcode`
 void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
                       const TextSink& sink);

@@ -35,9 +35,8 @@ class GcodeLineParser {
  public:
   /// @param text  one line without its line break
   /// @throws InvalidProgram if a number is malformed, not finite or beyond 1e9, a character cannot start a
-  /// word, a
-  ///   comment is not closed, or the checksum after * is not the exclusive or of the bytes before it; names
-  ///   the line
+  ///   word, a comment is not closed, or the checksum after * is not the exclusive or of the bytes before it;
+  ///   names the line
   /// @return valid until the next call
   const GcodeLine& parse(std::string_view text, std::size_t number);
 

@@ -55,9 +55,8 @@ class GcodeReader {
 
   /// Takes the next piece, which may end amid a line.
   /// @throws InvalidProgram naming the line: a number that is bad, not finite or too large, a word without
-  /// its value or
-  ///   given twice, a feed that is not positive, an arc without centre or off its circle, two motions in one
-  ///   line, a spline (G5, G6), a rotary axis, a line longer than 1 MiB
+  ///   its value or given twice, a feed that is not positive, an arc without centre or off its circle, two
+  ///   motions in one line, a spline (G5, G6), a rotary axis, a line longer than 1 MiB
   void read(std::string_view piece);
   /// Takes what is left of the last line.
   void finish();

@@ -16,7 +16,7 @@ namespace lamina {
 /// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only
 /// words that change are written. `;HEIGHT:` stands again
 /// wherever the height of the beads changes, within a path too, with 5 decimals. `;TYPE:role` opens a
-/// deposition path where the role changes or nothing else would report it from the path before. Positions
+/// deposition path where the role changes or nothing else would separate it from the path before. Positions
 /// have 3 decimals [mm], extrusion 5 [mm of filament], feeds 3 [mm/min]; the remainder of each rounding of E
 /// is carried on, so that the sum of all E is that of the toolpath within half a unit of the last decimal.
 ///
@@ -24,7 +24,7 @@ namespace lamina {
 /// its role before each run of drops, and for each drop a motion and the command that lets it go. It holds no
 /// extrusion and no retraction.
 ///
-/// Inclined layers, another nozzle than one that points straight down, and axes askew to the bed are reported
+/// Inclined layers, another nozzle than one that points straight down, and axes askew to the bed are stated
 /// in the header (`frameComments`); `;Z:` is the height of a layer along its normal. Each waypoint has its
 /// own Z. Extrusion follows from lengths over the bed whatever the axes, and feeds are those at which the
 /// axes move when the nozzle has its own over the bed.

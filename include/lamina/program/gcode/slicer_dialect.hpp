@@ -23,12 +23,12 @@ enum class SlicerDialect : std::uint8_t {
 /// As written in files and shown to people: "simplify3d".
 const char* toString(SlicerDialect dialect);
 
-/// The dialect once a comment was read, given what the comments before it reported: a slicer names itself in
+/// The dialect after a comment was read, given the dialect known before it: a slicer names itself in
 /// the header; a program with a FLAVOR line, or with marks about its start code, that names none is
 /// FullControl's.
 SlicerDialect dialectAfter(SlicerDialect known, std::string_view comment);
 
-/// What the comments of a program report of it as a whole.
+/// What the comments of a program state about the whole program.
 struct ProgramNotes {
   SlicerDialect dialect = SlicerDialect::Unknown;
   std::optional<double> filament_diameter_mm;  ///< of the filament it was made for

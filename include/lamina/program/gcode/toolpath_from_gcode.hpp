@@ -14,7 +14,7 @@
 namespace lamina {
 
 /// Builds the toolpath that a program prints, in coordinates of the bed, from its motions. These are those of
-/// the program unless its comments report another frame.
+/// the program unless its comments state another frame.
 ///
 /// A motion that pushes filament forth deposits; every other is travel, which is retracted from where
 /// filament is pulled back alone until it is pushed forth alone. A path ends where kind or role change, where
@@ -33,7 +33,7 @@ class ToolpathBuilder {
 
   /// Takes in a comment that may report the program's frame (`readFrameComment`), which stands before the
   /// motions, the filament, or where the start code ends and the end code begins.
-  void tell(std::string_view comment);
+  void readComment(std::string_view comment);
   void add(const GcodeMotion& motion);
   /// The toolpath so far; the builder is empty afterwards.
   Toolpath finish(const std::string& part_name);

@@ -33,7 +33,7 @@ struct RapidSettings {
   std::string procedure = "deposit";     ///< begins the names of the procedures that deposit
   std::string tool;                      ///< empty for that of the variant's listing
   std::string work_object;               ///< empty for that of the variant's listing
-  std::string start_point = "Pinicial";  ///< that points of 3 axes are offsets from
+  std::string start_point = "Pinicial";  ///< origin of the offsets in 3-axis variants
   std::string offset = "off_";           ///< begins the names of the three offsets
   std::string deposition_speed = "speed_prueba";
   std::string air_speed = "speed_aire";
@@ -79,7 +79,7 @@ struct RapidSettings {
 /// Adds the keys rapid.*.
 void describe(SettingsSchema& schema, RapidSettings& settings);
 
-/// The settings with the names that the variant's listing has where they are empty.
+/// The settings with empty names filled in from the variant's listing.
 /// @throws InvalidConfig if a name is no identifier of RAPID (a letter, then letters, digits and underscores,
 ///   32 at most), a reserved word, or stands for two things; if a list is not of its length; if an alias
 ///   names no signal

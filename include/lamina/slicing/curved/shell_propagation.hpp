@@ -17,8 +17,8 @@ struct MergedVertices;
 
 /// On which side of a shell the nozzle is.
 enum class NozzleSide {
-  Ahead,   ///< where the surface is propagated to: shells are deposited one on the other as they are
-           ///< propagated
+  Ahead,   ///< where the surface is propagated to: shells are deposited one on the other in the
+           ///< order of propagation
   Behind,  ///< where it comes from: shells are deposited in the opposite order
 };
 

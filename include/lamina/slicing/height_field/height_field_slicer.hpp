@@ -45,7 +45,7 @@ struct HeightFieldSlices {
 /// Cuts a part into layers that are flat on the bed and bend upwards, so that the uppermost follow its upper
 /// side where that is not too steep: layers for machines that cannot tilt (a height field by one
 /// least-squares solve, as in QuickCurve, arXiv 2406.03966). The bend is scaled down as a whole until slope
-/// and thickness keep within their limits; the report reports.
+/// and thickness keep within their limits; the report states the share that was left.
 ///
 /// @param mesh  closed [mm, part frame]; it stands on its lowest point
 /// @throws InvalidMesh if it has no triangle or no height; InvalidConfig if a setting is out of range, or the

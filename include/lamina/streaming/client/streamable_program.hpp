@@ -57,7 +57,7 @@ class StreamableProgram {
   bool hasChanged() const;
 
  private:
-  /// What reports one state of a file from another.
+  /// Distinguishes one state of a file from another.
   struct FileState {
     std::uint64_t inode = 0;
     std::int64_t bytes = 0;

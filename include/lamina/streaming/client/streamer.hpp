@@ -64,7 +64,7 @@ class Streamer {
   /// The link is gone: the job is Aborting, and over unless the link comes back for the safe stop before
   /// `stream.safe_stop_timeout_s` are over.
   void disconnect(const std::string& why, double now);
-  /// The link is back: what the machine still has to be reported is sent. Without effect unless offline.
+  /// The link is back: the lines that the machine still lacks are sent. Without effect unless offline.
   void reconnect(double now);
   /// Whether the safe stop waits for the link.
   bool isOffline() const;

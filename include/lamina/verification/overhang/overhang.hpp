@@ -34,7 +34,7 @@ struct UnsupportedStretch {
   std::vector<Point3> points;  ///< nozzle tip from begin to end [mm, part frame]; two at least, one of a drop
 };
 
-/// One layer's account.
+/// Overhang lengths of one layer.
 struct LayerOverhang {
   double deposited_mm = 0.0;
   double overhang_mm = 0.0;
@@ -45,7 +45,7 @@ struct LayerOverhang {
   double unsupported() const { return overhang_mm + bridge_mm; }
 };
 
-/// What of a toolpath is deposited with nothing below it.
+/// The parts of a toolpath that are deposited with nothing below them.
 struct OverhangReport {
   std::vector<LayerOverhang> layers;  ///< as many as the toolpath has; a stretch counts where it begins
   std::vector<UnsupportedStretch> stretches;  ///< in the order in which they are deposited

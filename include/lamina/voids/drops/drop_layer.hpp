@@ -47,9 +47,9 @@ std::vector<DropContour> contoursOf(const DropLayer& layer);
 /// contours. None if the layer has no contour.
 std::vector<Polygon> borders(const std::vector<DropContour>& contours);
 
-/// Chains of a layer whose program does not report contours from infill. Drops no farther from the one before
-/// than two diameters are a chain, which ends where it returns to its start. Closed chains that lie in no
-/// other are contours, and so are those inside of them round a space without drops and wider than 1.2
+/// Chains of a layer whose program does not distinguish contours from infill. Drops no farther from the one
+/// before than two diameters are a chain, which ends where it returns to its start. Closed chains that lie in
+/// no other are contours, and so are those inside of them round a space without drops and wider than 1.2
 /// diameters: holes.
 std::vector<DropChain> guessChains(const std::vector<Point2>& drops, double diameter_mm);
 

@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-constexpr std::size_t kMostTold = 10;
+constexpr std::size_t kMostNamed = 10;
 
 std::vector<Box3> boxesOf(const Mesh& mesh) {
   std::vector<Box3> boxes(mesh.triangles.size());
@@ -35,7 +35,7 @@ SelfIntersections findInRange(const Mesh& mesh, const MeshTopology& topology, co
       if (other <= t) return;
       const std::optional<Point3> point = findCrossing(mesh, topology, t, other);
       if (!point) return;
-      if (found.pairs++ < kMostTold) found.where.push_back(*point);
+      if (found.pairs++ < kMostNamed) found.where.push_back(*point);
     });
   }
   return found;
@@ -58,7 +58,7 @@ SelfIntersections findSelfIntersections(const Mesh& mesh, Progress& progress) {
   SelfIntersections all;
   for (const SelfIntersections& range : ranges) {
     all.pairs += range.pairs;
-    const std::size_t room = kMostTold - all.where.size();
+    const std::size_t room = kMostNamed - all.where.size();
     all.where.insert(all.where.end(), range.where.begin(),
                      range.where.begin() + static_cast<std::ptrdiff_t>(std::min(room, range.where.size())));
   }

@@ -11,7 +11,7 @@
 namespace lamina {
 
 /// A point where one triangle of the mesh passes through another, if they do (see `findSelfIntersections`).
-/// The topology is the mesh's; it reports passing through an edge between two triangles from touching it.
+/// The topology is the mesh's; it distinguishes passing through an edge from touching it.
 std::optional<Point3> findCrossing(const Mesh& mesh, const MeshTopology& topology, std::uint32_t a,
                                    std::uint32_t b);
 

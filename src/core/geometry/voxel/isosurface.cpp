@@ -33,7 +33,7 @@ struct CubeLoop {
   bool is_fan = true;
 };
 
-/// The loops of a cube. Bit x + 2 y + 4 z of the case reports whether that corner is inside.
+/// The loops of a cube. Bit x + 2 y + 4 z of the case is set if that corner is inside.
 const std::vector<CubeLoop>& cubeLoops(unsigned corners_inside);
 
 constexpr std::uint8_t kNoEdge = 12;

@@ -11,10 +11,10 @@
 
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "infill/contour/contour_loop.hpp"
-#include "infill/medial/axis_loops.hpp"
-#include "infill/medial/axis_steps.hpp"
-#include "infill/medial/bead_axis.hpp"
-#include "infill/medial/sharp_tips.hpp"
+#include "infill/variable_width/axis_loops.hpp"
+#include "infill/variable_width/axis_steps.hpp"
+#include "infill/variable_width/bead_axis.hpp"
+#include "infill/variable_width/sharp_tips.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -208,7 +208,7 @@ class TreeGrower {
   }
 
   void growSolid(const Growing& from, std::size_t node) {
-    // What the next contour but one leaves reports whether there is room for the next one everywhere.
+    // What the next contour but one leaves shows whether there is room for the next one everywhere.
     std::optional<Region> next = from.next ? from.next : shrunk(from.centre_lines);
     std::optional<Region> after;
     if (next) after = shrunk(*next);

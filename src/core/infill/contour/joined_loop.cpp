@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-/// From the best places to those that are better than a joined loop of its own.
+/// Limits for links, strictest first; even the last ones are better than leaving a loop separate.
 constexpr std::array<LinkLimits, 3> kLimits = {LinkLimits{}, LinkLimits{0.85, 1.4, 0.5, 1.7, 0.4},
                                                LinkLimits{0.5, 2.3, 0.2, 3.0, 0.1}};
 

@@ -45,7 +45,7 @@ class Loop {
   LoopPlace nearest(const Point2& point, const LoopStretch& stretch) const;
   /// Where a ray first hits a stretch; the distance along it, which has unit length.
   std::optional<LoopPlace> hit(const Point2& from, const Point2& direction, const LoopStretch& stretch) const;
-  /// Whether the open line from one point to the other crosses the loop, touching at its ends left aside.
+  /// Whether the open line from one point to the other crosses the loop; touching at its ends does not count.
   bool isCrossedBy(const Point2& from, const Point2& to) const;
 
   /// Index of the point at or before a position within [0, length).

@@ -10,7 +10,7 @@
 #include "infill/contour/contour_tree.hpp"
 #include "infill/contour/loop_seam.hpp"
 #include "infill/contour/normal_loop.hpp"
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {

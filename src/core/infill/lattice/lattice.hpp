@@ -36,7 +36,7 @@ class LatticeFrame {
   int rows_ = 0;
 };
 
-/// As much wider than nominal as a cell is larger than one of the requested spacing [mm].
+/// Plan width [mm]: the pitch times the area of a cell over that of one of the requested spacing.
 double beadWidth(const LatticeFrame& frame, const InfillRequest& request);
 
 /// The cells of a lattice whose centres lie in a region, and the steps between neighbours that stay in it.

@@ -8,13 +8,13 @@
 #include <limits>
 #include <utility>
 
-#include "infill/medial/medial_beads.hpp"
 #include "infill/rectilinear/pass_adaptation.hpp"
 #include "infill/rectilinear/raster.hpp"
 #include "infill/rectilinear/raster_direction.hpp"
 #include "infill/rectilinear/section_order.hpp"
 #include "infill/rectilinear/variable_width_runs.hpp"
 #include "infill/rectilinear/zigzag.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/infill/strategy.hpp"
 

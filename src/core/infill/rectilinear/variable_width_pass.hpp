@@ -37,16 +37,16 @@ struct Notch {
 /// All of them, by pass.
 std::vector<Notch> findNotches(const RasterWalk& walk);
 
-/// VariableWidthLines of a raster whose passes run along its odd lines.
+/// The variable-width lines of a raster whose passes run along its odd lines.
 struct VariableWidthLines {
   const RasterWalk& walk;
   std::vector<Notch> notches;
   double narrowest_mm = 0.0;  ///< plan width; outlines of the raster keep half of it from the area's border
 };
 
-/// The bead that fills the variable-width line round the line that begins at `left`: in the middle of what
-/// the variable-width line holds, and as wide. From left to right, in the raster frame; a single point if
-/// there is no more room.
+/// The bead that fills the variable-width line round the raster line that begins at `left`: in the middle of
+/// the material there, and as wide. From left to right, in the raster frame; a single point if there is no
+/// more room.
 FillPath passThrough(const VariableWidthLines& strips, std::uint32_t left, const PassEndShape& left_end,
                      const PassEndShape& right_end);
 

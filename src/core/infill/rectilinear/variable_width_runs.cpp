@@ -122,8 +122,8 @@ PassEntries passesOf(const BoustrophedonCells& sections, const RasterWalk& walk,
   return entries;
 }
 
-/// A border that recedes by more than this from variable-width line to variable-width line gets a narrow
-/// link, in variable-width lines.
+/// A border that recedes by more than this from one line to the next gets a narrow link, in widths of a
+/// variable-width line.
 constexpr double kSteepBorder = 0.6;
 /// A link may be this much longer than the way it goes along the raster, in variable-width lines.
 constexpr double kLongestDetour = 3.0;

@@ -10,8 +10,8 @@ namespace lamina {
 double narrowestBead(const InfillRequest& request);
 
 /// Fills an area solidly by a zigzag: variable-width lines parallel to the raster divide each region evenly,
-/// a bead fills each variable-width line to its ends, as wide as the variable-width line is there, and links
-/// along the border join them. Runs are in the order of `raster.order`, from `request.start` on.
+/// a bead fills each line to its ends, as wide as the line is there, and links along the border join the
+/// beads. Runs are in the order of `raster.order`, from `request.start` on.
 ///
 /// Centre lines stay inside the area; beside spikes of the border narrower than a variable-width line they
 /// may leave it by half the narrowest bead.

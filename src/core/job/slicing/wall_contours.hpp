@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// The contour of each layer as the loops of outer wall of a program report it: what lies inside of an odd
+/// The contour of each layer as the outer-wall loops of a program show it: what lies inside of an odd
 /// number of them, grown by half a bead. A wall whose ends are within a bead width of each other is a loop. A
 /// layer without any has none.
 /// @throws InvalidInput if no layer has any

@@ -89,7 +89,7 @@ FrontDecision decideAmong(const std::vector<Evaluation>& front,
   return found;
 }
 
-/// Rows to be deposited beside each other, and what could not be measured.
+/// Rows to be shown side by side, and what could not be measured.
 struct StudyComparison {
   std::vector<ComparedRow> rows;
   std::vector<std::string> notes;
@@ -249,7 +249,7 @@ class StudyRun {
     outcome_.front_response_names = outcome_.response_names;
     outcome_.version = laminaVersion();
     study_.method == SearchMethod::Nsga2 ? searchForFront() : searchWith(fit);
-    tellSettings();
+    writeSettings();
     StudyComparison comparison = comparisonOf(study_, measurement_, *in_full_, outcome_, progress_);
     outcome_.compared = std::move(comparison.rows);
     outcome_.notes.insert(outcome_.notes.end(), comparison.notes.begin(), comparison.notes.end());
@@ -394,7 +394,7 @@ class StudyRun {
     return text;
   }
 
-  void tellSettings() {
+  void writeSettings() {
     SettingsSchema schema;
     study_.method == SearchMethod::Nsga2 ? describe(schema, settings_.nsga2)
                                          : describe(schema, settings_.surrogate);

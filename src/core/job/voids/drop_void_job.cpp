@@ -18,7 +18,7 @@ DropRole dropRole(PathRole role) {
   return role == PathRole::Infill ? DropRole::Infill : DropRole::Contour;
 }
 
-/// Programs may report the role of several contours at once: one that is back at its start ends where the
+/// Programs may state one role for several contours: one that is back at its start ends where the
 /// next drop is far.
 bool isJump(const DropLayer& layer, const DropChain& chain, std::size_t next) {
   if (next < chain.begin + 3) return false;

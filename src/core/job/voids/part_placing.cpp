@@ -60,7 +60,7 @@ Point2 centroidOf(const Regions& regions) {
   return sum > 0.0 ? Point2(moment / sum) : Point2(Point2::Zero());
 }
 
-/// Places along one axis that layers report, by their low sides, their middles, their high sides.
+/// Places along one axis that layers indicate, by their low sides, their middles, their high sides.
 struct AxisPlaces {
   std::vector<double> low;
   std::vector<double> middle;
@@ -112,7 +112,7 @@ class Placing {
   Placing(const Toolpath& program, const std::vector<Regions>& contours, const VoidMapSettings& map)
       : program_(program), contours_(contours), map_(map) {}
 
-  void addTold(Candidates& candidates) const {
+  void addStated(Candidates& candidates) const {
     AxisPlaces x;
     AxisPlaces y;
     AxisPlaces centroid;  // x as low, y as high
@@ -165,7 +165,7 @@ Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, 
   if (contours.empty()) return Point2::Zero();
   Candidates candidates(box.centre().head<2>());
   const Placing placing(program, contours, job.map);
-  placing.addTold(candidates);
+  placing.addStated(candidates);
   const Point2 bed = workspace(machineOf(job.settings.machine)).centre().head<2>();
   candidates.add(placePart(box, bed, job.settings.placement).translation().head<2>());
   candidates.add(Point2::Zero());

@@ -105,7 +105,7 @@ void requireSize(const Toolpath& program, const VoidReport& report, const VoidJo
 /// runs in the air. At most a fifth of the deposit may lie outside of the part, along the border of the part
 /// at least 70 % as much must be covered as everywhere, and the boxes of the deposit must on the median take
 /// half the area of those of the part's layers.
-/// @throws InvalidInput telling the figures
+/// @throws InvalidInput naming the figures
 void requirePlausible(const Toolpath& program, const VoidReport& report, const VoidJob& job) {
   if (report.layers.empty() || job.part.empty()) return;
   const double outside = outsideShare(report);

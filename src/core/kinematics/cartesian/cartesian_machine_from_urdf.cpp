@@ -34,13 +34,13 @@ Box3 bedBox(const urdf::Link& bed) {
   return box;
 }
 
-/// Whether it is an arm or a platform, reported by joint_1 or crank_1: no machine of axes x, y and z.
+/// Whether it is an arm or a platform, recognised by joint_1 or crank_1: no machine of axes x, y and z.
 bool isRobot(const urdf::ModelInterface& model) {
   return !model.getJoint(kAxisNames[0]) && (model.getJoint("joint_1") || model.getJoint("crank_1"));
 }
 
 /// A robot as slicing and placing see it: the room over the bodies of its bed, in which axes along the bed's
-/// carry an upright nozzle. What of it the robot reaches, and how, a joint path reports.
+/// carry an upright nozzle. A joint path shows what the robot reaches, and how.
 /// @throws InvalidConfig if it has no link `bed`, or that no collision body
 CartesianMachine roomOverBed(const urdf::ModelInterface& model, const std::string& text) {
   const auto bed = model.getLink("bed");

@@ -173,7 +173,7 @@ LadderSearch::Cut LadderSearch::cutBetween(const double* from, const double* to)
   return cut;
 }
 
-/// What the ladder lacks, reported of the pair of nodes that is nearest to an edge.
+/// What the ladder lacks, stated for the pair of nodes that comes nearest to an edge.
 LadderSearch::Cut LadderSearch::cutBefore(const Rung& rung) const {
   Cut least{0, kNever, false};
   for (const std::size_t from : departures(rung.penalty.size()))

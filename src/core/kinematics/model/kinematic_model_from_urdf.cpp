@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-/// A kind of kinematic model and the joint by which it is reported.
+/// A kind of kinematic model and the joint by which it is recognised.
 struct Kind {
   const char* joint;
   std::unique_ptr<KinematicModel> (*read)(const urdf::ModelInterface& model, const std::string& text);

@@ -16,7 +16,7 @@ namespace lamina {
 namespace {
 
 /// While it lives, it keeps what the parser of URDF complains of, which would go to the terminal; the
-/// parser's results report no reasons. One at a time: others wait.
+/// parser's results give no reasons. One at a time: others wait.
 class UrdfComplaints : public console_bridge::OutputHandler {
  public:
   UrdfComplaints();

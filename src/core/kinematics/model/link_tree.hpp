@@ -17,8 +17,7 @@ namespace lamina {
 class LinkTree {
  public:
   /// @throws InvalidConfig if a joint is neither fixed, prismatic, revolute nor continuous, or its axis is
-  /// not
-  ///   of unit length
+  ///   not of unit length
   explicit LinkTree(const urdf::ModelInterface& model);
 
   /// Every link over the root [mm].

@@ -38,7 +38,7 @@ constexpr double kToolAxisTolerance = 0.01 * M_PI / 180.0;  // far below what a 
 constexpr double kOnAxis = 1e-10;                           // sine: less than any pose is known to
 
 /// A direction as seen along an axis. The part across it is kept beside that along it, since near the axis
-/// the cosine no longer reports the angle.
+/// the cosine no longer determines the angle.
 struct AxisView {
   double along;
   Eigen::Vector2d across;

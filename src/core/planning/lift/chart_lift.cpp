@@ -220,7 +220,7 @@ class RunLifter {
     deposited_.push_back(std::exchange(carried_, {}));
   }
 
-  /// The return to the first waypoint is reported by that one.
+  /// The return to the first waypoint is described by that waypoint.
   void close() {
     if (points_.size() < 2 || (points_.back() - points_.front()).norm() >= kShortest) return;
     deposited_.front() = deposited_.back();
@@ -287,7 +287,7 @@ class RunLifter {
   std::vector<Point3> points_;
   std::vector<Eigen::Quaterniond> orientations_;
   std::vector<Deposited> deposited_;  // on the way to each waypoint
-  std::vector<std::size_t> of_plan_;  // waypoint of the plan that reports of this way
+  std::vector<std::size_t> of_plan_;  // waypoint of the plan that describes this way
   Deposited carried_;                 // where tips coincided, on the way to the next waypoint
 };
 

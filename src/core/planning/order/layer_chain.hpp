@@ -16,7 +16,7 @@ namespace lamina {
 /// motion of the layer's path. With one such joined loop per layer the part becomes one path without travel.
 /// Elsewhere, and between the runs of a layer, travels stay.
 ///
-/// Which way round a joined loop is run is chosen so that it ends near the joined loop above. Cycles shorter
+/// The direction of a joined loop is chosen so that it ends near the joined loop above. Joined loops shorter
 /// than two pitches stay closed. Travels between layers are not made here. Distances are measured in space,
 /// so that layers need not be level [Guacheta2021, algorithm 3-3].
 /// @param anchor  where the first layer starts [mm]

@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 /// Whether a disc fits, by the area that would be left without: outlines that move inwards by r sweep at most
-/// r times their length, and holes a disc of r more each. False reports nothing.
+/// r times their length, and holes a disc of r more each. False proves nothing.
 bool isRoomyAtOnce(const Region& region, double radius) {
   double length = perimeter(region.outer);
   for (const Polygon& hole : region.holes) length += perimeter(hole);

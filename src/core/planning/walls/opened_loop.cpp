@@ -19,7 +19,7 @@ struct Pose {
   Eigen::Quaterniond orientation;
 };
 
-/// Waypoints of an open path: where each is, and which waypoint of the joined loop reports of the way to it.
+/// Waypoints of an open path: where each is, and which waypoint of the joined loop describes the way to it.
 struct Waypoints {
   std::vector<Point3> points;
   std::vector<Eigen::Quaterniond> orientations;
@@ -102,7 +102,7 @@ Path opened(const Path& joined_loop, const LoopOpening& opening) {
   Waypoints waypoints;
   waypoints.add(start, end);
   for (std::size_t i = 0; i < count; ++i) {
-    // The way to a waypoint is reported by itself forwards, and by the one after it backwards.
+    // The way to a waypoint is described by itself forwards, and by the one after it backwards.
     if (opening.sense == LoopSense::AsGiven)
       waypoints.add(poseAt(joined_loop, (end + i) % count), (end + i) % count);
     else

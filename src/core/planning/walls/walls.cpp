@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/polygon.hpp"
 

@@ -47,15 +47,15 @@ class Rows {
   }
 
   StatedFrame readHeader() {
-    StatedFrame told;
+    StatedFrame frame;
     std::string_view header = nextLine();
     for (; !header.empty() && header.front() == '#'; header = nextLine()) {
-      if (!readFrameComment(header.substr(1), told)) refuse("a comment tells no frame");
+      if (!readFrameComment(header.substr(1), frame)) refuse("a comment states no frame");
     }
     if (header == kDropCsvHeader) fields_ = kDropFields;
     if (header != kCsvHeader && header != kDropCsvHeader)
       refuse(std::string("the header must be ") + kCsvHeader + ", or end in ,deposit");
-    return told;
+    return frame;
   }
 
   bool isAtEnd() const { return rest_.empty(); }
@@ -137,7 +137,7 @@ Path pathOf(std::vector<Row> rows, const Rows& source) {
   if (path.is_closed) {
     if (rows.size() < 3 || rows.back().point() != rows.front().point())
       source.refuse("the closed path before does not return to where it starts");
-    // The last row reports of the way back to the first waypoint.
+    // The last row describes the way back to the first waypoint.
     rows.front() = rows.back();
     rows.pop_back();
   }

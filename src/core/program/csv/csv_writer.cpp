@@ -99,9 +99,9 @@ class PathRows {
 
 /// Empty for level layers.
 std::string frameComment(const Toolpath& toolpath) {
-  StatedFrame told;
-  told.bed_from_layers = toolpath.part_from_layers;
-  std::string comment = frameComments(told);
+  StatedFrame frame;
+  frame.bed_from_layers = toolpath.part_from_layers;
+  std::string comment = frameComments(frame);
   if (!comment.empty()) comment.front() = '#';
   return comment;
 }

@@ -7,7 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, DropDialect& dialect) {
   schema.text("drop_program.discharge", dialect.discharge, "Command that lets one drop go.");
   schema.text("drop_program.layer_mark", dialect.layer_mark, "Comment that opens a layer.");
-  schema.text("drop_program.role_mark", dialect.role_mark, "Comment that tells the role of drops.");
+  schema.text("drop_program.role_mark", dialect.role_mark, "Comment that states the role of drops.");
   schema.text("drop_program.contour", dialect.contour, "Role of drops along contours.");
   schema.text("drop_program.infill", dialect.infill, "Role of drops inside contours.");
   schema.text("drop_program.void_fill", dialect.void_fill, "Role of drops that fill voids.");

@@ -130,7 +130,7 @@ class DropParser {
   }
 
   void readHeader(std::string_view comment) {
-    if (StatedFrame told; readFrameComment(comment, told))
+    if (StatedFrame frame; readFrameComment(comment, frame))
       refuse("drops on inclined layers; programs of drops are understood on level ones");
     if (takePrefix(comment, dialect_.diameter_key + "=")) program_.diameter_mm = positive(comment);
     if (takePrefix(comment, dialect_.height_key + "=")) program_.layer_height_mm = positive(comment);

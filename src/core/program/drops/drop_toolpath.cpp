@@ -59,7 +59,7 @@ Toolpath toolpathOf(const DropProgram& program, const std::string& part_name) {
   if (program.layers.empty())
     throw InvalidProgram("'" + part_name + "' lets no drop go; expected a program of drops");
   if (!program.diameter_mm)
-    throw InvalidProgram("'" + part_name + "' lets drops go, but its header tells no diameter of drops");
+    throw InvalidProgram("'" + part_name + "' lets drops go, but its header states no diameter of drops");
   Toolpath toolpath;
   toolpath.part_name = part_name;
   std::optional<Point3> reached;

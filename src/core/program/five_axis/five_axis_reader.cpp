@@ -52,7 +52,7 @@ class FiveAxisInterpreter {
     if (text == "; start of the part") return startPart();
     if (text == "; end of the part") is_in_part_ = false, is_over_ = true;
     if (!is_in_part_) {
-      if (!text.empty() && text.front() == ';') builder_.tell(text.substr(1));
+      if (!text.empty() && text.front() == ';') builder_.readComment(text.substr(1));
       return;
     }
     const GcodeLine& line = parser_.parse(text, number);
@@ -77,13 +77,13 @@ class FiveAxisInterpreter {
     throw InvalidProgram("line " + std::to_string(line_) + ": " + what);
   }
 
-  void readAxes(std::string_view told) {
-    const std::size_t space = std::min(told.find(' '), told.size());
-    const std::string_view kind = told.substr(0, space);
+  void readAxes(std::string_view stated) {
+    const std::size_t space = std::min(stated.find(' '), stated.size());
+    const std::string_view kind = stated.substr(0, space);
     if (kind != "joints" && kind != "tool_tip")
       refuse("found '" + std::string(kind) + "'; expected joints or tool_tip");
     has_joints_ = kind == "joints";
-    const std::string axes(told.substr(std::min(space + 1, told.size())));
+    const std::string axes(stated.substr(std::min(space + 1, stated.size())));
     if (axes != toText(letters_))
       refuse("the program has the axes '" + axes + "'; expected those of '" + machine_.name() + "', " +
              toText(letters_));

@@ -55,7 +55,7 @@ void GcodeInterpreter::readLine(std::string_view text, std::size_t number) {
   for (const std::string_view comment : line.comments) {
     readComment(comment, context_);
     // FullControl counts filament motion by motion.
-    if (comment == kStartCodeEnds && !is_filament_mode_told_) filament_mode_ = Mode::Relative;
+    if (comment == kStartCodeEnds && !is_filament_mode_stated_) filament_mode_ = Mode::Relative;
     if (handlers_.comment) handlers_.comment(comment);
   }
   if (line.is_other && handlers_.other) handlers_.other(number, line.command);
@@ -88,7 +88,7 @@ bool GcodeInterpreter::setMode(const GcodeWord& word) {
   if (word.letter == 'M') {
     if (code != 82.0 && code != 83.0) return false;
     filament_mode_ = code == 82.0 ? Mode::Absolute : Mode::Relative;
-    is_filament_mode_told_ = true;
+    is_filament_mode_stated_ = true;
     return true;
   }
   if (code >= 17.0 && code <= 19.0 && code == std::floor(code)) {

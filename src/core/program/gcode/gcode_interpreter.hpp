@@ -71,8 +71,8 @@ class GcodeInterpreter {
   double unit_mm_ = 1.0;
   Mode position_mode_ = Mode::Absolute;
   Mode filament_mode_ = Mode::Absolute;
-  bool is_filament_mode_told_ = false;  ///< by M82 or M83
-  int motion_ = -1;                     ///< of lines with coordinates alone; -1 before the first motion
+  bool is_filament_mode_stated_ = false;  ///< by M82 or M83
+  int motion_ = -1;                       ///< of lines with coordinates alone; -1 before the first motion
   int arc_axis_ = 2;
 };
 

@@ -48,7 +48,7 @@ void requireWritable(const Path& path) {
       refuse(path, i, "bead width and height must be finite and not negative");
 }
 
-/// @param tool axis  of the head, in the part frame
+/// @param tool_axis  of the head, in the part frame
 void requireToolAxis(const Path& path, const Point3& tool_axis) {
   const auto& orientations = path.orientation.values();
   for (std::size_t i = 0; i < orientations.size(); ++i) {
@@ -188,13 +188,13 @@ std::string dropHeader(const Path& drops, const ProgramSettings& settings) {
 
 StatedFrame statedFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
   const Eigen::Quaterniond bed_from_part(frame.bed_from_part.linear());
-  StatedFrame told;
-  told.bed_from_layers = bed_from_part * toolpath.part_from_layers;
+  StatedFrame stated;
+  stated.bed_from_layers = bed_from_part * toolpath.part_from_layers;
   const Point3 tool_axis = bed_from_part * toolAxisOf(firstPath(toolpath));
   // The turn about the tool axis is free: none where it points straight down.
-  told.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), tool_axis) * nozzleDown();
-  told.bed_from_program = frame.program_from_bed.inverse();
-  return told;
+  stated.bed_from_nozzle = Eigen::Quaterniond::FromTwoVectors(-Point3::UnitZ(), tool_axis) * nozzleDown();
+  stated.bed_from_program = frame.program_from_bed.inverse();
+  return stated;
 }
 
 /// Feed of the first travel, or of the first path if there is no travel.

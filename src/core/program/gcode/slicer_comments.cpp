@@ -143,16 +143,20 @@ bool readSimplify3d(std::string_view comment, SlicerContext& context) {
 
 }  // namespace
 
+std::optional<LayerMark> readLayerMark(std::string_view comment) {
+  if (takePrefix(comment, "LAYER:") || takePrefix(comment, "move to next layer ("))
+    return LayerMark{false, number<int>(comment)};
+  return comment == "LAYER_CHANGE" ? std::optional(LayerMark{true, std::nullopt}) : std::nullopt;
+}
+
 void readComment(std::string_view comment, SlicerContext& context) {
   context.dialect = dialectAfter(context.dialect, comment);
   if (context.dialect == SlicerDialect::Simplify3d && readSimplify3d(comment, context)) return;
   if (takePrefix(comment, "TYPE:")) {
     context.role = find(kTypes, comment);
     ++context.section;
-  } else if (takePrefix(comment, "LAYER:") || takePrefix(comment, "move to next layer (")) {
-    openLayer(number<int>(comment), context);
-  } else if (comment == "LAYER_CHANGE") {
-    openLayer(context.layer.value_or(-1) + 1, context);
+  } else if (const auto mark = readLayerMark(comment)) {
+    openLayer(mark->is_next ? context.layer.value_or(-1) + 1 : mark->number, context);
   } else if (takePrefix(comment, "HEIGHT:") || takePrefix(comment, "Layer height:")) {
     setHeight(comment, context);
   } else if (comment == "end of the part") {
@@ -163,7 +167,7 @@ void readComment(std::string_view comment, SlicerContext& context) {
   }
 }
 
-std::optional<double> filamentDiameterTold(std::string_view comment) {
+std::optional<double> statedFilamentDiameter(std::string_view comment) {
   if (!takePrefix(comment, "filament_diameter = ") && !takePrefix(comment, "filamentDiameters,"))
     return std::nullopt;
   const auto diameter_mm = number<double>(comment);

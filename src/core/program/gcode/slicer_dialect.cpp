@@ -62,7 +62,7 @@ ProgramNotes notesOf(std::string_view program) {
     if (const std::size_t semicolon = line.find(';'); semicolon != std::string_view::npos) {
       const std::string_view comment = trimmed(line.substr(semicolon + 1));
       notes.dialect = dialectAfter(notes.dialect, comment);
-      if (const auto diameter_mm = filamentDiameterTold(comment)) notes.filament_diameter_mm = diameter_mm;
+      if (const auto diameter_mm = statedFilamentDiameter(comment)) notes.filament_diameter_mm = diameter_mm;
     }
     program.remove_prefix(std::min(program.size(), line.size() + 1));
   }

@@ -12,7 +12,7 @@ namespace lamina {
 /// Start or end code with its placeholders replaced, every line ended. Lines whose placeholder stands for 0
 /// are left out, so that the heater is left alone.
 /// @param key    of the setting the code comes from, for the error
-/// @param frame  reports the axis that lifts the nozzle
+/// @param frame  gives the axis that lifts the nozzle
 /// @throws InvalidConfig if a placeholder is unknown or not closed
 std::string expandCode(const std::string& key, const std::string& code, const ProgramSettings& settings,
                        const ProgramFrame& frame);

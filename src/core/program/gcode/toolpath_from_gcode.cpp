@@ -20,11 +20,11 @@ namespace {
 
 constexpr double kSameHeight = 1e-4;  // mm: a tenth of the last decimal of Z
 
-/// The builder's, and what reports a program of drops.
+/// The builder's handlers, and one that recognises a program of drops.
 GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& settings, bool& has_drops) {
   GcodeHandlers handlers;
   handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
-  handlers.comment = [&builder](std::string_view comment) { builder.tell(comment); };
+  handlers.comment = [&builder](std::string_view comment) { builder.readComment(comment); };
   handlers.other = [&settings, &has_drops](std::size_t, std::string_view command) {
     has_drops |= isDischarge(command, settings.drops);
   };
@@ -40,17 +40,17 @@ class ToolpathBuilder::State {
   explicit State(const ProgramSettings& settings)
       : volume_per_filament_(1.0 / filamentPerVolume(settings)),
         filament_diameter_mm_(settings.filament_diameter_mm),
-        told_diameter_mm_(settings.filament_diameter_mm) {}
+        stated_diameter_mm_(settings.filament_diameter_mm) {}
 
-  void tell(std::string_view comment) {
+  void readComment(std::string_view comment) {
     if (comment == kStartCodeEnds) forget();
     is_over_ |= comment == kEndCodeBegins;
-    if (const auto diameter_mm = filamentDiameterTold(comment)) told_diameter_mm_ = *diameter_mm;
-    if (!readFrameComment(comment, told_)) return;
-    layers_from_program_ = told_.bed_from_layers.conjugate() * told_.bed_from_program;
+    if (const auto diameter_mm = statedFilamentDiameter(comment)) stated_diameter_mm_ = *diameter_mm;
+    if (!readFrameComment(comment, frame_)) return;
+    layers_from_program_ = frame_.bed_from_layers.conjugate() * frame_.bed_from_program;
   }
 
-  void addTold(const GcodeMotion& motion) {
+  void addProgramMotion(const GcodeMotion& motion) {
     if (is_over_) return;
     layers_from_program_ ? add(inLayers(motion)) : add(motion);
   }
@@ -76,19 +76,19 @@ class ToolpathBuilder::State {
   Toolpath finish(const std::string& part_name) {
     closeLayer(runs_.size());
     toolpath_.part_name = part_name;
-    if (told_diameter_mm_ != filament_diameter_mm_)
-      scaleBeads(std::pow(told_diameter_mm_ / filament_diameter_mm_, 2));
+    if (stated_diameter_mm_ != filament_diameter_mm_)
+      scaleBeads(std::pow(stated_diameter_mm_ / filament_diameter_mm_, 2));
     if (!layers_from_program_) return std::move(toolpath_);
-    return withNozzle(turned(std::move(toolpath_), told_.bed_from_layers), told_.bed_from_nozzle);
+    return withNozzle(turned(std::move(toolpath_), frame_.bed_from_layers), frame_.bed_from_nozzle);
   }
 
  private:
   /// In the frame in which the layers are level.
   GcodeMotion inLayers(GcodeMotion motion) const {
-    const double told_mm = (motion.end - motion.start).norm();
+    const double stated_mm = (motion.end - motion.start).norm();
     motion.start = *layers_from_program_ * motion.start;
     motion.end = *layers_from_program_ * motion.end;
-    if (told_mm > 0.0) motion.feed_mm_s *= (motion.end - motion.start).norm() / told_mm;
+    if (stated_mm > 0.0) motion.feed_mm_s *= (motion.end - motion.start).norm() / stated_mm;
     return motion;
   }
 
@@ -156,9 +156,9 @@ class ToolpathBuilder::State {
 
   double volume_per_filament_;
   double filament_diameter_mm_;  ///< of the settings
-  double told_diameter_mm_;      ///< by the program, else as set
+  double stated_diameter_mm_;    ///< by the program, else as set
   bool is_over_ = false;         ///< end code has begun
-  StatedFrame told_;
+  StatedFrame frame_;
   std::optional<Eigen::Affine3d> layers_from_program_;  ///< of a program that reports its frame
   std::optional<int> layer_;
   bool has_comments_ = false;
@@ -173,8 +173,8 @@ class ToolpathBuilder::State {
 ToolpathBuilder::ToolpathBuilder(const ProgramSettings& settings)
     : state_(std::make_unique<State>(settings)) {}
 ToolpathBuilder::~ToolpathBuilder() = default;
-void ToolpathBuilder::tell(std::string_view comment) { state_->tell(comment); }
-void ToolpathBuilder::add(const GcodeMotion& motion) { state_->addTold(motion); }
+void ToolpathBuilder::readComment(std::string_view comment) { state_->readComment(comment); }
+void ToolpathBuilder::add(const GcodeMotion& motion) { state_->addProgramMotion(motion); }
 Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->finish(part_name); }
 
 Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,

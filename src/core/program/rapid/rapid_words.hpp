@@ -8,7 +8,7 @@
 
 namespace lamina {
 
-/// RAPID does not report upper from lower case.
+/// RAPID does not distinguish upper from lower case.
 std::string lowerCase(std::string_view name);
 
 /// @param key  what the name is for, for the error

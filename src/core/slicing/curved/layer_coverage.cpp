@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-// Of a layer's height: tips nearer to the middle than that do not report the way to the lower side.
+// Of a layer's height: tips nearer to the middle than this do not show the way to the lower side.
 constexpr double kTooNear = 0.05;
 
 using Tetrahedron = std::array<Point3, 4>;

@@ -40,7 +40,7 @@ double touchingRadius(const Point3& to_vertex, const VertexMotion& motion, doubl
   return c / (root - b);
 }
 
-/// Shrinks the balls of one vertex after the other. What was found for one reports much about its neighbours:
+/// Shrinks the balls of one vertex after the other. What was found for one says much about its neighbours:
 /// where their balls touch too, and that they are as empty if their centres are near.
 class CollapseSearch {
  public:

@@ -122,7 +122,7 @@ class StreamSession::Impl {
     if (is_closed_) return;
     const std::string output = streamer_.takeOutput();
     if (!output.empty()) transport_->send(output);
-    tell();
+    notify();
     if (isFinal(streamer_.status().state)) {
       finish();
     } else if (streamer_.isOffline()) {
@@ -133,7 +133,7 @@ class StreamSession::Impl {
     }
   }
 
-  void tell() {
+  void notify() {
     const auto entered = streamer_.takeStateChanges();
     const double now = clock_.now();
     if (entered.empty() && now < next_progress_) return;

@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
 namespace {
@@ -91,13 +91,9 @@ std::optional<ProgramLine> ProgramCursor::next() {
 }
 
 void ProgramCursor::readComment(std::string_view comment) {
-  constexpr std::string_view kNumbered = "LAYER:";
-  if (comment.substr(0, kNumbered.size()) == kNumbered) {
-    const std::string_view number = comment.substr(kNumbered.size());
-    std::from_chars(number.data(), number.data() + number.size(), layer_);
-  } else if (trimmed(comment) == "LAYER_CHANGE") {
-    ++layer_;
-  }
+  const auto mark = readLayerMark(trimmed(comment));
+  if (!mark) return;
+  layer_ = mark->is_next ? layer_ + 1 : mark->number.value_or(layer_);
 }
 
 StreamableProgram StreamableProgram::fromFile(const std::string& path, int max_line_bytes) {

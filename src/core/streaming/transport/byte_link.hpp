@@ -34,7 +34,7 @@ class ByteLink : public std::enable_shared_from_this<ByteLink<Stream>> {
   /// Bytes not yet taken by the system.
   std::size_t pending() const { return waiting_.size() + writing_.size(); }
 
-  /// Closes without a report anybody.
+  /// Closes without notifying anybody.
   void close() {
     is_closed_ = true;
     events_ = {};

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "infill/medial/solid_beads.hpp"
+#include "infill/variable_width/solid_beads.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 

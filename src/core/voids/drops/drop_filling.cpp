@@ -191,7 +191,7 @@ class LayerFilling {
       is_going_on = pass() > 0 && settings_.passes == VoidPasses::UntilFull;
       marked_by_passes_ = marked_.points().size();
     }
-    tell();
+    report();
     return std::move(voids_);
   }
 
@@ -234,7 +234,7 @@ class LayerFilling {
     return voids_.size() - 1;
   }
 
-  void tell() {
+  void report() {
     const VoidKinds kinds(layer_, contours_);
     const DiscPicture discs(layer_.drops, deposited_.points(), layer_.diameter_mm, borders_);
     for (DropVoid& filled : voids_) {

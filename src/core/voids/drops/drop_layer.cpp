@@ -45,7 +45,7 @@ bool overlap(const Box2& a, const Box2& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-/// What lies in an outline that lacks drops cannot be reported: such a contour around a hole, with a whole
+/// What lies in an outline that lacks drops cannot be determined: such a contour around a hole, with a whole
 /// one of a hole in its place, is taken for one of those around that.
 void dropTornBorders(std::vector<DropContour>& contours, double diameter) {
   std::vector<Box2> boxes;

@@ -22,7 +22,7 @@ struct RapidText {
 ///
 /// @param modules  main's first
 /// @throws InvalidProgram naming file and line, what was found and what was expected: instructions, data,
-///   speeds, zones or targets that are not known; moves that the comments report nothing of, or whose process
+///   speeds, zones or targets that are not known; moves that no comment describes, or whose process
 ///   is not that of their path
 Toolpath readRapid(const std::vector<RapidText>& modules, const std::string& part_name);
 

@@ -270,17 +270,17 @@ Point3 middleOfCorners(const Mesh& mesh, const Hole& hole) {
 
 RepairStep fillHoles(Mesh mesh, const MeshTopology& topology) {
   // So many are reported one by one; a mesh full of cracks would fill pages.
-  constexpr std::size_t kMostTold = 20;
+  constexpr std::size_t kMostNamed = 20;
   std::vector<RepairChange> changes;
   for (const auto& loop : findBorderLoops(topology)) {
     for (const auto& simple : simpleLoops(mesh, loop)) {
       const Hole hole = holeOf(mesh, simple);
       const std::vector<Triangle> filling = triangulate(hole, mesh.vertices);
       mesh.triangles.insert(mesh.triangles.end(), filling.begin(), filling.end());
-      if (changes.size() < kMostTold) {
+      if (changes.size() < kMostNamed) {
         changes.push_back({"edges around a hole closed", simple.size(), middleOfCorners(mesh, hole)});
       } else {
-        if (changes.size() == kMostTold)
+        if (changes.size() == kMostNamed)
           changes.push_back({"further holes closed", 0, middleOfCorners(mesh, hole)});
         ++changes.back().count;
       }

@@ -204,7 +204,7 @@ std::vector<std::string> readModuleNotes(const std::vector<RapidComment>& commen
 
 enum class ProcessState : std::uint8_t { Off, On };
 
-/// Makes a toolpath of moves, in the order in which they are run, and of the notes that report their paths.
+/// Makes a toolpath of moves, in the order in which they are run, and of the notes that describe their paths.
 class RapidAssembly {
  public:
   /// A procedure with moves begins.
@@ -441,16 +441,16 @@ class RapidRun {
 };
 
 void readFrame(const RapidSource& source, Toolpath& toolpath) {
-  StatedFrame told;
+  StatedFrame stated;
   for (const RapidComment& comment : source.head) {
     try {
-      readFrameComment(comment.text, told);
+      readFrameComment(comment.text, stated);
     } catch (const InvalidProgram& error) {
       throw InvalidProgram("'" + source.files.front() + "' line " + std::to_string(comment.line) + ": " +
                            error.what());
     }
   }
-  toolpath.part_from_layers = told.bed_from_layers;
+  toolpath.part_from_layers = stated.bed_from_layers;
 }
 
 void addModule(const std::string& file, std::string_view text, RapidSource& source) {

@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-/// Begins a comment that reports what the moves of a program do not: `!# path outer_wall closed 12`.
+/// Begins a comment that states what the moves of a program do not: `!# path outer_wall closed 12`.
 constexpr std::string_view kRapidNote = "!# ";
 
 /// Comments before a procedure: for each of its paths the layer where a new one begins, role, whether it is

@@ -15,7 +15,7 @@ constexpr double kFarthest = 1e5;     // mm: beyond any robot
 constexpr double kSamePose = 1e-6;    // mm and rad: under what targets resolve
 constexpr double kUnitLength = 1e-6;  // of a quaternion
 
-/// Refuses what no program can report, naming the place.
+/// Refuses what no program can express, naming the place.
 class PathChecks {
  public:
   PathChecks(const RapidPath& at, RapidVariant variant) : at_(at), path_(*at.path), variant_(variant) {}

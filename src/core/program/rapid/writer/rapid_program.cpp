@@ -207,9 +207,9 @@ class RapidProgram::State {
     nameModules();
     head_.part_name = toolpath.part_name;
     const Eigen::Quaterniond bed_from_part_turn(bed_from_part.linear());
-    StatedFrame told;
-    told.bed_from_layers = bed_from_part_turn * toolpath.part_from_layers;
-    head_.frame_comments = frameComments(told);
+    StatedFrame stated;
+    stated.bed_from_layers = bed_from_part_turn * toolpath.part_from_layers;
+    head_.frame_comments = frameComments(stated);
     head_.orientation = bed_from_part_turn * plan_.paths.front().path->orientation.at(0);
   }
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/skeleton_beads.hpp"
+#include "infill/variable_width/skeleton_beads.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
-#include "infill/medial/axis_steps.hpp"
+#include "infill/variable_width/axis_steps.hpp"
 
 namespace lamina {
 namespace {

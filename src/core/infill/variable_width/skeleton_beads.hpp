@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "infill/medial/medial_beads.hpp"
-#include "infill/medial/skeleton_paths.hpp"
+#include "infill/variable_width/medial_beads.hpp"
+#include "infill/variable_width/skeleton_paths.hpp"
 
 namespace lamina {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/solid_beads.hpp"
+#include "infill/variable_width/solid_beads.hpp"
 
 #include <iterator>
 #include <utility>

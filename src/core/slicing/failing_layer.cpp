@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/slicing/layer_place.hpp"
+#include "lamina/slicing/failing_layer.hpp"
 
 #include <cstdio>
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 
 namespace lamina {
 

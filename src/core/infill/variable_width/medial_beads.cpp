@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 
 #include <iterator>
 
-#include "infill/medial/axis_loops.hpp"
-#include "infill/medial/bead_axis.hpp"
-#include "infill/medial/skeleton_beads.hpp"
-#include "infill/medial/skeleton_paths.hpp"
+#include "infill/variable_width/axis_loops.hpp"
+#include "infill/variable_width/bead_axis.hpp"
+#include "infill/variable_width/skeleton_beads.hpp"
+#include "infill/variable_width/skeleton_paths.hpp"
 
 namespace lamina {
 namespace {

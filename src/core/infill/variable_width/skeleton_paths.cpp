@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/skeleton_paths.hpp"
+#include "infill/variable_width/skeleton_paths.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/axis_steps.hpp"
+#include "infill/variable_width/axis_steps.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 #include "lamina/geometry/medial_axis/medial_axis.hpp"
 
 namespace lamina {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/medial_beads.hpp"
+#include "infill/variable_width/medial_beads.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "infill/medial/skeleton_beads.hpp"
+#include "infill/variable_width/skeleton_beads.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "support/shapes.hpp"

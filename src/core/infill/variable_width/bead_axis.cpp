@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/bead_axis.hpp"
+#include "infill/variable_width/bead_axis.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "infill/medial/sharp_tips.hpp"
+#include "infill/variable_width/sharp_tips.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
