@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
@@ -45,6 +46,12 @@ std::vector<Finding> findingsOf(const MachineCheck& check) {
   return findings;
 }
 
+std::size_t layersOf(const std::vector<Finding>& findings) {
+  std::set<std::size_t> layers;
+  for (const Finding& finding : findings) layers.insert(finding.at.layer);
+  return layers.size();
+}
+
 nlohmann::ordered_json toJson(const Finding& finding) {
   return {{"layer", finding.at.layer},
           {"path", finding.at.path},
@@ -60,6 +67,7 @@ void printJson(const Checked& checked, const std::string& machine) {
                                  {"waypoints", check.waypoints},
                                  {"faulty_waypoints", check.faults.size()},
                                  {"colliding_waypoints", check.collisions.size()},
+                                 {"colliding_layers", layersOf(check.collisions)},
                                  {"rewinds", check.rewinds},
                                  {"findings", nlohmann::ordered_json::array()}};
   json["time_s"] = checked.time_s ? nlohmann::ordered_json(*checked.time_s) : nlohmann::ordered_json();
@@ -71,13 +79,15 @@ void printText(const Checked& checked, const std::string& machine) {
   const MachineCheck& check = checked.check;
   std::printf("machine     %s\n", machine.c_str());
   std::printf("waypoints   %zu\n", check.waypoints);
-  std::map<std::string, std::size_t> counts;
-  const std::vector<Finding> findings = findingsOf(check);
-  for (const Finding& finding : findings) {
-    if (++counts[finding.what] > kShown) continue;
+  std::map<std::string, std::vector<Finding>> by_kind;
+  for (const Finding& finding : findingsOf(check)) {
+    std::vector<Finding>& kind = by_kind[finding.what];
+    kind.push_back(finding);
+    if (kind.size() > kShown) continue;
     std::printf("%-11s %s: %s\n", finding.what.c_str(), toText(finding.at).c_str(), finding.reason.c_str());
   }
-  for (const auto& [what, count] : counts) std::printf("%-11s at %zu waypoints\n", what.c_str(), count);
+  for (const auto& [what, kind] : by_kind)
+    std::printf("%-11s at %zu waypoints in %zu layers\n", what.c_str(), kind.size(), layersOf(kind));
   std::printf("rewinds     %zu\n", check.rewinds);
   if (checked.time_s) std::printf("print time  %.1f s\n", *checked.time_s);
   std::printf("%s\n", check.isClear() ? "the machine can run it" : "the machine cannot run it");
@@ -104,7 +114,7 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   const JobSettings settings = jobSettingsFrom(options);
   validate(settings);
   const auto model = kinematicModelOf(settings.machine);
-  ToolpathInput input = readToolpath(arguments.input, settings);
+  ToolpathInput input = readInclinedToolpath(arguments.input, settings);
   // Programs state where on the bed they stand.
   const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
   if (is_toolpath && settings.placement == Placement::Centre)
@@ -130,6 +140,7 @@ void addCheck(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
       "check",
       "Check that a machine or robot reaches every waypoint and runs into nothing; exits with 2 if not");
+  subcommand->alias("clearance");  // the command of the release before
   const auto arguments = std::make_shared<CheckArguments>();
   subcommand
       ->add_option("input", arguments->input,

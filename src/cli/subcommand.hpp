@@ -45,7 +45,6 @@ inline constexpr char kOptimiseDescription[] =
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
 void addCheck(CLI::App& app, Chosen& chosen);
-void addClearance(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
 void addDecide(CLI::App& app, Chosen& chosen);
 void addDeposit(CLI::App& app, Chosen& chosen);

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs `lamina overhang` and `lamina clearance` as a person or a script does.
+"""Runs `lamina overhang` and `lamina check` for clearance as a person or a script does.
 
     overhang_and_clearance_test.py LAMINA
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -85,28 +86,35 @@ class OverhangAndClearance(unittest.TestCase):
         self.assertIn("slicing.plane.angle_deg is 30", refused["error"]["message"])
 
     def test_a_head_that_clears_exits_with_0(self):
-        told = self.told("clearance", "box", "--machine", "belt_45", "--set", "slicing.plane.angle_deg=45", *COARSE)
+        told = self.told("check", "box", "--machine", "belt_45", "--set", "slicing.plane.angle_deg=45", *COARSE)
         self.assertEqual(told["machine"], "belt_45")
         self.assertEqual(told["colliding_waypoints"], 0)
-        self.assertIsNone(told["first"])
+        self.assertEqual(told["findings"], [])
 
     def test_a_head_that_collides_exits_with_2_and_names_the_place(self):
         held_down = ["box", "--set", "slicing.plane.angle_deg=75", "--set", "slicing.plane.tool_axis=down", *COARSE]
-        told = self.told("clearance", *held_down, code=2)
-        first = told["first"]
+        told = self.told("check", *held_down, code=2)
+        first = told["findings"][0]
         self.assertGreater(told["colliding_waypoints"], 0)
-        self.assertEqual(first["obstacle"], "material")
-        self.assertLessEqual((first["deposited"]["layer"], first["deposited"]["path"]), (first["layer"], first["path"]))
-        text = run("clearance", *held_down).stdout
+        self.assertEqual(told["colliding_layers"], len({finding["layer"] for finding in told["findings"]}))
+        self.assertEqual(first["what"], "collision")
+        found = re.fullmatch(r"link '(\w+)' is in what was deposited at layer (\d+), path (\d+), waypoint \d+", first["reason"])
+        self.assertIsNotNone(found, first["reason"])
+        self.assertLessEqual((int(found[2]), int(found[3])), (first["layer"], first["path"]))
+        text = run("check", *held_down).stdout
         self.assertIn("layer %d, path %d, waypoint %d" % (first["layer"], first["path"], first["waypoint"]), text)
-        self.assertIn("link '%s'" % first["link"], text)
+        self.assertIn("at %d waypoints in %d layers" % (told["colliding_waypoints"], told["colliding_layers"]), text)
 
-    def test_what_cannot_be_checked_exits_with_1(self):
-        self.assertEqual(self.told("clearance", "/nowhere.gcode", code=1)["error"]["code"], "FileError")
+    def test_the_former_name_of_the_command_is_taken(self):
+        told = self.told("clearance", "box", "--machine", "gantry_45", "--set", "slicing.plane.angle_deg=45", *COARSE)
+        self.assertEqual(told, self.told("check", "box", "--machine", "gantry_45", "--set", "slicing.plane.angle_deg=45", *COARSE))
+
+    def test_what_cannot_be_read_exits_with_1_and_what_is_out_of_reach_with_2(self):
+        self.assertEqual(self.told("check", "/nowhere.gcode", code=1)["error"]["code"], "FileError")
         program = self.path("box.gcode")
         self.assertEqual(run("slice", "box", *COARSE, "-o", program).returncode, 0)
-        refused = self.told("clearance", program, "--machine", "gantry_45", code=1)
-        self.assertEqual(refused["error"]["code"], "Unreachable")
+        told = self.told("check", program, "--machine", "gantry_45", code=2)
+        self.assertEqual({finding["what"] for finding in told["findings"]}, {"out_of_reach"})
 
 
 if __name__ == "__main__":
