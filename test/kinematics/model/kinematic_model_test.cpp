@@ -150,7 +150,7 @@ TEST(KinematicModel, RefusesDescriptionsByWhatIsWrongWithThem) {
   const std::string unknown =
       test::descriptionFailure(kinematicModelGantryWith("<joint name=\"x\"", "<joint name=\"left\""));
   EXPECT_EQ(unknown.find(
-                "machine 'cartesian_gantry' has no joint by which its kind is reported; expected one of x"),
+                "machine 'cartesian_gantry' has no joint by which its kind is recognised; expected one of x"),
             0U);
 }
 

@@ -92,14 +92,14 @@ MachineAxis axisOf(const Model& model, int index, const Point3& direction) {
 
 std::vector<std::string> machineNames() {
   std::vector<std::string> names;
-  for (const MachineText& text : machineTexts()) names.push_back(text.name);
+  for (const MachineText& text : machineTexts()) names.emplace_back(text.name);
   return names;
 }
 
 CartesianMachine machineByName(const std::string& name) {
   for (const auto* texts : {&machineTexts(), &robotTexts()})
     for (const MachineText& text : *texts)
-      if (text.name == name) return machineFromUrdf(text.urdf);
+      if (text.name == name) return machineFromUrdf(std::string(text.urdf));
   throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(kinematicModelNames()));
 }
 

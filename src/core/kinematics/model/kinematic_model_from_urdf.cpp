@@ -36,8 +36,8 @@ std::string listedKinds() {
 
 std::vector<std::string> kinematicModelNames() {
   std::vector<std::string> names;
-  for (const MachineText& text : machineTexts()) names.push_back(text.name);
-  for (const MachineText& text : robotTexts()) names.push_back(text.name);
+  for (const MachineText& text : machineTexts()) names.emplace_back(text.name);
+  for (const MachineText& text : robotTexts()) names.emplace_back(text.name);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -45,7 +45,7 @@ std::vector<std::string> kinematicModelNames() {
 std::unique_ptr<KinematicModel> kinematicModelByName(const std::string& name) {
   for (const auto* texts : {&machineTexts(), &robotTexts()})
     for (const MachineText& text : *texts)
-      if (text.name == name) return kinematicModelFromUrdf(text.urdf);
+      if (text.name == name) return kinematicModelFromUrdf(std::string(text.urdf));
   throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(kinematicModelNames()));
 }
 
@@ -54,7 +54,7 @@ std::unique_ptr<KinematicModel> kinematicModelFromUrdf(const std::string& text) 
   for (const Kind& kind : kKinds)
     if (model->getJoint(kind.joint)) return kind.read(*model, text);
   throw InvalidConfig("machine '" + model->getName() +
-                      "' has no joint by which its kind is reported; expected one of " + listedKinds());
+                      "' has no joint by which its kind is recognised; expected one of " + listedKinds());
 }
 
 }  // namespace lamina

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace lamina {
 
-/// A machine's description as built into the library.
+/// A machine's description as built into the library, whose memory it stands in.
 struct MachineText {
-  std::string name;
-  std::string urdf;
+  std::string_view name;
+  std::string_view urdf;
 };
 
 /// The files of `urdf/` that `machineFromUrdf` reads, in alphabetical order.
