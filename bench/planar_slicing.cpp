@@ -12,6 +12,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/slicing/planar/planar_slicer.hpp"
+#include "support/solids.hpp"
 
 namespace {
 
@@ -21,29 +22,10 @@ using namespace lamina;
 /// triangles.
 Mesh bumpySphere(std::size_t triangles) {
   const auto rings = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles) / 4.0)) + 1;
-  const std::uint32_t around = 2 * rings;
-  Mesh mesh;
-  const auto put = [&mesh](double theta, double phi) {
+  return test::starShaped(rings, 2 * rings, [](double theta, double phi) {
     const double bump = std::sin(9.0 * phi) * std::sin(7.0 * theta) * std::sin(theta) * std::sin(theta);
-    const double r = 40.0 * (1.0 + 0.12 * bump);
-    mesh.vertices.emplace_back(r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi),
-                               r * std::cos(theta));
-  };
-  put(0.0, 0.0);
-  for (std::uint32_t i = 1; i < rings; ++i)
-    for (std::uint32_t j = 0; j < around; ++j) put(M_PI * i / rings, 2.0 * M_PI * j / around);
-  put(M_PI, 0.0);
-  const auto at = [around](std::uint32_t i, std::uint32_t j) { return 1 + (i - 1) * around + j % around; };
-  const auto south = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
-  for (std::uint32_t j = 0; j < around; ++j) {
-    mesh.triangles.push_back({0, at(1, j), at(1, j + 1)});
-    mesh.triangles.push_back({south, at(rings - 1, j + 1), at(rings - 1, j)});
-    for (std::uint32_t i = 1; i + 1 < rings; ++i) {
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
+    return 40.0 * (1.0 + 0.12 * bump);
+  });
 }
 
 std::vector<double> planes(std::size_t count) {
