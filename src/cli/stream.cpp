@@ -49,24 +49,34 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
   const double lines_per_s =
       duration_s > 0.0 ? static_cast<double>(status.lines_acknowledged) / duration_s : 0.0;
   if (format == OutputFormat::Json) {
-    const nlohmann::ordered_json json = {
-        {"lines", status.lines_total},    {"acknowledged", status.lines_acknowledged},
-        {"resends", status.resends},      {"probes", status.probes},
-        {"duration_s", duration_s},       {"lines_per_s", lines_per_s},
-        {"state", toString(status.state)}};
+    const nlohmann::ordered_json json = {{"lines", status.lines_total},
+                                         {"acknowledged", status.lines_acknowledged},
+                                         {"resends", status.resends},
+                                         {"probes", status.probes},
+                                         {"duration_s", duration_s},
+                                         {"lines_per_s", lines_per_s},
+                                         {"firmware", status.firmware_name},
+                                         {"not_done", status.commands_not_done},
+                                         {"first_not_done", status.first_not_done},
+                                         {"state", toString(status.state)}};
     std::printf("%s\n", json.dump().c_str());
     return;
   }
   std::printf("%s: %llu lines in %.1f s (%.0f per second), %llu resends\n", toString(status.state),
               static_cast<unsigned long long>(status.lines_acknowledged), duration_s, lines_per_s,
               static_cast<unsigned long long>(status.resends));
+  if (!status.firmware_name.empty()) std::printf("firmware: %s\n", status.firmware_name.c_str());
+  if (status.commands_not_done > 0)
+    std::printf("not done: %llu commands, the first with \"%s\"\n",
+                static_cast<unsigned long long>(status.commands_not_done), status.first_not_done.c_str());
 }
 
 Counts countsOf(const StreamStatus& status) {
   return {{"lines", status.lines_total},
           {"acknowledged", status.lines_acknowledged},
           {"resends", status.resends},
-          {"probes", status.probes}};
+          {"probes", status.probes},
+          {"not_done", status.commands_not_done}};
 }
 
 void runStream(const StreamArguments& arguments, Chosen& chosen) {

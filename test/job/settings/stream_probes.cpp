@@ -43,6 +43,7 @@ std::vector<SettingProbe> streamProbes() {
        silentAt(Silence::OnceBegun, kTenMoves),
        {{"stream.window_bytes=100", "stream.window_lines=20"},
         {"stream.window_lines=2"},
+        {"stream.link=lossy"},
         {"stream.max_line_bytes=32"},
         {"stream.probe_after_s=4"},
         {"stream.silence_timeout_s=20"},
@@ -53,7 +54,7 @@ std::vector<SettingProbe> streamProbes() {
        silentAt(Silence::OnceBegun, "G28\nG1 X1\n"),
        {{"stream.blocking_timeout_s=600"}}},
       {"a machine that confirms no safe stop",
-       "",
+       "stream.temperature_interval_s=0",
        silentAt(Silence::FromTheAbort, kTenMoves),
        {{"stream.safe_stop_timeout_s=3"}, {"stream.keep_heaters_on=true"}}},
       {"a machine that loses lines", "stream.temperature_interval_s=0", lossy, {{"stream.settle_s=0.5"}}}};

@@ -14,6 +14,10 @@ std::string tenLines() {
   return text;
 }
 
+constexpr char kMarlin[] =
+    "FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026) SOURCE_CODE_URL:github.com/MarlinFirmware/Marlin "
+    "PROTOCOL_VERSION:1.0\nCap:AUTOREPORT_TEMP:1\nok\n";
+
 class ScriptedPeer : public testing::Test {
  protected:
   static StreamSettings settings() {
@@ -25,6 +29,8 @@ class ScriptedPeer : public testing::Test {
   /// Begins a job and answers until its first lines are under way.
   void begin(Streamer& streamer) {
     streamer.start(0.0);
+    EXPECT_EQ(streamer.takeOutput(), "M115\n");
+    streamer.receive(kMarlin, 0.0);
     EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
     streamer.receive("ok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n", 0.0);
     EXPECT_EQ(streamer.status().state, PackmlState::Execute);
@@ -203,7 +209,145 @@ TEST_F(ScriptedPeer, GreetsAgainWhenTheMachineHasJustBooted) {
   streamer.start(0.0);
   streamer.takeOutput();
   streamer.receive("start\necho:Marlin 2.1\n", 1.5);
+  EXPECT_EQ(streamer.takeOutput(), "M115\n");
+  streamer.receive(kMarlin, 1.6);
   EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
+}
+
+TEST_F(ScriptedPeer, KnowsWhoAnswersBeforeItSendsAnythingElse) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  EXPECT_EQ(streamer.status().firmware_name, "Marlin 2.1.2 (Nov 22 2026)");
+}
+
+TEST_F(ScriptedPeer, LeavesFirmwareThatSpeaksOtherwiseAlone) {
+  for (const std::string name : {"Klipper", "RepRapFirmware for Duet 3 MB6HC", "Grbl 1.1h"}) {
+    Streamer streamer(program_, settings());
+    streamer.start(0.0);
+    streamer.takeOutput();
+    streamer.receive("FIRMWARE_NAME: " + name + " FIRMWARE_VERSION: 3.5\nok\n", 0.1);
+    EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+    EXPECT_EQ(streamer.status().failure.code, ErrorCode::Rejected);
+    EXPECT_NE(streamer.status().failure.message.find("\"" + name + "\""), std::string::npos);
+    EXPECT_EQ(streamer.takeOutput(), "") << "its heaters are none of ours";
+  }
+}
+
+TEST_F(ScriptedPeer, WaitsForAMachineThatHeatsForAnotherSenderAndStopsNothingThere) {
+  Streamer streamer(program_, settings());
+  streamer.start(0.0);
+  EXPECT_EQ(streamer.takeOutput(), "M115\n");
+  for (double now = 1.0; now < 120.0; now += 1.0) {
+    streamer.receive(" T:80.0 /200.0 B:20.0 /0.0 @:127 W:?\n", now);
+    streamer.elapse(now);
+    EXPECT_EQ(streamer.status().state, PackmlState::Starting);
+    EXPECT_EQ(streamer.takeOutput(), "");
+  }
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 120.0);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.takeOutput(), "");
+}
+
+TEST_F(ScriptedPeer, AbortsWhenAMachineWhoseGreetingWasNotSeenCountsAnew) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("ok\nok\nok\n", 0.1);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1\nok\n", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), frameLine(9, "M105")) << "noise may have changed the number";
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+  streamer.receive("Resend: 1\nok\n", 0.3);
+  EXPECT_EQ(streamer.status().failure.code, ErrorCode::DeviceError);
+  EXPECT_NE(streamer.status().failure.message.find("asks for line 1, which it has taken"), std::string::npos);
+}
+
+TEST_F(ScriptedPeer, FollowsARequestWhoseNumberNoiseHadChanged) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("ok\nok\nok\n", 0.1);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1\nok\n", 0.2);
+  streamer.takeOutput();
+  streamer.receive("Resend: 5\nok\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+}
+
+TEST_F(ScriptedPeer, AbortsAtAGreetingBehindStrayBytes) {
+  for (const std::string greeting :
+       {"\xff"
+        "start",
+        "\x01\x80start", "Grbl 1.1h ['$' for help]", "RepRapFirmware for Duet 3 MB6HC is up and running."}) {
+    Streamer streamer(program_, settings());
+    begin(streamer);
+    streamer.receive("ok\n" + greeting + "\n", 1.0);
+    EXPECT_EQ(streamer.status().failure.code, ErrorCode::DeviceError) << greeting;
+  }
+}
+
+TEST_F(ScriptedPeer, HasOneLineUnderWayOnALossyLink) {
+  StreamSettings lossy = settings();
+  lossy.link = LinkKind::Lossy;
+  Streamer streamer(program_, lossy);
+  begin(streamer);
+  EXPECT_EQ(streamer.takeOutput(), line(1));
+  streamer.receive("ok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), line(2));
+}
+
+TEST_F(ScriptedPeer, TakesAnOkForALinesWhereFirmwareSaysNoneAfterARequest) {
+  StreamSettings lossy = settings();
+  lossy.link = LinkKind::Lossy;
+  Streamer streamer(program_, lossy);
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1\n", 0.1);
+  streamer.elapse(streamer.nextDeadline());
+  EXPECT_EQ(streamer.takeOutput(), line(1));
+  streamer.receive("ok\n", 0.2);
+  EXPECT_EQ(streamer.takeOutput(), line(2)) << "without waiting for a probe";
+}
+
+TEST_F(ScriptedPeer, CountsCommandsThatWereNotDone) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.receive("ok\necho: cold extrusion prevented\nok\necho:Unknown command: \"G1 X3\"\nok\n", 0.1);
+  EXPECT_EQ(streamer.status().commands_not_done, 2U);
+  EXPECT_EQ(streamer.status().first_not_done, "echo: cold extrusion prevented");
+  streamer.receive("Resend: 3\nok\n",
+                   0.2);  // what was unknown was a line without its number, and is sent again
+  EXPECT_EQ(streamer.status().commands_not_done, 1U);
+}
+
+TEST_F(ScriptedPeer, PausesAndResumesWhenTheMachineAsksForIt) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.receive("//action:out_of_filament\nok\nok\nok\nok\n", 0.1);
+  EXPECT_EQ(streamer.status().state, PackmlState::Held);
+  EXPECT_EQ(streamer.status().message, "//action:out_of_filament");
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.receive("// action:resume\n", 60.0);
+  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
+}
+
+TEST_F(ScriptedPeer, GoesOnOnlyWhereTheMachineItselfHadPaused) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.pause(0.1);
+  streamer.receive("ok\nok\nok\nok\n//action:resume\n", 0.2);
+  EXPECT_EQ(streamer.status().state, PackmlState::Held);
+}
+
+TEST_F(ScriptedPeer, EndsWhenTheMachineAsksForItOrHalts) {
+  for (const std::string message : {"// action:cancel", "//action:kill", "fatal: heater 1 disconnected"}) {
+    Streamer streamer(program_, settings());
+    begin(streamer);
+    streamer.takeOutput();
+    streamer.receive(message + "\n", 1.0);
+    EXPECT_EQ(streamer.status().state, PackmlState::Aborting) << message;
+    EXPECT_NE(streamer.status().failure.message.find(message), std::string::npos);
+  }
 }
 
 TEST_F(ScriptedPeer, AbortsWhenTheMachineIsResetDuringAJob) {
@@ -252,7 +396,7 @@ TEST_F(ScriptedPeer, SaysThatTheMachineWasNotStoppedWhenTheLinkStaysLost) {
   EXPECT_EQ(streamer.status().failure.code, ErrorCode::Disconnected);
   EXPECT_EQ(streamer.status().failure.message,
             "lost the link; line 1 of 10 was the last acknowledged; the link did not come back, so that the "
-            "machine was not reported to stop: look after it");
+            "machine was not told to stop: look after it");
 }
 
 TEST_F(ScriptedPeer, StopsTheMachineOnceTheLinkIsBack) {

@@ -20,6 +20,8 @@ class BracketFirmware : public MarlinFirmware {
   MarlinReply read(std::string_view line) const override {
     return MarlinFirmware::read(line == "done" ? "ok" : line);
   }
+  std::string identification() const override { return "WHO?"; }
+  bool isSpokenBy(std::string_view firmware_name) const override { return firmware_name == "Brackets"; }
   std::string numberedFrom(std::uint64_t number) const override { return "COUNT " + std::to_string(number); }
   std::string harmless() const override { return "HEAT?"; }
   std::string endOfMotions() const override { return "REST"; }
@@ -39,6 +41,8 @@ TEST(FirmwareProtocol, ThatWasAddedIsSpokenToAProgramsEnd) {
                                                                          std::make_shared<BracketFirmware>());
   Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n", 96), bracketSettings());
   streamer.start(0.0);
+  EXPECT_EQ(streamer.takeOutput(), "WHO?\n");
+  streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
   EXPECT_EQ(streamer.takeOutput(), "[0] COUNT 0\n[2] HEAT?\n");
   streamer.receive("Resend: 1\ndone\n", 0.1);
   EXPECT_EQ(streamer.takeOutput(), "[1] G1 X1\n");
@@ -55,6 +59,7 @@ TEST(FirmwareProtocol, ThatWasAddedStopsSafely) {
                                                                          std::make_shared<BracketFirmware>());
   Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n", 96), bracketSettings());
   streamer.start(0.0);
+  streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
   streamer.receive("Resend: 1\ndone\n", 0.1);
   streamer.takeOutput();
   streamer.abort({ErrorCode::Cancelled, "stopped"}, 0.2);

@@ -2,17 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "lamina/base/settings.hpp"
 
 namespace lamina {
 
+/// Whether bytes get lost or damaged between this computer and the firmware.
+enum class LinkKind : std::uint8_t {
+  Auto,      ///< by the port: network, pseudo-terminal and USB CDC (`ttyACM`) are reliable, all others lossy
+  Lossy,     ///< a UART, at the board or behind a USB adapter
+  Reliable,  ///< makes the sender wait instead
+};
+
 /// How a program is streamed to firmware.
 struct StreamSettings {
   std::string firmware = "marlin";  ///< what it speaks, by its name (`firmwareProtocols`)
-  int window_bytes = 127;         ///< sent and not yet acknowledged; less than the firmware's receive buffer
-  int window_lines = 4;           ///< sent and not yet acknowledged; the firmware's command queue (BUFSIZE)
+  int window_bytes = 127;  ///< sent and not yet acknowledged; less than the firmware's receive buffer
+  int window_lines = 0;    ///< sent and not yet acknowledged; 0 for 1 on a lossy link and 4 on others
+  LinkKind link = LinkKind::Auto;
   int max_line_bytes = 96;        ///< the firmware's longest line (MAX_CMD_SIZE)
   double connect_timeout_s = 10;  ///< until the machine answers
   double probe_after_s =
@@ -28,6 +37,15 @@ struct StreamSettings {
 
 /// Adds the keys stream.*.
 void describe(SettingsSchema& schema, StreamSettings& settings);
+
+/// What the port's name says of its link; of a link in the file system, where it leads to.
+LinkKind linkOf(const std::string& port);
+
+/// The lines that may be under way. Firmware that refuses a damaged line discards what it has received of the
+/// lines behind it, and takes the rest of the one that is just arriving for a line without number: so on a
+/// lossy link none may follow before the answer.
+/// @param link  `Auto` counts as reliable
+int windowLines(const StreamSettings& settings, LinkKind link);
 
 /// @throws InvalidConfig if a line would not fit into the window, or nothing speaks to the firmware
 void validate(const StreamSettings& settings);

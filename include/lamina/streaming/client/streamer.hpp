@@ -26,6 +26,9 @@ struct StreamStatus {
   std::uint64_t lines_acknowledged = 0;  ///< taken by the machine; exact after each resend and at the end
   std::uint64_t resends = 0;             ///< requests to send again that were followed
   std::uint64_t probes = 0;              ///< times the machine had to be asked which line it has
+  std::uint64_t commands_not_done = 0;   ///< unknown to the firmware, or extrusion with a cold nozzle
+  std::string first_not_done;            ///< what the firmware said of the first of these
+  std::string firmware_name;             ///< as the machine gave it; empty before, or if it gave none
   std::int32_t layer = -1;               ///< of the last line acknowledged; -1 before the first
   std::optional<MarlinTemperatures> temperatures;
   std::optional<MarlinPosition> position;
@@ -40,13 +43,15 @@ using ReplyListener = std::function<void(const MarlinReply&)>;
 /// own. Bytes, times and commands go in, bytes to send come out; times are seconds since any start and never
 /// go back.
 ///
-/// Life: Idle, `start`, Starting (line numbers are set and confirmed), Execute, Completing (the machine has
-/// every line and finishes its motions), Complete. `pause` leads through Holding, when the lines under way
-/// are taken, to Held; `abort` and every failure lead through Aborting, a safe stop that the machine
-/// confirms, to Aborted.
+/// Life: Idle, `start`, Starting (who is there is asked; line numbers are set and confirmed), Execute,
+/// Completing (the machine has every line and finishes its motions), Complete. `pause` leads through Holding,
+/// when the lines under way are taken, to Held; `abort` and every failure lead through Aborting, a safe stop
+/// that the machine confirms, to Aborted. A machine that got no line of the program gets no safe stop either:
+/// what it does is somebody else's.
 ///
-/// No line is lost and none is run twice, whatever happens on the way: every line carries its number, the
-/// firmware takes them in order only, and before Complete it has reported that it has the last one.
+/// No line is lost and none is run twice, or the job ends in Aborted: every line carries its number, the
+/// firmware takes them in order only, before Complete it has reported that it has the last one, and one that
+/// asks for lines which it had taken was reset.
 class Streamer {
  public:
   /// @param heard  may be empty

@@ -25,6 +25,10 @@ class FirmwareProtocol {
   /// What a line of the firmware means. Nothing is refused: an unknown line is Information.
   virtual MarlinReply read(std::string_view line) const = 0;
 
+  /// Asks the firmware for its name (`MarlinReply::firmware_name`) and changes nothing.
+  virtual std::string identification() const = 0;
+  /// Whether a firmware of that name speaks this protocol.
+  virtual bool isSpokenBy(std::string_view firmware_name) const = 0;
   /// Sets the number that lines count on from.
   virtual std::string numberedFrom(std::uint64_t number) const = 0;
   /// Changes nothing, and is answered with the temperatures.

@@ -19,6 +19,11 @@ namespace {
 constexpr double kProgressInterval = 0.05;  // s
 constexpr std::chrono::milliseconds kReopenInterval{200};
 
+StreamSettings atPort(StreamSettings settings, const std::string& port) {
+  if (settings.link == LinkKind::Auto) settings.link = linkOf(port);
+  return settings;
+}
+
 }  // namespace
 
 class StreamSession::Impl {
@@ -27,7 +32,7 @@ class StreamSession::Impl {
        ReplyListener heard)
       : port_(std::move(port)),
         observer_(std::move(observer)),
-        streamer_(program, settings, std::move(heard)),
+        streamer_(program, atPort(settings, port_.name), std::move(heard)),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
     transport_->open(events());

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/client/stream_settings.hpp"
 
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/firmware/firmware_protocol.hpp"
 
@@ -13,8 +17,14 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
                 "Firmware of the machine.");
   schema.integer("stream.window_bytes", settings.window_bytes, {32, 65536},
                  "Bytes sent and not yet acknowledged; below the firmware's receive buffer.");
-  schema.integer("stream.window_lines", settings.window_lines, {1, 256},
-                 "Lines sent and not yet acknowledged; at most the firmware's command queue.");
+  schema.integer(
+      "stream.window_lines", settings.window_lines, {0, 256},
+      "Lines sent and not yet acknowledged, at most the firmware's command queue; 0 for 1 on a lossy "
+      "link and 4 on a reliable one.");
+  schema.choice<LinkKind>(
+      "stream.link", settings.link,
+      {{"auto", LinkKind::Auto}, {"lossy", LinkKind::Lossy}, {"reliable", LinkKind::Reliable}},
+      "Whether bytes get lost or damaged on the way, as on a UART; auto goes by the port.");
   schema.integer("stream.max_line_bytes", settings.max_line_bytes, {32, 4096},
                  "Longest line the firmware takes, with number and checksum.");
   schema.number("stream.connect_timeout_s", settings.connect_timeout_s, times,
@@ -35,6 +45,22 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
                  "Interval of the machine's temperature reports; 0 for none.");
   schema.integer("stream.position_interval_s", settings.position_interval_s, {0, 60},
                  "Interval of the machine's position reports; 0 for none.");
+}
+
+LinkKind linkOf(const std::string& port) {
+  if (port.compare(0, 4, "tcp:") == 0) return LinkKind::Reliable;
+  std::error_code error;
+  const std::string device = std::filesystem::canonical(port, error).string();
+  const std::string name = error ? port : device;
+  for (const char* reliable : {"/dev/pts/", "/dev/ttyACM"})
+    if (name.compare(0, std::string_view(reliable).size(), reliable) == 0) return LinkKind::Reliable;
+  return LinkKind::Lossy;
+}
+
+int windowLines(const StreamSettings& settings, LinkKind link) {
+  constexpr int kReliable = 4;  // Marlin's command queue (BUFSIZE)
+  if (settings.window_lines > 0) return settings.window_lines;
+  return link == LinkKind::Lossy ? 1 : kReliable;
 }
 
 void validate(const StreamSettings& settings) {

@@ -63,6 +63,10 @@ std::string defectOf(const std::string& command, int max_line_bytes) {
     return "starts with '" + command.substr(0, 1) + "'; expected a command letter";
   }
   if (isCommand(command, "M110")) return "sets the line number, which belongs to the streamer";
+  if (command.find("M110") != std::string::npos)
+    return "has 'M110' in its text, which Marlin takes for the setting of a line number";
+  if (command.find('\\') != std::string::npos)
+    return "has a '\\', which Marlin leaves out of a line before it looks at the checksum";
   return {};
 }
 

@@ -59,6 +59,7 @@ Streamer::Machine::Machine(const StreamableProgram& program, const StreamSetting
                            ReplyListener heard)
     : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
   validate(settings);
+  settings_.window_lines = windowLines(settings, settings.link);
   firmware_ = firmwareProtocols().find(settings.firmware);
   heard_ = std::move(heard);
   status_.lines_total = program.lines();
@@ -97,7 +98,27 @@ double Streamer::Machine::nextDeadline() const {
 void Streamer::Machine::start(double now) {
   if (status_.state != PackmlState::Idle) return;
   enter(PackmlState::Starting);
-  beginNumbering(0, now);
+  identify(now);
+}
+
+/// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
+/// @return whether the request must not be followed
+bool Streamer::Machine::isRefuted(std::uint64_t wanted, double now) {
+  if (isStopping() || !proof_.contradicts(wanted, status_.lines_acknowledged)) {
+    is_asking_again_ = false;
+    return false;
+  }
+  if (!std::exchange(is_asking_again_, true)) {
+    sent_.clear();
+    settle_until_ = 0.0;
+    beginPhase(Phase::Probing, now);
+    probe(now);
+    return true;
+  }
+  abort({ErrorCode::DeviceError, "the machine asks for line " + std::to_string(wanted) +
+                                     ", which it has taken before: it was reset" + whereItStands()},
+        now);
+  return true;
 }
 
 void Streamer::Machine::beginNumbering(std::uint64_t base, double now) {
@@ -112,6 +133,7 @@ void Streamer::Machine::nextReport(double now) {
     output_ += reports_.back() + "\n";
     return;
   }
+  has_begun_ = true;
   enter(PackmlState::Execute);
   beginPhase(Phase::Feeding, now);
   proceed(now);
@@ -191,11 +213,12 @@ void Streamer::Machine::elapse(double now) {
   if (isStopping() && now >= safe_stop_by_) {
     finishAborted(
         phase_ == Phase::Offline
-            ? "; the link did not come back, so that the machine was not reported to stop: look after it"
+            ? "; the link did not come back, so that the machine was not told to stop: look after it"
             : "; the machine did not confirm the safe stop");
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
   } else if (now >= timer_.retryAt()) {
+    proof_.doubt(settings_.window_lines + 2);  // answers to what was sent may be late, not lost
     retry(now);
   } else if (isSettling() && now >= settle_until_) {
     proceed(now);
@@ -205,6 +228,9 @@ void Streamer::Machine::elapse(double now) {
 void Streamer::Machine::retry(double now) {
   timer_.asked(now);
   switch (phase_) {
+    case Phase::Identifying:
+      output_ += firmware_->identification() + "\n";
+      break;
     case Phase::Numbering:
       if (isStopping()) output_ += urgentStop();
       output_ += firmware_->framed(base_, firmware_->numberedFrom(base_));
@@ -276,6 +302,7 @@ bool Streamer::Machine::pause(double now) {
 
 bool Streamer::Machine::resume(double now) {
   if (status_.state != PackmlState::Held && status_.state != PackmlState::Holding) return false;
+  is_paused_by_machine_ = false;
   if (status_.state == PackmlState::Holding) enter(PackmlState::Held);
   enter(PackmlState::Unholding);
   enter(PackmlState::Execute);
@@ -286,9 +313,8 @@ bool Streamer::Machine::resume(double now) {
 void Streamer::Machine::abort(const Failure& why, double now) {
   if (isStopping() || isFinal(status_.state)) return;
   status_.failure = why;
-  const bool is_machine_there = has_answered_ && status_.state != PackmlState::Idle;
   enter(PackmlState::Aborting);
-  if (!is_machine_there) {
+  if (!has_begun_) {
     finishAborted("");
     return;
   }
@@ -312,7 +338,7 @@ void Streamer::Machine::disconnect(const std::string& why, double now) {
   if (!isStopping()) {
     status_.failure = {ErrorCode::Disconnected, why + whereItStands()};
     enter(PackmlState::Aborting);
-    if (!has_answered_) {
+    if (!has_begun_) {
       finishAborted("");
       return;
     }
@@ -362,6 +388,7 @@ void Streamer::Machine::receive(std::string_view bytes, double now) {
 void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
   if (heard_) heard_(reply);
   if (phase_ == Phase::Idle) return;
+  if (!reply.firmware_name.empty()) onIdentity(reply, now);
   if (reply.temperatures) status_.temperatures = reply.temperatures;
   if (reply.position) status_.position = reply.position;
   if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures)) {
@@ -374,6 +401,10 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
     if (status_.state != PackmlState::Starting) timer_.restart(now);
     if (isSettling()) settle_until_ = now + settings_.settle_s;
   }
+  // A machine that boots, or that another sender has made heat, answers later.
+  const bool is_alive = reply.kind == ReplyKind::Busy || reply.temperatures;
+  if (is_alive && status_.state == PackmlState::Starting) timer_.restart(now);
+  proof_.hear(reply);
   switch (reply.kind) {
     case ReplyKind::Ok:
       if (!is_ok_of_resend) onOk(reply, now);
@@ -390,19 +421,32 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
     case ReplyKind::Warning:
       status_.message = reply.text;
       break;
-    case ReplyKind::Information:
-      if (reply.text.find("Unknown command") != std::string::npos) status_.message = reply.text;
+    case ReplyKind::NotDone:
+      onNotDone(reply);
+      break;
+    case ReplyKind::Pause:
+      onPause(reply, now);
+      break;
+    case ReplyKind::Resume:
+      onResume(now);
+      break;
+    case ReplyKind::Cancel:
+      onCancel(reply, now);
       break;
     case ReplyKind::Busy:
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
       break;
     case ReplyKind::LineError:
+    case ReplyKind::Unreadable:
+    case ReplyKind::Information:
       break;
   }
 }
 
 void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
-  if (phase_ == Phase::Reporting) {
+  if (phase_ == Phase::Identifying) {
+    beginNumbering(0, now);
+  } else if (phase_ == Phase::Reporting) {
     reports_.pop_back();
     report_attempts_ = 0;
     nextReport(now);
@@ -422,6 +466,9 @@ void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
 
 void Streamer::Machine::acknowledgedUpTo(std::uint64_t line) {
   if (isStopping() || line <= status_.lines_acknowledged) return;
+  undone_.acknowledge(line);
+  status_.commands_not_done = undone_.count();
+  proof_.acknowledged();
   status_.lines_acknowledged = line;
   status_.layer = feed_.layerOf(line);
 }
@@ -433,6 +480,7 @@ void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
     if (*reply.line != base_ + 1) return;
     refusals_in_a_row_ = 0;
     sent_.clear();
+    if (!isStopping()) proof_.asked(base_ + 1);
     if (isStopping()) {
       beginPhase(Phase::Feeding, now);
       proceed(now);
@@ -440,8 +488,9 @@ void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
       nextReport(now);
     }
   } else if (phase_ == Phase::Probing) {
-    onProbeAnswer(*reply.line, now);
+    if (!isRefuted(*reply.line, now)) onProbeAnswer(*reply.line, now);
   } else if (phase_ == Phase::Feeding) {
+    if (isRefuted(*reply.line, now)) return;
     if (*reply.line == rewound_to_ && sent_.absorbRefusal()) return;
     if (goTo(*reply.line, now)) onRefusal(*reply.line, now);
   }
@@ -458,9 +507,12 @@ void Streamer::Machine::onRefusal(std::uint64_t wanted, double now) {
 }
 
 void Streamer::Machine::settle(double now) {
-  if (!isSettling() || (now < settle_until_ && sent_.hasStale())) return;
+  if (!isSettling()) return;
+  if (now < settle_until_ && (sent_.hasStale() || expects_ok_of_resend_)) return;
   sent_.dropStale();
   settle_until_ = 0.0;
+  // Some firmware says no ok after a request; one that comes later than this counts for a line.
+  if (std::exchange(expects_ok_of_resend_, false)) proof_.doubt(1);
 }
 
 /// A job has ended when its motions have. A safe stop has ended when the machine says that it no longer
@@ -488,6 +540,9 @@ bool Streamer::Machine::goTo(std::uint64_t line, double now) {
   refusals_in_a_row_ = line == rewound_to_ ? refusals_in_a_row_ + 1 : 0;
   rewound_to_ = line;
   if (!isStopping()) {
+    proof_.asked(line);
+    undone_.rewind(line);
+    status_.commands_not_done = undone_.count();
     status_.lines_acknowledged = line - 1;
     status_.layer = feed_.layerOf(line - 1);
   }
@@ -499,16 +554,38 @@ bool Streamer::Machine::goTo(std::uint64_t line, double now) {
 }
 
 void Streamer::Machine::onStart(double now) {
-  if (phase_ == Phase::Numbering) {
-    timer_.restart(now);
-    retry(now);
-    return;
-  }
+  if (status_.state == PackmlState::Starting) return identify(now);
   abort({ErrorCode::DeviceError, "the machine was reset" + whereItStands()}, now);
 }
 
 void Streamer::Machine::onFatal(const MarlinReply& reply, double now) {
   abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + whereItStands()}, now);
+}
+
+void Streamer::Machine::onCancel(const MarlinReply& reply, double now) {
+  abort({ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"" + whereItStands()}, now);
+}
+
+void Streamer::Machine::onPause(const MarlinReply& reply, double now) {
+  status_.message = reply.text;
+  if (pause(now)) is_paused_by_machine_ = true;
+}
+
+void Streamer::Machine::onNotDone(const MarlinReply& reply) {
+  status_.message = reply.text;
+  if (isStopping()) return;
+  if (undone_.count() == 0) status_.first_not_done = reply.text;
+  undone_.announce();
+}
+
+/// Nothing but the question for its name has been sent yet.
+void Streamer::Machine::onIdentity(const MarlinReply& reply, double now) {
+  status_.firmware_name = reply.firmware_name;
+  if (phase_ != Phase::Identifying || firmware_->isSpokenBy(reply.firmware_name)) return;
+  abort({ErrorCode::Rejected, "the machine's firmware is \"" + reply.firmware_name +
+                                  "\", which does not speak " + settings_.firmware +
+                                  "; expected another stream.firmware"},
+        now);
 }
 
 std::string Streamer::Machine::whereItStands() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/firmware/firmware_protocol.hpp"
 #include "streaming/client/line_feed.hpp"
+#include "streaming/client/line_proof.hpp"
 #include "streaming/client/sent_lines.hpp"
+#include "streaming/client/undone_commands.hpp"
 
 namespace lamina {
 
@@ -69,13 +72,14 @@ class Streamer::Machine {
  private:
   /// What is being waited for.
   enum class Phase {
-    Idle,       ///< nothing
-    Numbering,  ///< the firmware to count lines from base_ on, and to report so
-    Reporting,  ///< the ok to each of reports_
-    Feeding,    ///< answers to the lines under way
-    Probing,    ///< which line the firmware has
-    Draining,   ///< the end of all motions, or of all heating
-    Offline,    ///< the link to come back, for the safe stop
+    Idle,         ///< nothing
+    Identifying,  ///< who is there
+    Numbering,    ///< the firmware to count lines from base_ on, and to report so
+    Reporting,    ///< the ok to each of reports_
+    Feeding,      ///< answers to the lines under way
+    Probing,      ///< which line the firmware has
+    Draining,     ///< the end of all motions, or of all heating
+    Offline,      ///< the link to come back, for the safe stop
   };
 
   void enter(PackmlState state);
@@ -89,7 +93,19 @@ class Streamer::Machine {
   void onRefusal(std::uint64_t wanted, double now);
   void onStart(double now);
   void onFatal(const MarlinReply& reply, double now);
+  void onCancel(const MarlinReply& reply, double now);
+  void onPause(const MarlinReply& reply, double now);
+  void onResume(double now) {
+    if (is_paused_by_machine_) resume(now);
+  }
+  void onNotDone(const MarlinReply& reply);
+  void onIdentity(const MarlinReply& reply, double now);
 
+  void identify(double now) {
+    beginPhase(Phase::Identifying, now);
+    retry(now);
+  }
+  bool isRefuted(std::uint64_t wanted, double now);
   void prepareSafeStop(double now);
   void beginNumbering(std::uint64_t base, double now);
   void nextReport(double now);
@@ -126,6 +142,11 @@ class Streamer::Machine {
   std::vector<std::string> reports_;  ///< still to be asked for, the last one first
   int report_attempts_ = 0;
   bool has_answered_ = false;
+  bool has_begun_ = false;  ///< a line of the program may have been sent
+  bool is_paused_by_machine_ = false;
+  UndoneCommands undone_;
+  LineProof proof_;
+  bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified
   bool expects_ok_of_resend_ = false;  ///< firmware says ok after a request to resend
   double settle_until_ = 0.0;          ///< nothing is sent while stale lines may be answered; 0 if none is
   bool must_send_one_ = false;  ///< whatever the window, or a full one of discarded lines would wait for ever

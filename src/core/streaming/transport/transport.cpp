@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/transport/transport.hpp"
 
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/serial_port.hpp>
+#include <cerrno>
 #include <chrono>
+#include <system_error>
 
 #include "lamina/base/error.hpp"
 #include "streaming/transport/byte_link.hpp"
@@ -93,6 +96,12 @@ class SerialTransport final : public Transport {
 
 using boost::asio::serial_port;
 
+/// A port belongs to one process, even if root opens it again, whom TIOCEXCL does not hold back.
+void claim(serial_port& port) {
+  if (::flock(port.native_handle(), LOCK_EX | LOCK_NB) == 0) return;
+  throw std::system_error(EBUSY, std::generic_category());
+}
+
 void configure(serial_port& port, int baud) {
   port.set_option(serial_port::character_size(8));
   port.set_option(serial_port::parity(serial_port::parity::none));
@@ -107,6 +116,7 @@ void configure(serial_port& port, int baud) {
 void SerialTransport::open(TransportEvents events) {
   try {
     serial_port port(context_, path_);
+    claim(port);
     configure(port, baud_);
     link_ = std::make_shared<ByteLink<serial_port>>(std::move(port));
   } catch (const std::system_error& error) {

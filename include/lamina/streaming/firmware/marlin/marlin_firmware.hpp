@@ -15,6 +15,8 @@ class MarlinFirmware : public FirmwareProtocol {
  public:
   std::string framed(std::uint64_t number, std::string_view command) const override;
   MarlinReply read(std::string_view line) const override;
+  std::string identification() const override;
+  bool isSpokenBy(std::string_view firmware_name) const override;
   std::string numberedFrom(std::uint64_t number) const override;
   std::string harmless() const override;
   std::string endOfMotions() const override;

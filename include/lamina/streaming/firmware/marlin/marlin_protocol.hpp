@@ -23,6 +23,11 @@ enum class ReplyKind : std::uint8_t {
   Warning,      ///< an error that stops nothing
   Busy,         ///< still alive, and working on what it has
   Start,        ///< the firmware has started, and has forgotten everything
+  NotDone,      ///< a command was not run: it is unknown, or the nozzle is too cold to extrude
+  Pause,        ///< the machine asks its host to pause, as for filament that has run out
+  Resume,       ///< the machine goes on after such a pause
+  Cancel,       ///< the machine asks its host to end the job
+  Unreadable,   ///< bytes that no firmware sends: noise on the link
   Information,  ///< reports and everything else
 };
 
@@ -53,11 +58,13 @@ struct MarlinReply {
   std::optional<int> free_command_slots;   ///< B of an advanced ok
   std::optional<MarlinTemperatures> temperatures;
   std::optional<MarlinPosition> position;
-  std::string text;  ///< the line, without end of line
+  std::string text;           ///< the line, without end of line
+  std::string firmware_name;  ///< of an answer to `M115`; empty in any other line
 };
 
 /// What a line from the firmware means. Nothing is refused: an unknown line is Information, a resend whose
-/// number cannot be read has no line.
+/// number cannot be read has no line. A greeting counts wherever it stands in the line, since a reset puts
+/// stray bytes on the link, and whichever firmware sends it.
 MarlinReply parseReply(std::string_view line);
 
 }  // namespace lamina

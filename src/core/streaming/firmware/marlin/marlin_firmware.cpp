@@ -14,6 +14,19 @@ std::string MarlinFirmware::framed(std::uint64_t number, std::string_view comman
 
 MarlinReply MarlinFirmware::read(std::string_view line) const { return parseReply(line); }
 
+std::string MarlinFirmware::identification() const { return "M115"; }
+
+/// Many printers' firmware is Marlin under another name; these count lines in another way or not at all.
+bool MarlinFirmware::isSpokenBy(std::string_view firmware_name) const {
+  constexpr std::array<std::string_view, 6> kOthers = {"klipper", "reprapfirmware", "grbl",
+                                                       "fluidnc", "smoothie",       "duet"};
+  std::string name(firmware_name);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::none_of(kOthers.begin(), kOthers.end(),
+                      [&](std::string_view other) { return name.find(other) != std::string::npos; });
+}
+
 std::string MarlinFirmware::numberedFrom(std::uint64_t number) const {
   return "M110 N" + std::to_string(number);
 }

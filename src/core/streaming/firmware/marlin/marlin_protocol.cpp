@@ -82,11 +82,67 @@ std::optional<MarlinPosition> position(std::string_view text) {
   return MarlinPosition{*x, *y, *z, numberAfter(text, "E:").value_or(0.0)};
 }
 
+template <std::size_t count>
+bool containsAny(std::string_view text, const std::array<std::string_view, count>& signs) {
+  return std::any_of(signs.begin(), signs.end(),
+                     [&](std::string_view sign) { return containsIgnoringCase(text, sign); });
+}
+
 bool isHalt(std::string_view text) {
   constexpr std::array<std::string_view, 7> kSigns = {
       "halted", "kill()", "stopped", "heating failed", "mintemp", "maxtemp", "thermal runaway"};
-  return std::any_of(kSigns.begin(), kSigns.end(),
-                     [&](std::string_view sign) { return containsIgnoringCase(text, sign); });
+  return containsAny(text, kSigns);
+}
+
+/// What firmware says when it has started: Marlin and its kin, grbl, RepRapFirmware, Klipper.
+bool isGreeting(std::string_view text) {
+  constexpr std::string_view kStart = "start";
+  constexpr std::size_t kMostStrayBytes = 8;
+  if (text.size() >= kStart.size() && text.size() <= kStart.size() + kMostStrayBytes &&
+      text.substr(text.size() - kStart.size()) == kStart) {
+    const std::string_view before = text.substr(0, text.size() - kStart.size());
+    return before.empty() || std::isalpha(static_cast<unsigned char>(before.back())) == 0;
+  }
+  constexpr std::array<std::string_view, 5> kSigns = {"free memory:", "is up and running", "['$' for help]",
+                                                      "external reset", "watchdog reset"};
+  return containsAny(text, kSigns);
+}
+
+bool isNotDone(std::string_view text) {
+  constexpr std::array<std::string_view, 3> kSigns = {"unknown command", "cold extrusion prevented",
+                                                      "long extrusion prevented"};
+  return containsAny(text, kSigns);
+}
+
+/// What follows `//action:` [Marlin HOST_ACTION_COMMANDS].
+ReplyKind kindOfAction(std::string_view action) {
+  while (!action.empty() && action.front() == ' ') action.remove_prefix(1);
+  constexpr std::array<std::string_view, 3> kEnds = {"cancel", "kill", "poweroff"};
+  constexpr std::array<std::string_view, 3> kPauses = {"pause", "out_of_filament", "filament_runout"};
+  const auto begins = [action](std::string_view name) { return startsWith(action, name); };
+  if (std::any_of(kEnds.begin(), kEnds.end(), begins)) return ReplyKind::Cancel;
+  if (begins("resume")) return ReplyKind::Resume;
+  return std::any_of(kPauses.begin(), kPauses.end(), begins) ? ReplyKind::Pause : ReplyKind::Information;
+}
+
+bool isUnreadable(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char byte) {
+    const auto code = static_cast<unsigned char>(byte);
+    return (code < 0x20 && code != '\t') || code >= 0x7f;
+  });
+}
+
+/// The name in an answer to M115, which ends before the next key in capitals.
+std::string firmwareName(std::string_view text) {
+  const auto rest = after(text, "FIRMWARE_NAME:");
+  if (!rest) return {};
+  std::size_t end = rest->size();
+  for (const std::string_view key : {" SOURCE_CODE_URL:", " PROTOCOL_VERSION:", " FIRMWARE_VERSION:",
+                                     " FIRMWARE_URL:", " MACHINE_TYPE:", " ELECTRONICS:"})
+    end = std::min(end, rest->find(key));
+  std::string_view name = rest->substr(0, end);
+  while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
+  return std::string(name);
 }
 
 bool isLineError(std::string_view text) {
@@ -147,16 +203,24 @@ MarlinReply parseReply(std::string_view line) {
     readResend(line.substr(3), reply);
   } else if (startsWith(line, "Error:")) {
     reply.kind = kindOfError(line);
-  } else if (startsWith(line, "!!")) {
+  } else if (startsWith(line, "!!") || startsWith(line, "fatal:") || startsWith(line, "Fatal:")) {
     reply.kind = ReplyKind::Fatal;
+  } else if (startsWith(line, "//")) {
+    const auto action = after(line.substr(2), "action:");
+    if (action) reply.kind = kindOfAction(*action);
   } else if (startsWith(line, "echo:busy") || startsWith(line, "busy:")) {
     reply.kind = ReplyKind::Busy;
-  } else if (line == "start") {
+  } else if (isGreeting(line)) {
     reply.kind = ReplyKind::Start;
+  } else if (isNotDone(line)) {
+    reply.kind = ReplyKind::NotDone;
+  } else if (isUnreadable(line)) {
+    reply.kind = ReplyKind::Unreadable;
   }
   reply.text = line;
   reply.temperatures = temperatures(line);
   reply.position = position(line);
+  reply.firmware_name = firmwareName(line);
   return reply;
 }
 
