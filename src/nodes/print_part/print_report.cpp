@@ -46,6 +46,8 @@ std::uint64_t profilesOf(const PrintReport& report) {
 }
 
 std::string duration(double seconds) {
+  constexpr double kShort = 0.1;  // s
+  if (seconds < kShort) return fixed(1e3 * seconds, 1) + " ms";
   const auto whole = static_cast<long>(std::lround(seconds));
   return whole < 60 ? fixed(seconds, 1) + " s"
                     : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
@@ -76,6 +78,16 @@ std::vector<std::size_t> layersNotSeen(const PrintReport& report) {
     if (layer.sight == lamina_msgs::LayerHeight::NOT_SEEN) layers.push_back(layer.layer);
   std::sort(layers.begin(), layers.end());
   return layers;
+}
+
+std::string measurementFault(const PrintReport& report) {
+  std::vector<std::size_t> layers = layersNotSeen(report);
+  for (const auto& layer : report.layers)
+    if (layer.sight == lamina_msgs::LayerHeight::CUT_SHORT) layers.push_back(layer.layer);
+  std::sort(layers.begin(), layers.end());
+  if (layers.empty()) return "";
+  return std::to_string(layers.size()) + " layers were not seen or cut short: " + listed(layers) +
+         "; expected every layer with a scan pass to be measured";
 }
 
 std::string unplacedText(const lamina_msgs::ProfileCounts& counts) {

@@ -34,6 +34,10 @@ HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers);
 /// Layers that should have been seen and were not, ascending.
 std::vector<std::size_t> layersNotSeen(const PrintReport& report);
 
+/// Why the part was not measured as it should have been: names layers that were not seen or cut short; empty
+/// if there are none.
+std::string measurementFault(const PrintReport& report);
+
 /// How many profiles could not be placed, and why; empty if there are none.
 std::string unplacedText(const lamina_msgs::ProfileCounts& counts);
 

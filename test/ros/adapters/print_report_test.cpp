@@ -63,6 +63,26 @@ TEST(SummaryText, NamesLayersThatWereNotSeenAndProfilesThatWereNotPlaced) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(SummaryText, StatesShortTimesInMilliseconds) {
+  lamina::PrintReport report;
+  report.slicing.wall_time = 0.0312;
+  report.slicing.estimated_time = 0.2;
+  const std::string text = lamina::summaryText(report);
+  for (const char* part : {"slicing time      31.2 ms", "printing time     0.2 s estimated"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(MeasurementFault, NamesLayersThatWereNotSeenOrCutShort) {
+  lamina::PrintReport report;
+  report.layers = {layer(0, 1e-5, -2e-5, 12), layer(1, 0.0, 0.0, 0), layer(2, 1e-5, -2e-5, 12)};
+  EXPECT_EQ(lamina::measurementFault(report), "");
+  report.layers[1].sight = lamina_msgs::LayerHeight::NOT_SEEN;
+  report.layers[2].sight = lamina_msgs::LayerHeight::CUT_SHORT;
+  report.unreported = {3};
+  const std::string fault = lamina::measurementFault(report);
+  EXPECT_EQ(fault.find("3 layers were not seen or cut short: 1, 2, 3;"), 0U) << fault;
+}
+
 TEST(SummaryText, SaysNothingOfLayersNotSeenWhereAllWereSeen) {
   lamina::PrintReport report;
   report.layers = {layer(0, 1e-5, -2e-5, 12)};
