@@ -80,7 +80,11 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
     machine_position_ =
         node.subscribe(names::kMachinePosition, kNoBound, &TrajectoryPublisher::onMachinePosition, this,
                        ros::TransportHints().tcpNoDelay());
+    connection_ = node.createWallTimer(ros::WallDuration(0.05), [this, node](const ros::WallTimerEvent&) {
+      if (machine_position_.getNumPublishers() > 0) offerTransforms(node);
+    });
   } else {
+    offerTransforms(node);
     last_tick_ = ros::Time::now();
     timer_ = node.createTimer(ros::Duration(1.0 / settings_.rate_hz), &TrajectoryPublisher::onTick, this);
   }
@@ -100,7 +104,6 @@ void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
 }
 
 void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
-  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
   ros::NodeHandle own("~");
@@ -112,6 +115,13 @@ void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
   rewind_ = trigger(own, "rewind", [this] {
     if (shown_) shown_->at_s = 0.0, shown_->announced_layers = 0;
   });
+}
+
+/// Who finds tf offered finds the machine connected: no position is lost on the way to him.
+void TrajectoryPublisher::offerTransforms(ros::NodeHandle node) {
+  if (tf_) return;
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
+  connection_.stop();
 }
 
 bool TrajectoryPublisher::onLoadProgram(lamina_msgs::LoadProgram::Request& request,
@@ -150,16 +160,17 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
   else
     requirePlannedFor(placed, model_->name());
   auto shown = std::make_unique<Shown>(std::move(placed));
-  shown->playback = playbackOf(shown->placed);
+  if (settings_.mode == TrajectoryMode::Visualise) shown->playback = playbackOf(shown->placed);
   const MachineToolpath& accepted = shown->placed;
   nav_msgs::Path path = nozzlePath(accepted.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
   static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(accepted.bed_from_part)));
   nozzle_path_.publish(path);
-  ROS_INFO("toolpath %s of '%s': %zu layers, %.0f s", accepted.id.c_str(),
-           accepted.toolpath.part_name.c_str(), accepted.toolpath.layers.size(),
-           shown->playback->time().total_s);
-  if (settings_.mode == TrajectoryMode::Visualise) shown_ = std::move(shown);
+  ROS_INFO("toolpath %s of '%s': %zu layers", accepted.id.c_str(), accepted.toolpath.part_name.c_str(),
+           accepted.toolpath.layers.size());
+  if (shown->playback == nullptr) return;
+  ROS_INFO("it is played in %.0f s", shown->playback->time().total_s / settings_.speed_up);
+  shown_ = std::move(shown);
 }
 
 std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath& placed) const {
@@ -170,6 +181,7 @@ std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath&
 }
 
 void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {
+  offerTransforms(ros::NodeHandle());
   try {
     publishPosition(positionsIn(*message), *message);
   } catch (const Error& error) {
