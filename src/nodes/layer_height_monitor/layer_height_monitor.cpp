@@ -27,6 +27,7 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("clouds malformed", counts.malformed.clouds);
   status.add("last malformed cloud", counts.last_fault);
   status.add("points not finite", counts.points_not_finite);
+  status.add("transforms passed on early", counts.transforms_forced);
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
 LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMonitorSettings& settings)
     : settings_(settings),
       topics_(node),
+      silence_(settings.silence_s),
       intake_(node, settings.queue,
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
@@ -128,7 +130,8 @@ void LayerHeightMonitor::onTimer() {
   if (!heights_) return;
   announce();
   const double now = clock_.now();
-  if (isSilent(now) && heights_->monitor().isScanning()) {
+  // The last resort where no stamp shows that a scan is over.
+  if (silence_.look(intake_.news(), now) && heights_->monitor().isScanning()) {
     ROS_WARN("no profile has come for %.1f s while a layer was scanned: its scan is given up",
              settings_.silence_s);
     report(heights_->cutShort());
@@ -137,14 +140,6 @@ void LayerHeightMonitor::onTimer() {
   topics_.publishMaps(heights_->monitor());
   maps_changed_ = false;
   last_maps_s_ = now;
-}
-
-/// The last resort where no stamp shows that a scan is over.
-bool LayerHeightMonitor::isSilent(double now) {
-  const std::uint64_t news = intake_.news();
-  if (news != news_) last_news_s_ = now;
-  news_ = news;
-  return now - last_news_s_ > settings_.silence_s;
 }
 
 bool LayerHeightMonitor::onFinish(lamina_msgs::FinishMeasuring::Request& request,

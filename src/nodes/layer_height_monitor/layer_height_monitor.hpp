@@ -16,6 +16,7 @@
 #include "messages.hpp"
 #include "monitor_settings.hpp"
 #include "profile_intake.hpp"
+#include "silence_watch.hpp"
 
 namespace lamina {
 
@@ -42,7 +43,6 @@ class LayerHeightMonitor {
   void announce();
   bool onSave(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void report(const LayerHeightReports& layers);
-  bool isSilent(double now);
   lamina_msgs::ProfileCounts counts() const;
   void save();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -56,9 +56,8 @@ class LayerHeightMonitor {
   std::string toolpath_fault_;  ///< why the last toolpath could not be used
   std::vector<LayerHeightReport> layers_;
   std::uint64_t profiles_without_toolpath_ = 0;
-  IntakeCounts before_;     ///< when the toolpath came
-  std::uint64_t news_ = 0;  ///< that had come at the last look
-  double last_news_s_ = 0.0;
+  IntakeCounts before_;  ///< when the toolpath came
+  SilenceWatch silence_;
   double last_maps_s_ = 0.0;
   bool maps_changed_ = false;
   bool is_saved_ = true;

@@ -52,6 +52,7 @@ void ProfileIntake::countLost(const CloudEvent& event) {
 void ProfileIntake::wait(const Cloud& cloud) {
   counts_.waiting.add(*cloud);
   waiting_[cloud->header.frame_id].insert({cloud->header.stamp, cloud});
+  if (counts_.waiting.clouds > queue_) passDue();  // what can be placed is not pushed out
   if (counts_.waiting.clouds > queue_) pushOutOldest();
 }
 
@@ -72,6 +73,12 @@ bool ProfileIntake::isHeldUp(const ros::Time& until) const {
     return !clouds.empty() && clouds.begin()->first <= until &&
            lookUp(sequence_.buffer(), names::kBedFrame, frame, ros::Time(0));
   });
+}
+
+IntakeCounts ProfileIntake::counts() const {
+  IntakeCounts counts = counts_;
+  counts.transforms_forced = sequence_.forced();
+  return counts;
 }
 
 void ProfileIntake::startOver() {
@@ -102,6 +109,7 @@ void ProfileIntake::settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as
 }
 
 void ProfileIntake::passDue() {
+  addNozzles();  // of transforms that went on unasked
   std::set<std::string> passed_over;
   for (;;) {
     const std::string frame = nextFrame(passed_over);

@@ -49,6 +49,7 @@ struct IntakeCounts {
   CloudTally of_former_print;           ///< still waiting when the next toolpath came
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
   std::uint64_t points_not_finite = 0;  ///< of those placed
+  std::uint64_t transforms_forced = 0;  ///< on before their turn: too many waited for clouds
   std::string last_fault;               ///< what was wrong with the last malformed one
 };
 
@@ -67,7 +68,7 @@ class ProfileIntake {
   /// @param queue  clouds that may wait for tf
   ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers);
 
-  IntakeCounts counts() const { return counts_; }
+  IntakeCounts counts() const;
   /// Whether somebody publishes profiles and somebody tf.
   bool isConnected() const { return subscriber_.getNumPublishers() > 0 && transforms_.isConnected(); }
 
