@@ -110,17 +110,6 @@ class Listener {
 
 bool await(const std::function<bool()>& isTrue) { return test::waitUntil(isTrue); }
 
-TEST(TrajectoryPublisher, OffersTransformsOnceItIsConnectedToTheMachine) {
-  ros::NodeHandle node("follower");
-  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> ignore = [](const auto&) {};
-  const ros::Subscriber transforms = node.subscribe<tf2_msgs::TFMessage>("tf", 1, ignore);
-  ASSERT_TRUE(ros::service::waitForService("follower/trajectory_publisher/load_program"));
-  EXPECT_FALSE(test::waitUntil([&] { return transforms.getNumPublishers() > 0; }, 0.5));
-  const ros::Publisher machine = node.advertise<sensor_msgs::JointState>(names::kMachinePosition, 1);
-  EXPECT_TRUE(await([&] { return transforms.getNumPublishers() > 0; }));
-  EXPECT_GT(machine.getNumSubscribers(), 0U);
-}
-
 TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
   Listener listener("follower");
   ASSERT_TRUE(await([&] { return listener.isConnected() && listener.isFollowed(); }));

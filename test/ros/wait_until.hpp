@@ -11,9 +11,9 @@ namespace lamina::test {
 constexpr double kPatience = 240.0;  // s: far above what anything takes, for loaded machines
 
 /// Lets callbacks run until something is true.
-/// @return false if it is not within `patience_s`
-inline bool waitUntil(const std::function<bool()>& is_true, double patience_s = kPatience) {
-  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(patience_s);
+/// @return false if it is not within `kPatience`
+inline bool waitUntil(const std::function<bool()>& is_true) {
+  const ros::WallTime give_up = ros::WallTime::now() + ros::WallDuration(kPatience);
   while (!is_true() && ros::WallTime::now() < give_up) {
     ros::spinOnce();
     ros::WallDuration(0.01).sleep();

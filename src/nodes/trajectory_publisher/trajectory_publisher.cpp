@@ -80,11 +80,7 @@ TrajectoryPublisher::TrajectoryPublisher(ros::NodeHandle node, const PublisherSe
     machine_position_ =
         node.subscribe(names::kMachinePosition, kNoBound, &TrajectoryPublisher::onMachinePosition, this,
                        ros::TransportHints().tcpNoDelay());
-    connection_ = node.createWallTimer(ros::WallDuration(0.05), [this, node](const ros::WallTimerEvent&) {
-      if (machine_position_.getNumPublishers() > 0) offerTransforms(node);
-    });
   } else {
-    offerTransforms(node);
     last_tick_ = ros::Time::now();
     timer_ = node.createTimer(ros::Duration(1.0 / settings_.rate_hz), &TrajectoryPublisher::onTick, this);
   }
@@ -104,6 +100,7 @@ void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
 }
 
 void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
   ros::NodeHandle own("~");
@@ -115,13 +112,6 @@ void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
   rewind_ = trigger(own, "rewind", [this] {
     if (shown_) shown_->at_s = 0.0, shown_->announced_layers = 0;
   });
-}
-
-/// Who finds tf offered finds the machine connected: no position is lost on the way to him.
-void TrajectoryPublisher::offerTransforms(ros::NodeHandle node) {
-  if (tf_) return;
-  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
-  connection_.stop();
 }
 
 bool TrajectoryPublisher::onLoadProgram(lamina_msgs::LoadProgram::Request& request,
@@ -181,7 +171,6 @@ std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath&
 }
 
 void TrajectoryPublisher::onMachinePosition(const sensor_msgs::JointStateConstPtr& message) {
-  offerTransforms(ros::NodeHandle());
   try {
     publishPosition(positionsIn(*message), *message);
   } catch (const Error& error) {

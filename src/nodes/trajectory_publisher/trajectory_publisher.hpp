@@ -40,7 +40,6 @@ class TrajectoryPublisher {
   };
 
   void advertise(ros::NodeHandle& node);
-  void offerTransforms(ros::NodeHandle node);
   void describeMachine(ros::NodeHandle& node);
   bool onLoadProgram(lamina_msgs::LoadProgram::Request& request,
                      lamina_msgs::LoadProgram::Response& response);
@@ -72,7 +71,6 @@ class TrajectoryPublisher {
   ros::ServiceServer pause_;
   ros::ServiceServer rewind_;
   ros::Timer timer_;
-  ros::WallTimer connection_;  ///< mode follow: until the machine is there
   std::unique_ptr<Shown> shown_;
   ros::Time last_tick_;
   ros::Time last_stamp_;  ///< of a position that was played
