@@ -14,13 +14,16 @@
 #include <lamina/DriveToolpathAction.h>
 #include <lamina/FillVoids.h>
 #include <lamina/FilledVoid.h>
+#include <lamina/FinishMeasuring.h>
 #include <lamina/FollowJointTrajectoryAction.h>
 #include <lamina/InclineAction.h>
 #include <lamina/InclineGcode.h>
 #include <lamina/InclineSummary.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
+#include <lamina/MachineRest.h>
 #include <lamina/MachineState.h>
+#include <lamina/Measuring.h>
 #include <lamina/OptimiseAction.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>

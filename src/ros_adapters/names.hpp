@@ -32,6 +32,7 @@ inline constexpr char kDeposited[] = "deposited";  ///< sensor_msgs/PointCloud2 
 inline constexpr char kDepositedMarkers[] = "deposited_markers";  ///< visualization_msgs/MarkerArray, latched
 inline constexpr char kDepositionState[] = "deposition_state";    ///< lamina/DepositionState, latched
 inline constexpr char kLayerHeight[] = "layer_height";            ///< lamina/LayerHeight
+inline constexpr char kMeasuring[] = "measuring";                 ///< lamina/Measuring, latched
 inline constexpr char kHeightMap[] = "height_map";          ///< sensor_msgs/PointCloud2 of measured heights
 inline constexpr char kHeightOctomap[] = "height_octomap";  ///< octomap_msgs/Octomap, if that is installed
 inline constexpr char kHeightDeviation[] =
@@ -51,7 +52,9 @@ inline constexpr char kPause[] = "pause";             ///< std_srvs/Trigger
 inline constexpr char kResume[] = "resume";           ///< std_srvs/Trigger
 inline constexpr char kAbort[] = "abort";             ///< std_srvs/Trigger
 inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
-inline constexpr char kSaveHeightMap[] = "save_height_map";  ///< std_srvs/Trigger
+inline constexpr char kSaveHeightMap[] = "save_height_map";     ///< std_srvs/Trigger
+inline constexpr char kMachineRest[] = "machine_rest";          ///< lamina/MachineRest
+inline constexpr char kFinishMeasuring[] = "finish_measuring";  ///< lamina/FinishMeasuring
 
 // Actions.
 inline constexpr char kSlice[] = "slice";                             ///< lamina/Slice

@@ -25,6 +25,9 @@ class TransformIntake {
   /// @param sequence  must outlive this
   TransformIntake(TransformSequence& sequence, const ros::NodeHandle& node);
 
+  /// Whether somebody publishes transforms that move.
+  bool isConnected() const { return moving_.getNumPublishers() > 0; }
+
  private:
   using Event = ros::MessageEvent<tf2_msgs::TFMessage const>;
   using Keeper = std::function<void(const geometry_msgs::TransformStamped&, const std::string& authority)>;

@@ -31,6 +31,8 @@ void TransformSequence::add(const geometry_msgs::TransformStamped& transform, co
   keepFrames(transform);
   waiting_.insert({transform.header.stamp, {transform, authority}});
   while (waiting_.size() > most_waiting_) {
+    ++forced_;
+    passed_.insert(waiting_.begin()->first);
     give(waiting_.begin()->second);
     waiting_.erase(waiting_.begin());
   }
@@ -105,14 +107,21 @@ std::vector<StampedNozzle> TransformSequence::takeNozzles() {
       continue;
     }
     const auto bed_from_nozzle = lookUp(buffer_, names::kBedFrame, names::kNozzleFrame, stamp);
-    if (!bed_from_nozzle &&
-        readiness(buffer_, names::kBedFrame, names::kNozzleFrame, stamp) == Readiness::NotYet)
+    // Other transforms of that stamp may still wait.
+    const bool is_whole = waiting_.empty() || waiting_.begin()->first > stamp;
+    if (!is_whole || (!bed_from_nozzle &&
+                      readiness(buffer_, names::kBedFrame, names::kNozzleFrame, stamp) == Readiness::NotYet))
       break;
     passed_.erase(passed_.begin());
     taken_ = stamp;
     if (bed_from_nozzle) nozzles.push_back({stamp, *bed_from_nozzle});
   }
   return nozzles;
+}
+
+std::uint64_t TransformSequence::forced() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return forced_;
 }
 
 std::uint64_t TransformSequence::received() const {

@@ -28,8 +28,8 @@ struct StampedNozzle {
 /// memory, and takes the longer the further back it has to look. Transforms may come on another thread.
 class TransformSequence {
  public:
-  /// @param most_waiting  transforms; beyond this, the oldest go to the buffer unasked, and the nozzle's pose
-  ///   at their stamps is not returned
+  /// @param most_waiting  transforms; beyond this, the oldest go to the buffer unasked, which may then forget
+  ///   the poses of frames that are asked for later; `forced` counts them
   explicit TransformSequence(std::size_t most_waiting = 500000);
 
   /// A transform that moves. One that is older than what the buffer was given goes there at the next call.
@@ -50,6 +50,8 @@ class TransformSequence {
   /// Poses of the nozzle at the stamps passed since the last call, ascending over all calls. Those that
   /// depend on transforms still to come wait; none is given of a stamp older than the last.
   std::vector<StampedNozzle> takeNozzles();
+  /// Transforms that went to the buffer unasked so far.
+  std::uint64_t forced() const;
   /// Transforms received so far.
   std::uint64_t received() const;
 
@@ -71,6 +73,7 @@ class TransformSequence {
   std::set<ros::Time> passed_;  ///< stamps of which the nozzle's pose was not taken
   ros::Time taken_;             ///< the last stamp of which it was
   std::uint64_t received_ = 0;
+  std::uint64_t forced_ = 0;
 };
 
 }  // namespace lamina

@@ -320,6 +320,28 @@ TEST(StampedHeights, AScanFallsQuietByTheStampsAlone) {
   }
 }
 
+TEST(StampedHeights, ARestOfTheMachineInItsScanDoesNotEndIt) {
+  // After its 30th profile the machine waits for its host for a minute; its sensor takes no profiles
+  // meanwhile.
+  Recording recording = recordingOf({0});
+  const std::int64_t rest_begin = recording.profiles[29].stamp_ns;
+  constexpr std::int64_t kRest = 60'000 * kStep;
+  const TipPose last{rest_begin, Point3(0, 4.05 + 0.1 * 29, scanHeightOf(0))};
+  for (TipPose& pose : recording.poses)
+    if (pose.stamp_ns > rest_begin) pose.stamp_ns += kRest;
+  recording.poses.push_back(last);
+  recording.poses.push_back({last.stamp_ns + kRest, last.tip});
+  for (StampedProfile& profile : recording.profiles)
+    if (profile.stamp_ns > rest_begin) profile.stamp_ns += kRest;
+  // The first profile after it shows nothing new.
+  recording.profiles.insert(recording.profiles.begin() + 30,
+                            profileAt(rest_begin + kRest, 4.05 + 0.1 * 29, 0.21));
+  const LayerHeightReports reports = reportsOf(recording);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].profiles, 52u);
+  EXPECT_DOUBLE_EQ(reports[0].statistics.coverage, 1.0);
+}
+
 TEST(StampedHeights, AScanThatIsGivenUpIsCutShort) {
   const Recording recording = recordingOf({0});
   StampedHeights heights = plates();

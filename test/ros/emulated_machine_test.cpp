@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/streaming/client/stream_session.hpp"
+#include "messages.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 #include "ros_home.hpp"
@@ -126,6 +127,18 @@ TEST_F(EmulatedMachineNode, KeepsWhatItDepositsAndSeesItWithItsSensor) {
   }
   EXPECT_EQ(count, 20);
   EXPECT_NEAR(highest, 0.3, 0.1);  // five standard deviations of the sensor's noise and more
+}
+
+TEST_F(EmulatedMachineNode, RestsOnceAllMotionsArePublishedAndStatesTheirLastStamps) {
+  lamina_msgs::MachineRest rest;
+  stream("G28\nG90\nG1 X50 Y50 Z5 F6000\nG1 X60 F600\n");
+  ASSERT_TRUE(waitUntil(
+      [&] { return ros::service::call(lamina::names::kMachineRest, rest) && rest.response.is_resting; }));
+  const ros::Time last = rest.response.last_position;
+  ASSERT_TRUE(waitUntil([&] { return positions_.back()->header.stamp >= last; }));
+  EXPECT_EQ(positions_.back()->header.stamp, last);
+  EXPECT_TRUE(isAt(0.06, 0.05)) << "nothing is left to come";
+  EXPECT_EQ(rest.response.last_profile, last) << "the end of a motion has a profile, of nothing too";
 }
 
 }  // namespace

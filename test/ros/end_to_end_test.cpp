@@ -12,6 +12,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
+#include "messages.hpp"
 #include "names.hpp"
 #include "nodes/print_part/print_part.hpp"
 #include "ros_home.hpp"
@@ -117,8 +118,10 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
 
   ASSERT_EQ(report.layers.size(), kLayers);
   EXPECT_TRUE(report.unreported.empty());
-  EXPECT_EQ(lamina::unplacedText(report.layers.back().counts), "");
-  expectAccounted(report.layers.back().counts);
+  EXPECT_TRUE(report.has_everything);
+  EXPECT_EQ(lamina::unplacedText(report.counts), "");
+  EXPECT_EQ(report.counts.waiting, 0U) << "the counts are those of the end";
+  expectAccounted(report.counts);
   for (std::size_t i = 0; i < kLayers; ++i) {
     const auto& layer = report.layers[i];
     EXPECT_EQ(layer.layer, i);
@@ -133,6 +136,23 @@ TEST(EndToEnd, APartIsSlicedStreamedExecutedAndMeasured) {
   for (const char* name : {"slicing_service", "trajectory_publisher", "gcode_streamer", "emulated_machine",
                            "layer_height_monitor"})
     EXPECT_TRUE(isAlive(name)) << name;
+  fs::remove_all(kFolder);
+}
+
+TEST(EndToEnd, TheSamePartPrintedAgainIsMeasuredAfresh) {
+  fs::create_directories(kFolder);
+  const ros::NodeHandle node;
+  const lamina::PrintReport first = print(node);
+  const lamina::PrintReport second = print(node);
+  EXPECT_EQ(second.toolpath_id, first.toolpath_id);
+  EXPECT_TRUE(second.has_everything);
+  ASSERT_EQ(second.layers.size(), kLayers);
+  for (std::size_t i = 0; i < kLayers; ++i) {
+    EXPECT_EQ(second.layers[i].layer, i);
+    EXPECT_EQ(second.layers[i].sight, lamina_msgs::LayerHeight::SEEN + 0) << "layer " << i;
+  }
+  EXPECT_EQ(second.counts.received, first.counts.received) << "both scan a printed part";
+  expectAccounted(second.counts);
   fs::remove_all(kFolder);
 }
 

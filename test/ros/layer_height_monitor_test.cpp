@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kFirstOffset = 0.031;    // mm by which the first plate is too high
 constexpr double kSecondOffset = -0.017;  // mm
+constexpr double kToolpathStamp = 900.0;  // s
 const std::string kFolder = lamina::test::inRosHome("layer_height_monitor_test");
 
 /// Publishes two scans around some bad clouds, once for all tests, and gathers what the node answers.
@@ -33,17 +34,24 @@ class LayerHeightMonitorNode : public ::testing::Test {
     std::filesystem::remove_all(kFolder);
     node_ = new ros::NodeHandle;
     listen();
-    const Publishers to = {node_->advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true),
-                           node_->advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000),
-                           node_->advertise<tf2_msgs::TFMessage>("/tf", 1000),
-                           node_->advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)};
-    for (const auto& publisher : {to.toolpath, to.profile, to.transforms})
+    to_ = {node_->advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true),
+           node_->advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000),
+           node_->advertise<tf2_msgs::TFMessage>("/tf", 1000),
+           node_->advertise<tf2_msgs::TFMessage>("/tf_static", 1, true)};
+    for (const auto& publisher : {to_.toolpath, to_.profile, to_.transforms})
       await([&] { return publisher.getNumSubscribers() > 0; });
-    to.toolpath.publish(test::twoPlates());
+    sendToolpath(ros::Time(kToolpathStamp));
     await([] { return counted("toolpath") == test::twoPlates().id; });
-    sendAll(to);
+    sendAll(to_);
     await([] { return layers_.size() == 2 && !image_.data.empty() && cloud_.width > 0; });
     await([] { return counted("clouds malformed") == "1" && counted("clouds waiting") == "1"; });
+  }
+
+  static void sendToolpath(const ros::Time& stamp) {
+    lamina_msgs::Toolpath toolpath = test::twoPlates();
+    toolpath.header.stamp = stamp;
+    to_.toolpath.publish(toolpath);
+    await([&] { return measuring_.toolpath_stamp == stamp; });
   }
 
   static void listen() {
@@ -62,7 +70,10 @@ class LayerHeightMonitorNode : public ::testing::Test {
           for (const auto& status : array->status)
             for (const auto& value : status.values) diagnostics_[value.key] = value.value;
         };
-    subscribers = {node_->subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 10, onLayer),
+    const boost::function<void(const lamina_msgs::MeasuringConstPtr&)> onMeasuring =
+        [](const auto& measuring) { measuring_ = *measuring; };
+    subscribers = {node_->subscribe<lamina_msgs::Measuring>(names::kMeasuring, 1, onMeasuring),
+                   node_->subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 10, onLayer),
                    node_->subscribe<sensor_msgs::Image>(names::kHeightDeviation, 1, onImage),
                    node_->subscribe<sensor_msgs::PointCloud2>(names::kHeightMap, 1, onCloud),
                    node_->subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10, onDiagnostics)};
@@ -82,7 +93,27 @@ class LayerHeightMonitorNode : public ::testing::Test {
     scan.nozzle_height_mm = 1.5;
     scan.surface = [](const Point2& at) { return at.x() < 10 ? NAN : 0.4 + kSecondOffset; };
     send(to, scan);
-    send(to, test::liftAfter(scan));
+    const test::ScanMessages lift = test::liftAfter(scan);
+    send(to, lift);
+    end_ = lift.clouds.back().header.stamp;
+  }
+
+  /// The nozzle alone, somewhere over the plates.
+  static void sendNozzle(const ros::Time& stamp, double height_mm) {
+    tf2_msgs::TFMessage moving;
+    moving.transforms = {
+        test::stamped(test::bedFromNozzle({0, 10, height_mm}), names::kBedFrame, names::kNozzleFrame, stamp)};
+    to_.transforms.publish(moving);
+  }
+
+  static lamina_msgs::FinishMeasuringResponse finish(const ros::Time& position, const ros::Time& profile) {
+    lamina_msgs::FinishMeasuring call;
+    call.request.toolpath_id = test::twoPlates().id;
+    call.request.last_position = position;
+    call.request.last_profile = profile;
+    EXPECT_TRUE(ros::service::call(names::kFinishMeasuring, call));
+    EXPECT_EQ(call.response.status.message, "");
+    return call.response;
   }
 
   static void send(const Publishers& to, const test::PlateScan& scan) { send(to, test::scanMessages(scan)); }
@@ -110,6 +141,9 @@ class LayerHeightMonitorNode : public ::testing::Test {
   static std::string counted(const std::string& key) { return diagnostics_[key]; }
 
   static ros::NodeHandle* node_;
+  static Publishers to_;
+  static ros::Time end_;  ///< of the second scan
+  static lamina_msgs::Measuring measuring_;
   static std::vector<lamina_msgs::LayerHeight> layers_;
   static sensor_msgs::Image image_;
   static sensor_msgs::PointCloud2 cloud_;
@@ -117,6 +151,9 @@ class LayerHeightMonitorNode : public ::testing::Test {
 };
 
 ros::NodeHandle* LayerHeightMonitorNode::node_ = nullptr;
+LayerHeightMonitorNode::Publishers LayerHeightMonitorNode::to_;
+ros::Time LayerHeightMonitorNode::end_;
+lamina_msgs::Measuring LayerHeightMonitorNode::measuring_;
 std::vector<lamina_msgs::LayerHeight> LayerHeightMonitorNode::layers_;
 sensor_msgs::Image LayerHeightMonitorNode::image_;
 sensor_msgs::PointCloud2 LayerHeightMonitorNode::cloud_;
@@ -177,6 +214,52 @@ TEST_F(LayerHeightMonitorNode, SavesItsFilesOnRequest) {
   EXPECT_TRUE(request.response.success) << request.response.message;
   for (const char* name : {"height_map.png", "deviation.png", "height_map.bt", "layer_heights.csv"})
     EXPECT_TRUE(std::filesystem::exists(kFolder + "/" + name)) << name;
+}
+
+TEST_F(LayerHeightMonitorNode, StatesWhatItMeasuresOnceAllIsConnected) {
+  EXPECT_EQ(measuring_.toolpath_id, test::twoPlates().id);
+  EXPECT_EQ(measuring_.toolpath_stamp, ros::Time(kToolpathStamp));
+}
+
+TEST_F(LayerHeightMonitorNode, FinishesOnceTransformsAndProfilesHaveComeSoFar) {
+  EXPECT_FALSE(finish(end_ + ros::Duration(1.0), end_).is_finished) << "tf has not come so far";
+  EXPECT_FALSE(finish(end_, end_ + ros::Duration(1.0)).is_finished) << "no profile has";
+  const lamina_msgs::FinishMeasuringResponse done = finish(end_, end_);
+  EXPECT_TRUE(done.is_finished);
+  ASSERT_EQ(done.layers.size(), 2u);
+  EXPECT_EQ(done.layers[1].layer, 1u);
+  EXPECT_EQ(done.layers[1].mean_error, layers_[1].mean_error);
+  EXPECT_EQ(done.counts.waiting, 1u) << "for a frame nobody knows";
+}
+
+TEST_F(LayerHeightMonitorNode, FinishesNoOtherToolpath) {
+  lamina_msgs::FinishMeasuring call;
+  call.request.toolpath_id = "another";
+  ASSERT_TRUE(ros::service::call(names::kFinishMeasuring, call));
+  EXPECT_EQ(call.response.status.code, lamina_msgs::Status::REJECTED + 0);
+  EXPECT_FALSE(call.response.is_finished);
+}
+
+TEST_F(LayerHeightMonitorNode, ALastLayerThatWasMissedIsNotSeenAndAWaitingCloudIsNotTheNextPrints) {
+  sendToolpath(ros::Time(kToolpathStamp + 1.0));
+  await([] { return counted("clouds of the print before") == "1"; });
+  test::PlateScan scan;
+  scan.start = end_ + ros::Duration(1.0);
+  scan.surface = [](const Point2&) { return 0.2; };
+  send(to_, scan);
+  const ros::Time printed = scan.start + ros::Duration(1.0);
+  for (const double after_s : {0.0, 0.1, 0.2}) sendNozzle(printed + ros::Duration(after_s), 0.4);
+  const ros::Time last_profile = test::scanMessages(scan).clouds.back().header.stamp;
+  lamina_msgs::FinishMeasuringResponse done;
+  await([&] {
+    done = finish(printed + ros::Duration(0.2), last_profile);
+    return done.is_finished != 0;
+  });
+  ASSERT_EQ(done.layers.size(), 2u);
+  EXPECT_EQ(done.layers[0].sight, lamina_msgs::LayerHeight::SEEN + 0);
+  EXPECT_EQ(done.layers[1].sight, lamina_msgs::LayerHeight::NOT_SEEN + 0);
+  EXPECT_EQ(done.counts.waiting, 0u);
+  EXPECT_EQ(done.counts.received, test::scanMessages(scan).clouds.size());
 }
 
 }  // namespace

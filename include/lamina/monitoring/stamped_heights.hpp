@@ -74,6 +74,7 @@ class StampedHeights {
   void workOff();
   void step();
   void place(const StampedProfile& profile);
+  std::int64_t passedUntil(std::int64_t stamp_ns);
   void report(LayerHeightReports more);
 
   double pose_gap_mm_;
@@ -85,7 +86,12 @@ class StampedHeights {
   double way_mm_ = 0.0;             ///< its length
   std::optional<std::int64_t> worked_off_ns_;
   std::size_t cells_in_scan_ = 0;  ///< when the scan last showed something new
-  std::int64_t last_news_ns_ = 0;
+  bool was_moving_ = false;        ///< on the way that is looked at
+  std::int64_t way_begin_ns_ = 0;  ///< of it
+  std::int64_t moved_ns_ = 0;      ///< until it began, all times of motion together
+  std::int64_t moved_at_profile_ns_ = 0;
+  std::int64_t last_profile_ns_ = 0;  ///< of the scan
+  std::int64_t quiet_for_ns_ = 0;     ///< since the scan last showed something new
   ProfileUse use_;
   LayerHeightReports done_;  ///< not yet given out
 };

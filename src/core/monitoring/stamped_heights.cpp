@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/monitoring/stamped_heights.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
 namespace lamina {
 namespace {
 
-constexpr double kNanoseconds = 1e9;  // in a second
+constexpr double kNanoseconds = 1e9;                // in a second
+constexpr std::int64_t kLongestRest = 100'000'000;  // ns between two profiles of a nozzle at rest that count
 
 }  // namespace
 
@@ -60,6 +62,9 @@ void StampedHeights::step() {
   const TipPose next{poses_.begin()->first, poses_.begin()->second};
   poses_.erase(poses_.begin());
   way_mm_ = reached_ ? (next.tip - reached_->tip).norm() : 0.0;
+  if (reached_ && was_moving_) moved_ns_ += reached_->stamp_ns - way_begin_ns_;
+  way_begin_ns_ = reached_ ? reached_->stamp_ns : next.stamp_ns;
+  was_moving_ = way_mm_ > 0.0;
   reached_ = next;
   report(monitor_.move(next.tip.z()));
   if (!monitor_.isScanning()) cells_in_scan_ = 0;
@@ -71,12 +76,22 @@ void StampedHeights::place(const StampedProfile& profile) {
   report(monitor_.add(profile.points));
   (monitor_.isScanning() ? use_.of_layers : use_.of_no_layer).add(profile.points.size());
   if (!monitor_.isScanning()) return;
+  quiet_for_ns_ += passedUntil(profile.stamp_ns);
   // Until a scan has shown something it cannot fall quiet.
-  if (monitor_.cellsInScan() != cells_in_scan_ || monitor_.cellsInScan() == 0)
-    last_news_ns_ = profile.stamp_ns;
+  if (monitor_.cellsInScan() != cells_in_scan_ || monitor_.cellsInScan() == 0) quiet_for_ns_ = 0;
   cells_in_scan_ = monitor_.cellsInScan();
-  if (static_cast<double>(profile.stamp_ns - last_news_ns_) > quiet_ns_)
-    report(monitor_.closeScan(LayerSight::Seen));
+  if (static_cast<double>(quiet_for_ns_) > quiet_ns_) report(monitor_.closeScan(LayerSight::Seen));
+}
+
+/// Since the profile before. A machine that rests without profiles waits for its host, which says nothing of
+/// the scan.
+std::int64_t StampedHeights::passedUntil(std::int64_t stamp_ns) {
+  const std::int64_t moved_ns = moved_ns_ + (was_moving_ ? stamp_ns - way_begin_ns_ : 0);
+  const std::int64_t moving_ns = moved_ns - moved_at_profile_ns_;
+  const std::int64_t resting_ns = stamp_ns - last_profile_ns_ - moving_ns;
+  moved_at_profile_ns_ = moved_ns;
+  last_profile_ns_ = stamp_ns;
+  return moving_ns + std::min(resting_ns, kLongestRest);
 }
 
 LayerHeightReports StampedHeights::cutShort() { return monitor_.closeScan(LayerSight::CutShort); }

@@ -36,23 +36,33 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       tool_axis_(toolAxisOf(machine_)),
       deposit_(bareBed(machine_, settings)),
       shown_(deposit_->surface().grid.area()),
-      sensor_(settings.sensor),
-      start_(ros::Time::now()) {
+      sensor_(settings.sensor) {
   EmulatedObserver observer;
   observer.motion = [this](const ExecutedMotion& motion) { motions_.push(motion); };
   emulator_ = std::make_unique<EmulatedMachine>(settings_.emulator, faultsOf(settings_), portsOf(settings_),
                                                 observer);
+  start_ = ros::Time::now();  // after the machine's own: no stamp is older than what it is of
   ROS_INFO("machine %s at %s, %g times as fast as real", machine_.name.c_str(), emulator_->pty().c_str(),
            settings_.emulator.speed_up);
   if (emulator_->tcpPort() != 0) ROS_INFO("machine at tcp:127.0.0.1:%d", emulator_->tcpPort());
   publishPosition({0.0, bed_from_program_ * Point3::Zero()});
   worker_ = std::thread([this] { run(); });
+  rest_ = node.advertiseService(names::kMachineRest, &EmulatedMachineNode::onMachineRest, this);
 }
 
 EmulatedMachineNode::~EmulatedMachineNode() {
   motions_.close();
   emulator_.reset();
   worker_.join();
+}
+
+bool EmulatedMachineNode::onMachineRest(lamina_msgs::MachineRest::Request&,
+                                        lamina_msgs::MachineRest::Response& response) {
+  response.is_resting = motions_.isAtRest();
+  const std::lock_guard<std::mutex> lock(stamps_mutex_);
+  response.last_position = last_.position;
+  response.last_profile = last_.profile;
+  return true;
 }
 
 void EmulatedMachineNode::run() {
@@ -116,8 +126,10 @@ ros::Time EmulatedMachineNode::stampOf(double machine_s) const {
 
 void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
   sensor_msgs::JointState message = jointState(machine_, axisValues(machine_, sample.position));
-  message.header.stamp = last_stamp_ = stampOf(sample.time_s);
+  message.header.stamp = stampOf(sample.time_s);
   position_.publish(message);
+  const std::lock_guard<std::mutex> lock(stamps_mutex_);
+  last_.position = message.header.stamp;
 }
 
 void EmulatedMachineNode::publishProfile(const MotionSample& sample, Blank blank) {
@@ -129,13 +141,15 @@ void EmulatedMachineNode::publishProfile(const MotionSample& sample, Blank blank
   message.header.stamp = stampOf(sample.time_s);
   message.header.frame_id = names::kSensorFrame;
   profile_.publish(message);
+  const std::lock_guard<std::mutex> lock(stamps_mutex_);
+  last_.profile = message.header.stamp;
 }
 
 void EmulatedMachineNode::publishDeposited() {
   if (deposited_.getNumSubscribers() == 0) return;
   has_news_ = false;
   sensor_msgs::PointCloud2 message = toCloudMessage(deposit_->points());
-  message.header.stamp = last_stamp_;
+  message.header.stamp = last_.position;  // written by this thread alone
   message.header.frame_id = names::kBedFrame;
   deposited_.publish(message);
 }

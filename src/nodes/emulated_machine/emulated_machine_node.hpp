@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
@@ -12,6 +13,7 @@
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "machine_deposit.hpp"
 #include "machine_settings.hpp"
+#include "messages.hpp"
 #include "motion_queue.hpp"
 #include "motion_samples.hpp"
 
@@ -25,6 +27,8 @@ namespace lamina {
 ///             corner; profile (sensor_msgs/PointCloud2, frame sensor): what the sensor sees, each with the
 ///             stamp of a machine_position; at the end of a motion also if that is nothing; deposited
 ///             (sensor_msgs/PointCloud2, frame bed, latched): the surface of the material
+/// Services    machine_rest (lamina/MachineRest): whether all motions were run and published, and up to which
+///             stamps
 ///
 /// Stamps are exact: the time the node started plus machine time divided by the speed-up, whenever they are
 /// published.
@@ -39,6 +43,14 @@ class EmulatedMachineNode {
   /// What becomes of a profile that shows nothing.
   enum class Blank { Published, LeftOut };
 
+  /// Stamps of the last messages published.
+  struct LastStamps {
+    ros::Time position;
+    ros::Time profile;  ///< zero before the first
+  };
+
+  bool onMachineRest(lamina_msgs::MachineRest::Request& request,
+                     lamina_msgs::MachineRest::Response& response);
   void run();
   void tryExecute(const ExecutedMotion& motion);
   void execute(const ExecutedMotion& motion);
@@ -53,6 +65,7 @@ class EmulatedMachineNode {
   ros::Publisher position_;
   ros::Publisher profile_;
   ros::Publisher deposited_;
+  ros::ServiceServer rest_;
   Eigen::Affine3d bed_from_program_;
   Eigen::Vector3d tool_axis_;  ///< [bed]
   std::unique_ptr<MachineDeposit> deposit_;
@@ -60,7 +73,8 @@ class EmulatedMachineNode {
   ProfileSensor sensor_;
   MotionQueue motions_;
   double last_end_s_ = -1.0;  ///< machine time of the last position
-  ros::Time last_stamp_;
+  mutable std::mutex stamps_mutex_;
+  LastStamps last_;        ///< guarded
   bool has_news_ = false;  ///< material that was not published
   ros::Time start_;
   std::unique_ptr<EmulatedMachine> emulator_;

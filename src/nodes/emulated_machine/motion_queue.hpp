@@ -25,15 +25,24 @@ class MotionQueue {
     has_motion_.notify_one();
   }
 
-  /// The next motion; nothing after `timeout` without one, or once the queue is closed.
+  /// The next motion; nothing after `timeout` without one, or once the queue is closed. The motion popped
+  /// before is done with by then.
   std::optional<ExecutedMotion> pop(std::chrono::milliseconds timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
+    is_taken_ = false;
     has_motion_.wait_for(lock, timeout, [this] { return is_closed_ || !motions_.empty(); });
     if (is_closed_ || motions_.empty()) return std::nullopt;
     const ExecutedMotion motion = motions_.front();
     motions_.pop_front();
+    is_taken_ = true;
     has_room_.notify_one();
     return motion;
+  }
+
+  /// Whether no motion waits, and the last one popped is done with.
+  bool isAtRest() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return motions_.empty() && !is_taken_;
   }
 
   /// Lets nobody wait any more.
@@ -53,6 +62,7 @@ class MotionQueue {
   std::condition_variable has_room_;
   std::condition_variable has_motion_;
   std::deque<ExecutedMotion> motions_;
+  bool is_taken_ = false;  ///< a motion that is still being worked off
   bool is_closed_ = false;
 };
 

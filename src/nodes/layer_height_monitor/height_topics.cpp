@@ -56,13 +56,14 @@ void publishOctomap(const ros::Publisher&, const HeightMap&) {}
 }  // namespace
 
 HeightTopics::HeightTopics(ros::NodeHandle node)
-    : layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, kNoBound, true)),
+    : measuring_(node.advertise<lamina_msgs::Measuring>(names::kMeasuring, 1, true)),
+      layer_height_(node.advertise<lamina_msgs::LayerHeight>(names::kLayerHeight, kNoBound, true)),
       height_map_(node.advertise<sensor_msgs::PointCloud2>(names::kHeightMap, 1, true)),
       deviation_(node.advertise<sensor_msgs::Image>(names::kHeightDeviation, 1, true)),
       octomap_(advertiseOctomap(node)) {}
 
-void HeightTopics::publish(const LayerHeightReport& report, const std::string& toolpath_id,
-                           const lamina_msgs::ProfileCounts& counts) {
+lamina_msgs::LayerHeight toMessage(const LayerHeightReport& report, const std::string& toolpath_id,
+                                   const lamina_msgs::ProfileCounts& counts) {
   lamina_msgs::LayerHeight message;
   message.toolpath_id = toolpath_id;
   message.layer = static_cast<std::uint32_t>(report.layer);
@@ -75,7 +76,19 @@ void HeightTopics::publish(const LayerHeightReport& report, const std::string& t
   message.sight = sightOf(report.sight);
   message.profiles = static_cast<std::uint32_t>(report.profiles);
   message.counts = counts;
-  publishOnBed(layer_height_, message);
+  return message;
+}
+
+void HeightTopics::publish(const LayerHeightReport& report, const std::string& toolpath_id,
+                           const lamina_msgs::ProfileCounts& counts) {
+  publishOnBed(layer_height_, toMessage(report, toolpath_id, counts));
+}
+
+void HeightTopics::publishMeasuring(const std::string& toolpath_id, const ros::Time& toolpath_stamp) {
+  lamina_msgs::Measuring message;
+  message.toolpath_id = toolpath_id;
+  message.toolpath_stamp = toolpath_stamp;
+  publishOnBed(measuring_, message);
 }
 
 void HeightTopics::publishMaps(const HeightMonitor& monitor) {

@@ -11,23 +11,31 @@
 
 namespace lamina {
 
+/// A report as it is published.
+/// @param counts  of all profiles since the toolpath came
+lamina_msgs::LayerHeight toMessage(const LayerHeightReport& report, const std::string& toolpath_id,
+                                   const lamina_msgs::ProfileCounts& counts);
+
 /// Publishes what was measured.
 ///
-/// layer_height (lamina/LayerHeight, latched), height_map (sensor_msgs/PointCloud2, latched),
-/// height_deviation (sensor_msgs/Image, latched); where octomap_msgs is installed, height_octomap
-/// (octomap_msgs/Octomap, latched)
+/// measuring (lamina/Measuring, latched), layer_height (lamina/LayerHeight, latched), height_map
+/// (sensor_msgs/PointCloud2, latched), height_deviation (sensor_msgs/Image, latched); where octomap_msgs is
+/// installed, height_octomap (octomap_msgs/Octomap, latched)
 class HeightTopics {
  public:
   explicit HeightTopics(ros::NodeHandle node);
 
-  /// @param counts  of all profiles since the toolpath came
   void publish(const LayerHeightReport& report, const std::string& toolpath_id,
                const lamina_msgs::ProfileCounts& counts);
+  /// All is ready for the print of a toolpath.
+  /// @param toolpath_stamp  of its header
+  void publishMeasuring(const std::string& toolpath_id, const ros::Time& toolpath_stamp);
 
   /// The maps go only to topics that somebody listens to: they are large.
   void publishMaps(const HeightMonitor& monitor);
 
  private:
+  ros::Publisher measuring_;
   ros::Publisher layer_height_;
   ros::Publisher height_map_;
   ros::Publisher deviation_;

@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "names.hpp"
 #include "profile_counts.hpp"
+#include "status.hpp"
 
 namespace lamina {
 namespace {
@@ -21,10 +22,12 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("clouds without transform", counts.without_transform.clouds);
   status.add("clouds without nozzle pose", counts.without_nozzle.clouds);
   status.add("clouds pushed out", counts.pushed_out.clouds);
+  status.add("clouds of the print before", counts.of_former_print.clouds);
   status.add("clouds without frame", counts.without_frame.clouds);
   status.add("clouds malformed", counts.malformed.clouds);
   status.add("last malformed cloud", counts.last_fault);
   status.add("points not finite", counts.points_not_finite);
+  status.add("transforms passed on early", counts.transforms_forced);
 }
 
 }  // namespace
@@ -32,6 +35,7 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
 LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMonitorSettings& settings)
     : settings_(settings),
       topics_(node),
+      silence_(settings.silence_s),
       intake_(node, settings.queue,
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
@@ -40,6 +44,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
   toolpath_ = node.subscribe(names::kToolpath, 1, &LayerHeightMonitor::onToolpath, this);
   save_ = node.advertiseService(names::kSaveHeightMap, &LayerHeightMonitor::onSave, this);
+  finish_ = node.advertiseService(names::kFinishMeasuring, &LayerHeightMonitor::onFinish, this);
   timer_ = node.createWallTimer(ros::WallDuration(0.1), [this](const ros::WallTimerEvent&) { onTimer(); });
 }
 
@@ -56,8 +61,11 @@ LayerHeightMonitor::~LayerHeightMonitor() {
 }
 
 void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
+  if (heights_) intake_.startOver();  // the first toolpath may come after its clouds
   heights_.reset();
   layers_.clear();
+  is_announced_ = is_finished_ = false;
+  toolpath_stamp_ = message->header.stamp;
   before_ = intake_.counts();
   is_saved_ = true;
   try {
@@ -110,11 +118,20 @@ lamina_msgs::ProfileCounts LayerHeightMonitor::counts() const {
   return toMessage(since(before_, intake_.counts()), heights_->use());
 }
 
+/// Says once that a print may begin.
+void LayerHeightMonitor::announce() {
+  if (is_announced_ || !intake_.isConnected()) return;
+  topics_.publishMeasuring(toolpath_id_, toolpath_stamp_);
+  is_announced_ = true;
+}
+
 void LayerHeightMonitor::onTimer() {
   diagnostics_.update();
   if (!heights_) return;
+  announce();
   const double now = clock_.now();
-  if (isSilent(now) && heights_->monitor().isScanning()) {
+  // The last resort where no stamp shows that a scan is over.
+  if (silence_.look(intake_.news(), now) && heights_->monitor().isScanning()) {
     ROS_WARN("no profile has come for %.1f s while a layer was scanned: its scan is given up",
              settings_.silence_s);
     report(heights_->cutShort());
@@ -125,12 +142,29 @@ void LayerHeightMonitor::onTimer() {
   last_maps_s_ = now;
 }
 
-/// The last resort where no stamp shows that a scan is over.
-bool LayerHeightMonitor::isSilent(double now) {
-  const std::uint64_t news = intake_.news();
-  if (news != news_) last_news_s_ = now;
-  news_ = news;
-  return now - last_news_s_ > settings_.silence_s;
+bool LayerHeightMonitor::onFinish(lamina_msgs::FinishMeasuring::Request& request,
+                                  lamina_msgs::FinishMeasuring::Response& response) {
+  try {
+    if (!heights_ || request.toolpath_id != toolpath_id_)
+      throw Rejected("toolpath '" + request.toolpath_id + "' is not measured; expected " +
+                     (heights_ ? "'" + toolpath_id_ + "'" : "a toolpath first"));
+    finishOnce(request);
+    response.is_finished = is_finished_;
+    response.counts = counts();
+    if (is_finished_)
+      for (const LayerHeightReport& layer : layers_)
+        response.layers.push_back(toMessage(layer, toolpath_id_, response.counts));
+  } catch (...) {
+    response.status = toMessage(currentFailure());
+  }
+  return true;
+}
+
+void LayerHeightMonitor::finishOnce(const lamina_msgs::FinishMeasuring::Request& request) {
+  if (is_finished_ || !intake_.hasCome(request.last_position, request.last_profile)) return;
+  report(heights_->finish());
+  is_finished_ = true;
+  is_saved_ = false;
 }
 
 bool LayerHeightMonitor::onSave(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

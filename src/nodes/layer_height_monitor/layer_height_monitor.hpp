@@ -16,14 +16,15 @@
 #include "messages.hpp"
 #include "monitor_settings.hpp"
 #include "profile_intake.hpp"
+#include "silence_watch.hpp"
 
 namespace lamina {
 
 /// Compares what profiles show with what the toolpath should have given.
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one starts new maps), tf
-/// Publishes   layer_height, height_map, height_deviation (see HeightTopics), /diagnostics
-/// Services    save_height_map (std_srvs/Trigger)
+/// Publishes   measuring, layer_height, height_map, height_deviation (see HeightTopics), /diagnostics
+/// Services    save_height_map (std_srvs/Trigger), finish_measuring (lamina/FinishMeasuring)
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
 class LayerHeightMonitor {
  public:
@@ -36,9 +37,12 @@ class LayerHeightMonitor {
   void onProfile(const PlacedProfile& profile);
   void onNozzle(const StampedNozzle& nozzle);
   void onTimer();
+  bool onFinish(lamina_msgs::FinishMeasuring::Request& request,
+                lamina_msgs::FinishMeasuring::Response& response);
+  void finishOnce(const lamina_msgs::FinishMeasuring::Request& request);
+  void announce();
   bool onSave(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void report(const LayerHeightReports& layers);
-  bool isSilent(double now);
   lamina_msgs::ProfileCounts counts() const;
   void save();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -48,19 +52,22 @@ class LayerHeightMonitor {
   HeightTopics topics_;
   std::unique_ptr<StampedHeights> heights_;  ///< empty before the first toolpath
   std::string toolpath_id_;
+  ros::Time toolpath_stamp_;
   std::string toolpath_fault_;  ///< why the last toolpath could not be used
   std::vector<LayerHeightReport> layers_;
   std::uint64_t profiles_without_toolpath_ = 0;
-  IntakeCounts before_;     ///< when the toolpath came
-  std::uint64_t news_ = 0;  ///< that had come at the last look
-  double last_news_s_ = 0.0;
+  IntakeCounts before_;  ///< when the toolpath came
+  SilenceWatch silence_;
   double last_maps_s_ = 0.0;
   bool maps_changed_ = false;
   bool is_saved_ = true;
+  bool is_announced_ = false;  ///< that the toolpath is being measured
+  bool is_finished_ = false;   ///< nothing more comes of the toolpath
   ProfileIntake intake_;
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;
   ros::ServiceServer save_;
+  ros::ServiceServer finish_;
   ros::WallTimer timer_;
 };
 

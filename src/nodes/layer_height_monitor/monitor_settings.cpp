@@ -8,8 +8,8 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
   describe(schema, settings.monitor);
   schema.text("output_folder", settings.output_folder,
               "Where maps and heights are saved; empty saves nothing.");
-  schema.number("silence_s", settings.silence_s, {0.0, 3600.0, true},
-                "A scan is given up when no profile has come for that long, in real time.");
+  schema.number("silence_s", settings.silence_s, {0.0, 3600.0},
+                "A scan is given up when no profile has come for that long, in real time; 0: never.");
   schema.number("map_period_s", settings.map_period_s, {0.0, 3600.0, true},
                 "Time between publications of the maps, in real time.");
   schema.integer("queue", settings.queue, {1, 10000000}, "Clouds that may wait for tf.");

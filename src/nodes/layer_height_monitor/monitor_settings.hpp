@@ -13,7 +13,7 @@ namespace lamina {
 struct LayerHeightMonitorSettings {
   MonitorSettings monitor;
   std::string output_folder;  ///< empty: nothing is saved
-  double silence_s = 30.0;    ///< without a profile for that long, in real time, a scan is given up
+  double silence_s = 30.0;    ///< without a profile for that long, in real time, a scan is given up; 0: never
   double map_period_s = 1.0;  ///< between publications of the maps, in real time
   int queue = 100000;         ///< clouds that may wait for tf
 };

@@ -24,6 +24,7 @@ IntakeCounts since(const IntakeCounts& then, const IntakeCounts& now) {
   counts.without_transform = difference(now.without_transform, then.without_transform);
   counts.without_nozzle = difference(now.without_nozzle, then.without_nozzle);
   counts.pushed_out = difference(now.pushed_out, then.pushed_out);
+  counts.of_former_print = difference(now.of_former_print, then.of_former_print);
   counts.lost = now.lost - then.lost;
   counts.points_not_finite = now.points_not_finite - then.points_not_finite;
   return counts;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_intake.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -33,6 +34,7 @@ ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receivers receiver
 void ProfileIntake::onCloud(const CloudEvent& event) {
   const Cloud cloud = event.getMessage();
   counts_.received.add(*cloud);
+  last_cloud_ = std::max(last_cloud_, cloud->header.stamp);
   countLost(event);
   if (cloud->header.frame_id.empty())
     counts_.without_frame.add(*cloud);
@@ -50,7 +52,43 @@ void ProfileIntake::countLost(const CloudEvent& event) {
 void ProfileIntake::wait(const Cloud& cloud) {
   counts_.waiting.add(*cloud);
   waiting_[cloud->header.frame_id].insert({cloud->header.stamp, cloud});
+  if (counts_.waiting.clouds > queue_) passDue();  // what can be placed is not pushed out
   if (counts_.waiting.clouds > queue_) pushOutOldest();
+}
+
+bool ProfileIntake::hasCome(const ros::Time& position, const ros::Time& profile) {
+  if (last_cloud_ < profile) return false;
+  passDue();
+  // Only then: what tf passes is forgotten in time, and clouds may still need it.
+  const bool has_position =
+      position.isZero() || sequence_.passTo(names::kNozzleFrame, position) != Readiness::NotYet;
+  addNozzles();
+  return has_position && !isHeldUp(position);
+}
+
+/// Whether a cloud waits that tf can still place: its frame hangs on the bed.
+bool ProfileIntake::isHeldUp(const ros::Time& until) const {
+  return std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& of_frame) {
+    const auto& [frame, clouds] = of_frame;
+    return !clouds.empty() && clouds.begin()->first <= until &&
+           lookUp(sequence_.buffer(), names::kBedFrame, frame, ros::Time(0));
+  });
+}
+
+IntakeCounts ProfileIntake::counts() const {
+  IntakeCounts counts = counts_;
+  counts.transforms_forced = sequence_.forced();
+  return counts;
+}
+
+void ProfileIntake::startOver() {
+  for (auto& [frame, clouds] : waiting_) {
+    for (const auto& [stamp, cloud] : clouds) settle(*cloud, counts_.of_former_print);
+    clouds.clear();
+  }
+  while (sequence_.passNext()) {
+  }
+  sequence_.takeNozzles();
 }
 
 void ProfileIntake::pushOutOldest() {
@@ -71,6 +109,7 @@ void ProfileIntake::settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as
 }
 
 void ProfileIntake::passDue() {
+  addNozzles();  // of transforms that went on unasked
   std::set<std::string> passed_over;
   for (;;) {
     const std::string frame = nextFrame(passed_over);

@@ -46,8 +46,10 @@ struct IntakeCounts {
   CloudTally without_transform;         ///< older than what tf reported first
   CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
   CloudTally pushed_out;                ///< of the queue, while waiting for tf
+  CloudTally of_former_print;           ///< still waiting when the next toolpath came
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
   std::uint64_t points_not_finite = 0;  ///< of those placed
+  std::uint64_t transforms_forced = 0;  ///< on before their turn: too many waited for clouds
   std::string last_fault;               ///< what was wrong with the last malformed one
 };
 
@@ -66,7 +68,18 @@ class ProfileIntake {
   /// @param queue  clouds that may wait for tf
   ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers);
 
-  IntakeCounts counts() const { return counts_; }
+  IntakeCounts counts() const;
+  /// Whether somebody publishes profiles and somebody tf.
+  bool isConnected() const { return subscriber_.getNumPublishers() > 0 && transforms_.isConnected(); }
+
+  /// Whether tf has come up to `position` and profiles up to `profile`, and all clouds that these place are
+  /// worked off. Zero stamps ask for no more than has come.
+  bool hasCome(const ros::Time& position, const ros::Time& profile);
+
+  /// Leaves out, and counts, what belongs to a print that is over: clouds that wait, and poses of the nozzle
+  /// that were received and not given out.
+  void startOver();
+
   /// Changes with every cloud that comes or is placed and, while clouds wait, with every transform.
   std::uint64_t news() const {
     const std::uint64_t transforms = counts_.waiting.clouds > 0 ? sequence_.received() : 0;
@@ -79,6 +92,7 @@ class ProfileIntake {
   using Clouds = std::multimap<ros::Time, Cloud>;
 
   void onCloud(const CloudEvent& event);
+  bool isHeldUp(const ros::Time& until) const;
   void countLost(const CloudEvent& event);
   void wait(const Cloud& cloud);
   void pushOutOldest();
@@ -96,6 +110,7 @@ class ProfileIntake {
   Receivers receivers_;
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;
+  ros::Time last_cloud_;                                ///< latest stamp of all clouds received
   std::map<std::string, std::uint32_t> last_sequence_;  ///< by publisher
   ros::WallTimer timer_;
   ros::Subscriber subscriber_;

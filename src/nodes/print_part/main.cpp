@@ -3,7 +3,9 @@
 #include <ros/ros.h>
 
 #include <cstdio>
+#include <string>
 
+#include "lamina/base/error.hpp"
 #include "parameters.hpp"
 #include "print_part.hpp"
 #include "shutdown.hpp"
@@ -16,5 +18,7 @@ int main(int argc, char** argv) {
     lamina::applyParameters(schema, ros::NodeHandle("~"));
     const lamina::PrintReport report = lamina::PrintPart(ros::NodeHandle(), settings).run();
     std::fputs(lamina::summaryText(report).c_str(), stdout);
+    const std::string fault = lamina::measurementFault(report);
+    if (!fault.empty()) throw lamina::Error(lamina::ErrorCode::DeviceError, fault);
   });
 }

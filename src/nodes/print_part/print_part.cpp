@@ -4,7 +4,6 @@
 
 #include <ros/callback_queue.h>
 #include <std_srvs/Trigger.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
 #include <set>
@@ -48,46 +47,61 @@ PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
     : settings_(std::move(settings)),
       slice_(node, names::kSlice, false),
       stream_(node, names::kStreamProgram, false),
-      save_height_map_(node.serviceClient<std_srvs::Trigger>(names::kSaveHeightMap)) {
+      save_height_map_(node.serviceClient<std_srvs::Trigger>(names::kSaveHeightMap)),
+      finish_measuring_(node.serviceClient<lamina_msgs::FinishMeasuring>(names::kFinishMeasuring)),
+      machine_rest_(node.serviceClient<lamina_msgs::MachineRest>(names::kMachineRest)) {
   std::filesystem::create_directories(settings_.output_folder);
   settings_.output_folder = std::filesystem::absolute(settings_.output_folder);
   // The nodes that read the part may run in another folder.
   if (std::filesystem::exists(settings_.part)) settings_.part = std::filesystem::absolute(settings_.part);
-  const boost::function<void(const lamina_msgs::LayerHeightConstPtr&)> onLayer = [this](const auto& layer) {
-    layers_.push_back(*layer);
-    noteAdvance();
-  };
-  layer_subscriber_ = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 0, onLayer);
-  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
-      [this](const auto& toolpath) { toolpath_ = toolpath; };
-  toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  subscribe(node);
   await("slicing_service", [this] { return slice_.isServerConnected(); });
   await("gcode_streamer", [this] { return stream_.isServerConnected(); });
   await("layer_height_monitor", [this] { return save_height_map_.exists(); });
-  awaitTransforms(node);
 }
 
-/// Heights need a node that reports tf where the nozzle is, from the first motion on.
-void PrintPart::awaitTransforms(ros::NodeHandle& node) {
-  const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> ignore = [](const auto&) {};
-  const ros::Subscriber transforms = node.subscribe<tf2_msgs::TFMessage>("/tf", 1, ignore);
-  await("tf", [&transforms] { return transforms.getNumPublishers() > 0; });
+void PrintPart::subscribe(ros::NodeHandle& node) {
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> onToolpath =
+      [this](const auto& toolpath) { toolpath_ = toolpath; };
+  const boost::function<void(const lamina_msgs::MeasuringConstPtr&)> onMeasuring =
+      [this](const auto& measuring) { measuring_ = measuring; };
+  toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  measuring_subscriber_ = node.subscribe<lamina_msgs::Measuring>(names::kMeasuring, 1, onMeasuring);
+  layer_subscriber_ = node.subscribe(names::kLayerHeight, 0, &PrintPart::onLayer, this);
+}
+
+void PrintPart::onLayer(const lamina_msgs::LayerHeightConstPtr& layer) {
+  if (!isOfThisPrint(*layer)) return;
+  layers_.push_back(*layer);
+  noteAdvance();
+}
+
+bool PrintPart::isOfThisPrint(const lamina_msgs::LayerHeight& layer) const {
+  return toolpath_ != nullptr && layer.toolpath_id == toolpath_->id &&
+         layer.header.stamp >= toolpath_->header.stamp;
 }
 
 PrintReport PrintPart::run() {
   const auto start = Clock::now();
   PrintReport report;
   report.part = settings_.part;
+  const ros::Time asked_at = ros::Time::now();
   const auto sliced = slice();
   report.toolpath_id = sliced.toolpath_id;
   report.slicing = sliced.summary;
-  await("toolpath", [&] { return toolpath_ != nullptr && toolpath_->id == sliced.toolpath_id; });
+  // The same part may have been sliced before, and that toolpath is latched.
+  await("toolpath", [&] {
+    return toolpath_ != nullptr && toolpath_->id == sliced.toolpath_id && toolpath_->header.stamp >= asked_at;
+  });
   const Toolpath toolpath = fromMessage(*toolpath_).toolpath;
   for (std::size_t i = 0; i < toolpath.layers.size(); ++i)
     if (isScanned(toolpath.layers[i], settings_.scan_clearance_mm)) scanned_.push_back(i);
+  awaitMeasuring();
   report.streaming = stream();
   awaitHeights();
   report.layers = layers_;
+  report.counts = finish_.counts;
+  report.has_everything = has_everything_;
   report.unreported = unreported();
   report.wall_time_s = std::chrono::duration<double>(Clock::now() - start).count();
   saveHeightMap();
@@ -137,14 +151,50 @@ void PrintPart::stopStreaming() {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
 }
 
-/// The monitor lags behind the machine by as much as the host is slow, so only its reports show that it is
-/// done. Missing ones are listed in the print report.
+void PrintPart::awaitMeasuring() {
+  await("layer_height_monitor, profile and tf", [this] {
+    return measuring_ != nullptr && measuring_->toolpath_id == toolpath_->id &&
+           measuring_->toolpath_stamp == toolpath_->header.stamp;
+  });
+  layers_.clear();
+}
+
+/// The monitor lags behind the machine by as much as the host is slow. A machine that states the stamps of
+/// its last motion gives it an end; one that does not has had its time once nothing comes any more.
 void PrintPart::awaitHeights() {
-  noteAdvance();
   const double patience_s = 0.9 * settings_.patience_s;  // before `await` takes it for a failure
-  await("layer_height_monitor",
-        [this, patience_s] { return unreported().empty() || silence() > patience_s; });
+  await("layer_height_monitor", [this, patience_s] { return isMeasured() || silence() > patience_s; });
+  has_everything_ = isMeasured();
+  if (!finish_.is_finished) askFinish(ros::Time(), ros::Time());
+  layers_ = finish_.layers;
   if (layers_.empty()) throw TimedOut("no layer height was measured; the scan passes gave no profiles");
+}
+
+bool PrintPart::isMeasured() {
+  if (!machine_rest_.exists()) return unreported().empty();
+  return askRest() && askFinish(rest_.last_position, rest_.last_profile);
+}
+
+/// Whether the machine says that it rests.
+bool PrintPart::askRest() {
+  lamina_msgs::MachineRest rest;
+  if (!machine_rest_.call(rest)) return false;
+  if (rest.response.last_position != rest_.last_position) noteAdvance();
+  rest_ = rest.response;
+  return rest_.is_resting;
+}
+
+/// Whether the monitor has had everything up to these stamps.
+bool PrintPart::askFinish(const ros::Time& last_position, const ros::Time& last_profile) {
+  lamina_msgs::FinishMeasuring finish;
+  finish.request.toolpath_id = toolpath_->id;
+  finish.request.last_position = last_position;
+  finish.request.last_profile = last_profile;
+  if (!finish_measuring_.call(finish)) throw Disconnected("layer_height_monitor does not answer");
+  throwIfFailed(finish.response.status);
+  if (finish.response.counts != finish_.counts) noteAdvance();
+  finish_ = finish.response;
+  return finish_.is_finished;
 }
 
 std::vector<std::size_t> PrintPart::unreported() const {

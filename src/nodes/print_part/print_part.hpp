@@ -29,8 +29,10 @@ void describe(SettingsSchema& schema, PrintPartSettings& settings);
 /// Drives the cell through one part: slices it, streams the program, and waits for the measured heights.
 ///
 /// Action clients   slice (lamina/Slice), stream_program (lamina/StreamProgram)
-/// Service clients  save_height_map (std_srvs/Trigger)
-/// Subscribes       toolpath (lamina/Toolpath), layer_height (lamina/LayerHeight), tf (until there is one)
+/// Service clients  finish_measuring (lamina/FinishMeasuring), save_height_map (std_srvs/Trigger),
+///                  machine_rest (lamina/MachineRest), where the machine has it
+/// Subscribes       toolpath (lamina/Toolpath), measuring (lamina/Measuring), layer_height
+///                  (lamina/LayerHeight)
 class PrintPart {
  public:
   /// Waits for the other nodes.
@@ -46,11 +48,19 @@ class PrintPart {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void awaitTransforms(ros::NodeHandle& node);
+  void subscribe(ros::NodeHandle& node);
+  void onLayer(const lamina_msgs::LayerHeightConstPtr& layer);
+  /// Reports of a print before, of the same part too, are not this one's.
+  bool isOfThisPrint(const lamina_msgs::LayerHeight& layer) const;
+  /// Until the monitor is ready for the toolpath.
+  void awaitMeasuring();
   lamina_msgs::SliceResult slice();
   lamina_msgs::StreamProgramResult stream();
   void stopStreaming();
   void awaitHeights();
+  bool isMeasured();
+  bool askRest();
+  bool askFinish(const ros::Time& last_position, const ros::Time& last_profile);
   /// Layers with a scan pass for which no report has come.
   std::vector<std::size_t> unreported() const;
   void saveHeightMap();
@@ -67,10 +77,17 @@ class PrintPart {
   actionlib::SimpleActionClient<lamina_msgs::SliceAction> slice_;
   actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction> stream_;
   ros::ServiceClient save_height_map_;
+  ros::ServiceClient finish_measuring_;
+  ros::ServiceClient machine_rest_;
   lamina_msgs::ToolpathConstPtr toolpath_;
+  lamina_msgs::MeasuringConstPtr measuring_;
+  lamina_msgs::MachineRestResponse rest_;        ///< what the machine last answered
+  lamina_msgs::FinishMeasuringResponse finish_;  ///< what the monitor last answered
   std::vector<lamina_msgs::LayerHeight> layers_;
   std::vector<std::size_t> scanned_;  ///< layers with a scan pass
+  bool has_everything_ = false;       ///< the monitor, up to the machine's last stamp
   ros::Subscriber toolpath_subscriber_;
+  ros::Subscriber measuring_subscriber_;
   ros::Subscriber layer_subscriber_;
   Clock::time_point last_advance_ = Clock::now();
 };

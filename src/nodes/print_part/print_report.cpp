@@ -40,12 +40,9 @@ std::string listed(const std::vector<std::size_t>& numbers) {
   return text;
 }
 
-/// That came up to the last report.
-std::uint64_t profilesOf(const PrintReport& report) {
-  return report.layers.empty() ? 0 : report.layers.back().counts.received;
-}
-
 std::string duration(double seconds) {
+  constexpr double kShort = 0.1;  // s
+  if (seconds < kShort) return fixed(1e3 * seconds, 1) + " ms";
   const auto whole = static_cast<long>(std::lround(seconds));
   return whole < 60 ? fixed(seconds, 1) + " s"
                     : std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
@@ -76,6 +73,18 @@ std::vector<std::size_t> layersNotSeen(const PrintReport& report) {
     if (layer.sight == lamina_msgs::LayerHeight::NOT_SEEN) layers.push_back(layer.layer);
   std::sort(layers.begin(), layers.end());
   return layers;
+}
+
+std::string measurementFault(const PrintReport& report) {
+  std::vector<std::size_t> layers = layersNotSeen(report);
+  for (const auto& layer : report.layers)
+    if (layer.sight == lamina_msgs::LayerHeight::CUT_SHORT) layers.push_back(layer.layer);
+  std::sort(layers.begin(), layers.end());
+  if (layers.empty() && report.has_everything) return "";
+  if (layers.empty())
+    return "layer_height_monitor did not receive the last position and profile of the machine; expected both";
+  return std::to_string(layers.size()) + " layers were not seen or cut short: " + listed(layers) +
+         "; expected every layer with a scan pass to be measured";
 }
 
 std::string unplacedText(const lamina_msgs::ProfileCounts& counts) {
@@ -116,8 +125,8 @@ std::string summaryText(const PrintReport& report) {
     return layer.sight == lamina_msgs::LayerHeight::CUT_SHORT;
   });
   if (cut_short > 0) lines.add("layers cut short", cut_short);
-  const std::string unplaced = report.layers.empty() ? "" : unplacedText(report.layers.back().counts);
-  lines.add("profiles", profilesOf(report), unplaced.empty() ? "" : "; not placed: ", unplaced);
+  const std::string unplaced = unplacedText(report.counts);
+  lines.add("profiles", report.counts.received, unplaced.empty() ? "" : "; not placed: ", unplaced);
   lines.add("height error", "mean ", fixed(error.mean_mm, 4), " mm, worst ", fixed(error.worst_mm, 4), " mm");
   lines.add("slicing time", duration(slicing.wall_time));
   lines.add("printing time", duration(slicing.estimated_time), " estimated, ",

@@ -17,6 +17,8 @@ struct PrintReport {
   lamina_msgs::StreamProgramResult streaming;
   std::vector<lamina_msgs::LayerHeight> layers;  ///< as reported, in that order; seen or not
   std::vector<std::size_t> unreported;           ///< layers with a scan pass but without a report
+  lamina_msgs::ProfileCounts counts;             ///< of all profiles at the end
+  bool has_everything = true;                    ///< the monitor, up to the machine's last stamp
   double wall_time_s = 0.0;                      ///< from the request to the last measurement
 };
 
@@ -33,6 +35,10 @@ HeightError heightError(const std::vector<lamina_msgs::LayerHeight>& layers);
 
 /// Layers that should have been seen and were not, ascending.
 std::vector<std::size_t> layersNotSeen(const PrintReport& report);
+
+/// Why the part was not measured as it should have been: names layers that were not seen or cut short; empty
+/// if nothing was missed.
+std::string measurementFault(const PrintReport& report);
 
 /// How many profiles could not be placed, and why; empty if there are none.
 std::string unplacedText(const lamina_msgs::ProfileCounts& counts);

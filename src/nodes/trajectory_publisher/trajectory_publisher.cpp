@@ -150,16 +150,17 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
   else
     requirePlannedFor(placed, model_->name());
   auto shown = std::make_unique<Shown>(std::move(placed));
-  shown->playback = playbackOf(shown->placed);
+  if (settings_.mode == TrajectoryMode::Visualise) shown->playback = playbackOf(shown->placed);
   const MachineToolpath& accepted = shown->placed;
   nav_msgs::Path path = nozzlePath(accepted.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
   static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(accepted.bed_from_part)));
   nozzle_path_.publish(path);
-  ROS_INFO("toolpath %s of '%s': %zu layers, %.0f s", accepted.id.c_str(),
-           accepted.toolpath.part_name.c_str(), accepted.toolpath.layers.size(),
-           shown->playback->time().total_s);
-  if (settings_.mode == TrajectoryMode::Visualise) shown_ = std::move(shown);
+  ROS_INFO("toolpath %s of '%s': %zu layers", accepted.id.c_str(), accepted.toolpath.part_name.c_str(),
+           accepted.toolpath.layers.size());
+  if (shown->playback == nullptr) return;
+  ROS_INFO("it is played in %.0f s", shown->playback->time().total_s / settings_.speed_up);
+  shown_ = std::move(shown);
 }
 
 std::unique_ptr<Playback> TrajectoryPublisher::playbackOf(const MachineToolpath& placed) const {

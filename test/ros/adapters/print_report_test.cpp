@@ -53,14 +53,36 @@ TEST(SummaryText, NamesLayersThatWereNotSeenAndProfilesThatWereNotPlaced) {
   report.layers = {layer(0, 1e-5, -2e-5, 12), layer(77, 0.0, 0.0, 0), layer(78, 1e-5, -2e-5, 12)};
   report.layers[1].sight = lamina_msgs::LayerHeight::NOT_SEEN;
   report.layers[2].sight = lamina_msgs::LayerHeight::CUT_SHORT;
-  report.layers[2].counts.received = 5000;
-  report.layers[2].counts.lost = 12;
-  report.layers[2].counts.in_gap = 3;
+  report.counts.received = 5000;
+  report.counts.lost = 12;
+  report.counts.in_gap = 3;
   report.unreported = {80, 79};
   const std::string text = lamina::summaryText(report);
   for (const char* part : {"layers measured   2,", "layers not seen   3: 77, 79, 80", "layers cut short  1",
                            "profiles          5000; not placed: 12 lost on the way, 3 in gaps of poses"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(SummaryText, StatesShortTimesInMilliseconds) {
+  lamina::PrintReport report;
+  report.slicing.wall_time = 0.0312;
+  report.slicing.estimated_time = 0.2;
+  const std::string text = lamina::summaryText(report);
+  for (const char* part : {"slicing time      31.2 ms", "printing time     0.2 s estimated"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(MeasurementFault, NamesLayersThatWereNotSeenOrCutShort) {
+  lamina::PrintReport report;
+  report.layers = {layer(0, 1e-5, -2e-5, 12), layer(1, 0.0, 0.0, 0), layer(2, 1e-5, -2e-5, 12)};
+  EXPECT_EQ(lamina::measurementFault(report), "");
+  report.has_everything = false;
+  EXPECT_NE(lamina::measurementFault(report).find("last position and profile"), std::string::npos);
+  report.layers[1].sight = lamina_msgs::LayerHeight::NOT_SEEN;
+  report.layers[2].sight = lamina_msgs::LayerHeight::CUT_SHORT;
+  report.unreported = {3};
+  const std::string fault = lamina::measurementFault(report);
+  EXPECT_EQ(fault.find("3 layers were not seen or cut short: 1, 2, 3;"), 0U) << fault;
 }
 
 TEST(SummaryText, SaysNothingOfLayersNotSeenWhereAllWereSeen) {

@@ -104,10 +104,22 @@ TEST(TransformSequence, TransformsOfOneStampGoTogetherAndInTheOrderOfStamps) {
   EXPECT_FALSE(sequence.passNext());
 }
 
+TEST(TransformSequence, WithTooManyWaitingNoPoseOfTheNozzleIsLost) {
+  TransformSequence sequence(10);
+  withSensor(sequence);
+  addRise(sequence, 1000, 1025);
+  EXPECT_EQ(sequence.forced(), 15U);
+  while (sequence.passNext()) {
+  }
+  EXPECT_EQ(sequence.takeNozzles().size(), 25U);
+  EXPECT_EQ(sequence.forced(), 15U);
+}
+
 TEST(TransformSequence, WithTooManyWaitingTheOldestGoUnasked) {
   TransformSequence sequence(100);
   withSensor(sequence);
   addRise(sequence, 1000, 1200);
+  EXPECT_EQ(sequence.forced(), 100U);
   const auto latest = sequence.buffer().lookupTransform(names::kBedFrame, names::kNozzleFrame, ros::Time(0));
   EXPECT_EQ(latest.header.stamp, ros::Time(1099));
   EXPECT_EQ(sequence.passTo(names::kSensorFrame, ros::Time(1050)), Readiness::Never);
