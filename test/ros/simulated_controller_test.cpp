@@ -27,16 +27,16 @@ constexpr double kLong = 1.0;  // s of a goal
 /// A client of a controller and its process.
 class Controlled {
  public:
-  explicit Controlled(const std::string& space) : node_(space), client_(node_, names::kFollowJointTrajectory, false) {
+  explicit Controlled(const std::string& space)
+      : node_(space), client_(node_, names::kFollowJointTrajectory, false) {
     process_ = node_.advertise<lamina_msgs::ProcessTrajectory>(names::kProcessTrajectory, 10);
     const boost::function<void(const lamina_msgs::ProcessStateConstPtr&)> on_state =
         [this](const auto& message) { states.push_back(*message); };
     state_ = node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 0, on_state);
   }
   bool isReady() {
-    return waitUntil([&] {
-      return client_.isServerConnected() && process_.getNumSubscribers() > 0 && !states.empty();
-    });
+    return waitUntil(
+        [&] { return client_.isServerConnected() && process_.getNumSubscribers() > 0 && !states.empty(); });
   }
 
   /// All joints from the middle to a place off it, or back, within `kLong`.
@@ -133,7 +133,8 @@ TEST(SimulatedController, AJointThatLeavesItsPathEndsTheGoal) {
   ASSERT_TRUE(controlled.isReady());
   controlled.send(ros::Time(), 0.0, 20.0);
   EXPECT_EQ(controlled.ends(), GoalState::ABORTED);
-  EXPECT_NE(controlled.reason().find("left its path by more than 1"), std::string::npos) << controlled.reason();
+  EXPECT_NE(controlled.reason().find("left its path by more than 1"), std::string::npos)
+      << controlled.reason();
 }
 
 }  // namespace

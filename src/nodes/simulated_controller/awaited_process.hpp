@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Goals whose process has not come yet. A client sends the process of a goal with the goal's stamp, on another
-/// connection; each connection keeps its order.
+/// Goals whose process has not come yet. A client sends the process of a goal with the goal's stamp, on
+/// another connection; each connection keeps its order.
 class AwaitedProcess {
  public:
   /// @param expected_s  that the stamp of a goal may be after the last process; after more, none is expected
@@ -24,7 +24,7 @@ class AwaitedProcess {
 
  private:
   double expected_s_;
-  ros::Time last_process_;  ///< zero before the first
+  ros::Time last_process_;           ///< zero before the first
   std::deque<ros::Time> goals_;      ///< without process, in the order they came
   std::deque<ros::Time> processes_;  ///< without goal
 };
