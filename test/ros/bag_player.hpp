@@ -19,9 +19,8 @@ class BagPlayer {
  private:
   static std::vector<std::string> argumentsFor(const std::string& bag,
                                                const std::vector<std::string>& options) {
-    std::vector<std::string> all = {"rosrun",         "rosbag",       "play",
-                                    "--quiet",        "--keep-alive", "--queue=100000",
-                                    "--wait-for-subscribers"};
+    std::vector<std::string> all = {
+        "rosrun", "rosbag", "play", "--quiet", "--keep-alive", "--queue=100000", "--wait-for-subscribers"};
     all.insert(all.end(), options.begin(), options.end());
     all.push_back(bag);
     return all;
