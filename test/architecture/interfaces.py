@@ -15,9 +15,7 @@ GAPS = {
     "incline.launch": PANEL, "layers.launch": PANEL,
     "kHeightOctomap": NO_TEST, "kPluginsParameter": NO_TEST,
     "goal_time_tolerance": "of control_msgs", "goal_tolerance": "of control_msgs",
-    "outside_volume": NO_TEST, "arcs_made_chords": NO_TEST, "build_aids_dropped": NO_TEST, "bed_temperature": NO_TEST,
-    "nozzle_temperature": NO_TEST, "beyond_bead": NO_TEST, "overhang_per_layer": NO_TEST, "refill_runs": NO_TEST,
-    "refilled_volume": NO_TEST, "steepest_lean": NO_TEST, "steepest_lean_at": NO_TEST,
+    "outside_volume": NO_TEST, "arcs_made_chords": NO_TEST, "build_aids_dropped": NO_TEST,
     "overfill_after": NO_TEST, "overfill_before": NO_TEST, "overlap_per_drop": NO_TEST,
     "greatest_stress": NO_TEST, "is_fresh": NO_TEST,
 }
