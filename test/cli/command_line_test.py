@@ -6,6 +6,8 @@
 """
 import json
 import os
+import pty
+import select
 import signal
 import subprocess
 import sys
@@ -371,9 +373,12 @@ class CommandLine(unittest.TestCase):
         self.addCleanup(emulator.wait)
         self.addCleanup(emulator.kill)
         self.wait_for(lambda: os.path.exists(machine))
+        screen, terminal = pty.openpty()  # on which it shows how far it is
+        self.addCleanup(os.close, screen)
         stream = subprocess.Popen([LAMINA, "stream", program, "--port", machine, "--json"],
-                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        time.sleep(3.0)  # until it is under way, also on a loaded machine
+                                  stdout=subprocess.PIPE, stderr=terminal, text=True)
+        os.close(terminal)
+        self.wait_for_text(screen, b"Execute")
         stream.send_signal(signal.SIGHUP)
         told = json.loads(stream.communicate(timeout=60)[0])
         self.assertEqual(told["error"]["code"], "Cancelled")
@@ -382,6 +387,12 @@ class CommandLine(unittest.TestCase):
         emulator.send_signal(signal.SIGINT)
         emulator.wait(timeout=60)
         self.assertIn(b"M104 S0", content(self.path("run")))
+
+    def wait_for_text(self, descriptor, text):
+        seen = b""
+        while text not in seen:
+            self.assertTrue(select.select([descriptor], [], [], 60.0)[0], seen)
+            seen += os.read(descriptor, 1000)
 
     def wait_for(self, is_true):
         give_up = time.monotonic() + 20.0

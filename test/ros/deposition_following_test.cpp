@@ -103,7 +103,7 @@ TEST_P(DepositionFollowing, LaysWhatAPlayedMachineHasPassed) {
   followed.latch(played.placed);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isFollowing(played.placed.id); }));
   const test::NodeProcess publisher(LAMINA_NODE, in_space);
-  ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete() && !followed.clouds.empty(); }));
+  ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete() && followed.clouds.size() > 1; }));
   expectGrown(followed, depositedVolume(played.placed.toolpath));
   EXPECT_EQ(followed.clouds.back()->header.frame_id, names::kBedFrame);
   EXPECT_LT(followed.clouds.front()->width * followed.clouds.front()->height,

@@ -49,6 +49,15 @@ class DriveCell {
         };
     const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_findings =
         [this](const auto& message) { findings = message->markers.size(); };
+    const boost::function<void(const visualization_msgs::MarkerArrayConstPtr&)> on_part =
+        [this](const auto& message) { grown = message->markers.size(); };
+    const boost::function<void(const lamina_msgs::ProcessTrajectoryConstPtr&)> on_ahead =
+        [this](const auto&) { ++processes; };
+    const boost::function<void(const lamina_msgs::TrackingErrorConstPtr&)> on_tracking =
+        [this](const auto& message) { tracking = *message; };
+    part_ = node_.subscribe<visualization_msgs::MarkerArray>(names::kPartMarkers, 100, on_part);
+    ahead_ = node_.subscribe<lamina_msgs::ProcessTrajectory>(names::kProcessTrajectory, 1000, on_ahead);
+    tracking_ = node_.subscribe<lamina_msgs::TrackingError>(names::kTrackingError, 100, on_tracking);
     position_ = node_.subscribe<sensor_msgs::JointState>(names::kMachinePosition, 0, on_position);
     process_ = node_.subscribe<lamina_msgs::ProcessState>(names::kProcessState, 0, on_process);
     state_ = node_.subscribe<lamina_msgs::MachineState>(names::kMachineState, 1000, on_state);
@@ -62,6 +71,7 @@ class DriveCell {
     placed.machine = planned_for;
     placed.id = toolpathId(toolpath);
     placed.toolpath = std::move(toolpath);
+    waitUntil([&] { return toolpath_.getNumSubscribers() > 0; });
     toolpath_.publish(toMessage(placed));
     ask(placed.id);
   }
@@ -70,6 +80,7 @@ class DriveCell {
     waitUntil([&] { return client_.isServerConnected(); });
     lamina_msgs::DriveToolpathGoal goal;
     goal.toolpath_id = id;
+    state.clear();
     client_.sendGoal(goal);
   }
 
@@ -77,12 +88,22 @@ class DriveCell {
   bool ends() {
     return waitUntil([&] { return isDone(); });
   }
+  /// States come on a topic, results on another.
+  bool comesTo(const std::string& wanted) {
+    return waitUntil([&] { return state == wanted; });
+  }
   lamina_msgs::DriveToolpathResult result() const { return *client_.getResult(); }
   bool calls(const std::string& service) {
     std_srvs::Trigger trigger;
     return node_.serviceClient<std_srvs::Trigger>(service).call(trigger) && trigger.response.success;
   }
 
+  /// Index of the last report with a flow; 0 if there is none.
+  std::size_t lastDeposit() const {
+    std::size_t last = reports.empty() ? 0 : reports.size() - 1;
+    while (last > 0 && reports[last].process.flow == 0.0) --last;
+    return last;
+  }
   bool isDepositing() const { return !reports.empty() && reports.back().process.flow > 0.0; }
   static bool isSafe(const Report& report) {
     const auto& process = report.process;
@@ -104,7 +125,10 @@ class DriveCell {
   std::unique_ptr<const KinematicModel> model;
   std::vector<Report> reports;  ///< of machine and process
   std::string state;
-  std::size_t findings = 0;  ///< markers
+  std::size_t findings = 0;             ///< markers
+  std::size_t grown = 0;                ///< markers of the part
+  std::size_t processes = 0;            ///< that were sent to the controller
+  lamina_msgs::TrackingError tracking;  ///< last
 
  private:
   /// Index of the first report that is younger than the last change of state.
@@ -144,7 +168,7 @@ class DriveCell {
   std::map<ros::Time, JointValues> joints_at_;  ///< that wait for what the process did
   std::map<ros::Time, lamina_msgs::ProcessState> process_at_;
   ros::Time state_stamp_;
-  ros::Subscriber position_, process_, state_, findings_;
+  ros::Subscriber position_, process_, state_, findings_, part_, ahead_, tracking_;
   ros::Publisher toolpath_;
 };
 

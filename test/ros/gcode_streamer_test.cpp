@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs the node gcode_streamer against emulated machines.
 #include <actionlib/client/simple_action_client.h>
+#include <asm/termbits.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <signal.h>
 #include <std_srvs/Trigger.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -156,19 +159,21 @@ TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {
 
 TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
   const TestMachine machine(5.0);
-  const auto program = zigzag(3000);
+  const auto program = zigzag(600);  // 8 s
   start(write(program));
   ASSERT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   EXPECT_TRUE(call(lamina::names::kPause).success);
   ASSERT_TRUE(waitForState(MachineState::HELD));
   const auto held_at = machine.commands().size();
   EXPECT_FALSE(call(lamina::names::kPause).success);
-  ros::WallDuration(0.3).sleep();
+  EXPECT_TRUE(waitUntil([&] { return machine->isIdle(); }));
   EXPECT_EQ(machine.commands().size(), held_at);
   EXPECT_LT(held_at, program.size());
   EXPECT_TRUE(call(lamina::names::kResume).success);
   EXPECT_EQ(result().status.code, Status::OK);
   EXPECT_EQ(machine.commands(), program);
+  EXPECT_TRUE(waitUntil([&] { return state_->nozzle_temperature > 190.0; })) << state_->nozzle_temperature;
+  EXPECT_NEAR(state_->bed_temperature, 25.0, 0.1) << "nobody heats it";
 }
 
 TEST_F(GcodeStreamer, StopsSafelyOnAbort) {
@@ -264,12 +269,21 @@ TEST_F(GcodeStreamer, RefusesAToolpathThatItsMachineCannotRun) {
   EXPECT_NEAR(machine->position().norm(), 0.0, 1e-9);
 }
 
+/// Of a serial port, or of what stands in for one.
+unsigned baudOf(const std::string& port) {
+  const int file = ::open(port.c_str(), O_RDWR | O_NOCTTY);
+  termios2 set{};
+  EXPECT_EQ(::ioctl(file, TCGETS2, &set), 0) << port;
+  ::close(file);
+  return set.c_ospeed;
+}
+
 TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   const std::string port = kPort + "_sigterm";
   const TestMachine machine(2.0, {}, port);
   const pid_t child = ::fork();
   if (child == 0) {
-    ::execl(LAMINA_NODE, LAMINA_NODE, "__ns:=/terminated", ("_port:=" + port).c_str(),
+    ::execl(LAMINA_NODE, LAMINA_NODE, "__ns:=/terminated", ("_port:=" + port).c_str(), "_baud:=57600",
             static_cast<char*>(nullptr));
     ::_exit(127);
   }
@@ -280,6 +294,7 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   client.sendGoal(goal);
   EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 20; }));
   EXPECT_GT(machine->nozzleTarget(), 0.0);
+  EXPECT_EQ(baudOf(port), 57600U);
   ::kill(child, SIGTERM);
   int status = -1;
   EXPECT_EQ(::waitpid(child, &status, 0), child);

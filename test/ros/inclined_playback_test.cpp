@@ -12,6 +12,7 @@
 #include <memory>
 #include <sstream>
 
+#include "bag_player.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/job/incline_settings.hpp"
 #include "messages.hpp"
@@ -135,10 +136,7 @@ TEST(InclinedPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   std::vector<std::unique_ptr<TfRecording>> replayed;
   for (const Case& played : cases)
     replayed.push_back(std::make_unique<TfRecording>("replayed/" + played.machine));
-  const std::string play =
-      "rosrun rosbag play --quiet --queue=100000 --delay=1 --rate=4 --wait-for-subscribers "
-      "--prefix=/replayed ";
-  ASSERT_EQ(std::system((play + folder.file("played.bag")).c_str()), 0);
+  const test::BagPlayer player(folder.file("played.bag"), {"--delay=1", "--rate=4", "--prefix=/replayed"});
   for (std::size_t i = 0; i < cases.size(); ++i) {
     EXPECT_TRUE(test::waitUntil([&] { return replayed[i]->isAt(cases[i].tips.back()); }));
     expectPlayed(cases[i], *replayed[i]);

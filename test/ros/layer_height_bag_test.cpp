@@ -5,8 +5,9 @@
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <cstdlib>
+#include <cmath>
 
+#include "bag_player.hpp"
 #include "plate_scan.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
@@ -53,12 +54,10 @@ TEST(LayerHeightBag, AReplayedPrintHasTheKnownHeights) {
   const auto subscriber = node.subscribe<lamina_msgs::LayerHeight>(names::kLayerHeight, 10, onLayer);
   const test::ScratchFolder folder;
   writeBag(folder.file("print.bag"));
-  ASSERT_EQ(std::system(("rosrun rosbag play --quiet --queue=100000 --delay=1 --wait-for-subscribers " +
-                         folder.file("print.bag"))
-                            .c_str()),
-            0);
+  const test::BagPlayer player(folder.file("print.bag"), {"--delay=1"});
   test::waitUntil([&] { return layers.size() >= 2; });
   ASSERT_EQ(layers.size(), 2u);
+  for (const auto& layer : layers) EXPECT_EQ(layer.sight, lamina_msgs::LayerHeight::SEEN + 0);
   EXPECT_NEAR(toMillimetres(layers[0].mean_error), -0.05, 1e-5);
   EXPECT_NEAR(toMillimetres(layers[0].rms_error), 0.05, 1e-5);
   EXPECT_DOUBLE_EQ(layers[0].coverage, 1.0);

@@ -7,9 +7,9 @@
 #include <rosbag/bag.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 
+#include "bag_player.hpp"
 #include "conversions.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "leaning_square.hpp"
@@ -68,10 +68,7 @@ TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
   live.write(bag);
   bag.close();
   const test::TfRecording replayed("replayed/" + name);
-  const std::string play =
-      "rosrun rosbag play --quiet --queue=100000 --delay=0.2 --rate=10 --wait-for-subscribers "
-      "--prefix=/replayed ";
-  ASSERT_EQ(std::system((play + folder.file("played.bag")).c_str()), 0);
+  const test::BagPlayer player(folder.file("played.bag"), {"--delay=0.2", "--rate=10", "--prefix=/replayed"});
   EXPECT_TRUE(test::waitUntil([&] { return hasEnded(played, replayed); }));
   expectPlayed(played, replayed);
 }

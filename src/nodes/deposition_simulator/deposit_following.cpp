@@ -9,15 +9,22 @@
 #include "names.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kShare = 0.05;        // of the toolpath, after which all is published whatever the time
+constexpr std::uint32_t kNoBound = 0;  // of a queue: states are small, and as many as periods and shares
+constexpr std::uint32_t kClouds = 1 / kShare;  // that may wait for a slow subscriber
+
+}  // namespace
 
 DepositFollowing::DepositFollowing(ros::NodeHandle node, const DepositionSimulatorSettings& settings)
     : settings_(settings),
-      deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
+      deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, kClouds, true)),
       markers_(node.advertise<visualization_msgs::MarkerArray>(names::kDepositedMarkers, 1, true)),
-      state_(node.advertise<lamina_msgs::DepositionState>(names::kDepositionState, 1, true)),
+      state_(node.advertise<lamina_msgs::DepositionState>(names::kDepositionState, kNoBound, true)),
       intake_(node,
               [this](const Eigen::Isometry3d& bed_from_nozzle) {
-                if (followed_) followed_->observe(bed_from_nozzle.translation());
+                if (followed_) follow(bed_from_nozzle.translation());
               }),
       timer_(node.createWallTimer(ros::WallDuration(settings.period_s),
                                   [this](const ros::WallTimerEvent&) { publish(); })) {}
@@ -39,6 +46,13 @@ void DepositFollowing::begin(const lamina_msgs::Toolpath& message) {
     ROS_ERROR("cannot follow toolpath %s: %s: %s", toolpath_id_.c_str(), toString(failure.code),
               failure.message.c_str());
   }
+}
+
+/// A host that is behind with poses must not leave out what grew meanwhile.
+void DepositFollowing::follow(const Point3& tip) {
+  followed_->observe(tip);
+  const double grown_mm3 = followed_->deposit().totals().extruded_mm3 - published_mm3_;
+  if (grown_mm3 >= kShare * followed_->plannedVolume()) publish();
 }
 
 void DepositFollowing::publish() {

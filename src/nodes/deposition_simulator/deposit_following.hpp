@@ -25,6 +25,7 @@ class DepositFollowing {
   void begin(const lamina_msgs::Toolpath& message);
 
  private:
+  void follow(const Point3& tip);
   void publish();
   void publishState();
 

@@ -11,8 +11,9 @@ void describe(SettingsSchema& schema, ControllerSettings& settings) {
                 "Positions, feedback and process states a second.");
   schema.number("path_tolerance", settings.path_tolerance, {0.0, 1e3},
                 "Error of a joint, in mm or rad, that aborts the goal; 0 for none.");
-  schema.number("host_wait_s", settings.host_wait_s, {0.0, 3600.0},
-                "How long simulated time stands still for further points when they run out in motion.");
+  schema.number(
+      "host_wait_s", settings.host_wait_s, {0.0, 3600.0},
+      "How late points, their process and goals from rest may come: simulated time stands still for them.");
 }
 
 }  // namespace lamina

@@ -13,7 +13,7 @@ struct ControllerSettings {
   ServoSettings servo;
   double report_hz = 50.0;      ///< of positions, feedback and the process
   double path_tolerance = 0.0;  ///< of every joint while it follows [mm, rad]; 0 for none
-  double host_wait_s = 0.0;     ///< that time stands still where points run out in motion
+  double host_wait_s = 0.0;     ///< that a slow host may be late with goals and their process
 };
 
 /// Adds the keys machine.*, servo.*, report_hz, path_tolerance and host_wait_s.

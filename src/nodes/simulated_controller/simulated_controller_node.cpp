@@ -71,11 +71,13 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
       transforms_(model_->urdf()),
       epoch_(ros::Time::now()),
       controller_(clock_, *model_, settings.servo, parked(*model_)),
+      awaited_(settings.host_wait_s),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kQueue)),
       process_state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
       server_(node, names::kFollowJointTrajectory, false) {
   const Callback<lamina_msgs::ProcessTrajectory> onProcess = [this](const auto& message) {
     process_.accept(*message);
+    awaited_.hearProcess(message->header.stamp);
   };
   process_trajectory_ =
       node.subscribe<lamina_msgs::ProcessTrajectory>(names::kProcessTrajectory, kQueue, onProcess);
@@ -97,19 +99,35 @@ void SimulatedControllerNode::onGoal() {
     result.error_code = follow::Result::INVALID_GOAL;
     result.error_string = error.what();
     ROS_ERROR("goal refused: %s", error.what());
-    controller_.brake();
+    brake();
     server_.setAborted(result, error.what());
   }
+}
+
+void SimulatedControllerNode::brake() {
+  controller_.brake();
+  awaited_.forgetGoals();
+}
+
+/// The client's clock for a time of its own.
+ros::Time SimulatedControllerNode::clientStampOf(double time_s) const { return stampOf(time_s - behind_s_); }
+
+/// By how much a goal from rest begins in the past, if a slow host may be late with it [s].
+double SimulatedControllerNode::latenessOf(const ros::Time& begin) const {
+  const double late_s = clock_.now() - (begin - epoch_).toSec();
+  return late_s > settings_.host_wait_s ? 0.0 : std::max(0.0, late_s);
 }
 
 void SimulatedControllerNode::accept(const follow::Goal& goal) {
   if (goal.trajectory.points.empty()) throw InvalidInput("a goal without points; expected one at least");
   const ros::Time begin =
-      goal.trajectory.header.stamp.isZero() ? stampOf(clock_.now()) : goal.trajectory.header.stamp;
+      goal.trajectory.header.stamp.isZero() ? clientStampOf(clock_.now()) : goal.trajectory.header.stamp;
+  const bool is_at_rest = !controller_.runsOutAt() && controller_.queued() == 0.0;
+  if (is_at_rest) behind_s_ = latenessOf(begin);
   TrajectoryChunk chunk;
   for (const auto& point : goal.trajectory.points) {
     chunk.points.push_back(fromMessage(point, goal.trajectory.joint_names, model_->joints()));
-    chunk.points.back().time_s = (begin - epoch_ + point.time_from_start).toSec();
+    chunk.points.back().time_s = (begin - epoch_ + point.time_from_start).toSec() + behind_s_;
     const std::size_t count = chunk.points.size();
     if (count > 1 && !(chunk.points[count - 1].time_s > chunk.points[count - 2].time_s))
       throw InvalidInput("point " + std::to_string(count - 1) + " is not later than the one before");
@@ -119,6 +137,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
   now.position = controller_.wanted();
   requireFeasible(chunk, *model_, now);
   controller_.accept(chunk);
+  if (!goal.trajectory.header.stamp.isZero()) awaited_.hearGoal(begin);
   goal_end_s_ = chunk.points.back().time_s;
 }
 
@@ -126,7 +145,7 @@ void SimulatedControllerNode::accept(const follow::Goal& goal) {
 void SimulatedControllerNode::onPreempt() {
   if (server_.isNewGoalAvailable()) return;
   catchUp();
-  controller_.brake();
+  brake();
   server_.setPreempted();
 }
 
@@ -138,7 +157,7 @@ void SimulatedControllerNode::onTick() {
     follow::Result result;
     result.error_code = follow::Result::PATH_TOLERANCE_VIOLATED;
     result.error_string = "a joint left its path by more than " + std::to_string(settings_.path_tolerance);
-    controller_.brake();
+    brake();
     return server_.setAborted(result, result.error_string);
   }
   // While time stands still, more of the goal's motion may come.
@@ -159,18 +178,31 @@ void SimulatedControllerNode::catchUp() {
   controller_.advance();
 }
 
-/// Where points run out in motion, it stands still as long as a slow host may still bring more.
+/// What its own time waits at: the end of points that run out in motion, and a goal whose process is still to
+/// come.
+std::optional<double> SimulatedControllerNode::nextWait() const {
+  std::optional<double> at_s = controller_.runsOutAt();
+  const std::optional<ros::Time> awaited = awaited_.first();
+  if (!awaited || process_trajectory_.getNumPublishers() == 0) return at_s;
+  const double begin_s = (*awaited - epoch_).toSec() + behind_s_;
+  return at_s ? std::min(*at_s, begin_s) : begin_s;
+}
+
+/// It stands still as long as a slow host may still bring what it waits for.
 double SimulatedControllerNode::due() {
   const ros::Time now = ros::Time::now();
   const double now_s = (now - epoch_).toSec() - stood_s_;
-  const std::optional<double> end_s = controller_.runsOutAt();
-  if (!server_.isActive() || !end_s || now_s <= *end_s) {
+  const std::optional<double> wait_s = server_.isActive() ? nextWait() : std::nullopt;
+  if (!wait_s || now_s <= *wait_s) {
     stands_since_.reset();
     return now_s;
   }
   if (!stands_since_) stands_since_ = now;
-  if ((now - *stands_since_).toSec() >= settings_.host_wait_s) return now_s;
-  const double stop_s = std::max(*end_s, clock_.now());
+  if ((now - *stands_since_).toSec() >= settings_.host_wait_s) {
+    awaited_.forgetGoals();
+    return now_s;
+  }
+  const double stop_s = std::max(*wait_s, clock_.now());
   stood_s_ += std::max(0.0, now_s - stop_s);
   return std::min(now_s, stop_s);
 }
@@ -197,8 +229,10 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   position_.publish(state);
 
   lamina_msgs::ProcessState process;
+  const ros::Duration behind(behind_s_);
   // Nothing is deposited but on the way of a goal.
-  const lamina_msgs::ProcessPoint point = toMessage(server_.isActive() ? process_.at(now) : safeSignals());
+  const lamina_msgs::ProcessPoint point =
+      toMessage(server_.isActive() ? process_.at(now - behind) : safeSignals());
   process.header.stamp = now;
   process.flow = point.flow;
   process.laser = point.laser;
@@ -206,7 +240,7 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   process.powder = point.powder;
   process.gas = point.gas;
   process_state_.publish(process);
-  if (server_.isActive()) publishFeedback(now);
+  if (server_.isActive()) publishFeedback(now - behind);
 }
 
 void SimulatedControllerNode::publishFeedback(const ros::Time& now) {

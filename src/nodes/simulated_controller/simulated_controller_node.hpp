@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "awaited_process.hpp"
 #include "controller_settings.hpp"
 #include "follow_joint_trajectory.hpp"
 #include "lamina/base/manual_clock.hpp"
@@ -22,7 +23,8 @@ namespace lamina {
 /// docs/nodes/simulated_controller.md.
 ///
 /// It has a clock of its own, that of ROS less what it stood still. A report is of the time that it is
-/// stamped with, however late it is made; none is left out.
+/// stamped with, however late it is made; none is left out. Goals and their process may be later than that by
+/// as much as the first of them was late; feedback is stamped by the goals.
 class SimulatedControllerNode {
  public:
   /// @throws InvalidConfig if the machine is unknown
@@ -34,12 +36,16 @@ class SimulatedControllerNode {
   void onGoal();
   void onPreempt();
   void accept(const follow::Goal& goal);
+  void brake();
+  ros::Time clientStampOf(double time_s) const;
+  double latenessOf(const ros::Time& begin) const;
   void onTick();
   void warnOfStarvation();
   /// Runs and reports all that is due.
   void catchUp();
   /// How far its own time may go [s].
   double due();
+  std::optional<double> nextWait() const;
   ros::Time stampOf(double time_s) const { return epoch_ + ros::Duration(time_s); }
   void report(const ros::Time& now);
   void publishFeedback(const ros::Time& now);
@@ -52,9 +58,11 @@ class SimulatedControllerNode {
   ros::Time epoch_;
   double stood_s_ = 0.0;                   ///< so long time has stood still so far
   std::optional<ros::Time> stands_since_;  ///< while it does
+  double behind_s_ = 0.0;                  ///< that goals are followed after their stamps
   std::uint64_t reports_ = 0;
   SimulatedController controller_;
   ProcessQueue process_;
+  AwaitedProcess awaited_;
   ros::Publisher position_;
   ros::Publisher process_state_;
   ros::Subscriber process_trajectory_;

@@ -21,9 +21,8 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
       settings_(settings),
       links_(links),
       feeder_(motion.path, settings.feeder),
-      begin_(ros::Time::now() + ros::Duration(settings.start_delay_s)),
       tracking_(model),
-      reports_(settings.tracking, settings.controller_wait_s, begin_) {
+      reports_(settings.tracking, settings.controller_wait_s, ros::Time()) {
   links_.controller.begin();
   status_.feeding.least_queued_s = std::numeric_limits<double>::infinity();
   status_.state = motion.running;
@@ -32,10 +31,30 @@ DriveSession::DriveSession(const DriveMotion& motion, const KinematicModel& mode
 bool DriveSession::step(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state)) return false;
+  begin(now);
   watch(now);
-  feed(jobTime(now));
+  feed(now);
   follow(jobTime(now));
   return advance(now);
+}
+
+/// The clock of the points starts as the first of them are sent, whatever came before.
+void DriveSession::begin(const ros::Time& now) {
+  if (!begin_.isZero()) return;
+  begin_ = now + ros::Duration(settings_.start_delay_s);
+  expectReports(begin_);
+}
+
+/// The controller's clock: by stamps that of its last report, which a slow host does not drive on [s].
+double DriveSession::controllerTime(const ros::Time& now) const {
+  if (!isByStamps()) return jobTime(now);
+  const std::lock_guard<std::mutex> lock(report_mutex_);
+  return reported_.isZero() ? -settings_.start_delay_s : (reported_ - begin_).toSec();
+}
+
+/// Whether what is planned is over. By stamps only the controller knows.
+bool DriveSession::isRun(const ros::Time& now) const {
+  return jobTime(now) >= feeder_.restTime() && (!isByStamps() || links_.controller.isDone());
 }
 
 /// Stops if the controller does, says nothing, or leaves the path.
@@ -43,7 +62,6 @@ void DriveSession::watch(const ros::Time& now) {
   if (given_up_at_) return;
   if (const std::optional<std::string> failure = links_.controller.failure())
     return giveUp(now, {ErrorCode::DeviceError, *failure});
-  const double now_s = jobTime(now);
   const bool is_way_to_start = motion_.running == PackmlState::Starting;
   const double most_mm = settings_.tracking.tip_mm * (is_way_to_start ? kCoarser : 1.0);
   std::optional<std::string> silence, deviation;
@@ -52,23 +70,24 @@ void DriveSession::watch(const ros::Time& now) {
     silence = reports_.look(now);
     deviation = tracking_.deviation(most_mm);
   }
-  const bool is_moving = now_s > 0.0 && now_s < feeder_.restTime();
+  const bool is_moving = jobTime(now) > 0.0 && !isRun(now);
   if (is_moving && silence) return giveUp(now, {ErrorCode::Disconnected, *silence});
   if (deviation && status_.state != PackmlState::Aborting)
-    brake(now_s, {ErrorCode::DeviceError, *deviation}, Lift::No);
+    brake(now, {ErrorCode::DeviceError, *deviation}, Lift::No);
 }
 
-void DriveSession::feed(double now_s) {
+void DriveSession::feed(const ros::Time& now) {
   if (given_up_at_) return;
   if (feeder_.state() == TrajectoryFeederState::Running && fed_s_ > 0.0) {
-    const double queued_s = std::max(0.0, fed_s_ - now_s);
+    const double queued_s = std::max(0.0, fed_s_ - controllerTime(now));
     status_.feeding.least_queued_s = std::min(status_.feeding.least_queued_s, queued_s);
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
   }
-  while (const std::optional<TrajectoryChunk> chunk = feeder_.next(now_s)) {
-    links_.controller.send(*chunk, begin_);
+  while (const std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
+    // First what is to happen on the way, then the way.
     links_.process.send(*chunk, begin_, motion_.toolpath_id);
+    links_.controller.send(*chunk, begin_);
     fed_s_ = chunk->points.back().time_s;
   }
 }
@@ -97,10 +116,13 @@ bool DriveSession::advance(const ros::Time& now) {
     if (is_over) status_.state = PackmlState::Aborted;
     return !is_over;
   }
-  const double now_s = jobTime(now);
-  const bool is_at_rest = now_s >= feeder_.restTime() + kSettling;
+  if (!isRun(now))
+    run_at_.reset();
+  else if (!run_at_)
+    run_at_ = isByStamps() ? now : begin_ + ros::Duration(feeder_.restTime());
+  const bool is_at_rest = run_at_ && (now - *run_at_).toSec() >= kSettling;
   const bool is_planned_end =
-      feeder_.state() == TrajectoryFeederState::Finished && now_s >= feeder_.restTime();
+      feeder_.state() == TrajectoryFeederState::Finished && jobTime(now) >= feeder_.restTime();
   switch (status_.state) {
     case PackmlState::Holding:
       if (is_at_rest) status_.state = PackmlState::Held;
@@ -115,22 +137,17 @@ bool DriveSession::advance(const ros::Time& now) {
       if (is_planned_end) status_.state = PackmlState::Completing;
       return true;
     default:  // Starting or Completing
-      return !is_planned_end || !is_at_rest || complete(now);
+      if (!is_planned_end) return true;
+      if (!is_at_rest || !links_.controller.isDone()) return awaitEnd(now);
+      status_.state = PackmlState::Complete;
+      return false;
   }
 }
 
-/// The motion is done once the controller says so. Whether it goes on.
-bool DriveSession::complete(const ros::Time& now) {
-  if (links_.controller.isDone()) {
-    status_.state = PackmlState::Complete;
-    return false;
-  }
-  const double overdue_s = jobTime(now) - feeder_.restTime();
-  const TrackingLimits& limits = settings_.tracking;
-  const double patience_s = limits.silence_by == SilenceBy::Stamps
-                                ? std::max(limits.silence_s, settings_.controller_wait_s)
-                                : limits.silence_s;
-  if (overdue_s > patience_s)
+/// The motion is done once the controller says so. Goes on, but not for ever.
+bool DriveSession::awaitEnd(const ros::Time& now) {
+  const double overdue_s = controllerTime(now) - feeder_.restTime();
+  if (overdue_s > std::max(settings_.tracking.silence_s, kSettling))
     giveUp(now, {ErrorCode::TimedOut, "the controller has not come to the end of its last goal " +
                                           std::to_string(overdue_s) + " s after it was due"});
   return true;
@@ -138,19 +155,27 @@ bool DriveSession::complete(const ros::Time& now) {
 
 void DriveSession::hear(const ControllerReport& report, const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(report_mutex_);
+  reported_ = std::max(reported_, report.stamp);
   reports_.hear(report.stamp, now);
   tracking_.add(report.wanted, report.actual);
 }
 
+/// A controller at rest reports nothing.
+void DriveSession::expectReports(const ros::Time& from) {
+  const std::lock_guard<std::mutex> lock(report_mutex_);
+  reports_.restart(from);
+}
+
 std::optional<std::string> DriveSession::pause(const ros::Time& now) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  begin(now);
   if (status_.state != PackmlState::Execute)
     return std::string("state is ") + toString(status_.state) + "; only Execute can be paused";
   feeder_.pause(jobTime(now));
   if (feeder_.state() != TrajectoryFeederState::Paused)
     return std::string("the motion ends before it could be paused");
   status_.state = PackmlState::Holding;
-  feed(jobTime(now));
+  feed(now);
   return std::nullopt;
 }
 
@@ -159,25 +184,25 @@ std::optional<std::string> DriveSession::resume(const ros::Time& now) {
   if (status_.state != PackmlState::Held)
     return std::string("state is ") + toString(status_.state) + "; only Held can be resumed";
   feeder_.resume(jobTime(now));
-  {
-    const std::lock_guard<std::mutex> report_lock(report_mutex_);
-    reports_.restart(now);
-  }
+  expectReports(now);
   fed_s_ = 0.0;  // at rest nothing is missing
   status_.state = PackmlState::Unholding;
-  feed(jobTime(now));
+  feed(now);
   return std::nullopt;
 }
 
 void DriveSession::abort(const ros::Time& now, const Failure& why) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (isFinal(status_.state) || status_.state == PackmlState::Aborting) return;
-  brake(jobTime(now), why, settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
+  begin(now);
+  if (status_.state == PackmlState::Held) expectReports(now);
+  brake(now, why, settings_.lift_mm > 0.0 ? Lift::Yes : Lift::No);
 }
 
-void DriveSession::brake(double now_s, const Failure& why, Lift lift) {
+void DriveSession::brake(const ros::Time& now, const Failure& why, Lift lift) {
   status_.state = PackmlState::Aborting;
   status_.failure = why;
+  const double now_s = jobTime(now);
   try {
     if (lift == Lift::Yes)
       feeder_.abort(now_s, {settings_.lift_mm, settings_.lift_mm_s}, model_);
@@ -186,7 +211,7 @@ void DriveSession::brake(double now_s, const Failure& why, Lift lift) {
   } catch (const Unreachable& error) {
     status_.failure.message += "; the tool was not lifted: " + std::string(error.what());
   }
-  feed(now_s);
+  feed(now);
 }
 
 /// The controller is to stop by itself: nothing more is sent to it.

@@ -72,13 +72,18 @@ class DriveSession {
  private:
   enum class Lift { Yes, No };
 
+  bool isByStamps() const { return settings_.tracking.silence_by == SilenceBy::Stamps; }
+  void begin(const ros::Time& now);
   double jobTime(const ros::Time& now) const { return (now - begin_).toSec(); }
+  double controllerTime(const ros::Time& now) const;
+  bool isRun(const ros::Time& now) const;
+  void expectReports(const ros::Time& from);
   void watch(const ros::Time& now);
-  void feed(double now_s);
+  void feed(const ros::Time& now);
   void follow(double now_s);
   bool advance(const ros::Time& now);
-  bool complete(const ros::Time& now);
-  void brake(double now_s, const Failure& why, Lift lift);
+  bool awaitEnd(const ros::Time& now);
+  void brake(const ros::Time& now, const Failure& why, Lift lift);
   void giveUp(const ros::Time& now, const Failure& why);
 
   const DriveMotion motion_;
@@ -88,8 +93,9 @@ class DriveSession {
 
   mutable std::mutex mutex_;  ///< of what follows up to the reports
   TrajectoryFeeder feeder_;
-  ros::Time begin_;
-  double fed_s_ = 0.0;  ///< end of what was sent
+  ros::Time begin_;                  ///< when the clock of the points is 0; zero before the first are sent
+  std::optional<ros::Time> run_at_;  ///< since what is planned is over
+  double fed_s_ = 0.0;               ///< end of what was sent
   bool was_starved_ = false;
   std::optional<ros::Time> given_up_at_;
   DriveStatus status_;
@@ -98,6 +104,7 @@ class DriveSession {
   mutable std::mutex report_mutex_;
   Tracking tracking_;
   ReportWatch reports_;
+  ros::Time reported_;  ///< stamp of the last report; zero before the first
 };
 
 }  // namespace lamina

@@ -25,7 +25,8 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   schema.number("lift_mm", settings.lift_mm, {0.0, 1e3}, "How far the tool is lifted after an abort.");
   schema.number("lift_mm_s", settings.lift_mm_s, {0.0, 1e3, true}, "Speed at which it is lifted.");
   schema.number("controller_wait_s", settings.controller_wait_s, {0.0, 600.0},
-                "How long a job waits for the controller, and to hear of the joints and, by stamps, of it.");
+                "How long a job waits for its toolpath and the controller, and to hear of the joints and, by "
+                "stamps, of it.");
 }
 
 }  // namespace lamina

@@ -35,7 +35,7 @@ struct DriverSettings {
   double start_delay_s = 0.5;     ///< from the first chunk to its first point
   double lift_mm = 10.0;          ///< of the tool after an abort
   double lift_mm_s = 10.0;        ///< speed of that
-  double controller_wait_s = 60;  ///< for the controller and the joints' positions to be there
+  double controller_wait_s = 60;  ///< for the toolpath, the controller and the joints' positions to be there
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,

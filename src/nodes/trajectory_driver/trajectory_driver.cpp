@@ -16,7 +16,6 @@ namespace lamina {
 namespace {
 
 constexpr double kStep = 0.02;        // s between looks at what is due
-constexpr double kArrival = 5.0;      // s that a toolpath may take to come
 constexpr double kShowPeriod = 0.1;   // s between reports
 const ros::WallDuration kFlush(0.2);  // that last messages need to leave the node
 
@@ -134,15 +133,17 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
 }
 
 /// A toolpath may be asked for before it has come through.
-MachineToolpath TrajectoryDriver::toolpath(const std::string& id) const {
+MachineToolpath TrajectoryDriver::toolpath(const std::string& id) {
   lamina_msgs::ToolpathConstPtr message;
-  for (const ros::Time end = ros::Time::now() + ros::Duration(kArrival);;) {
+  for (const ros::Time end = ros::Time::now() + ros::Duration(settings_.controller_wait_s);;) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       message = toolpath_;
     }
     const bool is_there = message && message->id == id;
-    if (is_there || ros::Time::now() >= end || isStopRequested() || !ros::ok()) break;
+    if (is_there || ros::Time::now() >= end) break;
+    if (action_.isPreemptRequested()) throw Cancelled("the goal was cancelled");
+    if (isStopRequested() || !ros::ok()) throw Cancelled("the node was ended");
     ros::Duration(kStep).sleep();
   }
   if (!message) throw InvalidInput("toolpath " + id + " is asked for, but none was published");

@@ -43,7 +43,7 @@ class TrajectoryDriver {
 
   void onGoal(const lamina_msgs::DriveToolpathGoalConstPtr& goal);
   DriveStatus drive(const std::string& toolpath_id);
-  MachineToolpath toolpath(const std::string& id) const;
+  MachineToolpath toolpath(const std::string& id);
   DriveStatus run(const DriveMotion& motion);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);

@@ -71,11 +71,23 @@ TEST(Conversions, GiveASummaryInMetres) {
   summary.mesh_volume_mm3 = 1000.0;
   summary.deposition_mm = 2500.0;
   summary.repairs = {"2 holes filled"};
+  summary.lean.steepest_rad = 0.5;
+  summary.lean.steepest = {10.0, 20.0, 30.0};
+  summary.lean.overhang_mm = 0.2;
+  summary.lean.beyond_bead_mm2 = 3e6;
+  summary.refilling.runs = 4;
+  summary.refilling.deposited_mm3 = 5e9;
   const auto message = lamina::toMessage(summary);
   EXPECT_EQ(message.layers, 7U);
   EXPECT_DOUBLE_EQ(message.mesh_volume, 1e-6);
   EXPECT_DOUBLE_EQ(message.deposition, 2.5);
   EXPECT_EQ(message.repairs, summary.repairs);
+  EXPECT_DOUBLE_EQ(message.steepest_lean, 0.5);
+  EXPECT_NEAR((lamina::fromMessage(message.steepest_lean_at) - Point3(10.0, 20.0, 30.0)).norm(), 0.0, 1e-9);
+  EXPECT_DOUBLE_EQ(message.overhang_per_layer, 2e-4);
+  EXPECT_DOUBLE_EQ(message.beyond_bead, 3.0);
+  EXPECT_EQ(message.refill_runs, 4U);
+  EXPECT_DOUBLE_EQ(message.refilled_volume, 5.0);
 }
 
 TEST(Conversions, CarryAToolpathThereAndBack) {
