@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -62,6 +63,9 @@ CartesianMachine withUprightHead(CartesianMachine machine);
 
 /// Box of the nozzle positions all axis values give [mm, bed frame].
 Box3 workspace(const CartesianMachine& machine);
+
+/// The build space that its linear axes reach with rotary joints at zero.
+BuildSpace buildSpaceOf(const CartesianMachine& machine);
 
 /// Where the nozzle is [mm].
 Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValues& values);

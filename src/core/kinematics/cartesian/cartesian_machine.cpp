@@ -128,6 +128,24 @@ Box3 workspace(const CartesianMachine& machine) {
   return box;
 }
 
+BuildSpace buildSpaceOf(const CartesianMachine& machine) {
+  const Eigen::Isometry3d& bed_from_nozzle = machine.bed_from_nozzle_at_zero;
+  BuildSpace space;
+  space.name = machine.name;
+  space.bed_from_axes.linear() = directions(machine);
+  space.bed_from_axes.translation() = bed_from_nozzle.translation();
+  for (std::size_t i = 0; i < 3; ++i) {
+    space.range.low[static_cast<Eigen::Index>(i)] = machine.axes[i].low_mm;
+    space.range.high[static_cast<Eigen::Index>(i)] = machine.axes[i].high_mm;
+    space.is_endless[i] = isEndless(machine.axes[i]);
+  }
+  space.bed_from_nozzle = bed_from_nozzle.linear();
+  space.rotary_joints = machine.rotary_joints;
+  space.program_from_bed = programFromBed(machine);
+  space.tip_from_sensor = Eigen::Isometry3d(bed_from_nozzle.linear()) * machine.nozzle_from_sensor;
+  return space;
+}
+
 Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValues& values) {
   return Eigen::Translation3d(directions(machine) * values) * machine.bed_from_nozzle_at_zero;
 }
