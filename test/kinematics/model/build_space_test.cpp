@@ -70,6 +70,18 @@ TEST(BuildSpace, OfAGantryAt45DegreesHasItsNozzleTiltedOverTheSameRoom) {
   EXPECT_TRUE(sensorOffset(space).isApprox(Point2(25, 0), kWithin)) << "the sensor looks straight down";
 }
 
+TEST(BuildSpace, ASensorMeetsTheLevelOfTheNozzleStraightBelowItself) {
+  EXPECT_TRUE(sensorOffset(buildSpaceByName("drop_printer")).isApprox(Point2(25, 0), kWithin));
+  for (const std::string name : {"large_gantry_45", "large_gantry_45_reverse"}) {
+    const BuildSpace space = buildSpaceByName(name);
+    EXPECT_TRUE(space.tip_from_sensor->translation().isApprox(Point3(150, 0, 250), kWithin)) << name;
+    EXPECT_TRUE(sensorOffset(space).isApprox(Point2(150, 0), kWithin)) << name;
+  }
+  BuildSpace upwards = buildSpaceByName("cartesian_gantry");
+  upwards.tip_from_sensor = Eigen::Isometry3d::Identity();
+  EXPECT_THROW(sensorOffset(upwards), InvalidConfig);
+}
+
 TEST(BuildSpace, AnUprightHeadKeepsTipsAndSensorWhereTheyWere) {
   const BuildSpace inclined = buildSpaceByName("gantry_45");
   const BuildSpace upright = withUprightHead(inclined);

@@ -57,13 +57,6 @@ CartesianMachine machineByName(const std::string& name);
 ///   takes
 CartesianMachine machineFromUrdf(const std::string& text);
 
-/// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of
-/// level layers. Its description stays that of the machine it was.
-CartesianMachine withUprightHead(CartesianMachine machine);
-
-/// Box of the nozzle positions all axis values give [mm, bed frame].
-Box3 workspace(const CartesianMachine& machine);
-
 /// The build space that its linear axes reach with rotary joints at zero.
 BuildSpace buildSpaceOf(const CartesianMachine& machine);
 
@@ -82,30 +75,5 @@ Eigen::Affine3d axesFromBed(const CartesianMachine& machine);
 /// stand at right angles, as firmware counts them whichever of bed and nozzle moves; axis values where they
 /// do not, as firmware of belt printers does.
 Eigen::Affine3d programFromBed(const CartesianMachine& machine);
-
-/// Axis values that bring the nozzle to a pose. The turn about the tool axis is free.
-/// @throws Unreachable if the tool axis is another than the machine's by more than 0.01 deg (gives the
-///   angle), or an axis would leave its limits (gives axis, value and limit)
-AxisValues axisValuesWithin(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_nozzle);
-
-/// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
-/// bed].
-/// @throws InvalidConfig if the sensor does not look down
-Point2 sensorOffset(const CartesianMachine& machine);
-
-/// Checks every waypoint.
-/// @throws Unreachable as `axisValuesWithin`, naming layer, path and waypoint of the first that is out of
-/// reach
-void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const CartesianMachine& machine);
-
-/// The same for the nozzle tip alone, whichever way the tool axis points.
-/// @throws Unreachable as above if an axis would leave its limits
-void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                          const CartesianMachine& machine);
-
-/// Greatest angle between a tool axis of the toolpath and the one that the machine's head holds [rad].
-double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                            const CartesianMachine& machine);
 
 }  // namespace lamina
