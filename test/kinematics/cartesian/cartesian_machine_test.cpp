@@ -10,6 +10,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
+#include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
@@ -21,6 +22,16 @@ const std::vector<std::pair<std::string, Point3>> kSensors = {{"cartesian_gantry
                                                               {"gantry_45", {25, 0, 60}},
                                                               {"large_gantry_45", {150, 0, 250}},
                                                               {"large_gantry_45_reverse", {150, 0, 250}}};
+
+/// Why the settings name no machine of linear axes; empty if they do.
+std::string refusalOfMachine(const MachineSettings& settings) {
+  try {
+    machineOf(settings);
+    return "";
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+}
 
 /// Text of the gantry with one part of it replaced.
 std::string gantryWith(const std::string& what, const std::string& by) {
@@ -132,9 +143,22 @@ TEST(CartesianMachine, RefusesAnUnknownNameAndListsTheKnown) {
   } catch (const InvalidConfig& error) {
     const std::string message = error.what();
     EXPECT_EQ(message.rfind("machine.name is 'delta'; must be one of belt_45, cartesian_gantry", 0), 0U);
-    for (const std::string& name : kinematicModelNames())
-      EXPECT_NE(message.find(name), std::string::npos) << name;
+    for (const std::string& name : machineNames()) EXPECT_NE(message.find(name), std::string::npos) << name;
   }
+}
+
+TEST(CartesianMachine, RefusesArmsAndPlatformsByName) {
+  const std::vector<std::pair<std::string, std::string>> robots = {
+      {"irb_4400", "arm"}, {"irb_4600", "arm"}, {"irb_4600_turntable", "arm"}, {"rus_platform", "platform"}};
+  for (const auto& [name, kind] : robots) {
+    const std::string expected =
+        "machine '" + name + "' is a robot (" + kind +
+        ") without linear axes x, y and z; expected one of belt_45, cartesian_gantry, drop_printer";
+    EXPECT_EQ(refusalOfMachine({name, ""}).rfind(expected, 0), 0U) << refusalOfMachine({name, ""});
+    const std::string file = std::string(LAMINA_SOURCE_DIR) + "/urdf/" + name + ".urdf";
+    EXPECT_EQ(refusalOfMachine({"cartesian_gantry", file}), refusalOfMachine({name, ""}));
+  }
+  EXPECT_EQ(refusalOfMachine({"five_axis_head_ac", ""}), "");
 }
 
 TEST(CartesianMachine, RefusesDescriptionsThatAreNoSuchMachine) {

@@ -29,8 +29,7 @@ bool isEndless(const MachineAxis& axis);
 using AxisValues = Eigen::Vector3d;
 
 /// A machine as its three linear axes move it, its nozzle held at a fixed angle. One with rotary joints,
-/// which a `KinematicModel` drives, is the machine with these at zero; an arm or platform is the room over
-/// the bodies of its bed, with an upright nozzle; a joint path shows which part of it is reached.
+/// which a `KinematicModel` drives, is the machine with these at zero. Arms and platforms are none.
 struct CartesianMachine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
@@ -45,14 +44,14 @@ struct CartesianMachine {
 /// robots too.
 std::vector<std::string> machineNames();
 
-/// One of `kinematicModelNames`.
-/// @throws InvalidConfig if there is none of that name; names those there are
+/// One of `machineNames`.
+/// @throws InvalidConfig if there is none of that name, or it is an arm or platform; names those there are
 CartesianMachine machineByName(const std::string& name);
 
 /// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor, and
-/// up to two rotary joints of a, b and c; or an arm or platform (`kinematicModelFromUrdf`) whose link bed has
-/// collision bodies. Lengths in the text are metres, as in every URDF.
-/// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
+/// up to two rotary joints of a, b and c. Lengths in the text are metres, as in every URDF.
+/// @throws InvalidConfig if it is no URDF, an arm or platform, one of these is missing, bed or nozzle hang on
+/// any other joint
 ///   that moves, the axes do not span space, or the rotary joints are none that `kinematicModelFromUrdf`
 ///   takes
 CartesianMachine machineFromUrdf(const std::string& text);

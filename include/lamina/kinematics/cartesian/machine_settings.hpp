@@ -22,7 +22,7 @@ struct MachineSettings {
 /// @param meaning  of the machine: "Machine that prints the part."
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning);
 
-/// The machine of the file, or of the name if no file is given.
+/// The machine of the file, or of the name if no file is given, for what moves its linear axes.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
 CartesianMachine machineOf(const MachineSettings& settings);
 
