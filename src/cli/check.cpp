@@ -118,7 +118,7 @@ void check(const CheckArguments& arguments, Chosen& chosen) {
   // Programs state where on the bed they stand.
   const bool is_toolpath = !isPart(arguments.input) && !isProgramFile(arguments.input);
   if (is_toolpath && settings.placement == Placement::Centre)
-    input.bed_from_part = placeDeposition(input.toolpath, machineOf(settings.machine));
+    input.bed_from_part = placeDeposition(input.toolpath, buildSpaceOf(settings.machine));
   Checked checked;
   {
     TerminalProgress progress;

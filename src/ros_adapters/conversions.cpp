@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -205,7 +206,7 @@ void requirePlannedFor(const MachineToolpath& placed, const std::string& machine
 
 void requireRunsOn(const MachineToolpath& placed, const CartesianMachine& machine) {
   requirePlannedFor(placed, machine.name);
-  requireReachable(placed.toolpath, placed.bed_from_part, machine);
+  requireReachable(placed.toolpath, placed.bed_from_part, buildSpaceOf(machine));
 }
 
 lamina_msgs::Toolpath stamped(const MachineToolpath& placed, const ros::Time& stamp) {

@@ -53,7 +53,7 @@ class JointProgramTest : public testing::Test {
 
   /// The file reports the very places that were led to, and the waypoints asked for are among them.
   void expectSame(const Toolpath& read, const SlicedPart& sliced, double within_mm) {
-    const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
     ASSERT_TRUE(joint_program);
     ASSERT_EQ(read.layers.size(), sliced.toolpath.layers.size());
     for (std::size_t l = 0; l < read.layers.size(); ++l) {
@@ -182,7 +182,7 @@ TEST_F(JointProgramTest, RapidTargetsLeadAnArmThroughTheJointsThatWereChecked) {
     const SlicedPart sliced = slice(machine, "box.mod");
     bed_from_part_ = sliced.bed_from_part;
     expectSame(readBack(), sliced, 1e-4);
-    const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+    const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
     std::size_t station = 0;  // a path that begins where the one before ended begins without a target
     for (const Target& target : targetsOf(readFile(job_.output))) {
       while (station < joint_program->joints.values.size() &&
@@ -198,7 +198,7 @@ TEST_F(JointProgramTest, ATurntableThatFollowsIsReportedAtEachTarget) {
   lean();
   job_.settings.joints.external = ExternalChoice::Follow;
   const SlicedPart sliced = slice("irb_4600_turntable", "box.mod");
-  const auto joint_program = planJointProgram(job_, machineOf(job_.settings.machine), sliced, nobody_);
+  const auto joint_program = planJointProgram(job_, buildSpaceOf(job_.settings.machine), sliced, nobody_);
   ASSERT_TRUE(joint_program);
   const std::vector<Target> targets = targetsOf(readFile(job_.output));
   EXPECT_NEAR(targets.front().external, joint_program->joints.values.front()[6] * 180.0 / M_PI, 6e-4);

@@ -88,7 +88,7 @@ Case prepare(const std::string& machine, double angle_deg, const std::string& fo
   writeFile(folder + "/level.gcode", tiltedSquares(angle_deg));
   const CartesianMachine description = machineByName(machine);
   const bool is_belt = isEndless(description.axes[2]);
-  const Box3 room = machineRoom(description);
+  const Box3 room = machineRoom(buildSpaceOf(description));
   const Point2 middle = is_belt ? Point2(room.centre().x(), -100.0) : Point2(room.centre().head<2>());
   std::ostringstream place;
   place << middle.x() << "," << middle.y();

@@ -7,7 +7,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/gcode_rewrite/gcode_rewrite.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 
 namespace lamina {
 
@@ -26,8 +26,9 @@ std::string inclinedName(const std::string& program);
 /// The room of the large gantry the method was made for: 1300 x 2500 x 1000 mm from the origin.
 Box3 largeGantryRoom();
 
-/// Room of a machine's nozzle over its bed.
-Box3 machineRoom(const CartesianMachine& machine);
+/// Room of a machine's nozzle over its bed: the box of its build space, what is below the bed left out [mm,
+/// bed frame].
+Box3 machineRoom(const BuildSpace& space);
 
 /// Transforms the program.
 /// @throws InvalidInput if program or output do not end in .gcode, the output is the program, or there is no

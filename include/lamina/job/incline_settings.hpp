@@ -47,9 +47,9 @@ void describe(SettingsSchema& schema, InclineSettings& settings);
 /// @throws as `applySettings`
 InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);
 
-/// The machine whose limits and axes hold; nothing if none is set.
-/// @throws as `machineOf`
-std::optional<CartesianMachine> machineOf(const InclineSettings& settings);
+/// The build space of the machine whose limits and axes hold; nothing if none is set.
+/// @throws as `buildSpaceOf`
+std::optional<BuildSpace> buildSpaceOf(const InclineSettings& settings);
 
 /// The job that the settings give. Where neither machine nor limits are given, the corrected mode takes the
 /// room of the large gantry. Programs for machines whose axes stand askew speak the values of these axes.

@@ -37,9 +37,6 @@ struct SlicedPart {
 ///   robot), Unreachable (larger than the machine, or a program that it cannot run), Cancelled
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress);
 
-/// The same on a given machine, whatever the settings name.
-SlicedPart runSliceJob(const SliceJob& job, const CartesianMachine& machine, Progress& progress);
-
 /// The part in level layers, for comparison: on the machine of the job with its head upright.
 /// @throws as `runSliceJob`
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress);

@@ -21,8 +21,8 @@ std::string inclinedName(const std::string& program) {
 
 Box3 largeGantryRoom() { return {Point3::Zero(), Point3(1300.0, 2500.0, 1000.0)}; }
 
-Box3 machineRoom(const CartesianMachine& machine) {
-  Box3 room = workspace(machine);
+Box3 machineRoom(const BuildSpace& space) {
+  Box3 room = boundingBox(space);
   room.low.z() = std::max(room.low.z(), 0.0);  // below is the bed, however far the axis goes
   return room;
 }

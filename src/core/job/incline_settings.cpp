@@ -152,12 +152,12 @@ AffineMap mapOf(const InclineSettings& settings) {
 
 /// Of the machine or the belt, if coordinates of the bed are not what the machine takes.
 std::shared_ptr<const SpaceMap> axesOf(const InclineSettings& settings,
-                                       const std::optional<CartesianMachine>& machine) {
-  const Eigen::Affine3d askew = machine ? programFromBed(*machine) : Eigen::Affine3d::Identity();
+                                       const std::optional<BuildSpace>& space) {
+  const Eigen::Affine3d askew = space ? space->program_from_bed : Eigen::Affine3d::Identity();
   const bool is_askew = askew.matrix() != Eigen::Matrix4d::Identity();
   if (is_askew && settings.belt_deg != 0.0)
     throw InvalidConfig("incline.belt_deg is " + std::to_string(settings.belt_deg) + " and machine '" +
-                        machine->name + "' has axes of its own; expected one of them");
+                        space->name + "' has axes of its own; expected one of them");
   if (is_askew) return std::make_shared<AffineMap>(askew);
   if (settings.belt_deg == 0.0) return nullptr;
   if (settings.belt_deg < 15.0)
@@ -167,13 +167,12 @@ std::shared_ptr<const SpaceMap> axesOf(const InclineSettings& settings,
 }
 
 /// In the listing nothing is checked against a machine unless one is named.
-std::optional<Box3> limitsOf(const InclineSettings& settings,
-                             const std::optional<CartesianMachine>& machine) {
+std::optional<Box3> limitsOf(const InclineSettings& settings, const std::optional<BuildSpace>& space) {
   const std::vector<double>& limits = settings.limits_mm;
-  if (machine && !limits.empty())
-    throw InvalidConfig("incline.limits_mm is set, and machine '" + machine->name +
+  if (space && !limits.empty())
+    throw InvalidConfig("incline.limits_mm is set, and machine '" + space->name +
                         "' has limits of its own; expected one of them");
-  if (machine) return machineRoom(*machine);
+  if (space) return machineRoom(*space);
   if (!limits.empty()) return Box3{pointOf(limits), pointOf({limits.begin() + 3, limits.end()})};
   if (settings.transform.mode == RewriteMode::Corrected) return largeGantryRoom();
   return std::nullopt;
@@ -201,23 +200,23 @@ InclineSettings loadInclineSettings(const std::string& yaml_path, const std::vec
   return settings;
 }
 
-std::optional<CartesianMachine> machineOf(const InclineSettings& settings) {
+std::optional<BuildSpace> buildSpaceOf(const InclineSettings& settings) {
   if (settings.machine.name == kNoMachine && settings.machine.urdf.empty()) return std::nullopt;
-  return machineOf(settings.machine);
+  return buildSpaceOf(settings.machine);
 }
 
 InclineJob inclineJob(const InclineSettings& settings, const std::string& program,
                       const std::string& output) {
-  const std::optional<CartesianMachine> machine = machineOf(settings);
+  const std::optional<BuildSpace> space = buildSpaceOf(settings);
   InclineJob job;
   job.program = program;
   job.output = output;
   job.map = std::make_shared<AffineMap>(mapOf(settings));
-  job.axes = axesOf(settings, machine);
+  job.axes = axesOf(settings, space);
   job.settings = settings.transform;
   RewriteSettings& transform = job.settings;
-  transform.limits_mm = limitsOf(settings, machine);
-  if (machine) transform.tool_axis = machine->bed_from_nozzle_at_zero.linear().col(2);
+  transform.limits_mm = limitsOf(settings, space);
+  if (space) transform.tool_axis = toolAxis(*space);
   if (settings.decimals >= 0) transform.decimals = settings.decimals;
   if (settings.layer_height_mm > 0.0) transform.layer_height_mm = settings.layer_height_mm;
   if (!settings.offset_mm.empty()) transform.offset_mm = pointOf(settings.offset_mm);

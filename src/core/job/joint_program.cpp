@@ -12,6 +12,7 @@
 #include "lamina/job/kinematic_model_run.hpp"
 #include "lamina/job/rapid_files.hpp"
 #include "lamina/kinematics/arm/abb_configuration.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
 
 namespace lamina {
 namespace {
@@ -132,25 +133,25 @@ std::optional<JointProgram> planArm(std::unique_ptr<KinematicModel> arm, const S
 
 }  // namespace
 
-void requireProgramFor(const SliceJob& job, const CartesianMachine& machine) {
-  if (!isGcode(job) || machine.rotary_joints.empty()) return;
-  if (kinematicModelFromUrdf(machine.urdf)->toolAxisSpin() == ToolAxisSpin::Given)
-    throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + machine.name +
+void requireProgramFor(const SliceJob& job, const BuildSpace& space) {
+  if (!isGcode(job) || !canTurnToolAxis(space)) return;
+  if (kinematicModelOf(job.settings.machine)->toolAxisSpin() == ToolAxisSpin::Given)
+    throw InvalidInput("output '" + job.output + "' is G-code, but the machine '" + space.name +
                        "' is a robot without axes x, y and z; expected .mod or .csv");
 }
 
-bool writesFiveAxis(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced) {
-  if (!isGcode(job) || machine.rotary_joints.empty()) return false;
+bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced) {
+  if (!isGcode(job) || !canTurnToolAxis(space)) return false;
   return job.settings.program.five_axis.use == FiveAxisUse::Always ||
-         greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, machine) > kHeldToolAxis;
+         greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) > kHeldToolAxis;
 }
 
-std::optional<JointProgram> planJointProgram(const SliceJob& job, const CartesianMachine& machine,
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
                                              const SlicedPart& sliced, Progress& progress) {
-  if (writesFiveAxis(job, machine, sliced))
-    return planMachine(kinematicModelFromUrdf(machine.urdf), job, sliced, progress);
-  if (!isRapidFile(job.output) || machine.rotary_joints.empty()) return std::nullopt;
-  std::unique_ptr<KinematicModel> model = kinematicModelFromUrdf(machine.urdf);
+  if (writesFiveAxis(job, space, sliced))
+    return planMachine(kinematicModelOf(job.settings.machine), job, sliced, progress);
+  if (!isRapidFile(job.output) || !canTurnToolAxis(space)) return std::nullopt;
+  std::unique_ptr<KinematicModel> model = kinematicModelOf(job.settings.machine);
   if (!isSixAxisArm(*model)) return std::nullopt;
   return planArm(std::move(model), job, sliced, progress);
 }

@@ -7,8 +7,8 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
@@ -21,11 +21,11 @@ struct JointProgram {
 };
 
 /// @throws InvalidInput if the job asks for G-code of a robot
-void requireProgramFor(const SliceJob& job, const CartesianMachine& machine);
+void requireProgramFor(const SliceJob& job, const BuildSpace& space);
 
-/// Whether the job writes five-axis G-code: the machine turns its nozzle or its table, and the toolpath tilts
-/// the nozzle off how the machine holds it, or `five_axis.use` says so.
-bool writesFiveAxis(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced);
+/// Whether the job writes five-axis G-code: head or table can turn the tool axis, and the toolpath tilts the
+/// nozzle off how the head at rest holds it, or `five_axis.use` says so.
+bool writesFiveAxis(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced);
 
 /// Leads the joints of a five-axis machine where it writes five-axis G-code, and those of an arm where it
 /// writes RAPID. An arm's program reports joints where `rapid.configuration` asks for them or the arm has
@@ -35,7 +35,7 @@ bool writesFiveAxis(const SliceJob& job, const CartesianMachine& machine, const 
 /// @param progress  stage "joints"
 /// @throws Unreachable if the machine cannot run it: the first waypoint, and how many; InvalidConfig if
 ///   `joints.external` is to follow, but the variant of the program cannot report external axes
-std::optional<JointProgram> planJointProgram(const SliceJob& job, const CartesianMachine& machine,
+std::optional<JointProgram> planJointProgram(const SliceJob& job, const BuildSpace& space,
                                              const SlicedPart& sliced, Progress& progress);
 
 }  // namespace lamina

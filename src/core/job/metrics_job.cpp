@@ -6,7 +6,6 @@
 
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
 namespace {
@@ -52,9 +51,9 @@ std::vector<double> SliceMeasurement::measure(const std::vector<SettingText>& ov
                                               Progress& progress) const {
   const SliceJob job{job_.part, "", changed(job_.settings, overrides)};
   const MetricsSettings asked = onlyFor(metrics, job.settings.metrics);
-  const CartesianMachine machine = machineOf(job.settings.machine);
-  requireToolAxisFor(job, machine);
-  const SlicedPart sliced = sliceSource(source_->part, job, machine, progress);
+  const BuildSpace space = buildSpaceOf(job.settings.machine);
+  requireToolAxisFor(job, space);
+  const SlicedPart sliced = sliceSource(source_->part, job, space, progress);
   const ToolpathMetrics measured =
       measureToolpath(sliced.toolpath, source_->part.mesh, sliced.bed_from_part, asked, progress);
   const std::vector<double> all = metricValues(measured);

@@ -12,7 +12,6 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -24,58 +23,59 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-void write(const SliceJob& job, const CartesianMachine& machine, const SlicedPart& sliced,
+void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
            const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return;
   ProgramSettings program = job.settings.program;
   program.strategy = job.settings.planning.infill.strategy;
   ProgramFrame frame(sliced.bed_from_part);
-  frame.program_from_bed = programFromBed(machine);
+  frame.program_from_bed = space.program_from_bed;
   if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program);
   writeOutput(job.output,
               {joint_program->toolpath, frame, ProgramJoints{*joint_program->model, joint_program->joints}},
               program);
 }
 
-}  // namespace
-
-SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
-  validate(job.settings);
-  return runSliceJob(job, machineOf(job.settings.machine), progress);
-}
-
-SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
-  job.settings.slicing.plane = {};
-  job.settings.slicing.mode = "planar";
-  validate(job.settings);
-  return runSliceJob(job, withUprightHead(machineOf(job.settings.machine)), progress);
-}
-
-SlicedPart runSliceJob(const SliceJob& job, const CartesianMachine& machine, Progress& progress) {
+/// In the build space, whatever head the settings' machine has.
+SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progress) {
   Laps whole;
   validate(job.settings);
   if (!job.output.empty()) outputWriterFor(job.output);
-  requireProgramFor(job, machine);
+  requireProgramFor(job, space);
   requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
-  requireToolAxisFor(job, machine);
+  requireToolAxisFor(job, space);
   Laps laps;
   progress.report("read", 0.0);
   SourcePart source = readSource(job);
   const double read_s = laps.lap();
-  SlicedPart sliced = sliceSource(std::move(source), job, machine, progress);
+  SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
   sliced.summary.read_s = read_s;
-  const std::optional<JointProgram> joint_program = planJointProgram(job, machine, sliced, progress);
+  const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
   inParallel(
       [&] { sliced.summary.estimated_time_s = estimateTime(sliced.toolpath, job.settings.motion).total_s; },
-      [&] { write(job, machine, sliced, joint_program); });
+      [&] { write(job, space, sliced, joint_program); });
   sliced.summary.write_s = laps.lap();
   sliced.summary.wall_s = whole.lap();
   sliced.summary.peak_memory_mb = peakMemory();
   return sliced;
+}
+
+}  // namespace
+
+SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
+  validate(job.settings);
+  return runIn(buildSpaceOf(job.settings.machine), job, progress);
+}
+
+SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
+  job.settings.slicing.plane = {};
+  job.settings.slicing.mode = "planar";
+  validate(job.settings);
+  return runIn(withUprightHead(buildSpaceOf(job.settings.machine)), job, progress);
 }
 
 }  // namespace lamina

@@ -34,7 +34,7 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
       bed_from_program_(programFromBed(machine_).inverse()),
       tool_axis_(toolAxisOf(machine_)),
-      deposit_(bareBed(machine_, settings)),
+      deposit_(bareBed(buildSpaceOf(machine_), settings)),
       shown_(deposit_->surface().grid.area()),
       sensor_(settings.sensor) {
   EmulatedObserver observer;

@@ -67,10 +67,10 @@ class HeightsOnBed final : public MachineDeposit {
 };
 
 /// What the machine reaches over its bed; of a bed without end, `belt_mm`.
-Box3 shownBed(CartesianMachine machine, double belt_mm) {
-  for (MachineAxis& axis : machine.axes)
-    if (isEndless(axis)) axis.high_mm = axis.low_mm + belt_mm;
-  Box3 reach = workspace(machine);
+Box3 shownBed(BuildSpace space, double belt_mm) {
+  for (int i = 0; i < 3; ++i)
+    if (space.is_endless[static_cast<std::size_t>(i)]) space.range.high[i] = space.range.low[i] + belt_mm;
+  Box3 reach = boundingBox(space);
   const Point3 margin(kMarginMm, kMarginMm, kMarginMm);
   reach.low -= margin;
   reach.high += margin;
@@ -78,18 +78,18 @@ Box3 shownBed(CartesianMachine machine, double belt_mm) {
   return reach;
 }
 
-DepositModel modelFor(const CartesianMachine& machine, DepositModel asked) {
+DepositModel modelFor(const BuildSpace& space, DepositModel asked) {
   if (asked != DepositModel::Auto) return asked;
-  const bool is_belt = std::any_of(machine.axes.begin(), machine.axes.end(),
-                                   [](const MachineAxis& axis) { return isEndless(axis); });
+  const bool is_belt = std::any_of(space.is_endless.begin(), space.is_endless.end(),
+                                   [](bool is_endless) { return is_endless; });
   return is_belt ? DepositModel::Heights : DepositModel::Voxels;
 }
 
 }  // namespace
 
-std::unique_ptr<MachineDeposit> bareBed(CartesianMachine machine, const EmulatedMachineSettings& settings) {
-  const DepositModel model = modelFor(machine, settings.deposit_model);
-  const Box3 shown = shownBed(std::move(machine), settings.deposit_belt_mm);
+std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const EmulatedMachineSettings& settings) {
+  const DepositModel model = modelFor(space, settings.deposit_model);
+  const Box3 shown = shownBed(std::move(space), settings.deposit_belt_mm);
   if (model == DepositModel::Heights) return std::make_unique<HeightsOnBed>(shown, settings.deposit_cell_mm);
   return std::make_unique<VoxelsOnBed>(shown, settings.deposit_cell_mm);
 }

@@ -7,7 +7,7 @@
 
 #include "lamina/deposition/voxel_deposit.hpp"
 #include "lamina/geometry/voxel/height_source.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "machine_settings.hpp"
 
 namespace lamina {
@@ -31,6 +31,6 @@ class MachineDeposit {
 
 /// Nothing yet, over the bed that the settings say is shown.
 /// @throws InvalidInput if that has more cells than a map can have
-std::unique_ptr<MachineDeposit> bareBed(CartesianMachine machine, const EmulatedMachineSettings& settings);
+std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const EmulatedMachineSettings& settings);
 
 }  // namespace lamina

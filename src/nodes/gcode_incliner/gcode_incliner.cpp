@@ -135,7 +135,7 @@ std::string GcodeIncliner::publish(const std::string& program, const GcodeInclin
   MachineToolpath placed;
   placed.toolpath = toolpathFromGcodeFile(output, settings.program);
   placed.id = toolpathId(placed.toolpath);
-  if (const auto machine = machineOf(settings.incline)) placed.machine = machine->name;
+  if (const auto space = buildSpaceOf(settings.incline)) placed.machine = space->name;
   toolpath_.publish(stamped(placed, ros::Time::now()));
   source_markers_.publish(source);
   markers_.publish(toolpathMarkers(placed.toolpath, names::kBedFrame));

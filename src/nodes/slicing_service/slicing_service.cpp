@@ -86,11 +86,10 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   describe(schema, job.settings);
   applyRequest(schema, request.settings);
   SlicedPart sliced = runShown(job, progress);
-  const CartesianMachine machine = machineOf(job.settings.machine);
-  const Findings findings = find(sliced, machine, job.settings, progress);
+  const Findings findings = find(sliced, job.settings, progress);
   MachineToolpath placed;
   placed.id = toolpathId(sliced.toolpath);
-  placed.machine = machine.name;
+  placed.machine = buildSpaceOf(job.settings.machine).name;
   placed.bed_from_part = sliced.bed_from_part;
   placed.toolpath = std::move(sliced.toolpath);
   publish(placed, findings, job.settings.frames);
@@ -110,14 +109,15 @@ SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
   }
 }
 
-SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const CartesianMachine& machine,
-                                              const JobSettings& settings, Progress& progress) {
+SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const JobSettings& settings,
+                                              Progress& progress) {
   Findings findings;
   if (settings.overhang.is_reported)
     findings.overhangs = findOverhangs(sliced.toolpath, sliced.bed_from_part, settings.overhang, progress);
-  if (settings.clearance.is_reported)
-    findings.clearance =
-        checkClearance({sliced.toolpath, sliced.bed_from_part, machine}, settings.clearance, progress);
+  if (!settings.clearance.is_reported) return findings;
+  const CartesianMachine machine = machineOf(settings.machine);
+  findings.clearance =
+      checkClearance({sliced.toolpath, sliced.bed_from_part, machine}, settings.clearance, progress);
   if (findings.clearance.colliding > 0)
     ROS_WARN_STREAM("the head of " << machine.name << " collides at " << findings.clearance.colliding
                                    << " waypoints, first in layer "

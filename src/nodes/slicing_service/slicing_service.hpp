@@ -61,8 +61,8 @@ class SlicingService {
   Answer slice(const Request& request, Progress& progress);
   /// Shows the region of a part that cannot be sliced.
   SlicedPart runShown(const SliceJob& job, Progress& progress);
-  static Findings find(const SlicedPart& sliced, const CartesianMachine& machine, const JobSettings& settings,
-                       Progress& progress);
+  /// @throws InvalidConfig if clearance is to be reported of an arm or platform, as `machineOf`
+  static Findings find(const SlicedPart& sliced, const JobSettings& settings, Progress& progress);
   void publish(const MachineToolpath& placed, const Findings& findings, const FrameSettings& frames);
 
   JobSettings settings_;

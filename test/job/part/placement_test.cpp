@@ -28,9 +28,9 @@ TEST(Placement, OfAToolpathPutsTheUndersidesOfItsLowestBeadsOnTheBed) {
   Path travel = test::straightPath({30, 20, 5}, {500, 500, 0});
   travel.role = PathRole::Travel;
   travel.bead = Bead{};
-  const CartesianMachine machine = machineByName("cartesian_gantry");
-  const Point2 middle = workspace(machine).centre().head<2>();
-  const Eigen::Isometry3d bed_from_part = placeDeposition({"bead", {{5.0, 0.5, {bead, travel}}}}, machine);
+  const BuildSpace space = buildSpaceByName("cartesian_gantry");
+  const Point2 middle = boundingBox(space).centre().head<2>();
+  const Eigen::Isometry3d bed_from_part = placeDeposition({"bead", {{5.0, 0.5, {bead, travel}}}}, space);
   const Point3 under_middle = bed_from_part * Point3(20, 20, 4.5);
   EXPECT_TRUE(under_middle.isApprox(Point3(middle.x(), middle.y(), 0.0)));
 }

@@ -100,15 +100,5 @@ TEST(MachineBodies, AMeshOrASizeOfNothingIsRefused) {
             std::string::npos);
 }
 
-TEST(MachineBodies, AnUprightHeadKeepsTipAndSensorWhereTheyWere) {
-  const CartesianMachine inclined = machineByName("gantry_45");
-  const CartesianMachine upright = withUprightHead(inclined);
-  const Eigen::Isometry3d& nozzle = upright.bed_from_nozzle_at_zero;
-  EXPECT_TRUE(nozzle.linear().col(2).isApprox(-Point3::UnitZ()));
-  EXPECT_TRUE(nozzle.translation().isApprox(inclined.bed_from_nozzle_at_zero.translation()));
-  EXPECT_TRUE((nozzle * upright.nozzle_from_sensor)
-                  .isApprox(inclined.bed_from_nozzle_at_zero * inclined.nozzle_from_sensor));
-}
-
 }  // namespace
 }  // namespace lamina

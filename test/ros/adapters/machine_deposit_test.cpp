@@ -21,7 +21,7 @@ constexpr double kHeight = 0.2;
 std::unique_ptr<lamina::MachineDeposit> bareBedOf(const std::string& machine, DepositModel model) {
   lamina::EmulatedMachineSettings settings;
   settings.deposit_model = model;
-  return bareBed(lamina::machineByName(machine), settings);
+  return bareBed(lamina::buildSpaceByName(machine), settings);
 }
 
 /// A solid layer of 10 mm x 5 mm.

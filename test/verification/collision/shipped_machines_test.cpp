@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/verification/collision/joint_clearance.hpp"
 #include "support/toolpaths.hpp"
 
@@ -45,9 +45,9 @@ Walk walkOverBed(const KinematicModel& model) {
   Walk walk;
   Path path;
   path.role = PathRole::Travel;
-  const CartesianMachine machine = machineFromUrdf(model.urdf());
-  const Eigen::Quaterniond held(machine.bed_from_nozzle_at_zero.linear());
-  const Box3 room = workspace(machine);
+  const BuildSpace space = buildSpaceFromUrdf(model.urdf());
+  const Eigen::Quaterniond held(space.bed_from_nozzle);
+  const Box3 room = boundingBox(space);
   const Point3 half = 0.4 * (room.high - room.low);
   const auto add = [&](const Eigen::Isometry3d& pose) {
     walk.joints.at.push_back({0, 0, path.points.size()});

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "lamina/base/settings.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -19,13 +19,13 @@ struct CopySettings {
 /// Adds the keys part.copies and part.spacing_mm.
 void describe(SettingsSchema& schema, CopySettings& settings);
 
-/// The toolpath as often as asked for, each copy farther along the machine's endless axis by the same way, so
-/// that this axis has passed all of a copy when the next one begins. Between copies the belt goes on first,
-/// which takes the copy out of the nozzle's reach, then the nozzle goes across. Layers of one copy follow
-/// those of another. One copy is the toolpath as it is.
+/// The toolpath as often as asked for, each copy farther along the endless edge of the build space, the belt,
+/// by the same way, so that the belt has passed all of a copy when the next one begins. Between copies the
+/// belt goes on first, which takes the copy out of the nozzle's reach, then the nozzle goes across. Layers of
+/// one copy follow those of another. One copy is the toolpath as it is.
 /// @param travel_feed_mm_s  between copies
-/// @throws InvalidConfig if there are to be several and the machine has no endless axis
-Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const CartesianMachine& machine,
+/// @throws InvalidConfig if there are to be several and the build space has no endless edge
+Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);
 
 }  // namespace lamina

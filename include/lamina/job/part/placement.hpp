@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "lamina/geometry/vector.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -19,12 +19,12 @@ enum class Placement {
 /// bed_from_part [mm] of a part with this box. Turns nothing.
 Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placement placement);
 
-/// The same on a machine: over the middle of its reach. Along an endless axis, a belt, the part begins where
-/// the axis does: every point of its box is at the low end or beyond it.
-Eigen::Isometry3d placePart(const Box3& part, const CartesianMachine& machine, Placement placement);
+/// The same in a build space: over its middle. Along an endless edge, a belt, the part begins where the belt
+/// does: every point of its box is at the low end or beyond it.
+Eigen::Isometry3d placePart(const Box3& part, const BuildSpace& space, Placement placement);
 
-/// The same of a toolpath whose part is not known: its deposition stands over the middle of the reach, and
+/// The same of a toolpath whose part is not known: its deposition stands over the middle of the space, and
 /// the undersides of its lowest beads on the bed. A toolpath that deposits nothing stays where it is.
-Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const CartesianMachine& machine);
+Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const BuildSpace& space);
 
 }  // namespace lamina

@@ -12,7 +12,7 @@
 #include "lamina/base/registry.hpp"
 #include "lamina/job/part/source_part.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/planning/planner.hpp"
 
 namespace lamina {
@@ -20,7 +20,7 @@ namespace lamina {
 /// What a part is planned by, and where it stands.
 struct PlanningRequest {
   const SliceJob& job;
-  const CartesianMachine& machine;
+  const BuildSpace& space;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();
 
   /// Name of the part: its file's without folder and suffix.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -28,8 +29,7 @@ bool isEndless(const MachineAxis& axis);
 using AxisValues = Eigen::Vector3d;
 
 /// A machine as its three linear axes move it, its nozzle held at a fixed angle. One with rotary joints,
-/// which a `KinematicModel` drives, is the machine with these at zero; an arm or platform is the room over
-/// the bodies of its bed, with an upright nozzle; a joint path shows which part of it is reached.
+/// which a `KinematicModel` drives, is the machine with these at zero. Arms and platforms are none.
 struct CartesianMachine {
   std::string name;
   std::string urdf;                                                           ///< the text it was made from
@@ -44,24 +44,20 @@ struct CartesianMachine {
 /// robots too.
 std::vector<std::string> machineNames();
 
-/// One of `kinematicModelNames`.
-/// @throws InvalidConfig if there is none of that name; names those there are
+/// One of `machineNames`.
+/// @throws InvalidConfig if there is none of that name, or it is an arm or platform; names those there are
 CartesianMachine machineByName(const std::string& name);
 
 /// Reads a machine from its URDF: prismatic joints x, y and z with limits, links bed, nozzle and sensor, and
-/// up to two rotary joints of a, b and c; or an arm or platform (`kinematicModelFromUrdf`) whose link bed has
-/// collision bodies. Lengths in the text are metres, as in every URDF.
-/// @throws InvalidConfig if it is no URDF, one of these is missing, bed or nozzle hang on any other joint
+/// up to two rotary joints of a, b and c. Lengths in the text are metres, as in every URDF.
+/// @throws InvalidConfig if it is no URDF, an arm or platform, one of these is missing, bed or nozzle hang on
+/// any other joint
 ///   that moves, the axes do not span space, or the rotary joints are none that `kinematicModelFromUrdf`
 ///   takes
 CartesianMachine machineFromUrdf(const std::string& text);
 
-/// The machine with its nozzle straight down, its tip and its sensor where they were: for what is asked of
-/// level layers. Its description stays that of the machine it was.
-CartesianMachine withUprightHead(CartesianMachine machine);
-
-/// Box of the nozzle positions all axis values give [mm, bed frame].
-Box3 workspace(const CartesianMachine& machine);
+/// The build space that its linear axes reach with rotary joints at zero.
+BuildSpace buildSpaceOf(const CartesianMachine& machine);
 
 /// Where the nozzle is [mm].
 Eigen::Isometry3d bedFromNozzle(const CartesianMachine& machine, const AxisValues& values);
@@ -78,30 +74,5 @@ Eigen::Affine3d axesFromBed(const CartesianMachine& machine);
 /// stand at right angles, as firmware counts them whichever of bed and nozzle moves; axis values where they
 /// do not, as firmware of belt printers does.
 Eigen::Affine3d programFromBed(const CartesianMachine& machine);
-
-/// Axis values that bring the nozzle to a pose. The turn about the tool axis is free.
-/// @throws Unreachable if the tool axis is another than the machine's by more than 0.01 deg (gives the
-///   angle), or an axis would leave its limits (gives axis, value and limit)
-AxisValues axisValuesWithin(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_nozzle);
-
-/// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
-/// bed].
-/// @throws InvalidConfig if the sensor does not look down
-Point2 sensorOffset(const CartesianMachine& machine);
-
-/// Checks every waypoint.
-/// @throws Unreachable as `axisValuesWithin`, naming layer, path and waypoint of the first that is out of
-/// reach
-void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                      const CartesianMachine& machine);
-
-/// The same for the nozzle tip alone, whichever way the tool axis points.
-/// @throws Unreachable as above if an axis would leave its limits
-void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                          const CartesianMachine& machine);
-
-/// Greatest angle between a tool axis of the toolpath and the one that the machine's head holds [rad].
-double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
-                            const CartesianMachine& machine);
 
 }  // namespace lamina

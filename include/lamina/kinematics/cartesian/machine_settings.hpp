@@ -7,6 +7,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
@@ -21,9 +22,13 @@ struct MachineSettings {
 /// @param meaning  of the machine: "Machine that prints the part."
 void describe(SettingsSchema& schema, MachineSettings& settings, const std::string& meaning);
 
-/// The machine of the file, or of the name if no file is given.
+/// The machine of the file, or of the name if no file is given, for what moves its linear axes.
 /// @throws FileError, InvalidConfig as `machineFromUrdf`, `machineByName`
 CartesianMachine machineOf(const MachineSettings& settings);
+
+/// The build space of a machine or robot.
+/// @throws FileError, InvalidConfig as `buildSpaceFromUrdf`, `buildSpaceByName`
+BuildSpace buildSpaceOf(const MachineSettings& settings);
 
 /// The same with all its joints.
 /// @throws FileError, InvalidConfig as `kinematicModelFromUrdf`, `kinematicModelByName`

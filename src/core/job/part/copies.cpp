@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-/// An endless axis as the part sees it.
+/// The endless edge of a build space as the part sees it.
 struct Belt {
   Point3 direction = Point3::Zero();  ///< in which its value grows, of unit length [part frame]
   Eigen::RowVector3d row;             ///< its value from a point of the part, less a constant
@@ -22,14 +22,14 @@ struct Belt {
   double valueAt(const Point3& point) const { return row * point; }
 };
 
-Belt beltOf(const CartesianMachine& machine, const Eigen::Isometry3d& bed_from_part, int copies) {
+Belt beltOf(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, int copies) {
   for (int i = 0; i < 3; ++i) {
-    const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
-    if (!isEndless(axis)) continue;
-    const Eigen::Affine3d axes_from_part = axesFromBed(machine) * bed_from_part;
-    return {bed_from_part.linear().transpose() * axis.direction, axes_from_part.linear().row(i)};
+    if (!space.is_endless[static_cast<std::size_t>(i)]) continue;
+    const Eigen::Affine3d axes_from_part = space.bed_from_axes.inverse() * bed_from_part;
+    return {bed_from_part.linear().transpose() * space.bed_from_axes.linear().col(i),
+            axes_from_part.linear().row(i)};
   }
-  throw InvalidConfig("part.copies is " + std::to_string(copies) + ", and the machine " + machine.name +
+  throw InvalidConfig("part.copies is " + std::to_string(copies) + ", and the machine " + space.name +
                       " has no belt; expected 1");
 }
 
@@ -84,10 +84,10 @@ void describe(SettingsSchema& schema, CopySettings& settings) {
                 "Way of the belt between one copy's end and the next one's start.");
 }
 
-Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const CartesianMachine& machine,
+Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s) {
   if (settings.count == 1) return toolpath;
-  const Belt belt = beltOf(machine, bed_from_part, settings.count);
+  const Belt belt = beltOf(space, bed_from_part, settings.count);
   const Point3 step = (wayOf(toolpath, belt) + settings.spacing_mm) * belt.direction;
   const Point3 normal = layerNormal(toolpath);
   const std::vector<ToolpathLayer> one = toolpath.layers;

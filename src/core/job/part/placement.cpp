@@ -42,23 +42,22 @@ Eigen::Isometry3d placePart(const Box3& part, const Point2& bed_centre, Placemen
   return bed_from_part;
 }
 
-Eigen::Isometry3d placePart(const Box3& part, const CartesianMachine& machine, Placement placement) {
-  Eigen::Isometry3d bed_from_part = placePart(part, workspace(machine).centre().head<2>(), placement);
+Eigen::Isometry3d placePart(const Box3& part, const BuildSpace& space, Placement placement) {
+  Eigen::Isometry3d bed_from_part = placePart(part, boundingBox(space).centre().head<2>(), placement);
   if (placement == Placement::AsIs || part.isEmpty()) return bed_from_part;
   for (int i = 0; i < 3; ++i) {
-    const MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
-    if (!isEndless(axis)) continue;
-    const double least = leastValue(part, axesFromBed(machine) * bed_from_part, i);
-    bed_from_part.pretranslate((axis.low_mm - least) * axis.direction);
+    if (!space.is_endless[static_cast<std::size_t>(i)]) continue;
+    const double least = leastValue(part, space.bed_from_axes.inverse() * bed_from_part, i);
+    bed_from_part.pretranslate((space.range.low[i] - least) * space.bed_from_axes.linear().col(i));
   }
   return bed_from_part;
 }
 
-Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const CartesianMachine& machine) {
+Eigen::Isometry3d placeDeposition(const Toolpath& toolpath, const BuildSpace& space) {
   Box3 box;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) include(path, box);
-  return placePart(box, machine, Placement::Centre);
+  return placePart(box, space, Placement::Centre);
 }
 
 }  // namespace lamina

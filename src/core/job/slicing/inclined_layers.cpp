@@ -53,16 +53,16 @@ Toolpath inPartFrame(Toolpath planned, const PlaneSettings& plane) {
   return plane.tool_axis == ToolAxis::Down ? withNozzle(std::move(toolpath), nozzleDown()) : toolpath;
 }
 
-void requireToolAxis(const PlaneSettings& plane, const CartesianMachine& machine) {
-  const Point3 own = machine.bed_from_nozzle_at_zero.linear().col(2);
+void requireToolAxis(const PlaneSettings& plane, const BuildSpace& space) {
+  const Point3 own = toolAxis(space);
   const Point3 level = -Point3::UnitZ();
   const Point3 wanted = plane.tool_axis == ToolAxis::Down ? level : Point3(partFromLayers(plane) * level);
   if (angleBetween(own, wanted) <= kToolAxisTolerance) return;
   const bool is_upright = angleBetween(own, level) <= kToolAxisTolerance;
   throw Unreachable(
       "slicing.plane of " + number(plane.angle_deg) + " deg about " + number(plane.axis_heading_deg) +
-      " deg needs the tool axis along " + text(wanted) + "; the head of " + machine.name +
-      " holds it along " + text(own) + ", for " +
+      " deg needs the tool axis along " + text(wanted) + "; the head of " + space.name + " holds it along " +
+      text(own) + ", for " +
       (is_upright ? "slicing.plane.angle_deg 0 or slicing.plane.tool axis 'down'" : planeOf(own)));
 }
 

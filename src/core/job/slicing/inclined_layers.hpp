@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/slicing/slicing_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -19,8 +19,8 @@ BedPlane bedBelow(const PlaneSettings& plane, const Eigen::Isometry3d& bed_from_
 Toolpath inPartFrame(Toolpath planned, const PlaneSettings& plane);
 
 /// Refuses early what a fixed head cannot lay.
-/// @throws Unreachable if the nozzle would be held at another angle than the machine's; names the plane for
-/// which the machine is made
-void requireToolAxis(const PlaneSettings& plane, const CartesianMachine& machine);
+/// @throws Unreachable if the nozzle would be held at another angle than the head holds it at rest; names the
+/// plane that its angle is for
+void requireToolAxis(const PlaneSettings& plane, const BuildSpace& space);
 
 }  // namespace lamina

@@ -12,6 +12,7 @@
 #include "job/slicing/mode_choice.hpp"
 #include "job/slicing/tool_orientation.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/orient_toolpath.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 
@@ -95,22 +96,22 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
   return std::move(oriented.toolpath);
 }
 
-void requireWithin(const CartesianMachine& machine, const SliceJob& job, SlicedPart& sliced) {
-  const bool is_five_axis = writesFiveAxis(job, machine, sliced);
+void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
+  const bool is_five_axis = writesFiveAxis(job, space, sliced);
   const bool is_program = std::filesystem::path(job.output).extension() == ".gcode" && !is_five_axis;
   const bool is_as_planned =
       hasPlaneLayers(sliced.summary.mode) && !changesOrientation(job.settings.orientation);
   if (is_program || (is_as_planned && !is_five_axis))
-    return requireReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, machine);
-  const double turn_deg = greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, machine) * 180.0 / M_PI;
+    return requireReachable(sliced.toolpath, sliced.bed_from_part, space);
+  if (!is_five_axis) requireTipsReachable(sliced.toolpath, sliced.bed_from_part, space);
+  const double turn_deg = greatestToolAxisTurn(sliced.toolpath, sliced.bed_from_part, space) * 180.0 / M_PI;
   if (turn_deg < 0.01) return;
-  const char* format = machine.rotary_joints.empty()
-                           ? "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "
-                             "can; a program for this one is refused"
-                           : "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s";
+  const char* format = canTurnToolAxis(space)
+                           ? "the nozzle turns by up to %.1f deg, which takes the rotary joints of %s"
+                           : "the nozzle turns by up to %.1f deg from how %s holds it: poses for a head that "
+                             "can; a program for this one is refused";
   char text[256];
-  std::snprintf(text, sizeof text, format, turn_deg, machine.name.c_str());
+  std::snprintf(text, sizeof text, format, turn_deg, space.name.c_str());
   sliced.summary.notes.emplace_back(text);
 }
 

@@ -17,6 +17,6 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
 /// tips are, if the layers or the orientation settings tilt the nozzle; the summary notes what head they
 /// need. Five-axis G-code is left to `planJointProgram`.
 /// @throws Unreachable
-void requireWithin(const CartesianMachine& machine, const SliceJob& job, SlicedPart& sliced);
+void requireWithin(const BuildSpace& space, const SliceJob& job, SlicedPart& sliced);
 
 }  // namespace lamina

@@ -12,7 +12,6 @@
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
 namespace {
@@ -77,11 +76,10 @@ Box3 boxOnBed(const SourcePart& source) {
 }
 
 /// What was read, and where it stands.
-void place(const SourcePart& source, const CartesianMachine& machine, const SliceJob& job,
-           SlicedPart& sliced) {
+void place(const SourcePart& source, const BuildSpace& space, const SliceJob& job, SlicedPart& sliced) {
   const Box3 box = boxOnBed(source);
-  requireFits(box, workspace(machine), machine.name);
-  sliced.bed_from_part = placePart(box, machine, job.settings.placement);
+  requireFits(box, boundingBox(space), space.name);
+  sliced.bed_from_part = placePart(box, space, job.settings.placement);
   sliced.summary.triangles = source.mesh.triangles.size();
   sliced.summary.mesh_volume_mm3 = volume(source.mesh);
   sliced.summary.repairs = source.repairs;
@@ -89,9 +87,9 @@ void place(const SourcePart& source, const CartesianMachine& machine, const Slic
 
 }  // namespace
 
-void requireToolAxisFor(const SliceJob& job, const CartesianMachine& machine) {
+void requireToolAxisFor(const SliceJob& job, const BuildSpace& space) {
   const SlicingSettings& slicing = job.settings.slicing;
-  if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireToolAxis(slicing.plane, machine);
+  if (hasPlaneLayers(slicing.mode) || slicing.plane.angle_deg != 0.0) requireToolAxis(slicing.plane, space);
 }
 
 SourcePart readSource(const SliceJob& job) {
@@ -104,17 +102,16 @@ SourcePart readSource(const SliceJob& job) {
   return source;
 }
 
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const CartesianMachine& machine,
-                       Progress& progress) {
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress) {
   SlicedPart sliced;
-  place(source, machine, job, sliced);
+  place(source, space, job, sliced);
   sliced.toolpath =
-      planOriented(std::move(source), {job, machine, sliced.bed_from_part}, sliced.summary, progress);
+      planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
   requireDeposition(sliced.toolpath, job.settings.planning);
-  sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, machine, sliced.bed_from_part,
+  sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);
   addToolpath(sliced.summary, sliced.toolpath);
-  requireWithin(machine, job, sliced);
+  requireWithin(space, job, sliced);
   return sliced;
 }
 

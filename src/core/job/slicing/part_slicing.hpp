@@ -5,22 +5,21 @@
 #include "job/part/part_source.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/slice_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/build_space.hpp"
 
 namespace lamina {
 
-/// Plane layers need a tool axis that the machine has.
+/// Plane layers need the tool axis of the build space.
 /// @throws Unreachable
-void requireToolAxisFor(const SliceJob& job, const CartesianMachine& machine);
+void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);
 
 /// Reads what a job prints, and what it is laid on where its mode asks for that.
 /// @throws InvalidMesh, FileError as `readPart`
 SourcePart readSource(const SliceJob& job);
 
 /// Everything between mesh and program: places, slices and plans what was read, and checks it against the
-/// machine. Of the times in the summary only that of slicing is set.
+/// build space. Of the times in the summary only that of slicing is set.
 /// @throws as `runSliceJob`
-SlicedPart sliceSource(SourcePart source, const SliceJob& job, const CartesianMachine& machine,
-                       Progress& progress);
+SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress);
 
 }  // namespace lamina

@@ -62,7 +62,7 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,
                                    settings.planning.travel.feed_mm_s, progress);
-  toolpath = withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.machine));
+  toolpath = withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.space));
   toolpath = inPartFrame(std::move(toolpath), plane);
   return planned;
 }

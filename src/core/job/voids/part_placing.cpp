@@ -8,7 +8,6 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/part/placement.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
@@ -166,7 +165,7 @@ Point2 findPlace(const Toolpath& program, const std::vector<Regions>& contours, 
   Candidates candidates(box.centre().head<2>());
   const Placing placing(program, contours, job.map);
   placing.addStated(candidates);
-  const Point2 bed = workspace(machineOf(job.settings.machine)).centre().head<2>();
+  const Point2 bed = boundingBox(buildSpaceOf(job.settings.machine)).centre().head<2>();
   candidates.add(placePart(box, bed, job.settings.placement).translation().head<2>());
   candidates.add(Point2::Zero());
   return placing.best(candidates.places());

@@ -15,7 +15,7 @@
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/voids/void_job.hpp"
-#include "lamina/kinematics/cartesian/cartesian_machine.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/program/gcode/run_insertion.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "planning/order/ordering.hpp"
@@ -158,7 +158,7 @@ void requireWhole(const VoidReport& found, const VoidFillingJob& job) {
 
 /// What the program reaches, its machine does.
 void requireReachable(const std::vector<std::vector<Path>>& runs, const Toolpath& program,
-                      const CartesianMachine& machine) {
+                      const BuildSpace& space) {
   const Box3 reached = depositionBox(program);
   const auto isReached = [&](const Point3& point) {
     return (point.array() >= reached.low.array()).all() && (point.array() <= reached.high.array()).all();
@@ -171,7 +171,7 @@ void requireReachable(const std::vector<std::vector<Path>>& runs, const Toolpath
       if (!std::all_of(path.points.begin(), path.points.end(), isReached))
         beyond.layers.back().paths.push_back(path);
   }
-  requireReachable(beyond, Eigen::Isometry3d::Identity(), machine);
+  requireReachable(beyond, Eigen::Isometry3d::Identity(), space);
 }
 
 }  // namespace
@@ -182,7 +182,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
   const JobSettings& settings = job.map.settings;
   const std::string text = readFile(job.program);
   const Toolpath program = toolpathFromGcode(text, settings.program, job.program);
-  const CartesianMachine machine = machineOf(settings.machine);
+  const BuildSpace space = buildSpaceOf(settings.machine);
   VoidReport found = runVoidJob(program, job.map, progress);
   requirePlausible(program, found, job.map);
   requireWhole(found, job);
@@ -194,7 +194,7 @@ VoidFillingReport runVoidFillingJob(const VoidFillingJob& job, Progress& progres
                           feedOf(i, settings.planning.feed));
       },
       progress, "fill");
-  requireReachable(runs, program, machine);
+  requireReachable(runs, program, space);
   const std::string filled = insertRuns(text, program, runs, insertionSettings(settings));
   VoidFillingReport report;
   for (const std::vector<Path>& layer : runs) {

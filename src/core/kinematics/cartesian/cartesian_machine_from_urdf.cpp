@@ -2,69 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <urdf_model/model.h>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <string>
 
-#include "kinematics/model/body_shape.hpp"
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/machine_urdf.hpp"
 #include "kinematics/model/multi_axis_machine.hpp"
+#include "kinematics/model/robot_kind.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
-#include "lamina/kinematics/model/kinematic_model.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kHeight = 1500.0;  // mm: beyond what arms of 2 to 3 m do over a table
-constexpr double kSpeed = 1000.0;   // mm/s: of a tool, as robots' programs allow it
-
-Box3 bedBox(const urdf::Link& bed) {
-  Box3 box;
-  for (const auto& collision : bed.collision_array) {
-    const BodyShape shape = shapeOf(*collision, bed.name);
-    const Eigen::Isometry3d pose = poseOf(collision->origin);
-    for (int i = 0; i < 3; ++i) {
-      const Point3 direction = pose.linear().transpose() * Point3::Unit(i);
-      box.include(Point3(pose.translation() - extent(shape, -direction) * Point3::Unit(i)));
-      box.include(Point3(pose.translation() + extent(shape, direction) * Point3::Unit(i)));
-    }
-  }
-  return box;
-}
-
-/// Whether it is an arm or a platform, recognised by joint_1 or crank_1: no machine of axes x, y and z.
-bool isRobot(const urdf::ModelInterface& model) {
-  return !model.getJoint(kAxisNames[0]) && (model.getJoint("joint_1") || model.getJoint("crank_1"));
-}
-
-/// A robot as slicing and placing see it: the room over the bodies of its bed, in which axes along the bed's
-/// carry an upright nozzle. A joint path shows what the robot reaches, and how.
-/// @throws InvalidConfig if it has no link `bed`, or that no collision body
-CartesianMachine roomOverBed(const urdf::ModelInterface& model, const std::string& text) {
-  const auto bed = model.getLink("bed");
-  if (!bed) throw InvalidConfig("machine '" + model.getName() + "' has no link 'bed'");
-  if (bed->collision_array.empty())
-    throw InvalidConfig("machine '" + model.getName() +
-                        "': link 'bed' has no collision body; expected one of the size of the plate");
-  const Box3 box = bedBox(*bed);
-  CartesianMachine machine;
-  machine.name = model.getName();
-  machine.urdf = text;
-  for (int i = 0; i < 3; ++i) {
-    MachineAxis& axis = machine.axes[static_cast<std::size_t>(i)];
-    axis.name = kAxisNames[i];
-    axis.direction = Point3::Unit(i);
-    axis.low_mm = i < 2 ? box.low[i] : 0.0;
-    axis.high_mm = i < 2 ? box.high[i] : kHeight;
-    axis.max_speed_mm_s = kSpeed;
-  }
-  machine.bed_from_nozzle_at_zero.linear() = nozzleDown().toRotationMatrix();
-  const std::unique_ptr<KinematicModel> robot = kinematicModelFromUrdf(text);
-  for (const DrivenJoint& joint : robot->joints()) machine.rotary_joints.push_back(joint.name);
-  return machine;
-}
 
 constexpr double kMillimetres = 1e3;   // in the metre of URDF
 constexpr double kLeastVolume = 1e-3;  // of the box that three axes of length 1 span
@@ -88,6 +38,15 @@ MachineAxis axisOf(const Model& model, int index, const Point3& direction) {
   return axis;
 }
 
+/// @throws InvalidConfig if it is an arm or platform
+void requireLinearAxes(const Model& model) {
+  const std::optional<std::string> kind = robotKind(model);
+  if (!kind) return;
+  throw InvalidConfig("machine '" + model.getName() + "' is a robot (" + *kind +
+                      ") without linear axes x, y and z; expected one of " + listed(machineNames()) +
+                      ", or a description with these axes");
+}
+
 }  // namespace
 
 std::vector<std::string> machineNames() {
@@ -100,12 +59,12 @@ CartesianMachine machineByName(const std::string& name) {
   for (const auto* texts : {&machineTexts(), &robotTexts()})
     for (const MachineText& text : *texts)
       if (text.name == name) return machineFromUrdf(std::string(text.urdf));
-  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(kinematicModelNames()));
+  throw InvalidConfig("machine.name is '" + name + "'; must be one of " + listed(machineNames()));
 }
 
 CartesianMachine machineFromUrdf(const std::string& text) {
   const auto model = parseMachine(text);
-  if (isRobot(*model)) return roomOverBed(*model, text);
+  requireLinearAxes(*model);
   const LinkMotion bed = motionOf(*model, "bed");
   const LinkMotion nozzle = motionOf(*model, "nozzle");
   const LinkMotion sensor = motionOf(*model, "sensor");

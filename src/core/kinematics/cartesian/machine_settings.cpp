@@ -15,6 +15,11 @@ CartesianMachine machineOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? machineByName(settings.name) : machineFromUrdf(readFile(settings.urdf));
 }
 
+BuildSpace buildSpaceOf(const MachineSettings& settings) {
+  return settings.urdf.empty() ? buildSpaceByName(settings.name)
+                               : buildSpaceFromUrdf(readFile(settings.urdf));
+}
+
 std::unique_ptr<KinematicModel> kinematicModelOf(const MachineSettings& settings) {
   return settings.urdf.empty() ? kinematicModelByName(settings.name)
                                : kinematicModelFromUrdf(readFile(settings.urdf));

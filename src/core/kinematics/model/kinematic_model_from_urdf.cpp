@@ -6,6 +6,7 @@
 #include "kinematics/model/link_motion.hpp"
 #include "kinematics/model/machine_urdf.hpp"
 #include "kinematics/model/multi_axis_machine.hpp"
+#include "kinematics/model/robot_kind.hpp"
 #include "kinematics/platform/rus_from_urdf.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
@@ -22,8 +23,8 @@ struct Kind {
 
 constexpr Kind kKinds[] = {
     {"x", multiAxisMachine},
-    {"joint_1", sixAxisArm},
-    {"crank_1", rusKinematicModel},
+    {kArmJoint, sixAxisArm},
+    {kPlatformJoint, rusKinematicModel},
 };
 
 std::string listedKinds() {

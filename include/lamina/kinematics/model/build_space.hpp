@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The build space of a machine or robot: where over its bed the tip of its nozzle may be, and how its head
+/// holds the nozzle there. It is what placing, slicing and planning know of what will run a toolpath: neither
+/// axes that move nor speeds. Of linear axes it is what they reach with rotary joints at zero; of an arm or
+/// platform the room over the bodies of its bed, of which a joint path shows the part that is reached.
+///
+/// A parallelepiped: tips are `bed_from_axes * values`, with values within `range`.
+struct BuildSpace {
+  std::string name;  ///< of the machine or robot
+
+  /// Columns: edges of unit length, along linear axes x, y and z or along those of a robot's bed [bed frame,
+  /// mm].
+  Eigen::Affine3d bed_from_axes = Eigen::Affine3d::Identity();
+  Box3 range;                        ///< least and greatest values along the edges [mm]
+  std::array<bool, 3> is_endless{};  ///< edges whose greatest value is no limit, as along a belt
+
+  /// Turn of the nozzle with its head at rest; z is the tool axis.
+  Eigen::Matrix3d bed_from_nozzle = nozzleDown().toRotationMatrix();
+  std::vector<std::string>
+      rotary_joints;  ///< that can turn the tool axis over the bed; none for a fixed head
+
+  /// To the coordinates that programs speak [mm]: those of the bed (the identity), or axis values on a belt.
+  Eigen::Affine3d program_from_bed = Eigen::Affine3d::Identity();
+
+  /// The profile sensor as seen from the tip, along the axes of the bed, z its viewing direction [mm];
+  /// nothing if none is described.
+  std::optional<Eigen::Isometry3d> tip_from_sensor;
+};
+
+/// One of `kinematicModelNames`.
+/// @throws InvalidConfig if there is none of that name; names those there are
+BuildSpace buildSpaceByName(const std::string& name);
+
+/// Of a machine of linear axes as `machineFromUrdf` reads it, or of an arm or platform: over the box of its
+/// bed's collision bodies, 1500 mm high, the nozzle straight down.
+/// @throws InvalidConfig as `machineFromUrdf`; of an arm or platform as `kinematicModelFromUrdf`, or if its
+///   link `bed` has no collision body
+BuildSpace buildSpaceFromUrdf(const std::string& text);
+
+/// Box of all tips [mm, bed frame].
+Box3 boundingBox(const BuildSpace& space);
+
+/// Of the nozzle with its head at rest, of unit length [bed frame].
+Point3 toolAxis(const BuildSpace& space);
+
+/// Whether head or table can turn the tool axis over the bed.
+bool canTurnToolAxis(const BuildSpace& space);
+
+/// The space with the nozzle straight down, and its tips and its sensor where they were: for what is asked of
+/// level layers.
+BuildSpace withUprightHead(BuildSpace space);
+
+/// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
+/// bed]; the tip itself if no sensor is described.
+/// @throws InvalidConfig if the sensor does not look down
+Point2 sensorOffset(const BuildSpace& space);
+
+}  // namespace lamina

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/kinematics/model/toolpath_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "kinematics/model/link_motion.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kReachedToolAxis = 0.01 * M_PI / 180.0;  // far below what a head is built to
+constexpr double kReachTolerance = 1e-6;                  // mm: rounding of transforms
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  return text;
+}
+
+/// Why the values along the edges are out of the space; empty if they are not.
+std::string limitFault(const BuildSpace& space, const Point3& values) {
+  for (int i = 0; i < 3; ++i) {
+    const double low_mm = space.range.low[i];
+    const double high_mm = space.is_endless[static_cast<std::size_t>(i)] ? std::numeric_limits<double>::max()
+                                                                         : space.range.high[i];
+    if (values[i] >= low_mm - kReachTolerance && values[i] <= high_mm + kReachTolerance) continue;
+    return std::string("axis ") + kAxisNames[i] + " would be at " + number(values[i]) + " mm; " + space.name +
+           " reaches " + number(low_mm) + " to " + number(space.range.high[i]) + " mm";
+  }
+  return "";
+}
+
+/// Why the tool axis is out of reach; empty if it is not.
+std::string toolAxisFault(const BuildSpace& space, const Point3& tool_axis) {
+  const Point3 own = toolAxis(space);
+  const double angle = std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis));
+  if (angle <= kReachedToolAxis) return "";
+  const std::string turn = "the nozzle would have to turn by " + number(angle * 180.0 / M_PI) + " deg; ";
+  if (!canTurnToolAxis(space)) return turn + "the head of " + space.name + " is fixed";
+  return turn + "the linear axes of " + space.name + " alone hold it as it is with joints " +
+         listed(space.rotary_joints, " and ") + " at zero";
+}
+
+enum class Checked { Pose, Tip };
+
+/// Checks the paths of one layer with what it needs once.
+class ReachCheck {
+ public:
+  ReachCheck(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, Checked checked)
+      : space_(space),
+        bed_from_part_(bed_from_part),
+        values_from_bed_(Eigen::Matrix3d(space.bed_from_axes.linear()).inverse()),
+        checked_(checked) {}
+
+  std::string fault(const Path& path, std::size_t waypoint) const {
+    const Point3 position = bed_from_part_ * path.points[waypoint];
+    const Point3 values = values_from_bed_ * (position - space_.bed_from_axes.translation());
+    std::string found = limitFault(space_, values);
+    if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
+      found =
+          toolAxisFault(space_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
+    return found;
+  }
+
+ private:
+  const BuildSpace& space_;
+  const Eigen::Isometry3d& bed_from_part_;
+  Eigen::Matrix3d values_from_bed_;
+  Checked checked_;
+};
+
+std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
+  for (std::size_t p = 0; p < layer.paths.size(); ++p) {
+    const Path& path = layer.paths[p];
+    for (std::size_t w = 0; w < path.points.size(); ++w) {
+      const std::string fault = check.fault(path, w);
+      if (!fault.empty())
+        return "path " + std::to_string(p) + ", waypoint " + std::to_string(w) + ": " + fault;
+    }
+  }
+  return "";
+}
+
+/// @throws Unreachable with the first fault
+void requireNoFault(const Toolpath& toolpath, const ReachCheck& check) {
+  std::vector<std::string> faults(toolpath.layers.size());
+  NoProgress nobody;
+  parallelFor(
+      faults.size(), [&](std::size_t l) { faults[l] = firstFault(toolpath.layers[l], check); }, nobody,
+      "check");
+  for (std::size_t l = 0; l < faults.size(); ++l)
+    if (!faults[l].empty()) throw Unreachable("layer " + std::to_string(l) + ", " + faults[l]);
+}
+
+}  // namespace
+
+void requireReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                      const BuildSpace& space) {
+  requireNoFault(toolpath, ReachCheck(space, bed_from_part, Checked::Pose));
+}
+
+void requireTipsReachable(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                          const BuildSpace& space) {
+  requireNoFault(toolpath, ReachCheck(space, bed_from_part, Checked::Tip));
+}
+
+double greatestToolAxisTurn(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+                            const BuildSpace& space) {
+  const Point3 own = bed_from_part.linear().transpose() * toolAxis(space);
+  double greatest = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Eigen::Quaterniond& orientation : path.orientation.values()) {
+        const Point3 tool_axis = orientation * Point3::UnitZ();
+        greatest = std::max(greatest, std::atan2(own.cross(tool_axis).norm(), own.dot(tool_axis)));
+      }
+  return greatest;
+}
+
+}  // namespace lamina
