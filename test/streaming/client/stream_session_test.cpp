@@ -246,6 +246,23 @@ TEST(StreamSession, AbortsWhenTheMachineIsReset) {
   EXPECT_EQ(finished(session).failure.code, ErrorCode::DeviceError);
 }
 
+TEST(StreamSession, LeavesAPortToTheProcessThatHasIt) {
+  RecordedMachine machine(1.0);
+  const StreamSession first(spiral(200), impatient(), {linkPath(), 115200}, {});
+  EXPECT_THROW(StreamSession(spiral(5), impatient(), {linkPath(), 115200}, {}), Disconnected);
+}
+
+TEST(StreamSettings, TakeTheLinkFromThePort) {
+  RecordedMachine machine(0.0);
+  EXPECT_EQ(linkOf(linkPath()), LinkKind::Reliable) << "a link to a pseudo-terminal";
+  EXPECT_EQ(linkOf("tcp:printer.local:23"), LinkKind::Reliable);
+  EXPECT_EQ(linkOf("/dev/ttyACM7"), LinkKind::Reliable);
+  EXPECT_EQ(linkOf("/dev/ttyUSB0"), LinkKind::Lossy);
+  EXPECT_EQ(linkOf("/dev/ttyS3"), LinkKind::Lossy);
+  EXPECT_EQ(windowLines({}, LinkKind::Lossy), 1);
+  EXPECT_EQ(windowLines({}, LinkKind::Reliable), 4);
+}
+
 TEST(StreamSession, SaysAtOnceThatThereIsNoMachine) {
   const auto program = spiral(10);
   EXPECT_THROW(StreamSession(program, {}, {"/dev/there_is_no_such_port", 115200}, {}), Disconnected);

@@ -58,6 +58,8 @@ TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
   EXPECT_NE(refusalOf("G28*22\n").find("has a '*'"), std::string::npos);
   EXPECT_NE(refusalOf("G1 X\xc3\xa4\n").find("not printable ASCII"), std::string::npos);
   EXPECT_NE(refusalOf("M110 N3\n").find("sets the line number"), std::string::npos);
+  EXPECT_NE(refusalOf("M117 set M110 N500 now\n").find("has 'M110' in its text"), std::string::npos);
+  EXPECT_NE(refusalOf("M117 a\\b\n").find("has a '\\'"), std::string::npos);
   EXPECT_NE(refusalOf("12 monkeys\n").find("expected a command letter"), std::string::npos);
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }

@@ -79,5 +79,53 @@ TEST(MarlinProtocol, ReadsPositions) {
   EXPECT_FALSE(parseReply("X:1.50 Y:nonsense Z:0.3").position);
 }
 
+TEST(MarlinProtocol, KnowsAGreetingBehindStrayBytesAndOfOtherFirmware) {
+  for (const std::string greeting : {"start",
+                                     "\xff"
+                                     "start",
+                                     "\x01\x7f\xfestart", "Grbl 1.1h ['$' for help]",
+                                     "RepRapFirmware for Duet 3 MB6HC v3.5.1 (2024-04-19) is up and running.",
+                                     " External Reset", "echo: Free Memory: 3712  PlannerBufferBytes: 1408"})
+    EXPECT_EQ(parseReply(greeting).kind, ReplyKind::Start) << greeting;
+  for (const std::string other :
+       {"restart", "echo:restart", "starting", "echo: a long line that ends in start"})
+    EXPECT_NE(parseReply(other).kind, ReplyKind::Start) << other;
+}
+
+TEST(MarlinProtocol, ReadsTheActionsAMachineAsksOfItsHost) {
+  EXPECT_EQ(parseReply("//action:pause").kind, ReplyKind::Pause);
+  EXPECT_EQ(parseReply("// action:paused").kind, ReplyKind::Pause);
+  EXPECT_EQ(parseReply("//action:out_of_filament T0").kind, ReplyKind::Pause);
+  EXPECT_EQ(parseReply("//action:resumed").kind, ReplyKind::Resume);
+  EXPECT_EQ(parseReply("//action:cancel").kind, ReplyKind::Cancel);
+  EXPECT_EQ(parseReply("//action:prompt_begin Nozzle clogged?").kind, ReplyKind::Information);
+  EXPECT_EQ(parseReply("// Klipper state: Ready").kind, ReplyKind::Information);
+}
+
+TEST(MarlinProtocol, TellsCommandsThatWereNotDoneFromOthers) {
+  EXPECT_EQ(parseReply("echo:Unknown command: \"G5\"").kind, ReplyKind::NotDone);
+  EXPECT_EQ(parseReply("echo: cold extrusion prevented").kind, ReplyKind::NotDone);
+  EXPECT_EQ(parseReply("echo:SD card ok").kind, ReplyKind::Information);
+  EXPECT_EQ(parseReply("Re\x13"
+                       "end: 12")
+                .kind,
+            ReplyKind::Unreadable);
+  EXPECT_EQ(parseReply("fatal: heater 1 disconnected").kind, ReplyKind::Fatal);
+}
+
+TEST(MarlinProtocol, ReadsTheNameOfTheFirmware) {
+  EXPECT_EQ(
+      parseReply("FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026) SOURCE_CODE_URL:github.com PROTOCOL_VERSION:1.0")
+          .firmware_name,
+      "Marlin 2.1.2 (Nov 22 2026)");
+  EXPECT_EQ(parseReply(
+                "FIRMWARE_NAME: RepRapFirmware for Duet 2 WiFi/Ethernet FIRMWARE_VERSION: 3.4.5 ELECTRONICS: "
+                "Duet WiFi")
+                .firmware_name,
+            "RepRapFirmware for Duet 2 WiFi/Ethernet");
+  EXPECT_EQ(parseReply("FIRMWARE_VERSION:v0.12.0 FIRMWARE_NAME:Klipper").firmware_name, "Klipper");
+  EXPECT_EQ(parseReply("ok").firmware_name, "");
+}
+
 }  // namespace
 }  // namespace lamina
