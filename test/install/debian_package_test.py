@@ -2,7 +2,7 @@
 """The Debian package holds what is installed, names what it needs, and runs once it is unpacked."""
 import unittest
 
-from trees import (BUILD, HAS_ROS, SCRATCH, build_paths, empty_scratch, layers, run,
+from trees import (BUILD, HAS_ROS, SCRATCH, build_paths, empty_scratch, layers, leave_nothing_to_find, run,
                    run_commands_with_libraries_of_their_own, run_paths)
 
 TREE = SCRATCH / "root/usr"
@@ -11,6 +11,10 @@ TREE = SCRATCH / "root/usr"
 def setUpModule():
     empty_scratch()
     run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", SCRATCH / "made", cwd=BUILD)
+
+
+def tearDownModule():
+    leave_nothing_to_find()
 
 
 class Package(unittest.TestCase):

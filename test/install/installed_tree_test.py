@@ -6,8 +6,8 @@ import socket
 import subprocess
 import unittest
 
-from trees import (BUILD, DEVEL, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers, run,
-                   run_commands_with_libraries_of_their_own, run_paths)
+from trees import (BUILD, DEVEL, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers,
+                   leave_nothing_to_find, run, run_commands_with_libraries_of_their_own, run_paths)
 
 TREE = SCRATCH / "moved"
 PATIENCE = 60.0  # s: far above what a call takes, for loaded machines
@@ -28,6 +28,10 @@ def setUpModule():
     empty_scratch()
     run("cmake", "--install", BUILD, "--prefix", SCRATCH / "installed")
     (SCRATCH / "installed").rename(TREE)
+
+
+def tearDownModule():
+    leave_nothing_to_find()
 
 
 class Tree(unittest.TestCase):

@@ -22,6 +22,11 @@ def empty_scratch():
     SCRATCH.mkdir(parents=True)
 
 
+def leave_nothing_to_find():
+    """Empties the scratch folder: it lies in the source tree, in which roslaunch looks for launch files by name."""
+    shutil.rmtree(SCRATCH, ignore_errors=True)
+
+
 def run(*command, **options):
     """What the command prints; an error with all of it where the command fails."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,

@@ -94,8 +94,10 @@ double disagreement(const Region& region, double distance) {
 }
 
 TEST(EdgeCollapseInset, GivesTheRegionThatClippingGives) {
+  int tried = 0;
   int direct = 0;
-  const auto agrees = [&direct] {
+  const auto agrees = [&] {
+    ++tried;
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const double roughness = random.uniform(0.0, 1.0);
     const int points = *rc::gen::inRange(3, 120);
@@ -109,7 +111,7 @@ TEST(EdgeCollapseInset, GivesTheRegionThatClippingGives) {
     }
   };
   EXPECT_TRUE(rc::check("wherever it gives one", agrees));
-  EXPECT_GT(direct, 20) << "or the property says nothing";
+  EXPECT_GT(5 * direct, tried) << "or the property says nothing";
 }
 
 TEST(EdgeCollapseInset, GivesWhatClippingGivesOfOutlinesRougherThanTheDistance) {
