@@ -36,6 +36,12 @@ TEST(Streamer, RunsEveryLineOnceInOrder) {
   EXPECT_EQ(link.firmware.counts().bytes_lost, 0U);
 }
 
+StreamSettings lossyLink() {
+  StreamSettings settings;
+  settings.link = LinkKind::Lossy;
+  return settings;
+}
+
 class StreamerUnderFault : public testing::TestWithParam<FaultKind> {};
 
 TEST_P(StreamerUnderFault, RunsEveryLineOnceInOrder) {
@@ -43,10 +49,11 @@ TEST_P(StreamerUnderFault, RunsEveryLineOnceInOrder) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     EmulatedSettings machine = instantMachine();
     machine.fault_seed = static_cast<int>(seed);
-    SimulatedLink link(spiral, {}, machine, {{GetParam(), 0.02, {1, 2, 3, 500, 1999, 2000}}}, seed);
+    SimulatedLink link(spiral, lossyLink(), machine, {{GetParam(), 0.02, {1, 2, 3, 500, 1999, 2000}}}, seed);
     link.run();
     EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
     EXPECT_EQ(link.numberedCommands(), test::commandsOf(spiral));
+    EXPECT_EQ(link.fragments(), std::vector<std::string>());
     EXPECT_EQ(link.streamer.status().lines_acknowledged, 2000U);
     EXPECT_GT(link.firmware.counts().faults, 20U);
   }
@@ -57,6 +64,18 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, StreamerUnderFault,
                                          FaultKind::CorruptedLine, FaultKind::SpuriousResend,
                                          FaultKind::Silence),
                          [](const auto& tested) { return std::string(toString(tested.param)); });
+
+TEST(Streamer, WouldRunTailsOfLinesBehindADamagedOne) {
+  const auto spiral = streamerProgram(test::spiralProgram(2000));
+  const std::vector<Fault> faults = {{FaultKind::CorruptedLine, 0.05, {}}};
+  SimulatedLink four(spiral, {}, instantMachine(), faults);
+  four.run();
+  EXPECT_FALSE(four.fragments().empty()) << "four lines under way: why a lossy link has one";
+  SimulatedLink one(spiral, lossyLink(), instantMachine(), faults);
+  one.run();
+  EXPECT_EQ(one.fragments(), std::vector<std::string>());
+  EXPECT_EQ(one.numberedCommands(), test::commandsOf(spiral));
+}
 
 /// Any mix of the faults that a job must survive, each up to 3 %.
 rc::Gen<std::vector<Fault>> anyFaults() {
@@ -77,13 +96,40 @@ RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderUnderAnyFaults, ()) {
   machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
   machine.fault_seed = *rc::gen::inRange(1, 1000000);
   machine.command_queue = *rc::gen::inRange(1, 9);
-  StreamSettings settings;
-  settings.window_lines = *rc::gen::inRange(1, 9);
+  StreamSettings settings = lossyLink();
   settings.window_bytes = *rc::gen::inRange(96, 256);
-  SimulatedLink link(spiral, settings, machine, *anyFaults(), *rc::gen::inRange<std::uint64_t>(1, 1000000));
+  std::vector<Fault> faults = *anyFaults();
+  // Lines sent again without need are refused, and the head of the next may be lost with them.
+  const bool asks_without_cause = *rc::gen::arbitrary<bool>();
+  for (Fault& fault : faults)
+    if (fault.kind == FaultKind::SpuriousResend && !asks_without_cause) fault.rate = 0.0;
+  SimulatedLink link(spiral, settings, machine, faults, *rc::gen::inRange<std::uint64_t>(1, 1000000));
   link.run();
   RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
   RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+  RC_ASSERT(asks_without_cause || link.fragments().empty());
+}
+
+RC_GTEST_PROP(StreamerProperty, EveryLineIsRunOnceInOrderThroughAnyWindowIfNoneIsRefused, ()) {
+  const auto spiral = streamerProgram(test::spiralProgram(*rc::gen::inRange(5, 400)));
+  EmulatedSettings machine;
+  machine.speed_up = *rc::gen::element(0.0, 1.0, 50.0);
+  machine.fault_seed = *rc::gen::inRange(1, 1000000);
+  machine.command_queue = *rc::gen::inRange(1, 9);
+  StreamSettings settings;
+  settings.window_lines = *rc::gen::inRange(1, 9);
+  std::vector<Fault> faults = *anyFaults();
+  for (Fault& fault : faults) {
+    const bool is_line_refused = fault.kind == FaultKind::LostLine ||
+                                 fault.kind == FaultKind::CorruptedLine ||
+                                 fault.kind == FaultKind::SpuriousResend;
+    if (is_line_refused) fault.rate = 0.0;
+  }
+  SimulatedLink link(spiral, settings, machine, faults, *rc::gen::inRange<std::uint64_t>(1, 1000000));
+  link.run();
+  RC_ASSERT(link.streamer.status().state == PackmlState::Complete);
+  RC_ASSERT(link.numberedCommands() == test::commandsOf(spiral));
+  RC_ASSERT(link.fragments().empty());
 }
 
 RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
@@ -91,7 +137,7 @@ RC_GTEST_PROP(StreamerProperty, NothingIsLostHoweverOftenAJobIsHeld, ()) {
   EmulatedSettings machine;
   machine.speed_up = 50.0;
   machine.fault_seed = *rc::gen::inRange(1, 1000000);
-  SimulatedLink link(spiral, {}, machine, *anyFaults());
+  SimulatedLink link(spiral, lossyLink(), machine, *anyFaults());
   link.start();
   for (const int pause : *rc::gen::container<std::vector<int>>(5, rc::gen::inRange(1, 400))) {
     for (int i = 0; i < pause && !isFinal(link.streamer.status().state); ++i) link.step();

@@ -69,6 +69,15 @@ class SimulatedLink {
     return commands;
   }
 
+  /// Commands of motion that were run without a number: tails of damaged lines.
+  std::vector<std::string> fragments() const {
+    std::vector<std::string> commands;
+    for (const ExecutedLine& line : executed) {
+      if (!line.number && line.command.compare(0, 1, "G") == 0) commands.push_back(line.command);
+    }
+    return commands;
+  }
+
   double now = 0.0;
   std::vector<ExecutedLine> executed;
   std::vector<ExecutedMotion> motions;

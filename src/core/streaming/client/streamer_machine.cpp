@@ -136,6 +136,7 @@ void Streamer::Machine::nextReport(double now) {
   has_begun_ = true;
   enter(PackmlState::Execute);
   beginPhase(Phase::Feeding, now);
+  awaitProbes(now);
   proceed(now);
 }
 
@@ -178,6 +179,7 @@ void Streamer::Machine::pump(double now) {
 /// after the next one.
 void Streamer::Machine::probe(double) {
   ++status_.probes;
+  ++unanswered_probes_;
   const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
   output_ += firmware_->framed(expected + 1, firmware_->harmless());
 }
@@ -186,7 +188,7 @@ void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
   if (!goTo(wanted, now)) return;
   // The firmware has read everything that was sent before the probe.
   sent_.clear();
-  settle_until_ = 0.0;
+  awaitProbes(now);
   must_send_one_ = false;
   if (wanted < feed_.end()) ++status_.resends;
   beginPhase(Phase::Feeding, now);
@@ -431,7 +433,8 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
       onResume(now);
       break;
     case ReplyKind::Cancel:
-      onCancel(reply, now);
+      abort({ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"" + whereItStands()},
+            now);
       break;
     case ReplyKind::Busy:
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
@@ -475,6 +478,8 @@ void Streamer::Machine::acknowledgedUpTo(std::uint64_t line) {
 
 void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
   expects_ok_of_resend_ = true;
+  const bool is_of_probe = unanswered_probes_ > 0;
+  if (is_of_probe) --unanswered_probes_;
   if (!reply.line) return;
   if (phase_ == Phase::Numbering) {
     if (*reply.line != base_ + 1) return;
@@ -490,6 +495,7 @@ void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
   } else if (phase_ == Phase::Probing) {
     if (!isRefuted(*reply.line, now)) onProbeAnswer(*reply.line, now);
   } else if (phase_ == Phase::Feeding) {
+    if (is_of_probe && *reply.line == rewound_to_) return;
     if (isRefuted(*reply.line, now)) return;
     if (*reply.line == rewound_to_ && sent_.absorbRefusal()) return;
     if (goTo(*reply.line, now)) onRefusal(*reply.line, now);
@@ -508,7 +514,9 @@ void Streamer::Machine::onRefusal(std::uint64_t wanted, double now) {
 
 void Streamer::Machine::settle(double now) {
   if (!isSettling()) return;
-  if (now < settle_until_ && (sent_.hasStale() || expects_ok_of_resend_)) return;
+  const bool is_answer_due = sent_.hasStale() || expects_ok_of_resend_ || unanswered_probes_ > 0;
+  if (now < settle_until_ && is_answer_due) return;
+  unanswered_probes_ = 0;
   sent_.dropStale();
   settle_until_ = 0.0;
   // Some firmware says no ok after a request; one that comes later than this counts for a line.
@@ -560,10 +568,6 @@ void Streamer::Machine::onStart(double now) {
 
 void Streamer::Machine::onFatal(const MarlinReply& reply, double now) {
   abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + whereItStands()}, now);
-}
-
-void Streamer::Machine::onCancel(const MarlinReply& reply, double now) {
-  abort({ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"" + whereItStands()}, now);
 }
 
 void Streamer::Machine::onPause(const MarlinReply& reply, double now) {

@@ -93,7 +93,6 @@ class Streamer::Machine {
   void onRefusal(std::uint64_t wanted, double now);
   void onStart(double now);
   void onFatal(const MarlinReply& reply, double now);
-  void onCancel(const MarlinReply& reply, double now);
   void onPause(const MarlinReply& reply, double now);
   void onResume(double now) {
     if (is_paused_by_machine_) resume(now);
@@ -101,6 +100,8 @@ class Streamer::Machine {
   void onNotDone(const MarlinReply& reply);
   void onIdentity(const MarlinReply& reply, double now);
 
+  /// What is sent while the firmware still refuses a probe would lose its head.
+  void awaitProbes(double now) { settle_until_ = unanswered_probes_ > 0 ? now + settings_.settle_s : 0.0; }
   void identify(double now) {
     beginPhase(Phase::Identifying, now);
     retry(now);
@@ -151,6 +152,7 @@ class Streamer::Machine {
   double settle_until_ = 0.0;          ///< nothing is sent while stale lines may be answered; 0 if none is
   bool must_send_one_ = false;  ///< whatever the window, or a full one of discarded lines would wait for ever
   std::uint64_t rewound_to_ = 0;
+  int unanswered_probes_ = 0;
   int refusals_in_a_row_ = 0;
   int odd_requests_ = 0;
   double safe_stop_by_ = 0.0;

@@ -140,9 +140,8 @@ void EmulatedFirmware::Board::refuse(const std::string& why) {
   const std::string last = std::to_string(gate_.lastNumber());
   const std::string next = std::to_string(gate_.lastNumber() + 1);
   replies_.say("Error:" + why + last + "\nResend: " + next + "\nok\n");
-  // Marlin discards what it has received meanwhile.
-  const std::size_t whole = rx_.rfind('\n');
-  if (whole != std::string::npos) rx_.erase(0, whole + 1);
+  // Marlin discards what it has received meanwhile, the head of a line that is just arriving too.
+  rx_.clear();
 }
 
 void EmulatedFirmware::Board::reset() {

@@ -36,10 +36,8 @@ GatedLine LineGate::take(std::string_view line) {
   line = trimmed(line);
   const std::size_t star = line.rfind('*');
   const auto number = lineNumberOf(line);
-  if (!number) {
-    if (star != std::string_view::npos) return refused("No Line Number with checksum, Last Line: ");
-    return {{}, std::string(line), std::nullopt};
-  }
+  // As Marlin does: the tail of a line is run, whatever checksum it ends with.
+  if (!number) return {{}, std::string(trimmed(line.substr(0, star))), std::nullopt};
   if (star == std::string_view::npos) return refused("No Checksum with line number, Last Line: ");
   if (wholeNumber(trimmed(line.substr(star + 1))) != marlinChecksum(line.substr(0, star))) {
     return refused("checksum mismatch, Last Line: ");
