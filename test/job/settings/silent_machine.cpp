@@ -7,8 +7,6 @@
 namespace lamina::test {
 namespace {
 
-constexpr char kBeginAnswered[] =
-    "FIRMWARE_NAME:Marlin\nok\nok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n";
 constexpr int kMostDeadlines = 100000;
 
 void note(Streamer& streamer, double now_s, SilentJob& job) {

@@ -16,6 +16,10 @@ enum class Silence {
   FromTheAbort,  ///< the same, and the job is aborted 1 s later
 };
 
+/// What Marlin answers until the first line of a job is sent, without reports.
+inline constexpr char kBeginAnswered[] =
+    "FIRMWARE_NAME:Marlin\nok\nok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n";
+
 /// Ten short moves; the last line is 40 bytes long.
 inline constexpr char kTenMoves[] =
     "G1 X1\nG1 X2\nG1 X3\nG1 X4\nG1 X5\nG1 X6\nG1 X7\nG1 X8\nG1 X9\nG1 X10.00000 Y10.00000 Z10.00000 "

@@ -273,10 +273,8 @@ TEST_F(ScriptedPeer, FollowsARequestWhoseNumberNoiseHadChanged) {
 }
 
 TEST_F(ScriptedPeer, AbortsAtAGreetingBehindStrayBytes) {
-  for (const std::string greeting :
-       {"\xff"
-        "start",
-        "\x01\x80start", "Grbl 1.1h ['$' for help]", "RepRapFirmware for Duet 3 MB6HC is up and running."}) {
+  for (const std::string greeting : {"\xffstart", "\x01\x80start", "Grbl 1.1h ['$' for help]",
+                                     "RepRapFirmware for Duet 3 MB6HC is up and running."}) {
     Streamer streamer(program_, settings());
     begin(streamer);
     streamer.receive("ok\n" + greeting + "\n", 1.0);

@@ -80,10 +80,7 @@ TEST(MarlinProtocol, ReadsPositions) {
 }
 
 TEST(MarlinProtocol, KnowsAGreetingBehindStrayBytesAndOfOtherFirmware) {
-  for (const std::string greeting : {"start",
-                                     "\xff"
-                                     "start",
-                                     "\x01\x7f\xfestart", "Grbl 1.1h ['$' for help]",
+  for (const std::string greeting : {"start", "\xffstart", "\x01\x7f\xfestart", "Grbl 1.1h ['$' for help]",
                                      "RepRapFirmware for Duet 3 MB6HC v3.5.1 (2024-04-19) is up and running.",
                                      " External Reset", "echo: Free Memory: 3712  PlannerBufferBytes: 1408"})
     EXPECT_EQ(parseReply(greeting).kind, ReplyKind::Start) << greeting;
@@ -106,10 +103,7 @@ TEST(MarlinProtocol, TellsCommandsThatWereNotDoneFromOthers) {
   EXPECT_EQ(parseReply("echo:Unknown command: \"G5\"").kind, ReplyKind::NotDone);
   EXPECT_EQ(parseReply("echo: cold extrusion prevented").kind, ReplyKind::NotDone);
   EXPECT_EQ(parseReply("echo:SD card ok").kind, ReplyKind::Information);
-  EXPECT_EQ(parseReply("Re\x13"
-                       "end: 12")
-                .kind,
-            ReplyKind::Unreadable);
+  EXPECT_EQ(parseReply("Re\023end: 12").kind, ReplyKind::Unreadable);
   EXPECT_EQ(parseReply("fatal: heater 1 disconnected").kind, ReplyKind::Fatal);
 }
 
