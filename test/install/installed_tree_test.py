@@ -4,7 +4,9 @@ import os
 import signal
 import socket
 import subprocess
+import time
 import unittest
+import xmlrpc.client
 
 from trees import (BUILD, DEVEL, ENVIRONMENT, HAS_ROS, SCRATCH, SOURCE, build_paths, deposited_mm, empty_scratch, layers,
                    leave_nothing_to_find, run, run_commands_with_libraries_of_their_own, run_paths)
@@ -96,16 +98,32 @@ class CatkinConsumer(unittest.TestCase):
     def start(self, command, output):
         return subprocess.Popen(["bash", "-c", command], env=self.environment, stdout=output, stderr=subprocess.STDOUT, text=True)
 
+    def await_master(self):
+        """A roscore gives up a master that a busy host starts late, and roslaunch waits for the identity that a roscore sets."""
+        master = xmlrpc.client.ServerProxy(self.environment["ROS_MASTER_URI"])
+        until = time.monotonic() + PATIENCE
+        while True:
+            try:
+                return master.setParam("/installed_tree", "/run_id", "installed_tree")
+            except ConnectionError:
+                self.assertLess(time.monotonic(), until, "the master does not answer")
+                time.sleep(0.1)
+
     def test_packages_are_built_against_the_devel_space_too(self):
         build_consumer(SCRATCH / "beside", DEVEL)
 
     def test_a_node_of_another_package_talks_to_the_installed_one(self):
         build_consumer(SCRATCH / "consumer", TREE)
         with (SCRATCH / "nodes.log").open("w") as log:
-            self.nodes.append(self.start(f"exec roscore -p {self.port}", log))
+            self.nodes.append(self.start(f"exec rosmaster --core -p {self.port}", log))
+            self.await_master()
             self.nodes.append(self.start(f"source {TREE}/setup.bash && exec roslaunch --wait lamina slicing_service.launch", log))
         counting = self.start(f"source {SCRATCH}/consumer/devel/setup.bash && exec rosrun lamina_consumer count_layers", subprocess.PIPE)
-        told, _ = counting.communicate(timeout=2 * PATIENCE)
+        try:
+            told, _ = counting.communicate(timeout=2 * PATIENCE)
+        except subprocess.TimeoutExpired:
+            counting.kill()
+            self.fail("no answer; the nodes say:\n" + (SCRATCH / "nodes.log").read_text())
         self.assertEqual(counting.returncode, 0, told)
         self.assertIn("100 layers by the node, 100 by the core", told)  # 20 mm by 0.2 mm
 
