@@ -6,9 +6,9 @@ each other: each prints what its own subcommand found.
 Usage: anonymous_names.py [ROOT]   exits 1 and names each name with the sources that use it
 """
 import collections
-import pathlib
 import re
-import sys
+
+from rule_script import report
 
 OPENS = re.compile(r"^namespace \{$")
 CLOSES = re.compile(r"^\}  // namespace$")
@@ -64,11 +64,5 @@ def faults(root):
                 yield f"{folder.relative_to(root)}: {name} stands in {' and in '.join(files)}; expected one source of the folder"
 
 
-def main():
-    found = list(faults(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

@@ -8,7 +8,8 @@ import collections
 import pathlib
 import re
 import subprocess
-import sys
+
+from rule_script import report
 
 MAX_FILE_LINES = 600
 MAX_FUNCTION_LINES = 60
@@ -59,12 +60,10 @@ def full_folders(root):
             yield f"{folder}: {count} files; at most {MAX_FOLDER_FILES}"
 
 
-def main():
-    root = sys.argv[1] if len(sys.argv) > 1 else "."
-    found = list(faults(root)) + list(full_folders(root))
-    print("\n".join(found))
-    return 1 if found else 0
+def all_faults(root):
+    yield from faults(root)
+    yield from full_folders(root)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    report(all_faults)

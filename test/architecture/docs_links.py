@@ -5,10 +5,11 @@ Usage: docs_links.py [ROOT]   exits 1 and names each page out of reach and each 
 """
 import pathlib
 import re
-import sys
 from urllib.parse import unquote
 
 from budgets import tracked
+
+from rule_script import report
 
 INDEX = "docs/README.md"
 CODE = re.compile(r"^(```|~~~).*?^\1[^\n]*$|`[^`\n]*`", re.MULTILINE | re.DOTALL)
@@ -54,11 +55,5 @@ def faults(root):
             yield f"{page.relative_to(root)}: cannot be reached from {INDEX}; expected a link"
 
 
-def main():
-    found = list(faults(sys.argv[1] if len(sys.argv) > 1 else "."))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

@@ -3,9 +3,9 @@
 
 Usage: include_rule.py [ROOT]   exits 1 and names each offending line if the rule is broken
 """
-import pathlib
 import re
-import sys
+
+from rule_script import report
 
 # An arrow of docs/architecture.md: a folder, with the folders within it, may include these folders and whatever those may include.
 ARROWS = {
@@ -99,12 +99,5 @@ def faults(root):
         yield from faults_of_outer_file(path, lambda header: ROS_HEADER.match(header))
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    found = list(faults(root))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

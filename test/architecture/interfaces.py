@@ -4,9 +4,9 @@ actions by a node and by a test. Fields of messages stand in a source, and once 
 
 Usage: interfaces.py [ROOT]   exits 1 and names what nothing outside its definition uses
 """
-import pathlib
 import re
-import sys
+
+from rule_script import report
 
 # What is not used yet, by why; nothing may be added, and what is used has to go.
 PANEL = "starts RViz, which has no display in tests"
@@ -99,11 +99,5 @@ def faults(root, gaps=None):
         yield f"test/architecture/interfaces.py: {name} is used now; expected it to be no gap"
 
 
-def main():
-    found = list(faults(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

@@ -4,9 +4,9 @@ fail.
 
 Usage: live_properties.py [ROOT]   exits 1 and names each call whose result is dropped
 """
-import pathlib
 import re
-import sys
+
+from rule_script import report
 
 CALL = re.compile(r"\brc\s*::\s*check\s*\(")
 SILENT = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\s"\\]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.DOTALL)
@@ -35,12 +35,5 @@ def faults(root):
             yield f"{path}:{number}: the result of rc::check is dropped; expected EXPECT_TRUE(rc::check(...))"
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    found = list(faults(root))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

@@ -5,9 +5,9 @@ keep the constructors of one of them for both.
 Usage: one_definition.py [ROOT]   exits 1 and names each type that is defined in several headers
 """
 import collections
-import pathlib
 import re
-import sys
+
+from rule_script import report
 
 DEFINITION = re.compile(r"^(?:struct|class|enum class) (\w+)\b(?!::)[^;]*$")
 
@@ -30,12 +30,5 @@ def faults(root):
             yield f"{name} is defined in {' and in '.join(headers)}; expected one definition"
 
 
-def main():
-    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    found = list(faults(root))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)

@@ -5,9 +5,10 @@ Usage: references.py [ROOT]   exits 1 and names each citation without an entry, 
 """
 import collections
 import re
-import sys
 
 from budgets import tracked
+
+from rule_script import report
 
 LIST = "docs/references.md"
 ENTRY = re.compile(r"^- \*\*\[(\w+)\]\*\*", re.MULTILINE)
@@ -28,11 +29,5 @@ def faults(root):
                     yield f"{path}:{number}: cites [{key}], which has no entry in {LIST}"
 
 
-def main():
-    found = list(faults(sys.argv[1] if len(sys.argv) > 1 else "."))
-    print("\n".join(found))
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    report(faults)
