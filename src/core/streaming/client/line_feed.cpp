@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/client/line_feed.hpp"
 
+#include <algorithm>
+#include <memory>
+#include <utility>
+
 namespace lamina {
 namespace {
 
@@ -9,6 +13,24 @@ namespace {
 constexpr std::size_t kRememberedLines = 1024;
 
 }  // namespace
+
+LineFeed::Source sourceOf(const StreamableProgram& program) {
+  return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
+    // What stands in a file that was written to meanwhile was never checked.
+    if (program.hasChanged()) return std::nullopt;
+    return cursor->next();
+  };
+}
+
+LineFeed::Source sourceOf(std::vector<std::string> commands) {
+  std::reverse(commands.begin(), commands.end());
+  return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
+    if (left.empty()) return std::nullopt;
+    ProgramLine line{left.back(), -1};
+    left.pop_back();
+    return line;
+  };
+}
 
 const ProgramLine* LineFeed::peek() {
   const std::size_t index = next_ - first_kept_;

@@ -6,6 +6,8 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "lamina/streaming/client/streamable_program.hpp"
 
@@ -43,5 +45,11 @@ class LineFeed {
   std::uint64_t first_kept_;
   std::uint64_t next_;
 };
+
+/// The lines of a program, which end early if its file is changed meanwhile.
+LineFeed::Source sourceOf(const StreamableProgram& program);
+
+/// Commands that are no program's, in order.
+LineFeed::Source sourceOf(std::vector<std::string> commands);
 
 }  // namespace lamina

@@ -14,24 +14,6 @@ constexpr int kReportAttempts = 3;
 // Lines under way when a job is aborted must not be taken for those of the safe stop.
 constexpr std::uint64_t kSafeStopGap = 1000;
 
-LineFeed::Source sourceOf(const StreamableProgram& program) {
-  return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
-    // What stands in a file that was written to meanwhile was never checked.
-    if (program.hasChanged()) return std::nullopt;
-    return cursor->next();
-  };
-}
-
-LineFeed::Source sourceOf(std::vector<std::string> commands) {
-  std::reverse(commands.begin(), commands.end());
-  return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
-    if (left.empty()) return std::nullopt;
-    ProgramLine line{left.back(), -1};
-    left.pop_back();
-    return line;
-  };
-}
-
 std::vector<std::string> reportRequests(const StreamSettings& settings, const FirmwareProtocol& firmware) {
   std::vector<std::string> requests;
   if (settings.position_interval_s > 0)
@@ -40,8 +22,6 @@ std::vector<std::string> reportRequests(const StreamSettings& settings, const Fi
     requests.push_back(firmware.reportTemperatures(settings.temperature_interval_s));
   return requests;
 }
-
-double firstRetry(const StreamSettings& settings) { return settings.probe_after_s; }
 
 std::string seconds(double value) {
   std::string text = std::to_string(value);
@@ -57,7 +37,7 @@ constexpr int kMostOddRequests = 5;
 
 Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings,
                            ReplyListener heard)
-    : settings_(settings), feed_(sourceOf(program), 1), timer_(firstRetry(settings)) {
+    : settings_(settings), feed_(sourceOf(program), 1), timer_(settings.probe_after_s) {
   validate(settings);
   settings_.window_lines = windowLines(settings, settings.link);
   firmware_ = firmwareProtocols().find(settings.firmware);
