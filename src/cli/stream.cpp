@@ -93,8 +93,7 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
 }  // namespace
 
 void addStream(CLI::App& app, Chosen& chosen) {
-  CLI::App* command =
-      app.add_subcommand("stream", "Stream a G-code program to a machine with Marlin firmware");
+  CLI::App* command = app.add_subcommand("stream", "Stream a G-code program to a machine");
   auto arguments = std::make_shared<StreamArguments>();
   command->add_option("program", arguments->program, "G-code file")->required();
   command->add_option("--port,-p", arguments->port.name, "serial port such as /dev/ttyUSB0, or tcp:host:port")

@@ -35,7 +35,7 @@ class MachineReports {
   explicit MachineReports(const StartupSettings& settings);
 
   /// One line of the machine.
-  void read(const MarlinReply& reply, double now_s);
+  void read(const FirmwareReply& reply, double now_s);
 
   /// Forgets how fast the bed has heated.
   void watchBed();

@@ -70,7 +70,7 @@ class Startup {
   void giveUp(StartupStep step, const std::string& why);
 
   /// The machine has said something.
-  void read(const MarlinReply& reply, double now_s);
+  void read(const FirmwareReply& reply, double now_s);
   /// A command was sent to the machine, by whomever.
   void sent(const std::string& command);
   /// The machine was reset or halted, or cannot be reached: what it knew is not known any more.

@@ -54,7 +54,7 @@ class StartupSession {
   /// @throws DeviceError if the machine cannot be reached
   void beginJob(const ProgramIdentity& program);
   /// What the machine says during the job.
-  void heard(const MarlinReply& reply);
+  void heard(const FirmwareReply& reply);
   /// The job is over: what it has switched off is lost.
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 

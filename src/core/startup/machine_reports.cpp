@@ -58,7 +58,7 @@ MachineReports::MachineReports(const StartupSettings& settings)
     zone_labels_[zone] = filled(settings.vacuum_label, "{zone}", std::to_string(zone));
 }
 
-void MachineReports::read(const MarlinReply& reply, double now_s) {
+void MachineReports::read(const FirmwareReply& reply, double now_s) {
   if (reply.temperatures && reply.temperatures->bed_c) readBed(*reply.temperatures->bed_c, now_s);
   readLabels(reply.text, now_s);
   if (reply.kind == ReplyKind::Ok) is_in_grid_ = false;

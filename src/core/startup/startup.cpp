@@ -354,7 +354,7 @@ void Startup::measure(Entry& entry) {
   if (entry.status.state == StartupState::Running) entry.status.reason = check.reason;
 }
 
-void Startup::read(const MarlinReply& reply, double now_s) {
+void Startup::read(const FirmwareReply& reply, double now_s) {
   reports_.read(reply, now_s);
   for (Entry& entry : entries_) {
     if (entry.status.state == StartupState::Running || entry.status.state == StartupState::Done) {

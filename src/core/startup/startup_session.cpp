@@ -31,7 +31,7 @@ class StartupSession::Impl {
   void abort();
   bool isBusy() const;
   void beginJob(const ProgramIdentity& program);
-  void heard(const MarlinReply& reply);
+  void heard(const FirmwareReply& reply);
   void endJob(const StreamableProgram& program, const StreamStatus& status);
 
  private:
@@ -238,7 +238,7 @@ void StartupSession::Impl::lookBeforeJob(Lock& lock) {
   }
 }
 
-void StartupSession::Impl::heard(const MarlinReply& reply) {
+void StartupSession::Impl::heard(const FirmwareReply& reply) {
   const Lock lock(mutex_);
   startup_.read(reply, now());
 }
@@ -267,7 +267,7 @@ void StartupSession::transferred(const ProgramIdentity& program) { impl_->transf
 void StartupSession::abort() { impl_->abort(); }
 bool StartupSession::isBusy() const { return impl_->isBusy(); }
 void StartupSession::beginJob(const ProgramIdentity& program) { impl_->beginJob(program); }
-void StartupSession::heard(const MarlinReply& reply) { impl_->heard(reply); }
+void StartupSession::heard(const FirmwareReply& reply) { impl_->heard(reply); }
 void StartupSession::endJob(const StreamableProgram& program, const StreamStatus& status) {
   impl_->endJob(program, status);
 }
@@ -382,7 +382,7 @@ void StartupSession::Impl::stream(Lock& lock, const std::string& code, const May
 }
 
 StreamStatus StartupSession::Impl::runSession(const StreamableProgram& program, const MayGoOn& mayGoOn) {
-  StreamSession session(program, stream_, port_, {}, [this](const MarlinReply& reply) { heard(reply); });
+  StreamSession session(program, stream_, port_, {}, [this](const FirmwareReply& reply) { heard(reply); });
   while (!session.waitFor(kPoll)) {
     if (changed_) changed_(steps());
     if (!mayGoOn()) session.abort({ErrorCode::Cancelled, "the start-up was aborted"});

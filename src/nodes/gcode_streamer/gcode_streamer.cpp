@@ -117,7 +117,7 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
 StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program) {
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
-      [this](const MarlinReply& reply) { startup_.heard(reply); });
+      [this](const FirmwareReply& reply) { startup_.heard(reply); });
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -263,7 +263,7 @@ void GcodeStreamer::onSteps(const std::vector<StartupStatus>& steps) {
   publishState(status);
 }
 
-void GcodeStreamer::publishPosition(const MarlinPosition& position) {
+void GcodeStreamer::publishPosition(const ReportedPosition& position) {
   const Point3 on_bed = bed_from_program_ * Point3(position.x, position.y, position.z);
   sensor_msgs::JointState message = jointState(machine_, axisValues(machine_, on_bed));
   message.header.stamp = ros::Time::now();

@@ -51,7 +51,7 @@ class GcodeStreamer {
   void publishState(const StreamStatus& status);
 
   void onSteps(const std::vector<StartupStatus>& steps);
-  void publishPosition(const MarlinPosition& position);
+  void publishPosition(const ReportedPosition& position);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   GcodeStreamerSettings settings_;

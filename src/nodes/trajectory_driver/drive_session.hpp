@@ -11,7 +11,7 @@
 #include "controller_client.hpp"
 #include "driver_settings.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/client/packml.hpp"
+#include "lamina/streaming/job/packml.hpp"
 #include "lamina/trajectory/timed_path.hpp"
 #include "present_joints.hpp"
 #include "process_publisher.hpp"

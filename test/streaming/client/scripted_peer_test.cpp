@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/firmware/firmware_protocol.hpp"
+#include "lamina/streaming/job/firmware_protocol.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ class BracketFirmware : public MarlinFirmware {
   std::string framed(std::uint64_t number, std::string_view command) const override {
     return "[" + std::to_string(number) + "] " + std::string(command) + "\n";
   }
-  MarlinReply read(std::string_view line) const override {
+  FirmwareReply read(std::string_view line) const override {
     return MarlinFirmware::read(line == "done" ? "ok" : line);
   }
   std::string identification() const override { return "WHO?"; }

@@ -4,26 +4,83 @@
 
 #include <utility>
 
-#include "streaming/client/streamer_machine.hpp"
+#include "streaming/client/identification.hpp"
 
 namespace lamina {
 
 Streamer::Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard)
-    : machine_(std::make_unique<Machine>(program, settings, std::move(heard))) {}
+    : order_{program, settings, std::move(heard), std::nullopt} {
+  validate(settings);
+  if (settings.firmware == kAnyFirmware) {
+    identification_ = std::make_unique<Identification>(order_);
+  } else {
+    job_ = firmwareProtocols().find(settings.firmware)->begin(order_);
+  }
+}
 Streamer::~Streamer() = default;
 
-void Streamer::start(double now) { machine_->start(now); }
-void Streamer::receive(std::string_view bytes, double now) { machine_->receive(bytes, now); }
-void Streamer::elapse(double now) { machine_->elapse(now); }
-void Streamer::disconnect(const std::string& why, double now) { machine_->disconnect(why, now); }
-void Streamer::reconnect(double now) { machine_->reconnect(now); }
-bool Streamer::isOffline() const { return machine_->isOffline(); }
-bool Streamer::pause(double now) { return machine_->pause(now); }
-bool Streamer::resume(double now) { return machine_->resume(now); }
-void Streamer::abort(const Failure& why, double now) { machine_->abort(why, now); }
-std::string Streamer::takeOutput() { return machine_->takeOutput(); }
-double Streamer::nextDeadline() const { return machine_->nextDeadline(); }
-const StreamStatus& Streamer::status() const { return machine_->status(); }
-std::vector<PackmlState> Streamer::takeStateChanges() { return machine_->takeStateChanges(); }
+/// Goes on with the machine that was found.
+void Streamer::adopt(double now) {
+  if (job_ || !identification_->found()) return;
+  order_.settings.firmware = identification_->found()->protocol;
+  order_.firmware_name = identification_->found()->firmware_name;
+  job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
+  job_->start(now);
+  job_->takeStateChanges();  // Starting, which the job is in already
+  const std::string unread = identification_->takeUnread();
+  if (!unread.empty()) job_->receive(unread, now);
+}
+
+void Streamer::start(double now) {
+  if (job_) return job_->start(now);
+  identification_->start(now);
+}
+
+void Streamer::receive(std::string_view bytes, double now) {
+  if (job_) return job_->receive(bytes, now);
+  identification_->receive(bytes, now);
+  adopt(now);
+}
+
+void Streamer::elapse(double now) {
+  if (job_) return job_->elapse(now);
+  identification_->elapse(now);
+}
+
+void Streamer::disconnect(const std::string& why, double now) {
+  if (job_) return job_->disconnect(why, now);
+  identification_->abort({ErrorCode::Disconnected, why});
+}
+
+void Streamer::reconnect(double now) {
+  if (job_) job_->reconnect(now);
+}
+
+bool Streamer::isOffline() const { return job_ && job_->isOffline(); }
+bool Streamer::pause(double now) { return job_ && job_->pause(now); }
+bool Streamer::resume(double now) { return job_ && job_->resume(now); }
+
+void Streamer::abort(const Failure& why, double now) {
+  if (job_) return job_->abort(why, now);
+  identification_->abort(why);
+}
+
+std::string Streamer::takeOutput() {
+  std::string output = identification_ ? identification_->takeOutput() : std::string();
+  return job_ ? output + job_->takeOutput() : output;
+}
+
+double Streamer::nextDeadline() const {
+  return job_ ? job_->nextDeadline() : identification_->nextDeadline();
+}
+const StreamStatus& Streamer::status() const { return job_ ? job_->status() : identification_->status(); }
+
+std::vector<PackmlState> Streamer::takeStateChanges() {
+  std::vector<PackmlState> states;
+  if (identification_) states = identification_->takeStateChanges();
+  if (!job_) return states;
+  for (const PackmlState state : job_->takeStateChanges()) states.push_back(state);
+  return states;
+}
 
 }  // namespace lamina

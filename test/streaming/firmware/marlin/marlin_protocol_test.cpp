@@ -21,7 +21,7 @@ TEST(MarlinProtocol, ReadsPlainAndAdvancedOks) {
   EXPECT_EQ(parseReply("ok").kind, ReplyKind::Ok);
   EXPECT_EQ(parseReply("ok\r").kind, ReplyKind::Ok);
   EXPECT_FALSE(parseReply("ok").line);
-  const MarlinReply advanced = parseReply("ok N12 P15 B3");
+  const FirmwareReply advanced = parseReply("ok N12 P15 B3");
   EXPECT_EQ(advanced.kind, ReplyKind::Ok);
   EXPECT_EQ(advanced.line, 12U);
   EXPECT_EQ(advanced.free_planner_blocks, 15);
@@ -57,20 +57,20 @@ TEST(MarlinProtocol, ReadsSignsOfLife) {
 }
 
 TEST(MarlinProtocol, ReadsTemperatures) {
-  const MarlinReply answer = parseReply("ok T:201.2 /210.0 B:59.9 /60.0 T0:201.2 /210.0 @:127 B@:0");
+  const FirmwareReply answer = parseReply("ok T:201.2 /210.0 B:59.9 /60.0 T0:201.2 /210.0 @:127 B@:0");
   ASSERT_TRUE(answer.temperatures);
   EXPECT_EQ(answer.kind, ReplyKind::Ok);
   EXPECT_DOUBLE_EQ(answer.temperatures->nozzle_c, 201.2);
   EXPECT_DOUBLE_EQ(answer.temperatures->nozzle_target_c.value(), 210.0);
   EXPECT_DOUBLE_EQ(answer.temperatures->bed_c.value(), 59.9);
   EXPECT_DOUBLE_EQ(answer.temperatures->bed_target_c.value(), 60.0);
-  const MarlinReply waiting = parseReply(" T:50.0 E:0 W:?");
+  const FirmwareReply waiting = parseReply(" T:50.0 E:0 W:?");
   ASSERT_TRUE(waiting.temperatures);
   EXPECT_FALSE(waiting.temperatures->bed_c);
 }
 
 TEST(MarlinProtocol, ReadsPositions) {
-  const MarlinReply report = parseReply("X:1.50 Y:-2.25 Z:0.30 E:12.5 Count X:120 Y:-180 Z:120");
+  const FirmwareReply report = parseReply("X:1.50 Y:-2.25 Z:0.30 E:12.5 Count X:120 Y:-180 Z:120");
   ASSERT_TRUE(report.position);
   EXPECT_DOUBLE_EQ(report.position->x, 1.5);
   EXPECT_DOUBLE_EQ(report.position->y, -2.25);

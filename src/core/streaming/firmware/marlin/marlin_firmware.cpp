@@ -5,14 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
+
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "streaming/firmware/marlin/marlin_job.hpp"
 
 namespace lamina {
+
+std::unique_ptr<StreamJob> MarlinFirmware::begin(StreamOrder order) const {
+  return std::make_unique<MarlinJob>(std::move(order), shared_from_this());
+}
 
 std::string MarlinFirmware::framed(std::uint64_t number, std::string_view command) const {
   return frameLine(number, command);
 }
 
-MarlinReply MarlinFirmware::read(std::string_view line) const { return parseReply(line); }
+FirmwareReply MarlinFirmware::read(std::string_view line) const { return parseReply(line); }
 
 std::string MarlinFirmware::identification() const { return "M115"; }
 

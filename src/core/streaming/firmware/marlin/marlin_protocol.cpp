@@ -58,12 +58,12 @@ std::optional<double> targetAfter(std::string_view text) {
   return slash == std::string_view::npos ? std::nullopt : leadingNumber(text.substr(slash + 1));
 }
 
-std::optional<MarlinTemperatures> temperatures(std::string_view text) {
+std::optional<ReportedTemperatures> temperatures(std::string_view text) {
   const auto nozzle = after(text, "T:");
   if (!nozzle) return std::nullopt;
   const auto nozzle_c = leadingNumber(*nozzle);
   if (!nozzle_c) return std::nullopt;
-  MarlinTemperatures read;
+  ReportedTemperatures read;
   read.nozzle_c = *nozzle_c;
   read.nozzle_target_c = targetAfter(*nozzle);
   if (const auto bed = after(text, "B:")) {
@@ -73,13 +73,13 @@ std::optional<MarlinTemperatures> temperatures(std::string_view text) {
   return read;
 }
 
-std::optional<MarlinPosition> position(std::string_view text) {
+std::optional<ReportedPosition> position(std::string_view text) {
   if (!startsWith(text, "X:")) return std::nullopt;
   const auto x = numberAfter(text, "X:");
   const auto y = numberAfter(text, "Y:");
   const auto z = numberAfter(text, "Z:");
   if (!x || !y || !z) return std::nullopt;
-  return MarlinPosition{*x, *y, *z, numberAfter(text, "E:").value_or(0.0)};
+  return ReportedPosition{*x, *y, *z, numberAfter(text, "E:").value_or(0.0)};
 }
 
 template <std::size_t count>
@@ -154,7 +154,7 @@ ReplyKind kindOfError(std::string_view text) {
   return isHalt(text) ? ReplyKind::Fatal : ReplyKind::Warning;
 }
 
-void readOk(std::string_view text, MarlinReply& reply) {
+void readOk(std::string_view text, FirmwareReply& reply) {
   reply.kind = ReplyKind::Ok;
   if (const auto number = after(text, "N")) reply.line = leadingInteger<std::uint64_t>(*number);
   if (!reply.line) return;
@@ -162,7 +162,7 @@ void readOk(std::string_view text, MarlinReply& reply) {
   if (const auto slots = after(text, "B")) reply.free_command_slots = leadingInteger<int>(*slots);
 }
 
-void readResend(std::string_view number, MarlinReply& reply) {
+void readResend(std::string_view number, FirmwareReply& reply) {
   reply.kind = ReplyKind::Resend;
   while (!number.empty() && (number.front() == ' ' || number.front() == ':' || number.front() == 'N')) {
     number.remove_prefix(1);
@@ -190,10 +190,10 @@ std::string frameLine(std::uint64_t number, std::string_view command) {
   return line;
 }
 
-MarlinReply parseReply(std::string_view line) {
+FirmwareReply parseReply(std::string_view line) {
   while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())) != 0) line.remove_suffix(1);
   while (!line.empty() && std::isspace(static_cast<unsigned char>(line.front())) != 0) line.remove_prefix(1);
-  MarlinReply reply;
+  FirmwareReply reply;
   if (isOk(line)) {
     readOk(line, reply);
     if (line.size() == 2) return reply;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/client/line_feed.hpp"
+#include "streaming/job/line_feed.hpp"
 
 #include <gtest/gtest.h>
 

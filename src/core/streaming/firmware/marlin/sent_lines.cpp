@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/client/sent_lines.hpp"
+#include "streaming/firmware/marlin/sent_lines.hpp"
 
 #include <algorithm>
 

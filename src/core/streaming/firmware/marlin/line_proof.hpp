@@ -20,7 +20,7 @@ class LineProof {
   /// Makes allowance for oks that are taken for those of lines which the firmware has not run.
   void doubt(int stray_oks);
   /// Doubts where noise may have made the reply of a request to resend, whose ok then counts for a line.
-  void hear(const MarlinReply& reply);
+  void hear(const FirmwareReply& reply);
 
   /// Whether the firmware asks for a line that it must have run: it was reset and counts anew, or noise has
   /// changed the number.

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lamina/streaming/client/streamable_program.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
 
 namespace lamina {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/firmware/firmware_protocol.hpp"
+#include "lamina/streaming/job/firmware_protocol.hpp"
 
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/client/packml.hpp"
+#include "lamina/streaming/job/packml.hpp"
 
 #include <algorithm>
 #include <array>

@@ -16,9 +16,12 @@ enum class LinkKind : std::uint8_t {
   Reliable,  ///< makes the sender wait instead
 };
 
+/// The choice of `stream.firmware` that leaves it to who answers.
+inline constexpr const char* kAnyFirmware = "auto";
+
 /// How a program is streamed to firmware.
 struct StreamSettings {
-  std::string firmware = "marlin";  ///< what it speaks, by its name (`firmwareProtocols`)
+  std::string firmware = kAnyFirmware;  ///< what it speaks, by its name (`firmwareProtocols`)
   int window_bytes = 127;  ///< sent and not yet acknowledged; less than the firmware's receive buffer
   int window_lines = 0;    ///< sent and not yet acknowledged; 0 for 1 on a lossy link and 4 on others
   LinkKind link = LinkKind::Auto;

@@ -2,72 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "lamina/streaming/client/streamer.hpp"
-#include "lamina/streaming/firmware/firmware_protocol.hpp"
-#include "streaming/client/line_feed.hpp"
-#include "streaming/client/line_proof.hpp"
-#include "streaming/client/sent_lines.hpp"
-#include "streaming/client/undone_commands.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "streaming/firmware/marlin/line_proof.hpp"
+#include "streaming/firmware/marlin/sent_lines.hpp"
+#include "streaming/job/answer_timer.hpp"
+#include "streaming/job/job_record.hpp"
+#include "streaming/job/line_feed.hpp"
+#include "streaming/job/reply_lines.hpp"
+#include "streaming/job/undone_commands.hpp"
 
 namespace lamina {
 
-/// Waits for the firmware's answers: says when to ask again, ever more rarely, and how long it has been
-/// quiet.
-class AnswerTimer {
+/// Streams to firmware that numbers lines and asks for those it lacks.
+class MarlinJob final : public StreamJob {
  public:
-  /// @param first_retry_s  after which to ask for the first time
-  explicit AnswerTimer(double first_retry_s) : first_retry_s_(first_retry_s), retry_s_(first_retry_s) {}
+  MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> firmware);
 
-  /// An answer came, or something is waited for from now on.
-  void restart(double now) {
-    quiet_since_ = now;
-    retry_s_ = first_retry_s_;
-    retry_at_ = now + retry_s_;
-  }
+  void start(double now) override;
+  void receive(std::string_view bytes, double now) override;
+  void elapse(double now) override;
+  void disconnect(const std::string& why, double now) override;
+  void reconnect(double now) override;
+  bool isOffline() const override { return phase_ == Phase::Offline; }
+  bool pause(double now) override;
+  bool resume(double now) override;
+  void abort(const Failure& why, double now) override;
 
-  /// The question was put again.
-  void asked(double now) {
-    constexpr double kLongestRetry = 30.0;
-    retry_s_ = std::min(2.0 * retry_s_, std::max(kLongestRetry, first_retry_s_));
-    retry_at_ = now + retry_s_;
-  }
-
-  double quietFor(double now) const { return now - quiet_since_; }
-  double quietSince() const { return quiet_since_; }
-  double retryAt() const { return retry_at_; }
-
- private:
-  double first_retry_s_;
-  double retry_s_;
-  double quiet_since_ = 0.0;
-  double retry_at_ = 0.0;
-};
-
-/// What the streamer does, behind its interface.
-class Streamer::Machine {
- public:
-  Machine(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard);
-
-  void start(double now);
-  void receive(std::string_view bytes, double now);
-  void elapse(double now);
-  void disconnect(const std::string& why, double now);
-  void reconnect(double now);
-  bool isOffline() const { return phase_ == Phase::Offline; }
-  bool pause(double now);
-  bool resume(double now);
-  void abort(const Failure& why, double now);
-
-  std::string takeOutput();
-  double nextDeadline() const;
-  const StreamStatus& status() const { return status_; }
-  std::vector<PackmlState> takeStateChanges();
+  std::string takeOutput() override;
+  double nextDeadline() const override;
+  const StreamStatus& status() const override { return record_.status; }
+  std::vector<PackmlState> takeStateChanges() override { return record_.takeStateChanges(); }
 
  private:
   /// What is being waited for.
@@ -82,23 +52,22 @@ class Streamer::Machine {
     Offline,      ///< the link to come back, for the safe stop
   };
 
-  void enter(PackmlState state);
   void beginPhase(Phase phase, double now);
   bool isWaiting() const;
   double silenceLimit() const;
 
-  void onReply(const MarlinReply& reply, double now);
-  void onOk(const MarlinReply& reply, double now);
-  void onResend(const MarlinReply& reply, double now);
+  void onReply(const FirmwareReply& reply, double now);
+  void onOk(const FirmwareReply& reply, double now);
+  void onResend(const FirmwareReply& reply, double now);
   void onRefusal(std::uint64_t wanted, double now);
   void onStart(double now);
-  void onFatal(const MarlinReply& reply, double now);
-  void onPause(const MarlinReply& reply, double now);
+  void onFatal(const FirmwareReply& reply, double now);
+  void onPause(const FirmwareReply& reply, double now);
   void onResume(double now) {
     if (is_paused_by_machine_) resume(now);
   }
-  void onNotDone(const MarlinReply& reply);
-  void onIdentity(const MarlinReply& reply, double now);
+  void onNotDone(const FirmwareReply& reply);
+  void onIdentity(const FirmwareReply& reply, double now);
 
   /// What is sent while the firmware still refuses a probe would lose its head.
   void awaitProbes(double now) { settle_until_ = unanswered_probes_ > 0 ? now + settings_.settle_s : 0.0; }
@@ -117,7 +86,7 @@ class Streamer::Machine {
   void onProbeAnswer(std::uint64_t wanted, double now);
   void onAllTaken(double now);
   void askForRest();
-  bool isSafe(const MarlinTemperatures& temperatures) const;
+  bool isSafe(const ReportedTemperatures& temperatures) const;
   bool goTo(std::uint64_t line, double now);
   void retry(double now);
   void timeOut(double now);
@@ -126,18 +95,18 @@ class Streamer::Machine {
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
-  bool isStopping() const { return status_.state == PackmlState::Aborting; }
+  bool isStopping() const { return record_.isStopping(); }
   void acknowledgedUpTo(std::uint64_t line);
-  std::string whereItStands() const;
   void finishAborted(const std::string& remark);
 
   StreamSettings settings_;
-  std::shared_ptr<const FirmwareProtocol> firmware_;
+  std::shared_ptr<const MarlinFirmware> firmware_;
   ReplyListener heard_;
-  StreamStatus status_;
+  JobRecord record_;
   LineFeed feed_;
   SentLines sent_;
   AnswerTimer timer_;
+  std::optional<std::string> firmware_name_;  ///< if the machine was asked before
   Phase phase_ = Phase::Idle;
   std::uint64_t base_ = 0;            ///< number after which lines count, while Numbering
   std::vector<std::string> reports_;  ///< still to be asked for, the last one first
@@ -157,9 +126,8 @@ class Streamer::Machine {
   int odd_requests_ = 0;
   double safe_stop_by_ = 0.0;
   double safe_stop_latest_ = 0.0;  ///< however long the machine says that it is busy
-  std::string received_;
+  ReplyLines replies_;
   std::string output_;
-  std::vector<PackmlState> entered_;
 };
 
 }  // namespace lamina

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/client/line_proof.hpp"
+#include "streaming/firmware/marlin/line_proof.hpp"
 
 #include <algorithm>
 
 namespace lamina {
 namespace {
 
-bool isStrange(const MarlinReply& reply) {
+bool isStrange(const FirmwareReply& reply) {
   switch (reply.kind) {
     case ReplyKind::LineError:
     case ReplyKind::NotDone:
@@ -37,7 +37,7 @@ void LineProof::doubt(int stray_oks) {
   clean_oks_ = 0;
 }
 
-void LineProof::hear(const MarlinReply& reply) {
+void LineProof::hear(const FirmwareReply& reply) {
   if (isStrange(reply)) doubt(1);
 }
 

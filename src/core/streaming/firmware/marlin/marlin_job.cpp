@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/client/streamer_machine.hpp"
+#include "streaming/firmware/marlin/marlin_job.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +14,7 @@ constexpr int kReportAttempts = 3;
 // Lines under way when a job is aborted must not be taken for those of the safe stop.
 constexpr std::uint64_t kSafeStopGap = 1000;
 
-std::vector<std::string> reportRequests(const StreamSettings& settings, const FirmwareProtocol& firmware) {
+std::vector<std::string> reportRequests(const StreamSettings& settings, const MarlinFirmware& firmware) {
   std::vector<std::string> requests;
   if (settings.position_interval_s > 0)
     requests.push_back(firmware.reportPosition(settings.position_interval_s));
@@ -35,39 +35,35 @@ constexpr int kMostOddRequests = 5;
 
 }  // namespace
 
-Streamer::Machine::Machine(const StreamableProgram& program, const StreamSettings& settings,
-                           ReplyListener heard)
-    : settings_(settings), feed_(sourceOf(program), 1), timer_(settings.probe_after_s) {
-  validate(settings);
-  settings_.window_lines = windowLines(settings, settings.link);
-  firmware_ = firmwareProtocols().find(settings.firmware);
-  heard_ = std::move(heard);
-  status_.lines_total = program.lines();
-  reports_ = reportRequests(settings, *firmware_);
+MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> firmware)
+    : settings_(order.settings),
+      firmware_(std::move(firmware)),
+      heard_(std::move(order.heard)),
+      feed_(sourceOf(order.program), 1),
+      timer_(order.settings.probe_after_s),
+      firmware_name_(std::move(order.firmware_name)) {
+  settings_.window_lines = windowLines(settings_, settings_.link);
+  record_.status.lines_total = order.program.lines();
+  reports_ = reportRequests(settings_, *firmware_);
 }
 
-void Streamer::Machine::enter(PackmlState state) {
-  status_.state = state;
-  entered_.push_back(state);
-}
-
-void Streamer::Machine::beginPhase(Phase phase, double now) {
+void MarlinJob::beginPhase(Phase phase, double now) {
   phase_ = phase;
   timer_.restart(now);
 }
 
-bool Streamer::Machine::isWaiting() const {
+bool MarlinJob::isWaiting() const {
   if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling();
   return phase_ != Phase::Idle;
 }
 
-double Streamer::Machine::silenceLimit() const {
-  if (status_.state == PackmlState::Starting) return settings_.connect_timeout_s;
+double MarlinJob::silenceLimit() const {
+  if (record_.status.state == PackmlState::Starting) return settings_.connect_timeout_s;
   const bool is_blocked = phase_ == Phase::Draining || sent_.hasBlocking();
   return is_blocked ? settings_.blocking_timeout_s : settings_.silence_timeout_s;
 }
 
-double Streamer::Machine::nextDeadline() const {
+double MarlinJob::nextDeadline() const {
   if (!isWaiting()) return kNever;
   if (phase_ == Phase::Offline) return safe_stop_by_;
   const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
@@ -75,16 +71,18 @@ double Streamer::Machine::nextDeadline() const {
   return isSettling() ? std::min(deadline, settle_until_) : deadline;
 }
 
-void Streamer::Machine::start(double now) {
-  if (status_.state != PackmlState::Idle) return;
-  enter(PackmlState::Starting);
-  identify(now);
+void MarlinJob::start(double now) {
+  if (record_.status.state != PackmlState::Idle) return;
+  record_.enter(PackmlState::Starting);
+  if (!firmware_name_) return identify(now);
+  record_.status.firmware_name = *firmware_name_;
+  beginNumbering(0, now);
 }
 
 /// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
 /// @return whether the request must not be followed
-bool Streamer::Machine::isRefuted(std::uint64_t wanted, double now) {
-  if (isStopping() || !proof_.contradicts(wanted, status_.lines_acknowledged)) {
+bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
+  if (isStopping() || !proof_.contradicts(wanted, record_.status.lines_acknowledged)) {
     is_asking_again_ = false;
     return false;
   }
@@ -96,52 +94,52 @@ bool Streamer::Machine::isRefuted(std::uint64_t wanted, double now) {
     return true;
   }
   abort({ErrorCode::DeviceError, "the machine asks for line " + std::to_string(wanted) +
-                                     ", which it has taken before: it was reset" + whereItStands()},
+                                     ", which it has taken before: it was reset" + record_.whereItStands()},
         now);
   return true;
 }
 
-void Streamer::Machine::beginNumbering(std::uint64_t base, double now) {
+void MarlinJob::beginNumbering(std::uint64_t base, double now) {
   base_ = base;
   beginPhase(Phase::Numbering, now);
   retry(now);
 }
 
-void Streamer::Machine::nextReport(double now) {
+void MarlinJob::nextReport(double now) {
   if (!reports_.empty()) {
     beginPhase(Phase::Reporting, now);
     output_ += reports_.back() + "\n";
     return;
   }
   has_begun_ = true;
-  enter(PackmlState::Execute);
+  record_.enter(PackmlState::Execute);
   beginPhase(Phase::Feeding, now);
   awaitProbes(now);
   proceed(now);
 }
 
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
-void Streamer::Machine::proceed(double now) {
+void MarlinJob::proceed(double now) {
   settle(now);
   if (isSettling()) return;
-  if (status_.state == PackmlState::Execute || isStopping()) pump(now);
+  if (record_.status.state == PackmlState::Execute || isStopping()) pump(now);
   if (!sent_.empty()) return;
-  if (status_.state == PackmlState::Holding) {
-    enter(PackmlState::Held);
-  } else if (status_.state == PackmlState::Execute || isStopping()) {
+  if (record_.status.state == PackmlState::Holding) {
+    record_.enter(PackmlState::Held);
+  } else if (record_.status.state == PackmlState::Execute || isStopping()) {
     // Nothing is left to send either: the machine must report that it has all.
     beginPhase(Phase::Probing, now);
     probe(now);
   }
 }
 
-bool Streamer::Machine::hasRoom(std::size_t bytes) const {
+bool MarlinJob::hasRoom(std::size_t bytes) const {
   if (sent_.empty() || must_send_one_) return true;
   return sent_.count() < static_cast<std::size_t>(settings_.window_lines) &&
          sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
 }
 
-void Streamer::Machine::pump(double now) {
+void MarlinJob::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
     const std::string framed = firmware_->framed(feed_.next(), line->command);
     if (!hasRoom(framed.size())) break;
@@ -152,45 +150,45 @@ void Streamer::Machine::pump(double now) {
     output_ += framed;
     feed_.advance();
   }
-  if (!isStopping()) status_.lines_sent = feed_.end() - 1;
+  if (!isStopping()) record_.status.lines_sent = feed_.end() - 1;
 }
 
 /// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
 /// after the next one.
-void Streamer::Machine::probe(double) {
-  ++status_.probes;
+void MarlinJob::probe(double) {
+  ++record_.status.probes;
   ++unanswered_probes_;
   const std::uint64_t expected = phase_ == Phase::Numbering ? base_ + 1 : feed_.end();
   output_ += firmware_->framed(expected + 1, firmware_->harmless());
 }
 
-void Streamer::Machine::onProbeAnswer(std::uint64_t wanted, double now) {
+void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
   if (!goTo(wanted, now)) return;
   // The firmware has read everything that was sent before the probe.
   sent_.clear();
   awaitProbes(now);
   must_send_one_ = false;
-  if (wanted < feed_.end()) ++status_.resends;
+  if (wanted < feed_.end()) ++record_.status.resends;
   beginPhase(Phase::Feeding, now);
-  const bool may_feed = status_.state == PackmlState::Execute || isStopping();
+  const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
   if (may_feed && feed_.peek() == nullptr) onAllTaken(now);
 }
 
-void Streamer::Machine::onAllTaken(double now) {
+void MarlinJob::onAllTaken(double now) {
   const std::uint64_t lines_read = feed_.end() - 1;
-  if (!isStopping() && lines_read < status_.lines_total) {
+  if (!isStopping() && lines_read < record_.status.lines_total) {
     abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
                                           std::to_string(lines_read) + " of " +
-                                          std::to_string(status_.lines_total)},
+                                          std::to_string(record_.status.lines_total)},
           now);
     return;
   }
-  if (!isStopping()) enter(PackmlState::Completing);
+  if (!isStopping()) record_.enter(PackmlState::Completing);
   beginPhase(Phase::Draining, now);
   askForRest();
 }
 
-void Streamer::Machine::elapse(double now) {
+void MarlinJob::elapse(double now) {
   if (!isWaiting()) return;
   if (isStopping() && now >= safe_stop_by_) {
     finishAborted(
@@ -207,7 +205,7 @@ void Streamer::Machine::elapse(double now) {
   }
 }
 
-void Streamer::Machine::retry(double now) {
+void MarlinJob::retry(double now) {
   timer_.asked(now);
   switch (phase_) {
     case Phase::Identifying:
@@ -244,14 +242,14 @@ void Streamer::Machine::retry(double now) {
 
 /// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
 /// may not answer for minutes, but runs these as soon as it can.
-std::string Streamer::Machine::urgentStop() const {
+std::string MarlinJob::urgentStop() const {
   std::string text;
   for (const std::string& command : firmware_->interruption()) text += command + "\n";
   for (const std::string& command : safeStop()) text += command + "\n";
   return text;
 }
 
-std::vector<std::string> Streamer::Machine::safeStop() const {
+std::vector<std::string> MarlinJob::safeStop() const {
   std::vector<std::string> commands = firmware_->stop();
   if (settings_.keep_heaters_on) return commands;
   const std::vector<std::string> off = firmware_->heatersOff();
@@ -259,15 +257,13 @@ std::vector<std::string> Streamer::Machine::safeStop() const {
   return commands;
 }
 
-void Streamer::Machine::timeOut(double now) {
-  if (status_.state != PackmlState::Starting) {
+void MarlinJob::timeOut(double now) {
+  if (record_.status.state != PackmlState::Starting) {
     abort({ErrorCode::TimedOut,
-           "no answer from the machine for " + seconds(timer_.quietFor(now)) + whereItStands()},
+           "no answer from the machine for " + seconds(timer_.quietFor(now)) + record_.whereItStands()},
           now);
   } else if (has_answered_) {
-    abort({ErrorCode::Rejected,
-           "the machine answers, but does not check line numbers as " + settings_.firmware + " does"},
-          now);
+    abort({ErrorCode::Rejected, "the machine answers, but does not check line numbers as Marlin does"}, now);
   } else {
     abort({ErrorCode::TimedOut, "no machine answered within " + seconds(settings_.connect_timeout_s) +
                                     "; is it on, and is the baud rate right?"},
@@ -275,27 +271,27 @@ void Streamer::Machine::timeOut(double now) {
   }
 }
 
-bool Streamer::Machine::pause(double now) {
-  if (status_.state != PackmlState::Execute) return false;
-  enter(PackmlState::Holding);
+bool MarlinJob::pause(double now) {
+  if (record_.status.state != PackmlState::Execute) return false;
+  record_.enter(PackmlState::Holding);
   if (phase_ == Phase::Feeding) proceed(now);
   return true;
 }
 
-bool Streamer::Machine::resume(double now) {
-  if (status_.state != PackmlState::Held && status_.state != PackmlState::Holding) return false;
+bool MarlinJob::resume(double now) {
+  if (record_.status.state != PackmlState::Held && record_.status.state != PackmlState::Holding) return false;
   is_paused_by_machine_ = false;
-  if (status_.state == PackmlState::Holding) enter(PackmlState::Held);
-  enter(PackmlState::Unholding);
-  enter(PackmlState::Execute);
+  if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
+  record_.enter(PackmlState::Unholding);
+  record_.enter(PackmlState::Execute);
   if (phase_ == Phase::Feeding) proceed(now);
   return true;
 }
 
-void Streamer::Machine::abort(const Failure& why, double now) {
-  if (isStopping() || isFinal(status_.state)) return;
-  status_.failure = why;
-  enter(PackmlState::Aborting);
+void MarlinJob::abort(const Failure& why, double now) {
+  if (isStopping() || isFinal(record_.status.state)) return;
+  record_.status.failure = why;
+  record_.enter(PackmlState::Aborting);
   if (!has_begun_) {
     finishAborted("");
     return;
@@ -304,7 +300,7 @@ void Streamer::Machine::abort(const Failure& why, double now) {
   beginNumbering(base_, now);
 }
 
-void Streamer::Machine::prepareSafeStop(double now) {
+void MarlinJob::prepareSafeStop(double now) {
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
   safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
   base_ = feed_.end() + kSafeStopGap;
@@ -315,64 +311,51 @@ void Streamer::Machine::prepareSafeStop(double now) {
 }
 
 /// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
-void Streamer::Machine::disconnect(const std::string& why, double now) {
-  if (isFinal(status_.state) || phase_ == Phase::Offline) return;
+void MarlinJob::disconnect(const std::string& why, double now) {
+  if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
   if (!isStopping()) {
-    status_.failure = {ErrorCode::Disconnected, why + whereItStands()};
-    enter(PackmlState::Aborting);
+    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
+    record_.enter(PackmlState::Aborting);
     if (!has_begun_) {
       finishAborted("");
       return;
     }
     prepareSafeStop(now);
   }
-  received_.clear();
+  replies_.clear();
   output_.clear();
   phase_ = Phase::Offline;
 }
 
-void Streamer::Machine::reconnect(double now) {
+void MarlinJob::reconnect(double now) {
   if (phase_ != Phase::Offline) return;
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
   beginNumbering(base_, now);
 }
 
-void Streamer::Machine::finishAborted(const std::string& remark) {
-  status_.failure.message += remark;
+void MarlinJob::finishAborted(const std::string& remark) {
+  record_.status.failure.message += remark;
   phase_ = Phase::Idle;
   sent_.clear();
-  enter(PackmlState::Aborted);
+  record_.enter(PackmlState::Aborted);
 }
 
-std::string Streamer::Machine::takeOutput() { return std::exchange(output_, {}); }
-
-std::vector<PackmlState> Streamer::Machine::takeStateChanges() { return std::exchange(entered_, {}); }
+std::string MarlinJob::takeOutput() { return std::exchange(output_, {}); }
 
 // What the streamer makes of the machine's replies.
 
-void Streamer::Machine::receive(std::string_view bytes, double now) {
-  constexpr std::size_t kLongestReply = 4096;
-  while (!bytes.empty()) {
-    const std::size_t end = bytes.find('\n');
-    received_ += bytes.substr(0, end);
-    if (end == std::string_view::npos) {
-      if (received_.size() > kLongestReply) received_.clear();
-      break;
-    }
-    bytes.remove_prefix(end + 1);
-    const MarlinReply reply = firmware_->read(received_);
-    received_.clear();
-    onReply(reply, now);
-  }
+void MarlinJob::receive(std::string_view bytes, double now) {
+  replies_.add(bytes);
+  while (const auto line = replies_.next()) onReply(firmware_->read(*line), now);
   if (phase_ == Phase::Feeding) proceed(now);
 }
 
-void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
+void MarlinJob::onReply(const FirmwareReply& reply, double now) {
   if (heard_) heard_(reply);
   if (phase_ == Phase::Idle) return;
   if (!reply.firmware_name.empty()) onIdentity(reply, now);
-  if (reply.temperatures) status_.temperatures = reply.temperatures;
-  if (reply.position) status_.position = reply.position;
+  if (reply.temperatures) record_.status.temperatures = reply.temperatures;
+  if (reply.position) record_.status.position = reply.position;
   if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures)) {
     finishAborted("");
     return;
@@ -380,12 +363,12 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
   const bool is_ok_of_resend = std::exchange(expects_ok_of_resend_, false) && reply.kind == ReplyKind::Ok;
   if (reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning) {
     has_answered_ = true;
-    if (status_.state != PackmlState::Starting) timer_.restart(now);
+    if (record_.status.state != PackmlState::Starting) timer_.restart(now);
     if (isSettling()) settle_until_ = now + settings_.settle_s;
   }
   // A machine that boots, or that another sender has made heat, answers later.
   const bool is_alive = reply.kind == ReplyKind::Busy || reply.temperatures;
-  if (is_alive && status_.state == PackmlState::Starting) timer_.restart(now);
+  if (is_alive && record_.status.state == PackmlState::Starting) timer_.restart(now);
   proof_.hear(reply);
   switch (reply.kind) {
     case ReplyKind::Ok:
@@ -401,7 +384,7 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
       onFatal(reply, now);
       break;
     case ReplyKind::Warning:
-      status_.message = reply.text;
+      record_.status.message = reply.text;
       break;
     case ReplyKind::NotDone:
       onNotDone(reply);
@@ -413,7 +396,8 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
       onResume(now);
       break;
     case ReplyKind::Cancel:
-      abort({ErrorCode::Cancelled, "the machine ends the job: \"" + reply.text + "\"" + whereItStands()},
+      abort({ErrorCode::Cancelled,
+             "the machine ends the job: \"" + reply.text + "\"" + record_.whereItStands()},
             now);
       break;
     case ReplyKind::Busy:
@@ -426,7 +410,7 @@ void Streamer::Machine::onReply(const MarlinReply& reply, double now) {
   }
 }
 
-void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
+void MarlinJob::onOk(const FirmwareReply& reply, double now) {
   if (phase_ == Phase::Identifying) {
     beginNumbering(0, now);
   } else if (phase_ == Phase::Reporting) {
@@ -435,7 +419,7 @@ void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
     nextReport(now);
   } else if (phase_ == Phase::Draining && !isStopping()) {
     phase_ = Phase::Idle;
-    enter(PackmlState::Complete);
+    record_.enter(PackmlState::Complete);
   } else if (phase_ == Phase::Feeding || phase_ == Phase::Probing) {
     odd_requests_ = 0;
     if (reply.line && *reply.line < feed_.end()) {
@@ -447,16 +431,16 @@ void Streamer::Machine::onOk(const MarlinReply& reply, double now) {
   }
 }
 
-void Streamer::Machine::acknowledgedUpTo(std::uint64_t line) {
-  if (isStopping() || line <= status_.lines_acknowledged) return;
+void MarlinJob::acknowledgedUpTo(std::uint64_t line) {
+  if (isStopping() || line <= record_.status.lines_acknowledged) return;
   undone_.acknowledge(line);
-  status_.commands_not_done = undone_.count();
+  record_.status.commands_not_done = undone_.count();
   proof_.acknowledged();
-  status_.lines_acknowledged = line;
-  status_.layer = feed_.layerOf(line);
+  record_.status.lines_acknowledged = line;
+  record_.status.layer = feed_.layerOf(line);
 }
 
-void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
+void MarlinJob::onResend(const FirmwareReply& reply, double now) {
   expects_ok_of_resend_ = true;
   const bool is_of_probe = unanswered_probes_ > 0;
   if (is_of_probe) --unanswered_probes_;
@@ -485,14 +469,14 @@ void Streamer::Machine::onResend(const MarlinReply& reply, double now) {
 /// What was sent after the refused line is refused too or discarded. Sending waits for that to be over: the
 /// answers would ask for lines that are under way again, whose second copies would be refused in turn, and so
 /// for ever.
-void Streamer::Machine::onRefusal(std::uint64_t wanted, double now) {
-  ++status_.resends;
+void MarlinJob::onRefusal(std::uint64_t wanted, double now) {
+  ++record_.status.resends;
   sent_.refuse(wanted);
   must_send_one_ = true;
   settle_until_ = now + settings_.settle_s;
 }
 
-void Streamer::Machine::settle(double now) {
+void MarlinJob::settle(double now) {
   if (!isSettling()) return;
   const bool is_answer_due = sent_.hasStale() || expects_ok_of_resend_ || unanswered_probes_ > 0;
   if (now < settle_until_ && is_answer_due) return;
@@ -505,23 +489,24 @@ void Streamer::Machine::settle(double now) {
 
 /// A job has ended when its motions have. A safe stop has ended when the machine says that it no longer
 /// heats: the lines it has taken may still wait behind others.
-void Streamer::Machine::askForRest() {
+void MarlinJob::askForRest() {
   output_ += (isStopping() ? firmware_->harmless() : firmware_->endOfMotions()) + "\n";
 }
 
-bool Streamer::Machine::isSafe(const MarlinTemperatures& temperatures) const {
+bool MarlinJob::isSafe(const ReportedTemperatures& temperatures) const {
   if (settings_.keep_heaters_on) return true;
   const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
   return temperatures.nozzle_target_c == 0.0 && is_bed_off;
 }
 
 /// Goes on with `line`, which the firmware has asked for.
-bool Streamer::Machine::goTo(std::uint64_t line, double now) {
+bool MarlinJob::goTo(std::uint64_t line, double now) {
   if (!feed_.rewind(line)) {
     if (++odd_requests_ < kMostOddRequests) return false;
-    abort({ErrorCode::Rejected, "the machine asks for line " + std::to_string(line) +
-                                    "; expected one up to " + std::to_string(feed_.end()) + whereItStands()},
-          now);
+    abort(
+        {ErrorCode::Rejected, "the machine asks for line " + std::to_string(line) + "; expected one up to " +
+                                  std::to_string(feed_.end()) + record_.whereItStands()},
+        now);
     return false;
   }
   odd_requests_ = 0;
@@ -530,51 +515,46 @@ bool Streamer::Machine::goTo(std::uint64_t line, double now) {
   if (!isStopping()) {
     proof_.asked(line);
     undone_.rewind(line);
-    status_.commands_not_done = undone_.count();
-    status_.lines_acknowledged = line - 1;
-    status_.layer = feed_.layerOf(line - 1);
+    record_.status.commands_not_done = undone_.count();
+    record_.status.lines_acknowledged = line - 1;
+    record_.status.layer = feed_.layerOf(line - 1);
   }
   if (refusals_in_a_row_ < kMostRefusals) return true;
   abort({ErrorCode::Rejected, "the machine refused line " + std::to_string(line) + " " +
-                                  std::to_string(kMostRefusals) + " times" + whereItStands()},
+                                  std::to_string(kMostRefusals) + " times" + record_.whereItStands()},
         now);
   return false;
 }
 
-void Streamer::Machine::onStart(double now) {
-  if (status_.state == PackmlState::Starting) return identify(now);
-  abort({ErrorCode::DeviceError, "the machine was reset" + whereItStands()}, now);
+void MarlinJob::onStart(double now) {
+  if (record_.status.state == PackmlState::Starting) return identify(now);
+  abort({ErrorCode::DeviceError, "the machine was reset" + record_.whereItStands()}, now);
 }
 
-void Streamer::Machine::onFatal(const MarlinReply& reply, double now) {
-  abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + whereItStands()}, now);
+void MarlinJob::onFatal(const FirmwareReply& reply, double now) {
+  abort({ErrorCode::Rejected, "the machine halted: \"" + reply.text + "\"" + record_.whereItStands()}, now);
 }
 
-void Streamer::Machine::onPause(const MarlinReply& reply, double now) {
-  status_.message = reply.text;
+void MarlinJob::onPause(const FirmwareReply& reply, double now) {
+  record_.status.message = reply.text;
   if (pause(now)) is_paused_by_machine_ = true;
 }
 
-void Streamer::Machine::onNotDone(const MarlinReply& reply) {
-  status_.message = reply.text;
+void MarlinJob::onNotDone(const FirmwareReply& reply) {
+  record_.status.message = reply.text;
   if (isStopping()) return;
-  if (undone_.count() == 0) status_.first_not_done = reply.text;
+  if (undone_.count() == 0) record_.status.first_not_done = reply.text;
   undone_.announce();
 }
 
 /// Nothing but the question for its name has been sent yet.
-void Streamer::Machine::onIdentity(const MarlinReply& reply, double now) {
-  status_.firmware_name = reply.firmware_name;
+void MarlinJob::onIdentity(const FirmwareReply& reply, double now) {
+  record_.status.firmware_name = reply.firmware_name;
   if (phase_ != Phase::Identifying || firmware_->isSpokenBy(reply.firmware_name)) return;
   abort({ErrorCode::Rejected, "the machine's firmware is \"" + reply.firmware_name +
                                   "\", which does not speak " + settings_.firmware +
-                                  "; expected another stream.firmware"},
+                                  "; expected stream.firmware auto, or that firmware"},
         now);
-}
-
-std::string Streamer::Machine::whereItStands() const {
-  return "; line " + std::to_string(status_.lines_acknowledged) + " of " +
-         std::to_string(status_.lines_total) + " was the last acknowledged";
 }
 
 }  // namespace lamina

@@ -1,20 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/client/stream_settings.hpp"
+#include "lamina/streaming/job/stream_settings.hpp"
 
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/streaming/firmware/firmware_protocol.hpp"
+#include "lamina/streaming/job/firmware_protocol.hpp"
 
 namespace lamina {
 
 void describe(SettingsSchema& schema, StreamSettings& settings) {
   const Bounds times{0.0, 86400.0, true};
-  schema.choice("stream.firmware", settings.firmware, firmwareProtocols().names(),
-                "Firmware of the machine.");
+  std::vector<std::string> firmware = firmwareProtocols().names();
+  firmware.insert(firmware.begin(), kAnyFirmware);
+  schema.choice("stream.firmware", settings.firmware, firmware,
+                "Firmware of the machine; auto asks it, before anything else is sent.");
   schema.integer("stream.window_bytes", settings.window_bytes, {32, 65536},
                  "Bytes sent and not yet acknowledged; below the firmware's receive buffer.");
   schema.integer(
@@ -64,7 +67,7 @@ int windowLines(const StreamSettings& settings, LinkKind link) {
 }
 
 void validate(const StreamSettings& settings) {
-  firmwareProtocols().find(settings.firmware);
+  if (settings.firmware != kAnyFirmware) firmwareProtocols().find(settings.firmware);
   if (settings.window_bytes >= settings.max_line_bytes) return;
   throw InvalidConfig("stream.window_bytes is " + std::to_string(settings.window_bytes) +
                       "; must be at least stream.max_line_bytes, " + std::to_string(settings.max_line_bytes));

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/base/registry.hpp"
+#include "lamina/streaming/job/stream_job.hpp"
+#include "lamina/streaming/job/stream_settings.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
+
+namespace lamina {
+
+/// What is to be streamed, and what is known of the machine.
+struct StreamOrder {
+  StreamableProgram program;
+  StreamSettings settings;
+  ReplyListener heard;                       ///< may be empty
+  std::optional<std::string> firmware_name;  ///< as the machine gave it, empty if it gave none; nothing if it
+                                             ///< was not asked yet
+};
+
+/// How a family of firmware is spoken to: the port through which `Streamer` reaches it. Constant, and called
+/// from several threads at once.
+class FirmwareProtocol {
+ public:
+  virtual ~FirmwareProtocol() = default;
+
+  /// Whether a firmware of that name, as it answers to `M115` or greets, speaks this protocol.
+  virtual bool isSpokenBy(std::string_view firmware_name) const = 0;
+
+  /// A job in Idle, which asks who is there before it sends anything else, unless the order says so.
+  /// @throws InvalidConfig where the settings do not suit the firmware
+  virtual std::unique_ptr<StreamJob> begin(StreamOrder order) const = 0;
+};
+
+/// All protocols, those of plug-ins too. Whoever adds one calls
+/// `firmwareProtocols().add("name", std::make_shared<...>())`; null pointers are not for use.
+Registry<std::shared_ptr<const FirmwareProtocol>>& firmwareProtocols();
+
+}  // namespace lamina

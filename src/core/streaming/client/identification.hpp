@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "lamina/streaming/job/firmware_protocol.hpp"
+#include "streaming/job/answer_timer.hpp"
+#include "streaming/job/job_record.hpp"
+#include "streaming/job/reply_lines.hpp"
+
+namespace lamina {
+
+/// Who answers at a port.
+struct FoundFirmware {
+  std::string protocol;       ///< in `firmwareProtocols`
+  std::string firmware_name;  ///< as it was given; empty if none was
+};
+
+/// Finds out who is there before anything else is sent: asks `M115`, which all but grbl's kin answer with a
+/// name, and which these refuse in a way of their own. Changes nothing in the machine.
+class Identification {
+ public:
+  explicit Identification(const StreamOrder& order);
+
+  void start(double now);
+  void receive(std::string_view bytes, double now);
+  void elapse(double now);
+  void abort(const Failure& why);
+  double nextDeadline() const;
+
+  const std::optional<FoundFirmware>& found() const { return found_; }
+  /// What came behind the answer.
+  std::string takeUnread() { return replies_.takeRest(); }
+  std::string takeOutput() { return std::exchange(output_, {}); }
+  const StreamStatus& status() const { return record_.status; }
+  std::vector<PackmlState> takeStateChanges() { return record_.takeStateChanges(); }
+
+ private:
+  void ask(double now);
+  void onReply(const FirmwareReply& reply, double now);
+  void choose();
+  bool isOver() const { return found_ || record_.status.state != PackmlState::Starting; }
+
+  StreamSettings settings_;
+  ReplyListener heard_;
+  JobRecord record_;
+  AnswerTimer timer_;
+  std::optional<FoundFirmware> found_;
+  std::string firmware_name_;
+  ReplyLines replies_;
+  std::string output_;
+  bool has_answered_ = false;
+};
+
+}  // namespace lamina

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/streaming/job/stream_job.hpp"
+
+namespace lamina {
+
+/// How far a job is, and the states that it went through.
+class JobRecord {
+ public:
+  StreamStatus status;
+
+  void enter(PackmlState state) {
+    status.state = state;
+    entered_.push_back(state);
+  }
+  std::vector<PackmlState> takeStateChanges() { return std::exchange(entered_, {}); }
+
+  bool isStarting() const { return status.state == PackmlState::Starting; }
+  bool isStopping() const { return status.state == PackmlState::Aborting; }
+
+  /// For the end of a message: "; line 3 of 9 was the last acknowledged".
+  std::string whereItStands() const {
+    return "; line " + std::to_string(status.lines_acknowledged) + " of " +
+           std::to_string(status.lines_total) + " was the last acknowledged";
+  }
+
+ private:
+  std::vector<PackmlState> entered_;
+};
+
+}  // namespace lamina
