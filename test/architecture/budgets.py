@@ -26,12 +26,13 @@ def tracked(root, *patterns):
 
 
 def function_lengths(lines):
-    """Yields (first line number, length) of each function definition, found by its indentation."""
+    """Yields (first line number, length) of each function definition, found by its indentation; one with
+    initialisers may be found at the last of these, and ends further left."""
     start = indent = None
     for number, line in enumerate(lines, 1):
         if start is None and FUNCTION_START.match(line) and not NO_FUNCTION.match(line):
             start, indent = number, len(line) - len(line.lstrip())
-        elif start is not None and line.rstrip() == " " * indent + "}":
+        elif start is not None and line.strip() == "}" and line.index("}") <= indent:
             yield start, number - start + 1
             start = None
 
