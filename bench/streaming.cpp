@@ -31,7 +31,7 @@ StreamableProgram zigzag() {
     text += "G1 X" + std::to_string(100 + i % 97) + ".123 Y" + std::to_string(i % 89) + ".456 E" +
             std::to_string(0.01 * i) + "\n";
   }
-  return StreamableProgram::fromText("zigzag", text, 96);
+  return StreamableProgram::fromText("zigzag", text);
 }
 
 /// Firmware that does nothing but count lines and say ok.

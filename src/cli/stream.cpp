@@ -81,7 +81,7 @@ Counts countsOf(const StreamStatus& status) {
 
 void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamSettings settings = settingsFrom(arguments);
-  const auto program = StreamableProgram::fromFile(arguments.program, settings.max_line_bytes);
+  const auto program = StreamableProgram::fromFile(arguments.program, settings);
   const SteadyClock clock;
   const double start = clock.now();
   const StreamStatus status = streamWhole(program, settings, arguments.port);

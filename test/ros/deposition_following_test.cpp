@@ -131,7 +131,7 @@ TEST(DepositionFollowingTest, LaysWhatAnEmulatedMachineHasPassed) {
   ASSERT_TRUE(test::waitUntil([&] { return followed.isReadyFor(2); }));
   followed.latch(placed);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isFollowing(placed.id); }));
-  const auto program = StreamableProgram::fromText("box", readFile(job.output), 96);
+  const auto program = StreamableProgram::fromText("box", readFile(job.output));
   const StreamSession session(program, {}, {test::inRosHome("deposition_following_test"), 115200}, {});
   ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete(); }));
   expectGrown(followed, depositedVolume(placed.toolpath));

@@ -21,7 +21,7 @@ namespace lamina {
 namespace {
 
 void stream(const std::string& text) {
-  const auto program = StreamableProgram::fromText("test", text, 96);
+  const auto program = StreamableProgram::fromText("test", text);
   const StreamSession session(program, {}, {test::inRosHome("emulated_belt_test"), 115200}, {});
   ASSERT_TRUE(session.waitFor(test::kPatience));
   ASSERT_EQ(session.status().state, PackmlState::Complete) << session.status().failure.message;

@@ -50,7 +50,7 @@ class EmulatedMachineNode : public testing::Test {
   }
 
   static void stream(const std::string& text) {
-    const auto program = lamina::StreamableProgram::fromText("test", text, 96);
+    const auto program = lamina::StreamableProgram::fromText("test", text);
     const lamina::StreamSession session(program, {}, {kPort, 115200}, {});
     ASSERT_TRUE(session.waitFor(kPatience));
     ASSERT_EQ(session.status().state, lamina::PackmlState::Complete) << session.status().failure.message;

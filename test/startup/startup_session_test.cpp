@@ -91,7 +91,7 @@ class StartupSessionTest : public testing::Test {
   }
   /// A job as the node runs it.
   StreamStatus stream(const std::string& text) {
-    const auto program = StreamableProgram::fromText("part", text, 96);
+    const auto program = StreamableProgram::fromText("part", text);
     session_->beginJob({program.name(), 0, 0});
     StreamSession job(program, stream_, {port(), 115200}, {},
                       [this](const FirmwareReply& reply) { session_->heard(reply); });
@@ -125,7 +125,7 @@ TEST_F(StartupSessionTest, SeesMotorsThatSomebodyElseSwitchedOff) {
   plugIn();
   startSession();
   runAll();
-  const auto program = StreamableProgram::fromText("elsewhere", "M84 X", 96);
+  const auto program = StreamableProgram::fromText("elsewhere", "M84 X");
   {
     StreamSession other(program, stream_, {port(), 115200}, {});
     other.waitFor(60.0);

@@ -80,7 +80,7 @@ class StartupSession::Impl {
 namespace {
 
 /// @throws InvalidConfig if a code of the settings cannot be streamed
-void requireStreamable(const StartupSettings& settings, int max_line_bytes) {
+void requireStreamable(const StartupSettings& settings, const StreamSettings& stream) {
   const std::vector<std::pair<const char*, std::string>> codes = {
       {"startup.check_code", settings.check_code},
       {"startup.abort_code", settings.abort_code},
@@ -93,7 +93,7 @@ void requireStreamable(const StartupSettings& settings, int max_line_bytes) {
   for (const auto& [key, code] : codes) {
     if (code.empty()) continue;
     try {
-      StreamableProgram::fromText(key, code, max_line_bytes);
+      StreamableProgram::fromText(key, code, stream);
     } catch (const InvalidProgram& error) {
       throw InvalidConfig(error.what());
     }
@@ -124,7 +124,7 @@ StartupSession::Impl::Impl(const StartupSettings& settings, const StreamSettings
       changed_(std::move(changed)),
       startup_(settings) {
   if (isEmpty()) return;
-  requireStreamable(settings, stream.max_line_bytes);
+  requireStreamable(settings, stream);
   thread_ = std::thread([this] { work(); });
 }
 
@@ -371,7 +371,7 @@ std::string StartupSession::Impl::leaveSafe(Lock& lock) {
 }
 
 void StartupSession::Impl::stream(Lock& lock, const std::string& code, const MayGoOn& mayGoOn) {
-  const auto program = StreamableProgram::fromText("start-up", code, stream_.max_line_bytes);
+  const auto program = StreamableProgram::fromText("start-up", code, stream_);
   StreamStatus status;
   {
     const Unlocked unlocked(lock);

@@ -139,7 +139,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program) {
 
 StreamableProgram GcodeStreamer::programFor(const lamina_msgs::StreamProgramGoal& goal) const {
   if (goal.program.empty()) return programFromToolpath(goal.toolpath_id);
-  return StreamableProgram::fromFile(goal.program, settings_.stream.max_line_bytes);
+  return StreamableProgram::fromFile(goal.program, settings_.stream);
 }
 
 StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) const {
@@ -159,7 +159,7 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   ProgramFrame frame(placed.bed_from_part);
   frame.program_from_bed = programFromBed(machine_);
   writeFlavoured(placed.toolpath, frame, settings_.program, [&](std::string_view piece) { text += piece; });
-  return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream.max_line_bytes);
+  return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream);
 }
 
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {

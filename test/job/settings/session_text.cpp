@@ -106,7 +106,7 @@ std::string unplugged(const SettingTexts& set) {
   PluggedIn machine(emulated, {{FaultKind::Disconnect, 0.0, {2}}});
   StreamSettings stream;
   stream.safe_stop_timeout_s = 0.5;
-  StreamSession session(StreamableProgram::fromText("job", "G1 X1\nG1 X2\nG1 X3\n", 96), stream,
+  StreamSession session(StreamableProgram::fromText("job", "G1 X1\nG1 X2\nG1 X3\n"), stream,
                         {machine.port(), 115200}, {});
   if (!session.waitFor(20.0)) return "never over";
   return session.status().failure.message;

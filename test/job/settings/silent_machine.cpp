@@ -21,7 +21,7 @@ void note(Streamer& streamer, double now_s, SilentJob& job) {
 }  // namespace
 
 SilentJob streamedTo(Silence silence, const StreamSettings& settings, const std::string& program) {
-  const auto lines = StreamableProgram::fromText("job", program, settings.max_line_bytes);
+  const auto lines = StreamableProgram::fromText("job", program, settings);
   Streamer streamer(lines, settings);
   SilentJob job;
   streamer.start(0.0);

@@ -18,7 +18,7 @@ std::function<std::string(const SettingTexts& set)> silentAt(Silence silence, co
 
 /// When a line is sent again by firmware that says no ok after its request.
 std::string sentAgainAt(const SettingTexts& set) {
-  Streamer streamer(StreamableProgram::fromText("job", kTenMoves, 96), settingsWith<StreamSettings>(set));
+  Streamer streamer(StreamableProgram::fromText("job", kTenMoves), settingsWith<StreamSettings>(set));
   streamer.start(0.0);
   streamer.receive(kBeginAnswered, 0.0);
   streamer.receive("Resend: 1\n", 0.1);

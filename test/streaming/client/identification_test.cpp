@@ -12,7 +12,7 @@
 namespace lamina {
 namespace {
 
-StreamableProgram anyProgram() { return StreamableProgram::fromText("one line", "G1 X1\n", 96); }
+StreamableProgram anyProgram() { return StreamableProgram::fromText("one line", "G1 X1\n"); }
 
 /// A streamer that asks who is there.
 struct Asking {

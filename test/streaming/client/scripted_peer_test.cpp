@@ -38,7 +38,7 @@ class ScriptedPeer : public testing::Test {
   }
   static std::string line(std::uint64_t number) { return frameLine(number, "G1 X" + std::to_string(number)); }
 
-  StreamableProgram program_ = StreamableProgram::fromText("ten lines", tenLines(), 96);
+  StreamableProgram program_ = StreamableProgram::fromText("ten lines", tenLines());
 };
 
 TEST_F(ScriptedPeer, NeverHasMoreUnderWayThanTheWindow) {
@@ -124,7 +124,7 @@ TEST_F(ScriptedPeer, FollowsTheNumbersOfAdvancedOks) {
 }
 
 TEST_F(ScriptedPeer, WaitsPatientlyWhileTheMachineIsBusy) {
-  const auto heating = StreamableProgram::fromText("heating", "M109 S200\n", 96);
+  const auto heating = StreamableProgram::fromText("heating", "M109 S200\n");
   Streamer streamer(heating, settings());
   begin(streamer);
   for (double now = 2.0; now < 600.0; now += 2.0) {

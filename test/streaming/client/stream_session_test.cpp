@@ -60,7 +60,7 @@ StreamSettings impatient() {
 }
 
 StreamableProgram spiral(int lines) {
-  return StreamableProgram::fromText("spiral", test::spiralProgram(lines), 96);
+  return StreamableProgram::fromText("spiral", test::spiralProgram(lines));
 }
 
 StreamStatus finished(const StreamSession& session) {
@@ -154,7 +154,7 @@ TEST(StreamSession, HoldsAndGoesOnThroughFaults) {
 
 TEST(StreamSession, LeavesTheMachineSafeAfterAnAbort) {
   const auto program =
-      StreamableProgram::fromText("hot", "M104 S200\nM140 S60\n" + test::spiralProgram(1000), 96);
+      StreamableProgram::fromText("hot", "M104 S200\nM140 S60\n" + test::spiralProgram(1000));
   const RecordedMachine machine(2.0, {{FaultKind::CorruptedLine, 0.2, {}}, {FaultKind::LostOk, 0.1, {}}});
   StreamSession session(program, impatient(), {machine->pty(), 115200}, {});
   ASSERT_TRUE(waitUntil([&] { return machine.commands().size() > 20; }));
@@ -171,7 +171,7 @@ TEST(StreamSession, LeavesTheMachineSafeAfterAnAbort) {
 }
 
 TEST(StreamSession, StopsTheMachineWhenItIsAbandoned) {
-  const auto program = StreamableProgram::fromText("hot", "M104 S200\n" + test::spiralProgram(1000), 96);
+  const auto program = StreamableProgram::fromText("hot", "M104 S200\n" + test::spiralProgram(1000));
   const RecordedMachine machine(2.0);
   {
     const StreamSession session(program, impatient(), {machine->pty(), 115200}, {});
@@ -181,7 +181,7 @@ TEST(StreamSession, StopsTheMachineWhenItIsAbandoned) {
 }
 
 TEST(StreamSession, BreaksHeatingOnAnAbort) {
-  const auto program = StreamableProgram::fromText("hot", "M109 S200\nG1 X1\n", 96);
+  const auto program = StreamableProgram::fromText("hot", "M109 S200\nG1 X1\n");
   const RecordedMachine machine(1.0);
   StreamSession session(program, impatient(), {machine->pty(), 115200}, {});
   ASSERT_TRUE(waitUntil([&] { return machine->nozzleTarget() > 0.0; }));
@@ -206,8 +206,7 @@ TEST(StreamSession, ReportsWhereTheLinkWasLost) {
 
 TEST(StreamSession, TurnsHeatersOffOnceTheLinkIsBack) {
   const RecordedMachine machine(0.0, {{FaultKind::Disconnect, 0.0, {100}}});
-  const auto program =
-      StreamableProgram::fromText("hot", "M104 S200\nM140 S60\n" + test::spiralProgram(200), 96);
+  const auto program = StreamableProgram::fromText("hot", "M104 S200\nM140 S60\n" + test::spiralProgram(200));
   const StreamSession session(program, impatient(), {linkPath(), 115200}, {});
   const StreamStatus status = finished(session);
   EXPECT_EQ(status.failure.code, ErrorCode::Disconnected);
@@ -219,7 +218,7 @@ TEST(StreamSession, RefusesToGoOnWithAProgramThatWasChanged) {
   const std::string path = linkPath() + ".gcode";
   std::ofstream(path) << test::spiralProgram(4000);
   const RecordedMachine machine(10.0);  // slow enough to be under way for minutes
-  StreamSession session(StreamableProgram::fromFile(path, 96), impatient(), {machine->pty(), 115200}, {});
+  StreamSession session(StreamableProgram::fromFile(path), impatient(), {machine->pty(), 115200}, {});
   ASSERT_TRUE(waitUntil([&] { return session.status().lines_acknowledged > 5; }));
   std::ofstream(path) << "G1 X1\n";
   const StreamStatus status = finished(session);

@@ -15,7 +15,7 @@ namespace {
 using test::SimulatedLink;
 
 StreamableProgram streamerProgram(const std::string& text) {
-  return StreamableProgram::fromText("test", text, 96);
+  return StreamableProgram::fromText("test", text);
 }
 
 EmulatedSettings instantMachine() {

@@ -39,7 +39,7 @@ StreamSettings bracketSettings() {
 TEST(FirmwareProtocol, ThatWasAddedIsSpokenToAProgramsEnd) {
   const test::ScopedEntry<std::shared_ptr<const FirmwareProtocol>> entry(firmwareProtocols(), "brackets",
                                                                          std::make_shared<BracketFirmware>());
-  Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n", 96), bracketSettings());
+  Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n"), bracketSettings());
   streamer.start(0.0);
   EXPECT_EQ(streamer.takeOutput(), "WHO?\n");
   streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
@@ -57,7 +57,7 @@ TEST(FirmwareProtocol, ThatWasAddedIsSpokenToAProgramsEnd) {
 TEST(FirmwareProtocol, ThatWasAddedStopsSafely) {
   const test::ScopedEntry<std::shared_ptr<const FirmwareProtocol>> entry(firmwareProtocols(), "brackets",
                                                                          std::make_shared<BracketFirmware>());
-  Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n", 96), bracketSettings());
+  Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n"), bracketSettings());
   streamer.start(0.0);
   streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
   streamer.receive("Resend: 1\ndone\n", 0.1);
@@ -70,7 +70,7 @@ TEST(FirmwareProtocol, OfAnUnknownNameIsRefusedNamingThoseThereAre) {
   StreamSettings settings;
   settings.firmware = "smoke signals";
   try {
-    Streamer(StreamableProgram::fromText("one line", "G1 X1\n", 96), settings);
+    Streamer(StreamableProgram::fromText("one line", "G1 X1\n"), settings);
     FAIL() << "nothing thrown";
   } catch (const InvalidConfig& error) {
     EXPECT_STREQ(error.what(), "stream.firmware is 'smoke signals'; must be one of marlin");

@@ -7,14 +7,21 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "support/scoped_entry.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr int kLongestLine = 96;
+StreamSettings toMarlin() {
+  StreamSettings settings;
+  settings.firmware = "marlin";
+  return settings;
+}
 
 StreamableProgram program(const std::string& text) {
-  return StreamableProgram::fromText("test", text, kLongestLine);
+  return StreamableProgram::fromText("test", text, toMarlin());
 }
 
 std::vector<ProgramLine> linesOf(const std::string& text) {
@@ -53,27 +60,75 @@ TEST(StreamableProgram, ReportsTheLayerOfEachLine) {
 }
 
 TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
-  EXPECT_NE(refusalOf("G28\nN5 G1 X1\n").find("test line 2: \"N5 G1 X1\" has a line number"),
-            std::string::npos);
   EXPECT_NE(refusalOf("G28*22\n").find("has a '*'"), std::string::npos);
   EXPECT_NE(refusalOf("G1 X\xc3\xa4\n").find("not printable ASCII"), std::string::npos);
   EXPECT_NE(refusalOf("M110 N3\n").find("sets the line number"), std::string::npos);
   EXPECT_NE(refusalOf("M117 set M110 N500 now\n").find("has 'M110' in its text"), std::string::npos);
   EXPECT_NE(refusalOf("M117 a\\b\n").find("has a '\\'"), std::string::npos);
   EXPECT_NE(refusalOf("12 monkeys\n").find("expected a command letter"), std::string::npos);
+  EXPECT_NE(refusalOf("START_PRINT BED=60\n").find("is a macro's name"), std::string::npos);
+  EXPECT_NE(refusalOf("N5 G1 X1*12\n").find("has a '*'"), std::string::npos) << "its checksum is wrong";
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }
 
-TEST(StreamableProgram, RefusesALineAsSoonAsItDoesNotFitWithTheLongestNumber) {
-  const std::string fits = "M117 " + std::string(96 - 17 - 5, 'x');
+TEST(StreamableProgram, RefusesALineAsSoonAsItDoesNotFitWithItsNumber) {
+  const std::string fits = "M117 " + std::string(96 - 14 - 5, 'x');
   EXPECT_EQ(program(fits).lines(), 1U);
   EXPECT_NE(refusalOf(fits + "x").find("is 97 bytes with line number and checksum; the machine takes 96"),
             std::string::npos);
+  StreamSettings longer = toMarlin();
+  longer.max_line_bytes = 97;
+  EXPECT_EQ(StreamableProgram::fromText("test", fits + "x", longer).lines(), 1U);
+}
+
+TEST(StreamableProgram, LeavesOutNumbersChecksumsAndTapeMarks) {
+  // 'N' ^ '5' ^ ' ' ^ 'G' ^ '1' ^ ' ' ^ 'X' ^ '1' is 100
+  const auto lines = linesOf("%\nN5 G1 X1*100\nn10G1 X2\nN20\n%\n");
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0].command, "G1 X1");
+  EXPECT_EQ(lines[1].command, "G1 X2");
+}
+
+TEST(StreamableProgram, TakesASemicolonInQuotesForText) {
+  EXPECT_NE(refusalOf("M118 \"a;b\" ; said\n").find("\"M118 \"a;b\"\" has a ';' within quotes"),
+            std::string::npos);
+  const auto lines = linesOf("M117 5\" nozzle ; brass\n");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].command, "M117 5\" nozzle");
+}
+
+TEST(StreamableProgram, TakesMessagesInAnyLanguage) {
+  EXPECT_EQ(program("M117 h\xc3\xa9\xc3\xa9\nM118 \xe2\x9c\x93\n").lines(), 2U);
+  EXPECT_NE(refusalOf("M117 a\x1b[0m\n").find("not printable"), std::string::npos);
+}
+
+/// Firmware that takes motions only.
+class MotionsOnly : public MarlinFirmware {
+ public:
+  bool isSpokenBy(std::string_view firmware_name) const override { return firmware_name == "Motions"; }
+  std::string defectOf(std::string_view command, const StreamSettings&) const override {
+    return command[0] == 'G' ? "" : "is no motion";
+  }
+};
+
+TEST(StreamableProgram, IsCheckedForEachFirmwareItMayGoTo) {
+  const test::ScopedEntry<std::shared_ptr<const FirmwareProtocol>> entry(firmwareProtocols(), "motions",
+                                                                         std::make_shared<MotionsOnly>());
+  const auto program = StreamableProgram::fromText("test", "G1 X1\nM117 hello\n");
+  EXPECT_EQ(program.defectFor("marlin"), "");
+  EXPECT_EQ(program.defectFor("motions"), "test line 2: \"M117 hello\" is no motion");
+  Streamer streamer(program, {});
+  streamer.start(0.0);
+  streamer.takeOutput();
+  streamer.receive("FIRMWARE_NAME:Motions\nok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+  EXPECT_EQ(streamer.status().failure.message, program.defectFor("motions"));
 }
 
 TEST(StreamableProgram, RefusesMissingFilesAndFolders) {
-  EXPECT_THROW(StreamableProgram::fromFile("/nowhere/at/all.gcode", kLongestLine), FileError);
-  EXPECT_THROW(StreamableProgram::fromFile("/tmp", kLongestLine), FileError);
+  EXPECT_THROW(StreamableProgram::fromFile("/nowhere/at/all.gcode"), FileError);
+  EXPECT_THROW(StreamableProgram::fromFile("/tmp"), FileError);
 }
 
 }  // namespace

@@ -32,6 +32,11 @@ class FirmwareProtocol {
   /// Whether a firmware of that name, as it answers to `M115` or greets, speaks this protocol.
   virtual bool isSpokenBy(std::string_view firmware_name) const = 0;
 
+  /// What this firmware would misread of a command as `ProgramCursor` gives it, as the end of a sentence:
+  /// "has a '*', which marks a checksum". Empty if it takes the command, be it that it does not know it.
+  /// @param settings  `max_line_bytes` of 0 stands for the firmware's usual limit
+  virtual std::string defectOf(std::string_view command, const StreamSettings& settings) const = 0;
+
   /// A job in Idle, which asks who is there before it sends anything else, unless the order says so.
   /// @throws InvalidConfig where the settings do not suit the firmware
   virtual std::unique_ptr<StreamJob> begin(StreamOrder order) const = 0;

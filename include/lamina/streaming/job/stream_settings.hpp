@@ -25,7 +25,7 @@ struct StreamSettings {
   int window_bytes = 127;  ///< sent and not yet acknowledged; less than the firmware's receive buffer
   int window_lines = 0;    ///< sent and not yet acknowledged; 0 for 1 on a lossy link and 4 on others
   LinkKind link = LinkKind::Auto;
-  int max_line_bytes = 96;        ///< the firmware's longest line (MAX_CMD_SIZE)
+  int max_line_bytes = 0;         ///< the firmware's longest line; 0 for its usual one
   double connect_timeout_s = 10;  ///< until the machine answers
   double probe_after_s =
       2.5;  ///< without an answer while lines are under way; above the firmware's busy interval

@@ -4,9 +4,12 @@
 
 #include <cstdint>
 #include <istream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+
+#include "lamina/streaming/job/stream_settings.hpp"
 
 namespace lamina {
 
@@ -17,8 +20,9 @@ struct ProgramLine {
       -1;  ///< it belongs to, as reported by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
 };
 
-/// The commands of a G-code text one by one, in constant memory. Comments (from ';' on, and in parentheses
-/// where the command is not one that carries text) and empty lines are left out.
+/// The commands of a G-code text one by one, in constant memory. Comments (from ';' on outside quotes, and in
+/// parentheses where the command is not one that carries text), tape marks ('%'), empty lines, and line
+/// numbers with their right checksums are left out.
 class ProgramCursor {
  public:
   explicit ProgramCursor(std::unique_ptr<std::istream> text) : text_(std::move(text)) {}
@@ -37,20 +41,24 @@ class ProgramCursor {
   std::int32_t layer_ = -1;
 };
 
-/// A program that was checked whole and can be streamed: every command is short enough, ASCII, without a line
-/// number or checksum of its own, and leaves the numbering of lines alone. It is read again, line by line,
-/// while it is sent.
+/// A program that was read whole and checked for the firmware that it may go to. It is read again, line by
+/// line, while it is sent.
 class StreamableProgram {
  public:
-  /// @param max_line_bytes  the longest framed line the firmware takes
+  /// @param settings  of `firmware`, which the program is checked for; auto checks it for all that there are
   /// @throws FileError if the file cannot be read
-  /// @throws InvalidProgram naming the line, or if there is no command at all
-  static StreamableProgram fromFile(const std::string& path, int max_line_bytes);
-  static StreamableProgram fromText(const std::string& name, std::string text, int max_line_bytes);
+  /// @throws InvalidProgram naming the line if the firmware would misread it, with auto if all would; or if
+  /// there is no command at all
+  static StreamableProgram fromFile(const std::string& path, const StreamSettings& settings = {});
+  static StreamableProgram fromText(const std::string& name, std::string text,
+                                    const StreamSettings& settings = {});
 
   const std::string& name() const { return name_; }
   /// Commands in it.
   std::uint64_t lines() const { return lines_; }
+  /// The first line that firmware of this protocol would misread, in words; empty if there is none.
+  /// @param protocol  one that the program was checked for
+  std::string defectFor(const std::string& protocol) const;
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
   /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.
@@ -69,13 +77,14 @@ class StreamableProgram {
 
   StreamableProgram() = default;
   static std::optional<FileState> stateOf(const std::string& path);
-  void check(int max_line_bytes);
+  void check(const StreamSettings& settings);
 
   std::string name_;
   std::string path_;  ///< empty if the text is held
   std::optional<FileState> checked_;
   std::shared_ptr<const std::string> text_;
   std::uint64_t lines_ = 0;
+  std::map<std::string, std::string> defects_;  ///< by protocol
 };
 
 }  // namespace lamina

@@ -113,7 +113,8 @@ void Identification::elapse(double now) {
 }
 
 void Identification::abort(const Failure& why) {
-  if (isOver()) return;
+  if (record_.status.state != PackmlState::Starting) return;
+  found_.reset();
   record_.status.failure = why;
   record_.enter(PackmlState::Aborting);
   record_.enter(PackmlState::Aborted);

@@ -14,6 +14,8 @@ Streamer::Streamer(const StreamableProgram& program, const StreamSettings& setti
   if (settings.firmware == kAnyFirmware) {
     identification_ = std::make_unique<Identification>(order_);
   } else {
+    const std::string defect = program.defectFor(settings.firmware);
+    if (!defect.empty()) throw InvalidProgram(defect);
     job_ = firmwareProtocols().find(settings.firmware)->begin(order_);
   }
 }
@@ -22,6 +24,8 @@ Streamer::~Streamer() = default;
 /// Goes on with the machine that was found.
 void Streamer::adopt(double now) {
   if (job_ || !identification_->found()) return;
+  const std::string defect = order_.program.defectFor(identification_->found()->protocol);
+  if (!defect.empty()) return identification_->abort({ErrorCode::InvalidProgram, defect});
   order_.settings.firmware = identification_->found()->protocol;
   order_.firmware_name = identification_->found()->firmware_name;
   job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);

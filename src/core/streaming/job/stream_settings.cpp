@@ -28,8 +28,8 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
       "stream.link", settings.link,
       {{"auto", LinkKind::Auto}, {"lossy", LinkKind::Lossy}, {"reliable", LinkKind::Reliable}},
       "Whether bytes get lost or damaged on the way, as on a UART; auto goes by the port.");
-  schema.integer("stream.max_line_bytes", settings.max_line_bytes, {32, 4096},
-                 "Longest line the firmware takes, with number and checksum.");
+  schema.integer("stream.max_line_bytes", settings.max_line_bytes, {0, 4096},
+                 "Longest line the firmware takes, with number and checksum; 0 for its usual limit.");
   schema.number("stream.connect_timeout_s", settings.connect_timeout_s, times,
                 "Time the machine has for its first answer.");
   schema.number(

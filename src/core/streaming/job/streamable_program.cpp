@@ -10,9 +10,11 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/streaming/job/firmware_protocol.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -36,38 +38,56 @@ std::string withoutParentheses(std::string_view command) {
   return std::string(trimmed(kept));
 }
 
-bool isCommand(std::string_view line, std::string_view command) {
-  return line.substr(0, command.size()) == command &&
-         (line.size() == command.size() ||
-          std::isdigit(static_cast<unsigned char>(line[command.size()])) == 0);
+/// Where a comment begins: at a ';' which no quotes enclose.
+std::size_t commentOf(std::string_view line) {
+  bool is_quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (line[at] == '"') is_quoted = !is_quoted;
+    if (line[at] == ';' && !is_quoted) return at;
+  }
+  // A quotation mark alone stands for inches.
+  return is_quoted ? line.find(';') : std::string_view::npos;
 }
 
-bool isPrintableAscii(char c) { return c >= ' ' && c <= '~'; }
+std::size_t digitsAt(std::string_view line, std::size_t from) {
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  return static_cast<std::size_t>(
+      std::find_if_not(line.begin() + static_cast<std::ptrdiff_t>(from), line.end(), isDigit) - line.begin() -
+      static_cast<std::ptrdiff_t>(from));
+}
 
-/// What is wrong with a command; empty if nothing is.
-std::string defectOf(const std::string& command, int max_line_bytes) {
-  // The longest number a line can get is counted, so that a line passes wherever it stands.
-  constexpr std::size_t kFrameBytes = std::string_view("N4294967295 *255\n").size();
-  const std::size_t framed = command.size() + kFrameBytes;
-  if (framed > static_cast<std::size_t>(max_line_bytes)) {
-    return "is " + std::to_string(framed) + " bytes with line number and checksum; the machine takes " +
-           std::to_string(max_line_bytes);
+/// Without a checksum behind a numbered line, if it is right.
+std::string_view withoutChecksum(std::string_view line) {
+  const std::size_t star = line.rfind('*');
+  if (star == std::string_view::npos) return line;
+  const std::size_t digits = digitsAt(line, star + 1);
+  if (digits == 0 || digits > 3 || star + 1 + digits != line.size()) return line;
+  unsigned sum = 0;
+  for (const char byte : line.substr(0, star)) sum ^= static_cast<unsigned char>(byte);
+  return std::stoul(std::string(line.substr(star + 1))) == sum ? line.substr(0, star) : line;
+}
+
+/// Without a line number: lines are numbered anew.
+std::string_view withoutNumber(std::string_view line) {
+  if (line.empty() || (line[0] != 'N' && line[0] != 'n')) return line;
+  const std::size_t digits = digitsAt(line, 1);
+  if (digits == 0) return line;
+  return trimmed(withoutChecksum(line).substr(1 + digits));
+}
+
+/// A protocol that a program is checked for.
+struct Checker {
+  std::string name;
+  std::shared_ptr<const FirmwareProtocol> protocol;
+};
+
+std::vector<Checker> checkersOf(const std::string& firmware) {
+  std::vector<Checker> checkers;
+  for (const std::string& name : firmwareProtocols().names()) {
+    if (firmware == kAnyFirmware || firmware == name)
+      checkers.push_back({name, firmwareProtocols().find(name)});
   }
-  if (!std::all_of(command.begin(), command.end(), isPrintableAscii)) {
-    return "has a byte that is not printable ASCII; expected G-code text";
-  }
-  if (command.find('*') != std::string::npos)
-    return "has a '*', which marks a checksum; checksums are added here";
-  if (command[0] == 'N') return "has a line number; lines are numbered here";
-  if (std::isalpha(static_cast<unsigned char>(command[0])) == 0) {
-    return "starts with '" + command.substr(0, 1) + "'; expected a command letter";
-  }
-  if (isCommand(command, "M110")) return "sets the line number, which belongs to the streamer";
-  if (command.find("M110") != std::string::npos)
-    return "has 'M110' in its text, which Marlin takes for the setting of a line number";
-  if (command.find('\\') != std::string::npos)
-    return "has a '\\', which Marlin leaves out of a line before it looks at the checksum";
-  return {};
+  return checkers;
 }
 
 [[noreturn]] void throwUnreadable(const std::string& path, const char* why) {
@@ -80,13 +100,13 @@ std::optional<ProgramLine> ProgramCursor::next() {
   while (std::getline(*text_, raw_)) {
     ++text_line_;
     std::string_view line = raw_;
-    const std::size_t comment = line.find(';');
+    const std::size_t comment = commentOf(line);
     if (comment != std::string_view::npos) {
       readComment(line.substr(comment + 1));
       line = line.substr(0, comment);
     }
-    line = trimmed(line);
-    if (line.empty()) continue;
+    line = withoutNumber(trimmed(line));
+    if (line.empty() || line == "%") continue;
     const bool has_parentheses = line.find('(') != std::string_view::npos && !carriesText(line);
     ProgramLine found{has_parentheses ? withoutParentheses(line) : std::string(line), layer_};
     if (!found.command.empty()) return found;
@@ -100,7 +120,7 @@ void ProgramCursor::readComment(std::string_view comment) {
   layer_ = mark->is_next ? layer_ + 1 : mark->number.value_or(layer_);
 }
 
-StreamableProgram StreamableProgram::fromFile(const std::string& path, int max_line_bytes) {
+StreamableProgram StreamableProgram::fromFile(const std::string& path, const StreamSettings& settings) {
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) throwUnreadable(path, std::strerror(errno));
   if (S_ISDIR(about.st_mode)) throwUnreadable(path, "it is a folder; expected a G-code file");
@@ -108,15 +128,16 @@ StreamableProgram StreamableProgram::fromFile(const std::string& path, int max_l
   program.name_ = path;
   program.path_ = path;
   program.checked_ = stateOf(path);
-  program.check(max_line_bytes);
+  program.check(settings);
   return program;
 }
 
-StreamableProgram StreamableProgram::fromText(const std::string& name, std::string text, int max_line_bytes) {
+StreamableProgram StreamableProgram::fromText(const std::string& name, std::string text,
+                                              const StreamSettings& settings) {
   StreamableProgram program;
   program.name_ = name;
   program.text_ = std::make_shared<const std::string>(std::move(text));
-  program.check(max_line_bytes);
+  program.check(settings);
   return program;
 }
 
@@ -136,17 +157,29 @@ std::optional<StreamableProgram::FileState> StreamableProgram::stateOf(const std
 
 bool StreamableProgram::hasChanged() const { return !text_ && !(stateOf(path_) == checked_); }
 
-void StreamableProgram::check(int max_line_bytes) {
+void StreamableProgram::check(const StreamSettings& settings) {
+  std::vector<Checker> checkers = checkersOf(settings.firmware);
+  std::string last_defect;
   ProgramCursor cursor = open();
   while (const auto line = cursor.next()) {
-    const std::string defect = defectOf(line->command, max_line_bytes);
-    if (!defect.empty()) {
-      throw InvalidProgram(name_ + " line " + std::to_string(cursor.textLine()) + ": \"" +
-                           line->command.substr(0, 40) + "\" " + defect);
-    }
     ++lines_;
+    const auto isMisread = [&](const Checker& checker) {
+      const std::string defect = checker.protocol->defectOf(line->command, settings);
+      if (defect.empty()) return false;
+      last_defect = name_ + " line " + std::to_string(cursor.textLine()) + ": \"" +
+                    line->command.substr(0, 40) + "\" " + defect;
+      defects_[checker.name] = last_defect;
+      return true;
+    };
+    checkers.erase(std::remove_if(checkers.begin(), checkers.end(), isMisread), checkers.end());
+    if (checkers.empty()) throw InvalidProgram(last_defect);
   }
   if (lines_ == 0) throw InvalidProgram(name_ + " has no command; expected G-code");
+}
+
+std::string StreamableProgram::defectFor(const std::string& protocol) const {
+  const auto found = defects_.find(protocol);
+  return found == defects_.end() ? std::string() : found->second;
 }
 
 }  // namespace lamina

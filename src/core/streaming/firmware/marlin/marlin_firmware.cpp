@@ -11,6 +11,55 @@
 #include "streaming/firmware/marlin/marlin_job.hpp"
 
 namespace lamina {
+namespace {
+
+bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+bool isCommand(std::string_view line, std::string_view command) {
+  return line.substr(0, command.size()) == command &&
+         (line.size() == command.size() ||
+          std::isdigit(static_cast<unsigned char>(line[command.size()])) == 0);
+}
+
+/// Whether a byte comes through: printable ASCII, and beyond it in a message.
+bool isTaken(char c, bool is_message) {
+  return (c >= ' ' && c <= '~') || (is_message && static_cast<unsigned char>(c) >= 0x80);
+}
+
+std::string defectOfLength(std::string_view command, int max_line_bytes) {
+  // A line passes wherever it stands in a program of up to ten million lines.
+  constexpr std::size_t kFrameBytes = std::string_view("N9999999 *255\n").size();
+  constexpr int kUsualLimit = 96;  // MAX_CMD_SIZE
+  const int limit = max_line_bytes > 0 ? max_line_bytes : kUsualLimit;
+  const std::size_t framed = command.size() + kFrameBytes;
+  if (framed <= static_cast<std::size_t>(limit)) return {};
+  return "is " + std::to_string(framed) + " bytes with line number and checksum; the machine takes " +
+         std::to_string(limit);
+}
+
+}  // namespace
+
+std::string MarlinFirmware::defectOf(std::string_view command, const StreamSettings& settings) const {
+  const std::string too_long = defectOfLength(command, settings.max_line_bytes);
+  if (!too_long.empty()) return too_long;
+  const bool is_message = isCommand(command, "M117") || isCommand(command, "M118");
+  if (!std::all_of(command.begin(), command.end(), [&](char c) { return isTaken(c, is_message); }))
+    return "has a byte that is not printable ASCII; expected G-code text";
+  if (command.find('*') != std::string_view::npos)
+    return "has a '*', which marks a checksum; checksums are added here";
+  if (!isLetter(command[0]))
+    return "starts with '" + std::string(command.substr(0, 1)) + "'; expected a command letter";
+  if (command.size() > 1 && (isLetter(command[1]) || command[1] == '_'))
+    return "is a macro's name, which Marlin does not know; expected a letter and a number";
+  if (isCommand(command, "M110")) return "sets the line number, which belongs to the streamer";
+  if (command.find("M110") != std::string_view::npos)
+    return "has 'M110' in its text, which Marlin takes for the setting of a line number";
+  if (command.find(';') != std::string_view::npos)
+    return "has a ';' within quotes, behind which Marlin looks for no checksum";
+  if (command.find('\\') != std::string_view::npos)
+    return "has a '\\', which Marlin leaves out of a line before it looks at the checksum";
+  return {};
+}
 
 std::unique_ptr<StreamJob> MarlinFirmware::begin(StreamOrder order) const {
   return std::make_unique<MarlinJob>(std::move(order), shared_from_this());
