@@ -147,6 +147,44 @@ TEST_F(ScriptedPeer, StopsSafelyWhenTheMachineFallsSilent) {
   EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop"), std::string::npos);
 }
 
+TEST_F(ScriptedPeer, TurnsOffAllThatTheProgramHasTurnedOn) {
+  const auto program = StreamableProgram::fromText(
+      "busy", "M3 S100\nM104 T0 S200\nM104 T1 S210\nM141 S40\nM106 S255\nM106 P1 S9\nM8\nG1 X1\n");
+  StreamSettings settings = this->settings();
+  settings.temperature_interval_s = 1;
+  settings.window_lines = 8;
+  Streamer streamer(program, settings);
+  streamer.start(0.0);
+  streamer.receive("ok\nResend: 1\nok\nok\n", 0.1);
+  streamer.takeOutput();
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  EXPECT_EQ(streamer.takeOutput(),
+            "M108\nM410\nM5\nM104 S0\nM140 S0\n" + frameLine(1009, "M110 N1009") + frameLine(1011, "M105"))
+      << "laser and heat first";
+  std::string stop;
+  for (int line = 1010; line < 1030; ++line) {
+    streamer.receive("Resend: " + std::to_string(line) + "\nok\n", 1.0 + 0.1 * (line - 1009));
+    stop += streamer.takeOutput();
+  }
+  for (const char* command :
+       {"M410", "M5", "M104 S0", "M140 S0", "M104 T1 S0", "M141 S0", "M107", "M107 P1", "M9", "M155 S0"})
+    EXPECT_NE(stop.find(std::string(" ") + command + "*"), std::string::npos) << command << " in\n" << stop;
+}
+
+TEST_F(ScriptedPeer, WaitsForEveryHeaterToBeOff) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  streamer.takeOutput();
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  streamer.receive("ok\nok\nok\nok\nok\nok\nok\nResend: 1006\nok\n", 1.1);
+  streamer.receive("ok\nok\nok\n", 1.2);
+  streamer.receive("Resend: 1009\nok\n", 1.3);
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0 T0:180.0 /0.0 T1:170.0 /210.0 @:0 B@:0\n", 1.4);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborting);
+  streamer.receive("ok T:180.0 /0.0 B:60.0 /0.0 T0:180.0 /0.0 T1:170.0 /0.0 @:0 B@:0\n", 1.5);
+  EXPECT_EQ(streamer.status().state, PackmlState::Aborted);
+}
+
 TEST_F(ScriptedPeer, TurnsHeatersOffInLinesTheMachineConfirms) {
   Streamer streamer(program_, settings());
   begin(streamer);

@@ -29,6 +29,7 @@ struct ReportedTemperatures {
   std::optional<double> nozzle_target_c;  ///< nothing if the firmware does not report it
   std::optional<double> bed_c;
   std::optional<double> bed_target_c;
+  double highest_target_c = 0.0;  ///< of all heaters that report one: other tools and the chamber too
 };
 
 /// [mm], as the machine counts them.

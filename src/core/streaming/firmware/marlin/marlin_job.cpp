@@ -111,6 +111,7 @@ void MarlinJob::nextReport(double now) {
     output_ += reports_.back() + "\n";
     return;
   }
+  if (isAtRest()) return finishComplete();
   has_begun_ = true;
   record_.enter(PackmlState::Execute);
   beginPhase(Phase::Feeding, now);
@@ -148,6 +149,7 @@ void MarlinJob::pump(double now) {
     sent_.add({feed_.next(), framed.size(), firmware_->isBlocking(line->command), feed_.next() < feed_.end(),
                false});
     output_ += framed;
+    if (!isStopping()) outputs_.see(line->command);
     feed_.advance();
   }
   if (!isStopping()) record_.status.lines_sent = feed_.end() - 1;
@@ -241,20 +243,41 @@ void MarlinJob::retry(double now) {
 }
 
 /// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
-/// may not answer for minutes, but runs these as soon as it can.
+/// may not answer for minutes, but runs these as soon as it can. What fits into its receive buffer, the most
+/// dangerous first.
 std::string MarlinJob::urgentStop() const {
   std::string text;
-  for (const std::string& command : firmware_->interruption()) text += command + "\n";
-  for (const std::string& command : safeStop()) text += command + "\n";
+  const auto add = [&text](const std::vector<std::string>& commands) {
+    for (const std::string& command : commands) text += command + "\n";
+  };
+  add(firmware_->interruption());
+  add(firmware_->stop());
+  add(outputs_.beamOff());
+  if (!settings_.keep_heaters_on) add(firmware_->heatersOff());
   return text;
 }
 
 std::vector<std::string> MarlinJob::safeStop() const {
   std::vector<std::string> commands = firmware_->stop();
-  if (settings_.keep_heaters_on) return commands;
-  const std::vector<std::string> off = firmware_->heatersOff();
-  commands.insert(commands.end(), off.begin(), off.end());
+  const auto add = [&commands](const std::vector<std::string>& more) {
+    commands.insert(commands.end(), more.begin(), more.end());
+  };
+  add(outputs_.beamOff());
+  if (!settings_.keep_heaters_on) {
+    add(firmware_->heatersOff());
+    add(outputs_.heatOff());
+  }
+  add(outputs_.airOff());
+  add(reportsOff());
   return commands;
+}
+
+/// Whoever talks to the machine next shall not find it talking by itself.
+std::vector<std::string> MarlinJob::reportsOff() const {
+  std::vector<std::string> requests;
+  if (settings_.temperature_interval_s > 0) requests.push_back(firmware_->reportTemperatures(0));
+  if (settings_.position_interval_s > 0) requests.push_back(firmware_->reportPosition(0));
+  return requests;
 }
 
 void MarlinJob::timeOut(double now) {
@@ -313,6 +336,7 @@ void MarlinJob::prepareSafeStop(double now) {
 /// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
 void MarlinJob::disconnect(const std::string& why, double now) {
   if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
+  if (isAtRest()) return finishComplete();
   if (!isStopping()) {
     record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
     record_.enter(PackmlState::Aborting);
@@ -331,6 +355,11 @@ void MarlinJob::reconnect(double now) {
   if (phase_ != Phase::Offline) return;
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
   beginNumbering(base_, now);
+}
+
+void MarlinJob::finishComplete() {
+  phase_ = Phase::Idle;
+  record_.enter(PackmlState::Complete);
 }
 
 void MarlinJob::finishAborted(const std::string& remark) {
@@ -418,8 +447,10 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
     report_attempts_ = 0;
     nextReport(now);
   } else if (phase_ == Phase::Draining && !isStopping()) {
-    phase_ = Phase::Idle;
-    record_.enter(PackmlState::Complete);
+    reports_ = reportsOff();
+    report_attempts_ = 0;
+    beginPhase(Phase::Reporting, now);
+    nextReport(now);
   } else if (phase_ == Phase::Feeding || phase_ == Phase::Probing) {
     odd_requests_ = 0;
     if (reply.line && *reply.line < feed_.end()) {
@@ -496,7 +527,7 @@ void MarlinJob::askForRest() {
 bool MarlinJob::isSafe(const ReportedTemperatures& temperatures) const {
   if (settings_.keep_heaters_on) return true;
   const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
-  return temperatures.nozzle_target_c == 0.0 && is_bed_off;
+  return temperatures.nozzle_target_c == 0.0 && is_bed_off && temperatures.highest_target_c == 0.0;
 }
 
 /// Goes on with `line`, which the firmware has asked for.

@@ -16,6 +16,7 @@
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
 #include "streaming/job/undone_commands.hpp"
+#include "streaming/job/used_outputs.hpp"
 
 namespace lamina {
 
@@ -92,11 +93,17 @@ class MarlinJob final : public StreamJob {
   void timeOut(double now);
   std::string urgentStop() const;
   std::vector<std::string> safeStop() const;
+  std::vector<std::string> reportsOff() const;
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
   bool isStopping() const { return record_.isStopping(); }
   void acknowledgedUpTo(std::uint64_t line);
+  /// All motions have ended; the reports are being turned off.
+  bool isAtRest() const {
+    return phase_ == Phase::Reporting && record_.status.state == PackmlState::Completing;
+  }
+  void finishComplete();
   void finishAborted(const std::string& remark);
 
   StreamSettings settings_;
@@ -115,6 +122,7 @@ class MarlinJob final : public StreamJob {
   bool has_begun_ = false;  ///< a line of the program may have been sent
   bool is_paused_by_machine_ = false;
   UndoneCommands undone_;
+  UsedOutputs outputs_;
   LineProof proof_;
   bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified
   bool expects_ok_of_resend_ = false;  ///< firmware says ok after a request to resend

@@ -58,6 +58,14 @@ std::optional<double> targetAfter(std::string_view text) {
   return slash == std::string_view::npos ? std::nullopt : leadingNumber(text.substr(slash + 1));
 }
 
+/// Of all "<heater>:<actual> /<target>", whatever the heaters are called.
+double highestTarget(std::string_view text) {
+  double highest = 0.0;
+  for (std::size_t at = text.find('/'); at != std::string_view::npos; at = text.find('/', at + 1))
+    highest = std::max(highest, leadingNumber(text.substr(at + 1)).value_or(0.0));
+  return highest;
+}
+
 std::optional<ReportedTemperatures> temperatures(std::string_view text) {
   const auto nozzle = after(text, "T:");
   if (!nozzle) return std::nullopt;
@@ -65,6 +73,7 @@ std::optional<ReportedTemperatures> temperatures(std::string_view text) {
   if (!nozzle_c) return std::nullopt;
   ReportedTemperatures read;
   read.nozzle_c = *nozzle_c;
+  read.highest_target_c = highestTarget(text);
   read.nozzle_target_c = targetAfter(*nozzle);
   if (const auto bed = after(text, "B:")) {
     read.bed_c = leadingNumber(*bed);
