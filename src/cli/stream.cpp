@@ -58,6 +58,9 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
                                          {"firmware", status.firmware_name},
                                          {"not_done", status.commands_not_done},
                                          {"first_not_done", status.first_not_done},
+                                         {"starvations", status.starvation.count},
+                                         {"longest_starvation_s", status.starvation.longest_s},
+                                         {"longest_starvation_line", status.starvation.line},
                                          {"state", toString(status.state)}};
     std::printf("%s\n", json.dump().c_str());
     return;
@@ -69,6 +72,10 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
   if (status.commands_not_done > 0)
     std::printf("not done: %llu commands, the first with \"%s\"\n",
                 static_cast<unsigned long long>(status.commands_not_done), status.first_not_done.c_str());
+  if (status.starvation.count > 0)
+    std::printf("starved: %llu times, the longest %.2f s before line %llu\n",
+                static_cast<unsigned long long>(status.starvation.count), status.starvation.longest_s,
+                static_cast<unsigned long long>(status.starvation.line));
 }
 
 Counts countsOf(const StreamStatus& status) {

@@ -52,13 +52,20 @@ lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double dur
   result.lines_acknowledged = count(status.lines_acknowledged);
   result.resends = count(status.resends);
   result.duration = duration_s;
+  result.firmware = status.firmware_name;
+  result.commands_not_done = count(status.commands_not_done);
+  result.first_not_done = status.first_not_done;
+  result.starvations = count(status.starvation.count);
+  result.longest_starvation = status.starvation.longest_s;
+  result.longest_starvation_line = count(status.starvation.line);
   return result;
 }
 
 void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
   using diagnostic_msgs::DiagnosticStatus;
   if (status.failure.code == ErrorCode::Cancelled || status.failure.code == ErrorCode::Ok) {
-    const bool is_troubled = status.resends > 0 || !status.message.empty();
+    const bool is_troubled = status.resends > 0 || status.commands_not_done > 0 ||
+                             status.starvation.count > 0 || !status.message.empty();
     diagnostics.summary(is_troubled ? DiagnosticStatus::WARN : DiagnosticStatus::OK, toString(status.state));
   } else {
     diagnostics.summary(DiagnosticStatus::ERROR, status.failure.message);
@@ -68,6 +75,10 @@ void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticS
   diagnostics.add("lines in all", status.lines_total);
   diagnostics.add("resends", status.resends);
   diagnostics.add("probes", status.probes);
+  diagnostics.add("firmware", status.firmware_name);
+  diagnostics.add("commands not done", status.commands_not_done);
+  diagnostics.add("times starved", status.starvation.count);
+  diagnostics.add("longest starvation [s]", status.starvation.longest_s);
   diagnostics.add("last message", status.message);
   if (!status.temperatures) return;
   diagnostics.add("nozzle [degC]", status.temperatures->nozzle_c);

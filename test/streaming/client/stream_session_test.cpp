@@ -217,7 +217,7 @@ TEST(StreamSession, TurnsHeatersOffOnceTheLinkIsBack) {
 TEST(StreamSession, RefusesToGoOnWithAProgramThatWasChanged) {
   const std::string path = linkPath() + ".gcode";
   std::ofstream(path) << test::spiralProgram(4000);
-  const RecordedMachine machine(10.0);  // slow enough to be under way for minutes
+  const RecordedMachine machine(60.0);  // slow enough to be under way for long
   StreamSession session(StreamableProgram::fromFile(path), impatient(), {machine->pty(), 115200}, {});
   ASSERT_TRUE(waitUntil([&] { return session.status().lines_acknowledged > 5; }));
   std::ofstream(path) << "G1 X1\n";

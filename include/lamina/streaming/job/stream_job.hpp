@@ -16,6 +16,13 @@
 
 namespace lamina {
 
+/// How often the machine stood still for want of a line.
+struct Starvation {
+  std::uint64_t count = 0;
+  double longest_s = 0.0;
+  std::uint64_t line = 0;  ///< that came late, of the longest
+};
+
 /// How far a job is and what the machine last reported.
 struct StreamStatus {
   PackmlState state = PackmlState::Idle;
@@ -27,7 +34,8 @@ struct StreamStatus {
   std::uint64_t commands_not_done = 0;   ///< unknown to the firmware, or extrusion with a cold nozzle
   std::string first_not_done;            ///< what the firmware said of the first of these
   std::string firmware_name;             ///< as the machine gave it; empty before, or if it gave none
-  std::int32_t layer = -1;               ///< of the last line acknowledged; -1 before the first
+  Starvation starvation;
+  std::int32_t layer = -1;  ///< of the last line acknowledged; -1 before the first
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
   std::string message;  ///< last warning or unknown-command echo of the firmware

@@ -17,7 +17,8 @@ namespace lamina {
 struct ProgramLine {
   std::string command;
   std::int32_t layer =
-      -1;  ///< it belongs to, as reported by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
+      -1;                ///< it belongs to, as reported by ";LAYER:k" or ";LAYER_CHANGE"; -1 before the first
+  double seconds = 0.0;  ///< of its motions at their feeds, where that was asked for
 };
 
 /// The commands of a G-code text one by one, in constant memory. Comments (from ';' on outside quotes, and in
@@ -61,6 +62,8 @@ class StreamableProgram {
   std::string defectFor(const std::string& protocol) const;
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
+  /// Whether its text lies in memory; else it is a file.
+  bool isHeld() const { return text_ != nullptr; }
   /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.
   bool hasChanged() const;
 

@@ -12,6 +12,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/streaming/transport/transport.hpp"
 #include "streaming/transport/deadline_timer.hpp"
+#include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {
@@ -87,6 +88,7 @@ class StreamSession::Impl {
 
   /// Until the job is over; a link that was lost is opened again for the safe stop.
   void run() {
+    preferThisThread();
     context_.run();
     while (!is_closed_) {
       std::this_thread::sleep_for(kReopenInterval);

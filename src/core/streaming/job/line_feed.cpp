@@ -6,6 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "streaming/job/motion_time.hpp"
+#include "streaming/job/read_ahead.hpp"
+
 namespace lamina {
 namespace {
 
@@ -15,18 +18,22 @@ constexpr std::size_t kRememberedLines = 1024;
 }  // namespace
 
 LineFeed::Source sourceOf(const StreamableProgram& program) {
-  return [program, cursor = std::make_shared<ProgramCursor>(program.open())]() -> std::optional<ProgramLine> {
-    // What stands in a file that was written to meanwhile was never checked.
-    if (program.hasChanged()) return std::nullopt;
-    return cursor->next();
-  };
+  if (program.isHeld()) {
+    return [cursor = std::make_shared<ProgramCursor>(program.open()),
+            time = std::make_shared<MotionTime>()]() -> std::optional<ProgramLine> {
+      auto line = cursor->next();
+      if (line) line->seconds = time->secondsOf(line->command);
+      return line;
+    };
+  }
+  return [ahead = std::make_shared<ReadAhead>(program)] { return ahead->next(); };
 }
 
 LineFeed::Source sourceOf(std::vector<std::string> commands) {
   std::reverse(commands.begin(), commands.end());
   return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
     if (left.empty()) return std::nullopt;
-    ProgramLine line{left.back(), -1};
+    ProgramLine line{left.back(), -1, 0.0};
     left.pop_back();
     return line;
   };

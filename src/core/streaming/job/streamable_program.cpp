@@ -108,7 +108,7 @@ std::optional<ProgramLine> ProgramCursor::next() {
     line = withoutNumber(trimmed(line));
     if (line.empty() || line == "%") continue;
     const bool has_parentheses = line.find('(') != std::string_view::npos && !carriesText(line);
-    ProgramLine found{has_parentheses ? withoutParentheses(line) : std::string(line), layer_};
+    ProgramLine found{has_parentheses ? withoutParentheses(line) : std::string(line), layer_, 0.0};
     if (!found.command.empty()) return found;
   }
   return std::nullopt;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "streaming/firmware/marlin/safe_stop.hpp"
+
 namespace lamina {
 namespace {
 
@@ -140,6 +142,12 @@ bool MarlinJob::hasRoom(std::size_t bytes) const {
          sent_.bytes() + bytes <= static_cast<std::size_t>(settings_.window_bytes);
 }
 
+void MarlinJob::noteSent(const ProgramLine& line, double now) {
+  outputs_.see(line.command);
+  if (firmware_->isBlocking(line.command)) return starvation_.sentWait(feed_.next(), now);
+  starvation_.sent(feed_.next(), line.seconds, now);
+}
+
 void MarlinJob::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
     const std::string framed = firmware_->framed(feed_.next(), line->command);
@@ -149,7 +157,7 @@ void MarlinJob::pump(double now) {
     sent_.add({feed_.next(), framed.size(), firmware_->isBlocking(line->command), feed_.next() < feed_.end(),
                false});
     output_ += framed;
-    if (!isStopping()) outputs_.see(line->command);
+    if (!isStopping()) noteSent(*line, now);
     feed_.advance();
   }
   if (!isStopping()) record_.status.lines_sent = feed_.end() - 1;
@@ -214,7 +222,7 @@ void MarlinJob::retry(double now) {
       output_ += firmware_->identification() + "\n";
       break;
     case Phase::Numbering:
-      if (isStopping()) output_ += urgentStop();
+      if (isStopping()) output_ += urgentStop(*firmware_, outputs_, settings_);
       output_ += firmware_->framed(base_, firmware_->numberedFrom(base_));
       probe(now);
       break;
@@ -242,44 +250,6 @@ void MarlinJob::retry(double now) {
   }
 }
 
-/// What stops the machine without waiting for the numbering to be agreed on: firmware that is busy heating
-/// may not answer for minutes, but runs these as soon as it can. What fits into its receive buffer, the most
-/// dangerous first.
-std::string MarlinJob::urgentStop() const {
-  std::string text;
-  const auto add = [&text](const std::vector<std::string>& commands) {
-    for (const std::string& command : commands) text += command + "\n";
-  };
-  add(firmware_->interruption());
-  add(firmware_->stop());
-  add(outputs_.beamOff());
-  if (!settings_.keep_heaters_on) add(firmware_->heatersOff());
-  return text;
-}
-
-std::vector<std::string> MarlinJob::safeStop() const {
-  std::vector<std::string> commands = firmware_->stop();
-  const auto add = [&commands](const std::vector<std::string>& more) {
-    commands.insert(commands.end(), more.begin(), more.end());
-  };
-  add(outputs_.beamOff());
-  if (!settings_.keep_heaters_on) {
-    add(firmware_->heatersOff());
-    add(outputs_.heatOff());
-  }
-  add(outputs_.airOff());
-  add(reportsOff());
-  return commands;
-}
-
-/// Whoever talks to the machine next shall not find it talking by itself.
-std::vector<std::string> MarlinJob::reportsOff() const {
-  std::vector<std::string> requests;
-  if (settings_.temperature_interval_s > 0) requests.push_back(firmware_->reportTemperatures(0));
-  if (settings_.position_interval_s > 0) requests.push_back(firmware_->reportPosition(0));
-  return requests;
-}
-
 void MarlinJob::timeOut(double now) {
   if (record_.status.state != PackmlState::Starting) {
     abort({ErrorCode::TimedOut,
@@ -297,6 +267,7 @@ void MarlinJob::timeOut(double now) {
 bool MarlinJob::pause(double now) {
   if (record_.status.state != PackmlState::Execute) return false;
   record_.enter(PackmlState::Holding);
+  starvation_.standStill();
   if (phase_ == Phase::Feeding) proceed(now);
   return true;
 }
@@ -327,7 +298,7 @@ void MarlinJob::prepareSafeStop(double now) {
   safe_stop_by_ = now + settings_.safe_stop_timeout_s;
   safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
   base_ = feed_.end() + kSafeStopGap;
-  feed_ = LineFeed(sourceOf(safeStop()), base_ + 1);
+  feed_ = LineFeed(sourceOf(safeStop(*firmware_, outputs_, settings_)), base_ + 1);
   sent_.clear();
   settle_until_ = 0.0;
   must_send_one_ = false;
@@ -447,7 +418,7 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
     report_attempts_ = 0;
     nextReport(now);
   } else if (phase_ == Phase::Draining && !isStopping()) {
-    reports_ = reportsOff();
+    reports_ = reportsOff(*firmware_, settings_);
     report_attempts_ = 0;
     beginPhase(Phase::Reporting, now);
     nextReport(now);
@@ -455,15 +426,17 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
     odd_requests_ = 0;
     if (reply.line && *reply.line < feed_.end()) {
       sent_.acknowledgeUpTo(*reply.line);
-      acknowledgedUpTo(*reply.line);
+      acknowledgedUpTo(*reply.line, reply, now);
     } else if (const auto number = sent_.acknowledge()) {
-      acknowledgedUpTo(*number);
+      acknowledgedUpTo(*number, reply, now);
     }
   }
 }
 
-void MarlinJob::acknowledgedUpTo(std::uint64_t line) {
+void MarlinJob::acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now) {
   if (isStopping() || line <= record_.status.lines_acknowledged) return;
+  starvation_.acknowledged(line, reply.free_planner_blocks, now);
+  record_.status.starvation = starvation_.starvation();
   undone_.acknowledge(line);
   record_.status.commands_not_done = undone_.count();
   proof_.acknowledged();
@@ -546,6 +519,7 @@ bool MarlinJob::goTo(std::uint64_t line, double now) {
   if (!isStopping()) {
     proof_.asked(line);
     undone_.rewind(line);
+    starvation_.rewound(line);
     record_.status.commands_not_done = undone_.count();
     record_.status.lines_acknowledged = line - 1;
     record_.status.layer = feed_.layerOf(line - 1);

@@ -15,6 +15,7 @@
 #include "streaming/job/job_record.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
+#include "streaming/job/starvation_watch.hpp"
 #include "streaming/job/undone_commands.hpp"
 #include "streaming/job/used_outputs.hpp"
 
@@ -82,6 +83,7 @@ class MarlinJob final : public StreamJob {
   void nextReport(double now);
   void proceed(double now);
   void pump(double now);
+  void noteSent(const ProgramLine& line, double now);
   bool hasRoom(std::size_t bytes) const;
   void probe(double now);
   void onProbeAnswer(std::uint64_t wanted, double now);
@@ -91,14 +93,11 @@ class MarlinJob final : public StreamJob {
   bool goTo(std::uint64_t line, double now);
   void retry(double now);
   void timeOut(double now);
-  std::string urgentStop() const;
-  std::vector<std::string> safeStop() const;
-  std::vector<std::string> reportsOff() const;
   void settle(double now);
   bool isSettling() const { return settle_until_ > 0.0; }
 
   bool isStopping() const { return record_.isStopping(); }
-  void acknowledgedUpTo(std::uint64_t line);
+  void acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now);
   /// All motions have ended; the reports are being turned off.
   bool isAtRest() const {
     return phase_ == Phase::Reporting && record_.status.state == PackmlState::Completing;
@@ -123,6 +122,7 @@ class MarlinJob final : public StreamJob {
   bool is_paused_by_machine_ = false;
   UndoneCommands undone_;
   UsedOutputs outputs_;
+  StarvationWatch starvation_;
   LineProof proof_;
   bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified
   bool expects_ok_of_resend_ = false;  ///< firmware says ok after a request to resend

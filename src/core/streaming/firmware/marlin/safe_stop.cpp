@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/firmware/marlin/safe_stop.hpp"
+
+namespace lamina {
+
+std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
+                       const StreamSettings& settings) {
+  std::string text;
+  const auto add = [&text](const std::vector<std::string>& commands) {
+    for (const std::string& command : commands) text += command + "\n";
+  };
+  add(firmware.interruption());
+  add(firmware.stop());
+  add(outputs.beamOff());
+  if (!settings.keep_heaters_on) add(firmware.heatersOff());
+  return text;
+}
+
+std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
+                                  const StreamSettings& settings) {
+  std::vector<std::string> commands = firmware.stop();
+  const auto add = [&commands](const std::vector<std::string>& more) {
+    commands.insert(commands.end(), more.begin(), more.end());
+  };
+  add(outputs.beamOff());
+  if (!settings.keep_heaters_on) {
+    add(firmware.heatersOff());
+    add(outputs.heatOff());
+  }
+  add(outputs.airOff());
+  add(reportsOff(firmware, settings));
+  return commands;
+}
+
+std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings) {
+  std::vector<std::string> requests;
+  if (settings.temperature_interval_s > 0) requests.push_back(firmware.reportTemperatures(0));
+  if (settings.position_interval_s > 0) requests.push_back(firmware.reportPosition(0));
+  return requests;
+}
+
+}  // namespace lamina
