@@ -254,6 +254,8 @@ TEST_F(GcodeStreamer, StreamsThePublishedToolpath) {
   EXPECT_EQ(given.status.code, Status::OK) << given.status.message;
   EXPECT_EQ(given.firmware.compare(0, 6, "Marlin"), 0) << given.firmware;
   EXPECT_EQ(given.commands_not_done, 0U) << given.first_not_done;
+  EXPECT_EQ(given.starvations, 0U) << given.longest_starvation << " s before line "
+                                   << given.longest_starvation_line;
   EXPECT_NEAR(machine->position().x(), 65.0, 1e-6);
   EXPECT_NEAR(machine->position().y(), 46.0, 1e-6);
 }
