@@ -60,7 +60,7 @@ bool isRefusal(const std::string& result);
 /// Path of the STL file of a part, as "box x_mm=8 y_mm=6"; written once.
 std::string partFile(const std::string& part);
 
-/// Expects that every row of the probes has its effect.
+/// Expects that every row of the probes has its effect; prints it where LAMINA_SHOW_EFFECTS is set.
 void expectEffects(const std::vector<SettingProbe>& probes);
 
 // By what they are about.
