@@ -17,7 +17,7 @@ MAX_FOLDER_FILES = 40
 EMPTY_NAMES = re.compile(r"(^|_)(utils?|helpers?|manager|misc|common)(_|\.|$)")
 UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b")
 FUNCTION_START = re.compile(r"^\s*[A-Za-z_].*\)\s*(const)?\s*(noexcept)?\s*(override)?\s*\{\s*$")
-NO_FUNCTION = re.compile(r"^\s*(namespace|if|for|while|switch|else|do|try|catch|struct|class|enum|\}|case)\b|^\s*\[|=\s*\[")
+NO_FUNCTION = re.compile(r"^\s*(namespace|if|for|while|switch|else|do|try|catch|struct|class|enum|\}|case)\b|^\s*\[|.*=\s*\[")
 
 
 def tracked(root, *patterns):
