@@ -68,7 +68,8 @@ class LayerHeightMonitorNode : public ::testing::Test {
     const boost::function<void(const diagnostic_msgs::DiagnosticArrayConstPtr&)> onDiagnostics =
         [](const auto& array) {
           for (const auto& status : array->status)
-            for (const auto& value : status.values) diagnostics_[value.key] = value.value;
+            if (status.name.rfind("layer_height_monitor", 0) == 0)
+              for (const auto& value : status.values) diagnostics_[value.key] = value.value;
         };
     const boost::function<void(const lamina_msgs::MeasuringConstPtr&)> onMeasuring =
         [](const auto& measuring) { measuring_ = *measuring; };

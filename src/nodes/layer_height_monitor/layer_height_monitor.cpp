@@ -18,6 +18,7 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("clouds received", counts.received.clouds);
   status.add("clouds placed", counts.placed.clouds);
   status.add("clouds waiting", counts.waiting.clouds);
+  status.add("bytes of clouds waiting", counts.waiting_bytes);
   status.add("clouds lost on the way", counts.lost);
   status.add("clouds without transform", counts.without_transform.clouds);
   status.add("clouds without nozzle pose", counts.without_nozzle.clouds);
@@ -36,7 +37,7 @@ LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMo
     : settings_(settings),
       topics_(node),
       silence_(settings.silence_s),
-      intake_(node, settings.queue,
+      intake_(node, settings.queue_mb,
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
   diagnostics_.setHardwareID("none");

@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -58,7 +59,7 @@ class LayerHeightMonitor {
   std::uint64_t profiles_without_toolpath_ = 0;
   IntakeCounts before_;  ///< when the toolpath came
   SilenceWatch silence_;
-  double last_maps_s_ = 0.0;
+  double last_maps_s_ = -std::numeric_limits<double>::infinity();
   bool maps_changed_ = false;
   bool is_saved_ = true;
   bool is_announced_ = false;  ///< that the toolpath is being measured

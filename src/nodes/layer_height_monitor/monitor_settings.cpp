@@ -12,7 +12,8 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
                 "A scan is given up when no profile has come for that long, in real time; 0: never.");
   schema.number("map_period_s", settings.map_period_s, {0.0, 3600.0, true},
                 "Time between publications of the maps, in real time.");
-  schema.integer("queue", settings.queue, {1, 10000000}, "Clouds that may wait for tf.");
+  schema.number("queue_mb", settings.queue_mb, {0.0, 1e6, true},
+                "Memory of the clouds that may wait for tf; with more, the oldest are pushed out.");
 }
 
 }  // namespace lamina

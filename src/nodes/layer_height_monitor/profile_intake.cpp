@@ -15,13 +15,17 @@ namespace {
 
 constexpr double kTurn = 0.02;               // s between looks at what is due
 constexpr std::uint32_t kNoIntakeBound = 0;  // of a queue
+constexpr double kBytesPerMb = 1e6;
+
+/// Of memory: a cloud without points takes some as well.
+std::uint64_t bytesOf(const sensor_msgs::PointCloud2& cloud) {
+  return sizeof(cloud) + cloud.fields.size() * sizeof(sensor_msgs::PointField) + cloud.data.size();
+}
 
 }  // namespace
 
-ProfileIntake::ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers)
-    : transforms_(sequence_, node),
-      queue_(static_cast<std::size_t>(queue)),
-      receivers_(std::move(receivers)) {
+ProfileIntake::ProfileIntake(ros::NodeHandle node, double queue_mb, Receivers receivers)
+    : transforms_(sequence_, node), queue_bytes_(queue_mb * kBytesPerMb), receivers_(std::move(receivers)) {
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
   const boost::function<void(const CloudEvent&)> onMessage = [this](const CloudEvent& event) {
     onCloud(event);
@@ -51,10 +55,19 @@ void ProfileIntake::countLost(const CloudEvent& event) {
 
 void ProfileIntake::wait(const Cloud& cloud) {
   counts_.waiting.add(*cloud);
+  counts_.waiting_bytes += bytesOf(*cloud);
   waiting_[cloud->header.frame_id].insert({cloud->header.stamp, cloud});
-  if (counts_.waiting.clouds > queue_) passDue();  // what can be placed is not pushed out
-  if (counts_.waiting.clouds > queue_) pushOutOldest();
+  if (isTooFull()) passDue();  // what can be placed is not pushed out
+  if (!isTooFull()) return;
+  constexpr double kQuiet = 10.0;  // s
+  ROS_WARN_STREAM_THROTTLE(kQuiet, counts_.waiting.clouds
+                                       << " clouds that wait for tf take " << counts_.waiting_bytes
+                                       << " bytes; expected at most queue_mb = " << queue_bytes_ / kBytesPerMb
+                                       << " MB: the oldest are pushed out");
+  while (isTooFull()) pushOutOldest();
 }
+
+bool ProfileIntake::isTooFull() const { return static_cast<double>(counts_.waiting_bytes) > queue_bytes_; }
 
 bool ProfileIntake::hasCome(const ros::Time& position, const ros::Time& profile) {
   if (last_cloud_ < profile) return false;
@@ -105,6 +118,7 @@ void ProfileIntake::pushOutOldest() {
 void ProfileIntake::settle(const sensor_msgs::PointCloud2& cloud, CloudTally& as) {
   --counts_.waiting.clouds;
   counts_.waiting.points -= std::uint64_t{cloud.width} * cloud.height;
+  counts_.waiting_bytes -= bytesOf(cloud);
   as.add(cloud);
 }
 

@@ -47,6 +47,7 @@ struct IntakeCounts {
   CloudTally without_nozzle;            ///< tf places the cloud, but not the nozzle
   CloudTally pushed_out;                ///< of the queue, while waiting for tf
   CloudTally of_former_print;           ///< still waiting when the next toolpath came
+  std::uint64_t waiting_bytes = 0;      ///< of memory, of those waiting
   std::uint64_t lost = 0;               ///< missing in the publisher's sequence; not received
   std::uint64_t points_not_finite = 0;  ///< of those placed
   std::uint64_t transforms_forced = 0;  ///< on before their turn: too many waited for clouds
@@ -65,8 +66,8 @@ class ProfileIntake {
   };
 
   /// Subscribes to `profile` and to tf.
-  /// @param queue  clouds that may wait for tf
-  ProfileIntake(ros::NodeHandle node, int queue, Receivers receivers);
+  /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
+  ProfileIntake(ros::NodeHandle node, double queue_mb, Receivers receivers);
 
   IntakeCounts counts() const;
   /// Whether somebody publishes profiles and somebody tf.
@@ -95,6 +96,7 @@ class ProfileIntake {
   bool isHeldUp(const ros::Time& until) const;
   void countLost(const CloudEvent& event);
   void wait(const Cloud& cloud);
+  bool isTooFull() const;
   void pushOutOldest();
   void passDue();
   /// The frame of the oldest cloud, of those frames that tf names; empty if there is none.
@@ -106,7 +108,7 @@ class ProfileIntake {
 
   TransformSequence sequence_;
   TransformIntake transforms_;
-  std::size_t queue_;
+  double queue_bytes_;
   Receivers receivers_;
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;

@@ -53,12 +53,14 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
       {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
+      {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"port", "ros/gcode_streamer.test", "port"},
       {"profile_spacing_mm", "ros/emulated_machine.test", "profile_spacing_mm"},
       {"pty", "ros/deposition_following.test", "pty"},
+      {"queue_mb", "ros/layer_height_monitor.test", "queue_mb"},
       {"report_hz", "ros/simulated_controller.test", "report_hz"},
       {"shown.triangles", "ros/deposition_simulator_test.cpp", "triangles"},
       {"silence_s", "ros/trajectory_driver.test", "silence_s"},
@@ -73,15 +75,9 @@ const std::vector<TestedElsewhere>& nodeTests() {
 
 /// Their effect needs a node under way, and no rostest sets them yet. Nothing may be added.
 const std::set<std::string>& notYetTested() {
-  static const std::set<std::string> all = {"filament_diameter_mm",
-                                            "map_period_s",
-                                            "path_spacing_mm",
-                                            "position_spacing_mm",
-                                            "profile_while_depositing",
-                                            "queue",
-                                            "rate_hz",
-                                            "shown.points",
-                                            "tcp_port"};
+  static const std::set<std::string> all = {
+      "filament_diameter_mm", "path_spacing_mm", "position_spacing_mm", "profile_while_depositing", "rate_hz",
+      "shown.points",         "tcp_port"};
   return all;
 }
 
