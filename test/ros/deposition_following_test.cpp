@@ -135,6 +135,9 @@ TEST(DepositionFollowingTest, LaysWhatAnEmulatedMachineHasPassed) {
   const StreamSession session(program, {}, {test::inRosHome("deposition_following_test"), 115200}, {});
   ASSERT_TRUE(test::waitUntil([&] { return followed.isComplete(); }));
   expectGrown(followed, depositedVolume(placed.toolpath));
+  ASSERT_TRUE(test::waitUntil([&] { return !followed.clouds.empty(); }));
+  EXPECT_GT(followed.states.back()->summary.surface, 1e-4) << "ten thousand faces of voxels";
+  for (const auto& cloud : followed.clouds) EXPECT_LE(cloud->width, 1000U) << "shown/points";
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ TEST_F(DepositionSimulator, LaysTheLatchedToolpathVolumeForVolume) {
   EXPECT_NEAR(result.summary.extruded_volume, extruded, 1e-6 * extruded);
   EXPECT_NEAR(result.summary.model_volume, extruded, kVoxel);
   EXPECT_NEAR(static_cast<double>(result.summary.voxels) * kVoxel, result.summary.model_volume, 1e-18);
+  EXPECT_EQ(result.summary.outside_volume, 0.0) << "the voxels reach round the whole part";
   EXPECT_NEAR(result.summary.path, 0.05, 1e-9);
   EXPECT_NEAR(result.summary.highest, 0.4e-3, 1e-9);
   EXPECT_GT(result.summary.porosity, 0.5) << "a square without infill";

@@ -7,6 +7,11 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+#include <octomap/OcTree.h>
+#include <octomap_msgs/conversions.h>
+#endif
+
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -78,6 +83,12 @@ class LayerHeightMonitorNode : public ::testing::Test {
                    node_->subscribe<sensor_msgs::Image>(names::kHeightDeviation, 1, onImage),
                    node_->subscribe<sensor_msgs::PointCloud2>(names::kHeightMap, 1, onCloud),
                    node_->subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10, onDiagnostics)};
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+    const boost::function<void(const octomap_msgs::OctomapConstPtr&)> onOctomap = [](const auto& octomap) {
+      octomap_ = *octomap;
+    };
+    subscribers.push_back(node_->subscribe<octomap_msgs::Octomap>(names::kHeightOctomap, 1, onOctomap));
+#endif
   }
 
   static void sendAll(const Publishers& to) {
@@ -148,6 +159,9 @@ class LayerHeightMonitorNode : public ::testing::Test {
   static std::vector<lamina_msgs::LayerHeight> layers_;
   static sensor_msgs::Image image_;
   static sensor_msgs::PointCloud2 cloud_;
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+  static octomap_msgs::Octomap octomap_;
+#endif
   static std::map<std::string, std::string> diagnostics_;
 };
 
@@ -158,6 +172,9 @@ lamina_msgs::Measuring LayerHeightMonitorNode::measuring_;
 std::vector<lamina_msgs::LayerHeight> LayerHeightMonitorNode::layers_;
 sensor_msgs::Image LayerHeightMonitorNode::image_;
 sensor_msgs::PointCloud2 LayerHeightMonitorNode::cloud_;
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+octomap_msgs::Octomap LayerHeightMonitorNode::octomap_;
+#endif
 std::map<std::string, std::string> LayerHeightMonitorNode::diagnostics_;
 
 TEST_F(LayerHeightMonitorNode, ReportsTheKnownOffsetOfEachLayer) {
@@ -208,6 +225,24 @@ TEST_F(LayerHeightMonitorNode, PublishesTheMaps) {
   EXPECT_EQ(image_.encoding, "32FC1");
   EXPECT_EQ(image_.width, 256u);  // 19.6 mm between the outermost centre lines and 3 mm on either side
 }
+
+#ifdef LAMINA_HAS_OCTOMAP_MSGS
+TEST_F(LayerHeightMonitorNode, PublishesTheMapAsAnOctree) {
+  EXPECT_EQ(octomap_.header.frame_id, names::kBedFrame);
+  const std::unique_ptr<octomap::AbstractOcTree> any(octomap_msgs::msgToMap(octomap_));
+  const auto* tree = dynamic_cast<const octomap::OcTree*>(any.get());
+  ASSERT_NE(tree, nullptr);
+  EXPECT_DOUBLE_EQ(tree->getResolution(), 1e-4) << "cells of 0.1 mm";
+  // Only the first scan saw x = 7 mm, the second one was over x = 20 mm.
+  const auto isOccupied = [&](double x, double height_mm) {
+    const auto* leaf = tree->search(toMetres(x), toMetres(10.05), toMetres(height_mm));
+    return leaf != nullptr && tree->isNodeOccupied(leaf);
+  };
+  EXPECT_TRUE(isOccupied(7.05, 0.2 + kFirstOffset));
+  EXPECT_FALSE(isOccupied(7.05, 0.4 + kSecondOffset));
+  EXPECT_TRUE(isOccupied(20.05, 0.4 + kSecondOffset));
+}
+#endif
 
 TEST_F(LayerHeightMonitorNode, SavesItsFilesOnRequest) {
   std_srvs::Trigger request;

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cstdlib>
 #include <vector>
 
 #include "messages.hpp"
 #include "names.hpp"
+#include "node_process.hpp"
 #include "request_settings.hpp"
 #include "wait_until.hpp"
 
@@ -32,6 +34,28 @@ class NodePlugins : public testing::Test {
   ros::NodeHandle node_;
   ros::ServiceClient client_ = node_.serviceClient<SliceMesh>(lamina::names::kSliceMesh);
 };
+
+/// Where no package exports the plug-in.
+std::uint8_t dashedBy(const std::string& space, const std::vector<std::string>& arguments) {
+  std::vector<std::string> all{"__ns:=/" + space};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const lamina::test::NodeProcess slicing(LAMINA_NODE, all);
+  ros::NodeHandle node(space);
+  auto client = node.serviceClient<SliceMesh>(lamina::names::kSliceMesh);
+  EXPECT_TRUE(client.waitForExistence(ros::Duration(lamina::test::kPatience)));
+  SliceMesh service;
+  service.request.part = "box";
+  service.request.settings = {settingMessage("infill.strategy", "dashes")};
+  EXPECT_TRUE(client.call(service));
+  return service.response.status.code;
+}
+
+TEST(NodePluginPaths, AreTakenFromAParameter) {
+  ::unsetenv("ROS_PACKAGE_PATH");
+  EXPECT_EQ(dashedBy("bare", {}), Status::INVALID_CONFIG + 0);
+  EXPECT_EQ(dashedBy("told", {"_" + std::string(lamina::names::kPluginsParameter) + ":=" + LAMINA_DASHES}),
+            Status::OK + 0);
+}
 
 TEST_F(NodePlugins, FillAPartOnRequest) {
   const auto dashed = slice("box", {settingMessage("infill.strategy", "dashes")});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <mutex>
@@ -103,6 +104,24 @@ TEST_F(Optimiser, RefusesWhatItCannotRun) {
   misspelt.settings = {settingMessage("nsga2.popluation", "8")};
   EXPECT_EQ(ask(misspelt).status.code, Status::INVALID_CONFIG + 0);
   EXPECT_FALSE(std::filesystem::exists(misspelt.output));
+}
+
+TEST_F(Optimiser, GoesOnWithAJournalUnlessAskedToBeginAnew) {
+  Goal counted = goal(kFront);
+  counted.settings = {settingMessage("nsga2.generations", "0")};
+  counted.study.replace(counted.study.find("awk"), 3,
+                        "sh, -c, 'echo run >> " + folder_.file("runs") + "; exec awk \"$@\"', sh");
+  const auto runs = [&] {
+    const std::string text = readFile(folder_.file("runs"));
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(ask(counted).status.code, Status::OK + 0);
+    EXPECT_EQ(runs(), 8) << "the second time all stands in the journal";
+  }
+  counted.is_fresh = 1;
+  EXPECT_EQ(ask(counted).status.code, Status::OK + 0);
+  EXPECT_EQ(runs(), 16);
 }
 
 TEST_F(Optimiser, StopsWhenCancelledAndGoesOnWhenAskedAgain) {

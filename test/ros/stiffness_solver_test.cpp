@@ -71,6 +71,8 @@ TEST_F(StiffnessSolver, ABoxIsAsStiffAsItsMaterialAndItsSurfaceMovesAlong) {
   float highest = 0.0F;
   for (; z != z.end(); ++z) lowest = std::min(lowest, *z), highest = std::max(highest, *z);
   const float strain = 0.2e-3F / (highest - lowest);
+  const double uniform = static_cast<double>(strain) * kModulus;
+  EXPECT_NEAR(result.greatest_stress, uniform, 1e-3 * uniform) << "the same everywhere";
   for (z = sensor_msgs::PointCloud2ConstIterator<float>(*cloud, "z"); z != z.end(); ++z, ++moved, ++stress) {
     EXPECT_NEAR(*moved, -strain * (*z - lowest), 1e-8F);
     EXPECT_NEAR(*stress, strain * static_cast<float>(kModulus),

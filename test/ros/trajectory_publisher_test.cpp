@@ -21,6 +21,7 @@ namespace lamina {
 namespace {
 
 const Point3 kPartOnBed(100.0, 50.0, 0.0);
+constexpr double kRate = 20.0;  // Hz, of the player
 
 /// A square wall of 10 mm on two layers, placed on the bed.
 MachineToolpath square() {
@@ -58,11 +59,15 @@ class Listener {
     const Callback<trajectory_msgs::JointTrajectory> on_trajectory = [this](const auto& message) {
       trajectories.push_back(*message);
     };
+    const Callback<sensor_msgs::JointState> on_state = [this](const auto& message) {
+      states.push_back(message->header.stamp);
+    };
     tf_ = node_.subscribe<tf2_msgs::TFMessage>("tf", 10000, on_tf);
     tf_static_ = node_.subscribe<tf2_msgs::TFMessage>("tf_static", 100, on_tf_static);
     path_ = node_.subscribe<nav_msgs::Path>(names::kNozzlePath, 10, on_path);
     trajectory_ =
         node_.subscribe<trajectory_msgs::JointTrajectory>(names::kJointTrajectory, 10, on_trajectory);
+    states_ = node_.subscribe<sensor_msgs::JointState>(names::kJointStates, 10000, on_state);
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 10, true);
     position_ = node_.advertise<sensor_msgs::JointState>(names::kMachinePosition, 10000);
   }
@@ -96,6 +101,7 @@ class Listener {
 
   nav_msgs::Path path;
   std::vector<trajectory_msgs::JointTrajectory> trajectories;
+  std::vector<ros::Time> states;  ///< stamps
 
  private:
   void keep(const tf2_msgs::TFMessage& message, bool is_static) {
@@ -104,7 +110,7 @@ class Listener {
 
   ros::NodeHandle node_;
   tf2::BufferCore buffer_;
-  ros::Subscriber tf_, tf_static_, path_, trajectory_;
+  ros::Subscriber tf_, tf_static_, path_, trajectory_, states_;
   ros::Publisher toolpath_, position_;
 };
 
@@ -130,6 +136,20 @@ TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
   EXPECT_TRUE(listener.canTransform("world", "sensor", stamp(1999)));
 }
 
+TEST(TrajectoryPublisher, ThinsOutThePathOfTheNozzleToItsSpacing) {
+  Listener listener("follower");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  listener.send(toMessage(square()));
+  // At 12 mm of each layer's square of 10 mm its start, the opposite corner and its end.
+  ASSERT_TRUE(await([&] { return listener.path.poses.size() == 6U; })) << listener.path.poses.size();
+  for (const std::size_t layer : {0U, 1U})
+    for (const std::size_t i : {0U, 1U, 2U}) {
+      const geometry_msgs::Point& at = listener.path.poses[3 * layer + i].pose.position;
+      EXPECT_NEAR(at.x, i == 1 ? 0.01 : 0.0, 1e-12);
+      EXPECT_NEAR(at.y, i == 1 ? 0.01 : 0.0, 1e-12);
+    }
+}
+
 TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
   Listener listener("player");
   ASSERT_TRUE(await([&] { return listener.isConnected(); }));
@@ -146,6 +166,25 @@ TEST(TrajectoryPublisher, PlaysTheToolpathToItsEnd) {
   ASSERT_TRUE(await([&] { return !listener.trajectories.empty(); }));
   const auto& end = listener.trajectories.back().points.back().positions;
   EXPECT_NEAR(end[2], 0.0004, 1e-9);
+  const auto& planned = listener.trajectories.back().points;
+  for (std::size_t i = 1; i + 1 < planned.size(); ++i)
+    EXPECT_NEAR((planned[i].time_from_start - planned[i - 1].time_from_start).toSec(), 1.0 / kRate, 1e-6);
+}
+
+TEST(TrajectoryPublisher, PublishesPositionsAtItsRate) {
+  Listener listener("player");
+  ASSERT_TRUE(await([&] { return listener.isConnected(); }));
+  listener.send(toMessage(square()));
+  std_srvs::Trigger pause;  // so that waypoints add none
+  ASSERT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/pause").call(pause));
+  listener.states.clear();
+  constexpr std::size_t kPeriods = 20;
+  ASSERT_TRUE(await([&] { return listener.states.size() > kPeriods + 1; }));
+  // A tick that is late does not bring the next one forward by more than its lateness.
+  const auto& states = listener.states;
+  EXPECT_GE((states[kPeriods + 1] - states[1]).toSec(), (kPeriods - 1) / kRate);
+  std_srvs::Trigger play;
+  EXPECT_TRUE(listener.node().serviceClient<std_srvs::Trigger>("trajectory_publisher/play").call(play));
 }
 
 TEST(TrajectoryPublisher, PausesRewindsAndPlaysOnRequest) {

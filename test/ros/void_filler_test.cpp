@@ -124,6 +124,18 @@ TEST_F(VoidFiller, LaysRunsIntoTheVoidsOfAProgramOfBeads) {
   EXPECT_GT(std::filesystem::file_size(output_), std::filesystem::file_size(folder_.file("box.gcode")));
 }
 
+TEST_F(VoidFiller, TakesWhatIsLaidBesideThePartForOverfill) {
+  // 0.6 mm of filament of 1.75 mm along 10 mm, in a layer of 0.4 mm; with round ends.
+  const double width = 0.6e-3 * M_PI / 4.0 * 1.75e-3 * 1.75e-3 / (10e-3 * 0.4e-3);
+  const double area = width * 10e-3 + M_PI / 4.0 * width * width;
+  std::string text = lamina::readFile(slicedBox());
+  const auto usual = call(folder_.file("box.gcode"), "box").summary;
+  text.insert(text.rfind("; end of the part"), "G0 X130 Y105 F9000\nG1 Y115 E0.6 F1800\n");
+  const auto beside = call(written("beside.gcode", text), "box").summary;
+  EXPECT_NEAR(beside.overfill_before - usual.overfill_before, area, 0.02 * area);
+  EXPECT_NEAR(beside.overfill_after - usual.overfill_after, area, 0.02 * area);
+}
+
 double areaWithin(const std::vector<geometry_msgs::Point>& outline) {
   double doubled = 0.0;
   for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
@@ -178,7 +190,11 @@ TEST_F(VoidFiller, OverridesItsSettingsForOneRequestOnly) {
   lamina_msgs::Setting overlap;
   overlap.key = "drop_voids.overlap";
   overlap.value = "0.3";
-  EXPECT_GE(call(program, "", {overlap}).summary.drops_added, 64U) << "the pores of a square lattice";
+  const auto filled = call(program, "", {overlap}).summary;
+  EXPECT_GE(filled.drops_added, 64U) << "the pores of a square lattice";
+  // Each overlaps four drops, their centres apart by sqrt(1/2) of a diameter, by a lens of 1/2 - 1/pi.
+  const double lenses = 4.0 * (0.5 - M_1_PI) * filled.drops_added;
+  EXPECT_NEAR(filled.overlap_per_drop, lenses / (81.0 + filled.drops_added), 1e-6);
   EXPECT_EQ(call(program).summary.drops_added, 0U);
 }
 
