@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <memory>
 #include <vector>
@@ -36,7 +37,11 @@ class Followed {
     const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_cloud =
         [this](const auto& message) { clouds.push_back(message); };
     state_ = node_.subscribe<lamina_msgs::DepositionState>(names::kDepositionState, 1000, on_state);
+    const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> on_tf = [this](const auto&) {
+      is_machine_seen = true;
+    };
     cloud_ = node_.subscribe<sensor_msgs::PointCloud2>(deposited, 1000, on_cloud);
+    tf_ = node_.subscribe<tf2_msgs::TFMessage>("tf", 1000, on_tf);
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
   }
 
@@ -52,11 +57,13 @@ class Followed {
 
   std::vector<lamina_msgs::DepositionStateConstPtr> states;
   std::vector<sensor_msgs::PointCloud2ConstPtr> clouds;
+  bool is_machine_seen = false;  ///< on tf
 
  private:
   ros::NodeHandle node_;
   ros::Subscriber state_;
   ros::Subscriber cloud_;
+  ros::Subscriber tf_;
   ros::Publisher toolpath_;
 };
 
@@ -128,7 +135,7 @@ TEST(DepositionFollowingTest, LaysWhatAnEmulatedMachineHasPassed) {
   placed.toolpath = toolpathFromGcodeFile(job.output, {});
   placed.id = toolpathId(placed.toolpath);
   Followed followed("emulated", "followed");
-  ASSERT_TRUE(test::waitUntil([&] { return followed.isReadyFor(2); }));
+  ASSERT_TRUE(test::waitUntil([&] { return followed.isReadyFor(2) && followed.is_machine_seen; }));
   followed.latch(placed);
   ASSERT_TRUE(test::waitUntil([&] { return followed.isFollowing(placed.id); }));
   const auto program = StreamableProgram::fromText("box", readFile(job.output));

@@ -136,6 +136,17 @@ TEST(TrajectoryPublisher, FollowsTheMachineAtItsOwnStamps) {
   EXPECT_TRUE(listener.canTransform("world", "sensor", stamp(1999)));
 }
 
+TEST(TrajectoryPublisher, TellsWhoComesLaterWhereTheMachineRests) {
+  Listener listener("follower");
+  ASSERT_TRUE(await([&] { return listener.isConnected() && listener.isFollowed(); }));
+  const ros::Time rest(2000.0);
+  listener.report(Point3(30.0, 40.0, 5.0), rest);
+  ASSERT_TRUE(await([&] { return listener.canTransform("bed", "nozzle", rest); }));
+  const Listener late("follower");
+  ASSERT_TRUE(await([&] { return late.canTransform("bed", "nozzle", rest); }));
+  EXPECT_TRUE(late.transform("bed", "nozzle", rest).translation().isApprox(Point3(30.0, 40.0, 5.0), 1e-6));
+}
+
 TEST(TrajectoryPublisher, ThinsOutThePathOfTheNozzleToItsSpacing) {
   Listener listener("follower");
   ASSERT_TRUE(await([&] { return listener.isConnected(); }));

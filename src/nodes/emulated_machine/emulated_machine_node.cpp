@@ -29,6 +29,7 @@ Eigen::Vector3d toolAxisOf(const CartesianMachine& machine) {
 EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMachineSettings& settings)
     : settings_(settings),
       machine_(machineOf(settings.machine)),
+      rest_(node.advertiseService(names::kMachineRest, &EmulatedMachineNode::onMachineRest, this)),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kNoBound, true)),
       profile_(node.advertise<sensor_msgs::PointCloud2>(names::kProfile, kProfiles)),
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
@@ -47,7 +48,6 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
   if (emulator_->tcpPort() != 0) ROS_INFO("machine at tcp:127.0.0.1:%d", emulator_->tcpPort());
   publishPosition({0.0, bed_from_program_ * Point3::Zero()});
   worker_ = std::thread([this] { run(); });
-  rest_ = node.advertiseService(names::kMachineRest, &EmulatedMachineNode::onMachineRest, this);
 }
 
 EmulatedMachineNode::~EmulatedMachineNode() {

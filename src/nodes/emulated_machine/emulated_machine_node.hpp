@@ -62,10 +62,10 @@ class EmulatedMachineNode {
 
   EmulatedMachineSettings settings_;
   CartesianMachine machine_;
+  ros::ServiceServer rest_;  ///< there for all who see one of the topics
   ros::Publisher position_;
   ros::Publisher profile_;
   ros::Publisher deposited_;
-  ros::ServiceServer rest_;
   Eigen::Affine3d bed_from_program_;
   Eigen::Vector3d tool_axis_;  ///< [bed]
   std::unique_ptr<MachineDeposit> deposit_;

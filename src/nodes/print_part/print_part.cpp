@@ -16,6 +16,8 @@
 #include "names.hpp"
 #include "shutdown.hpp"
 #include "status.hpp"
+#include "transform_intake.hpp"
+#include "transforms.hpp"
 
 namespace lamina {
 namespace {
@@ -45,6 +47,7 @@ void describe(SettingsSchema& schema, PrintPartSettings& settings) {
 
 PrintPart::PrintPart(ros::NodeHandle node, PrintPartSettings settings)
     : settings_(std::move(settings)),
+      node_(node),
       slice_(node, names::kSlice, false),
       stream_(node, names::kStreamProgram, false),
       save_height_map_(node.serviceClient<std_srvs::Trigger>(names::kSaveHeightMap)),
@@ -97,6 +100,7 @@ PrintReport PrintPart::run() {
   for (std::size_t i = 0; i < toolpath.layers.size(); ++i)
     if (isScanned(toolpath.layers[i], settings_.scan_clearance_mm)) scanned_.push_back(i);
   awaitMeasuring();
+  awaitFollowing();
   report.streaming = stream();
   awaitHeights();
   report.layers = layers_;
@@ -157,6 +161,17 @@ void PrintPart::awaitMeasuring() {
            measuring_->toolpath_stamp == toolpath_->header.stamp;
   });
   layers_.clear();
+}
+
+/// Motions that no node turns into tf would be lost. A machine that states where it rests has published that
+/// place, and tf of it is latched.
+void PrintPart::awaitFollowing() {
+  if (!machine_rest_.exists()) return;
+  tf2::BufferCore buffer;
+  const TransformIntake intake(buffer, node_);
+  await("trajectory_publisher, tf of where the machine rests", [&] {
+    return askRest() && lookUp(buffer, names::kBedFrame, names::kNozzleFrame, rest_.last_position);
+  });
 }
 
 /// The monitor lags behind the machine by as much as the host is slow. A machine that states the stamps of

@@ -32,7 +32,7 @@ void describe(SettingsSchema& schema, PrintPartSettings& settings);
 /// Service clients  finish_measuring (lamina/FinishMeasuring), save_height_map (std_srvs/Trigger),
 ///                  machine_rest (lamina/MachineRest), where the machine has it
 /// Subscribes       toolpath (lamina/Toolpath), measuring (lamina/Measuring), layer_height
-///                  (lamina/LayerHeight)
+///                  (lamina/LayerHeight), tf
 class PrintPart {
  public:
   /// Waits for the other nodes.
@@ -54,6 +54,8 @@ class PrintPart {
   bool isOfThisPrint(const lamina_msgs::LayerHeight& layer) const;
   /// Until the monitor is ready for the toolpath.
   void awaitMeasuring();
+  /// Until tf is where the machine is.
+  void awaitFollowing();
   lamina_msgs::SliceResult slice();
   lamina_msgs::StreamProgramResult stream();
   void stopStreaming();
@@ -73,6 +75,7 @@ class PrintPart {
   void noteAdvance() { last_advance_ = Clock::now(); }
 
   PrintPartSettings settings_;
+  ros::NodeHandle node_;
   ConsoleProgress console_;
   actionlib::SimpleActionClient<lamina_msgs::SliceAction> slice_;
   actionlib::SimpleActionClient<lamina_msgs::StreamProgramAction> stream_;

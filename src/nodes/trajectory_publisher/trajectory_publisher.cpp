@@ -100,7 +100,8 @@ void TrajectoryPublisher::describeMachine(ros::NodeHandle& node) {
 }
 
 void TrajectoryPublisher::advertise(ros::NodeHandle& node) {
-  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound);
+  // A machine at rest reports nothing more to those who come later.
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", kNoBound, settings_.mode == TrajectoryMode::Follow);
   joint_states_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kBurst);
   nozzle_path_ = node.advertise<nav_msgs::Path>(names::kNozzlePath, 1, true);
   ros::NodeHandle own("~");
