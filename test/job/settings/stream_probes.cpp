@@ -25,6 +25,15 @@ std::string sentAgainAt(const SettingTexts& set) {
   return numbersText({streamer.nextDeadline()});
 }
 
+/// What a grbl is told that has locked itself.
+std::string toldALocked(const SettingTexts& set) {
+  Streamer streamer(StreamableProgram::fromText("job", kTenMoves), settingsWith<StreamSettings>(set));
+  streamer.start(0.0);
+  streamer.elapse(0.0);
+  streamer.receive("<Alarm|MPos:0.000,0.000,0.000>\n", 0.1);
+  return streamer.takeOutput();
+}
+
 }  // namespace
 
 std::vector<SettingProbe> streamProbes() {
@@ -54,7 +63,8 @@ std::vector<SettingProbe> streamProbes() {
           {"a machine that says no ok after a request",
            "stream.temperature_interval_s=0",
            sentAgainAt,
-           {{"stream.settle_s=0.5"}}}};
+           {{"stream.settle_s=0.5"}}},
+          {"a grbl that has locked itself", "stream.firmware=grbl", toldALocked, {{"stream.unlock=once"}}}};
 }
 
 }  // namespace lamina::test

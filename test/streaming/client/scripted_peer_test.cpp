@@ -260,7 +260,7 @@ TEST_F(ScriptedPeer, KnowsWhoAnswersBeforeItSendsAnythingElse) {
 }
 
 TEST_F(ScriptedPeer, LeavesFirmwareThatSpeaksOtherwiseAlone) {
-  for (const std::string name : {"Klipper", "RepRapFirmware for Duet 3 MB6HC", "Grbl 1.1h"}) {
+  for (const std::string name : {"Klipper", "RepRapFirmware for Duet 3 MB6HC", "Smoothieware"}) {
     Streamer streamer(program_, settings());
     streamer.start(0.0);
     streamer.takeOutput();

@@ -16,6 +16,12 @@ enum class LinkKind : std::uint8_t {
   Reliable,  ///< makes the sender wait instead
 };
 
+/// What is done with a machine that has locked itself (grbl's alarm), whose position may be lost.
+enum class UnlockPolicy : std::uint8_t {
+  Never,  ///< the job is refused
+  Once,   ///< it is unlocked, and the job is run
+};
+
 /// The choice of `stream.firmware` that leaves it to who answers.
 inline constexpr const char* kAnyFirmware = "auto";
 
@@ -34,8 +40,9 @@ struct StreamSettings {
   double blocking_timeout_s = 3600;  ///< the same while homing, heating or waiting is under way
   double safe_stop_timeout_s = 10;   ///< until the machine has confirmed the safe stop
   bool keep_heaters_on = false;      ///< after a safe stop
-  int temperature_interval_s = 1;    ///< of the firmware's own reports (M155); 0 for none
-  int position_interval_s = 0;       ///< of the firmware's own reports (M154); 0 for none
+  UnlockPolicy unlock = UnlockPolicy::Never;
+  int temperature_interval_s = 1;  ///< of the firmware's own reports (M155); 0 for none
+  int position_interval_s = 0;     ///< of the firmware's own reports (M154); 0 for none
 };
 
 /// Adds the keys stream.*.

@@ -16,8 +16,8 @@ namespace {
 
 constexpr const char* kMarlin = "marlin";
 
-/// What only grbl and its kin say: "error:20" to a command they do not know, a report "<Idle|...>", and their
-/// greeting.
+/// What only grbl and its kin say: "error:20" to a command they do not know, a report "<Idle|...>", and the
+/// end of their greeting, which grblHAL and FluidNC word in ways of their own.
 bool isOfGrbl(std::string_view line) {
   constexpr std::string_view kError = "error:";
   line = trimmed(line);
@@ -25,7 +25,7 @@ bool isOfGrbl(std::string_view line) {
     return std::isdigit(static_cast<unsigned char>(line[kError.size()])) != 0;
   if (line.size() > 2 && line.front() == '<' && line.back() == '>')
     return line.find('|') != std::string_view::npos;
-  return line.find("['$' for help]") != std::string_view::npos;
+  return line.find("for help]") != std::string_view::npos;
 }
 
 /// The protocols that firmware of this name speaks. Marlin's is also spoken by firmware that gives a name of

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/job/firmware_protocol.hpp"
 
+#include "lamina/streaming/firmware/grbl/grbl_firmware.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
 
 namespace lamina {
 
 Registry<std::shared_ptr<const FirmwareProtocol>>& firmwareProtocols() {
   static Registry<std::shared_ptr<const FirmwareProtocol>> registry(
-      "stream.firmware", {{"marlin", std::make_shared<MarlinFirmware>()}});
+      "stream.firmware",
+      {{"grbl", std::make_shared<GrblFirmware>()}, {"marlin", std::make_shared<MarlinFirmware>()}});
   return registry;
 }
 

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lamina/streaming/firmware/grbl/grbl_protocol.hpp"
+#include "streaming/firmware/grbl/grbl_words.hpp"
+
+namespace lamina {
+
+/// Where a program leaves the machine, in the coordinates of the work, axis by axis: known where the axis was
+/// sent to an absolute place since anything that moves the coordinates.
+class ExpectedPosition {
+ public:
+  /// @param modes  answer to `$G`; empty if there is none, and then nothing is ever known
+  explicit ExpectedPosition(std::string_view modes);
+
+  /// A line of the program that was sent.
+  void follow(std::string_view command);
+
+  /// What the machine's place contradicts, as "X is 3.000 mm; expected 4.000 mm"; empty if nothing.
+  /// @param work  [mm]
+  std::string contradictionBy(const GrblAxes& work) const;
+
+ private:
+  /// What a line says before it moves.
+  struct Line {
+    bool moves_along_words = true;
+    bool sets_words = false;  ///< G92
+  };
+
+  void giveUp();
+  void forget() { axes_ = {}; }
+  bool setMode(int tenfold);
+  void onCommand(int tenfold, Line& line);
+  void onMotion(const GrblWords& words, const Line& line);
+
+  std::array<std::optional<double>, 3> axes_;  ///< [mm]
+  bool is_followed_ = false;
+  bool is_absolute_ = true;
+  bool moves_ = true;  ///< a motion mode is active
+  double unit_mm_ = 1.0;
+  int work_system_ = 540;  ///< ten times G54
+};
+
+}  // namespace lamina

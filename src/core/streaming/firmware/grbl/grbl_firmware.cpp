@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/firmware/grbl/grbl_firmware.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+
+#include "streaming/firmware/grbl/grbl_job.hpp"
+#include "streaming/firmware/grbl/grbl_syntax.hpp"
+
+namespace lamina {
+
+bool GrblFirmware::isSpokenBy(std::string_view firmware_name) const {
+  std::string name(firmware_name);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.find("grbl") != std::string::npos || name.find("fluidnc") != std::string::npos;
+}
+
+std::string GrblFirmware::defectOf(std::string_view command, const StreamSettings& settings) const {
+  return defectForAllGrbl(command, settings.max_line_bytes);
+}
+
+std::unique_ptr<StreamJob> GrblFirmware::begin(StreamOrder order) const {
+  return std::make_unique<GrblJob>(std::move(order));
+}
+
+}  // namespace lamina

@@ -1,0 +1,564 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/firmware/grbl/grbl_job.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "streaming/firmware/grbl/grbl_syntax.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kNoDeadline = std::numeric_limits<double>::infinity();
+constexpr double kJobPoll = 0.2;     // s; grbl's own recommendation is 5 to 10 Hz at most
+constexpr double kIdleApart = 0.05;  // s, between two reports that were asked for apart
+constexpr int kUsualReceiveBytes = 128;
+constexpr const char* kQuestion = "$G";
+constexpr std::size_t kQuestionBytes = 3;
+constexpr double kMillimetresPerInch = 25.4;
+
+std::string tenths(double seconds) {
+  std::string text = std::to_string(seconds);
+  text.erase(text.find('.') + 2);
+  return text + " s";
+}
+
+/// Commands during which grbl reports Idle and takes nothing: dwells, and spindles that come up to speed.
+bool mayStandStill(std::string_view command) {
+  const auto words = GrblWords::of(command);
+  if (!words) return true;
+  return std::any_of(words->begin(), words->end(), [](const GrblWord& word) {
+    constexpr int kDwell = 40;
+    return word.letter == 'M' || word.letter == 'T' || (word.letter == 'G' && word.tenfold() == kDwell);
+  });
+}
+
+}  // namespace
+
+GrblJob::GrblJob(StreamOrder order)
+    : order_(std::move(order)),
+      feed_(sourceOf(order_.program), 1),
+      start_(order_.settings),
+      answers_(order_.settings.probe_after_s) {
+  record_.status.lines_total = order_.program.lines();
+}
+
+void GrblJob::start(double now) {
+  if (state() != PackmlState::Idle) return;
+  record_.enter(PackmlState::Starting);
+  record_.status.firmware_name = order_.firmware_name.value_or("");
+  phase_ = Phase::Starting;
+  start_.begin(now);
+}
+
+void GrblJob::followStart(double now) {
+  output_ += start_.takeOutput();
+  if (start_.failure()) {
+    abort(*start_.failure(), now);
+  } else if (start_.isReady()) {
+    const GrblMachine& machine = start_.machine();
+    record_.status.firmware_name = machine.name();
+    const int reported = machine.receive_bytes > 0 ? machine.receive_bytes : kUsualReceiveBytes;
+    capacity_ = static_cast<std::size_t>(std::min(reported, order_.settings.window_bytes));
+    expected_ = ExpectedPosition(machine.modes);
+    beginChecking(now);
+  }
+}
+
+void GrblJob::beginChecking(double now) {
+  phase_ = Phase::Checking;
+  try {
+    unchecked_ = order_.program.open();
+  } catch (const Error&) {
+    abort(currentFailure(), now);
+  }
+}
+
+/// What this machine does not know is named before anything moves. By pieces, since programs are long.
+void GrblJob::check(double now) {
+  constexpr int kLinesAtOnce = 20000;
+  for (int i = 0; i < kLinesAtOnce; ++i) {
+    const auto line = unchecked_->next();
+    if (!line) return execute(now);
+    const std::string defect = defectForGrbl(line->command, start_.machine());
+    if (defect.empty()) continue;
+    abort({ErrorCode::InvalidProgram, order_.program.name() + " line " +
+                                          std::to_string(unchecked_->textLine()) + ": \"" +
+                                          line->command.substr(0, 40) + "\" " + defect},
+          now);
+    return;
+  }
+}
+
+void GrblJob::execute(double now) {
+  unchecked_.reset();
+  has_begun_ = true;
+  record_.enter(PackmlState::Execute);
+  phase_ = Phase::Feeding;
+  heard_s_ = next_poll_s_ = now;
+  answers_.restart(now);
+  proceed(now);
+}
+
+/// Sends what may be sent, and takes the step that is due when nothing is under way any more.
+void GrblJob::proceed(double now) {
+  if (phase_ != Phase::Feeding || state() != PackmlState::Execute) return;
+  pump(now);
+  if (window_.empty() && feed_.peek() == nullptr) prove(now);
+}
+
+bool GrblJob::hasRoom(std::size_t bytes) const {
+  // What grbl has answered it has taken from its buffer, so that it reads a line that comes alone at once.
+  return window_.empty() || window_.bytes() + bytes <= capacity_;
+}
+
+void GrblJob::pump(double now) {
+  while (const ProgramLine* line = feed_.peek()) {
+    // A question must find room behind a full window.
+    const std::size_t kept_free = window_.hasQuestion() ? 0 : kQuestionBytes;
+    if (!hasRoom(line->command.size() + 1 + kept_free)) break;
+    if (window_.empty()) answers_.restart(now);
+    window_.add({feed_.next(), line->command});
+    expected_.follow(line->command);
+    output_ += line->command;
+    output_ += '\n';
+    feed_.advance();
+  }
+  record_.status.lines_sent = feed_.end() - 1;
+}
+
+/// A question whose answer tells itself from that to a line of the program: as answers come in order, all
+/// lines before it were answered then.
+void GrblJob::ask() {
+  ++record_.status.probes;
+  window_.add({0, kQuestion});
+  output_ += std::string(kQuestion) + "\n";
+}
+
+void GrblJob::prove(double now) {
+  const std::uint64_t lines_read = feed_.end() - 1;
+  if (lines_read < record_.status.lines_total) {
+    abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
+                                          std::to_string(lines_read) + " of " +
+                                          std::to_string(record_.status.lines_total)},
+          now);
+    return;
+  }
+  phase_ = Phase::Proving;
+  answers_.restart(now);
+  ask();
+}
+
+// Time.
+
+double GrblJob::silenceLimit() const { return heard_s_ + order_.settings.silence_timeout_s; }
+
+bool GrblJob::isAnswerDue() const {
+  const bool may_run = state() == PackmlState::Execute || state() == PackmlState::Completing;
+  return may_run && !window_.empty();
+}
+
+/// While the machine waits as the program says, a line may take long. One that moves restarts the time.
+double GrblJob::answerLimit() const {
+  if (!isAnswerDue()) return kNoDeadline;
+  const bool may_take_long = mayStandStill(window_.front().command);
+  return answers_.quietSince() +
+         (may_take_long ? order_.settings.blocking_timeout_s : order_.settings.silence_timeout_s);
+}
+
+double GrblJob::nextDeadline() const {
+  switch (phase_) {
+    case Phase::Idle:
+      return kNoDeadline;
+    case Phase::Offline:
+      return safe_stop_by_s_;
+    case Phase::Starting:
+      return start_.nextDeadline();
+    case Phase::Checking:
+      return heard_s_;
+    case Phase::Stopping:
+      return std::min(stop_->nextDeadline(), safe_stop_by_s_);
+    default:
+      break;
+  }
+  const double probe = isAnswerDue() ? answers_.retryAt() : kNoDeadline;
+  return std::min({next_poll_s_, silenceLimit(), answerLimit(), probe});
+}
+
+void GrblJob::elapse(double now) {
+  if (phase_ == Phase::Starting && order_.settings.link == LinkKind::Lossy) {
+    abort({ErrorCode::Rejected,
+           "the link counts as lossy, and this firmware checks no line: one that is damaged and still reads "
+           "as G-code would be run; expected stream.link reliable, where the USB bridge sits on the board "
+           "(docs/firmware/grbl.md)"},
+          now);
+  } else if (phase_ == Phase::Starting) {
+    start_.elapse(now);
+    followStart(now);
+  } else if (phase_ == Phase::Checking) {
+    check(now);
+  } else if (phase_ == Phase::Stopping || phase_ == Phase::Offline) {
+    followStop(now);
+  } else if (isRunning()) {
+    if (now >= next_poll_s_) poll(now);
+    if (now >= silenceLimit()) {
+      abort({ErrorCode::TimedOut, "no answer from the machine for " + tenths(now - heard_s_) +
+                                      "; expected one to each '?'" + record_.whereItStands()},
+            now);
+    } else if (now >= answerLimit()) {
+      loseCount("the machine has neither moved nor answered a line for " + tenths(answers_.quietFor(now)),
+                now);
+    } else if (isAnswerDue() && now >= answers_.retryAt()) {
+      onNoAnswer(now);
+    }
+  }
+}
+
+void GrblJob::onNoAnswer(double now) {
+  answers_.asked(now);
+  // A machine in motion only waits for room in its queue.
+  if (machine_state_ == GrblState::Idle && hasRoom(kQuestionBytes)) ask();
+}
+
+void GrblJob::poll(double now) {
+  const int wanted = order_.settings.position_interval_s;
+  const bool is_feeding = state() == PackmlState::Execute && wanted > 0;
+  next_poll_s_ = now + (is_feeding ? static_cast<double>(wanted) : kJobPoll);
+  if (state() == PackmlState::Holding && is_held_by_user_) output_ += grbl_byte::kFeedHold;
+  if (state() == PackmlState::Unholding && machine_state_ == GrblState::Hold && now >= release_again_s_)
+    release(now);
+  output_ += grbl_byte::kStatus;
+}
+
+// What the machine says.
+
+std::string GrblJob::takeOutput() { return std::exchange(output_, {}); }
+
+void GrblJob::receive(std::string_view bytes, double now) {
+  replies_.add(bytes);
+  while (const auto line = replies_.next()) {
+    const GrblReply reply = parseGrblReply(*line);
+    if (order_.heard) order_.heard(translated(reply));
+    onReply(reply, now);
+  }
+  proceed(now);
+}
+
+FirmwareReply GrblJob::translated(const GrblReply& reply) const {
+  FirmwareReply translation;
+  translation.text = reply.text;
+  if (reply.kind == GrblReplyKind::Ok) translation.kind = ReplyKind::Ok;
+  if (reply.kind == GrblReplyKind::Error || reply.kind == GrblReplyKind::Alarm)
+    translation.kind = ReplyKind::Fatal;
+  if (reply.kind == GrblReplyKind::Greeting) translation.kind = ReplyKind::Start;
+  return translation;
+}
+
+void GrblJob::onReply(const GrblReply& reply, double now) {
+  if (phase_ == Phase::Idle || phase_ == Phase::Offline) return;
+  if (reply.kind != GrblReplyKind::Other) heard_s_ = now;
+  if (phase_ == Phase::Stopping) {
+    stop_->hear(reply, now);
+    return followStop(now);
+  }
+  if (phase_ == Phase::Starting) {
+    start_.hear(reply, now);
+    if (reply.report) workPosition(*reply.report);
+    return followStart(now);
+  }
+  switch (reply.kind) {
+    case GrblReplyKind::Ok:
+      return onOk(now);
+    case GrblReplyKind::Error:
+      return onError(reply.code, now);
+    case GrblReplyKind::Alarm:
+      return onAlarm(reply.text, reply.code, now);
+    case GrblReplyKind::Greeting:
+      return abort({ErrorCode::DeviceError, "the machine was reset" + record_.whereItStands()}, now);
+    case GrblReplyKind::Report:
+      return onReport(*reply.report, now);
+    case GrblReplyKind::Modes:
+      return onModes(now);
+    case GrblReplyKind::Message:
+      record_.status.message = reply.text;
+      return;
+    default:
+      return;
+  }
+}
+
+void GrblJob::onAnswered(double now) {
+  answers_.restart(now);
+  if (state() == PackmlState::Unholding) onMoving(now);
+}
+
+void GrblJob::onOk(double now) {
+  if (window_.empty()) return loseCount("a line was answered that was not sent", now);
+  if (window_.front().number == 0 && !std::exchange(has_modes_, false))
+    return loseCount("an answer came more than lines were sent", now);
+  onAnswered(now);
+  const GrblWindow::Line line = window_.take();
+  if (line.number > 0) {
+    record_.status.lines_acknowledged = line.number;
+    record_.status.layer = feed_.layerOf(line.number);
+  } else if (phase_ == Phase::Proving) {
+    phase_ = Phase::Resting;
+    idle_at_s_ = -1.0;
+    record_.enter(PackmlState::Completing);
+    poll(now);
+  }
+}
+
+void GrblJob::onModes(double now) {
+  if (window_.empty()) return;  // somebody else's question
+  if (window_.front().number == 0) {
+    has_modes_ = true;
+  } else {
+    loseCount("a question behind line " + std::to_string(window_.front().number) +
+                  " was answered, the line was not",
+              now);
+  }
+}
+
+/// Whatever the code: a motion, a spindle or a coordinate system that was asked for is missing, and grbl goes
+/// on with the lines behind.
+void GrblJob::onError(int code, double now) {
+  const std::string why =
+      "error:" + std::to_string(code) + ", " + meaningOfGrblError(code, start_.machine().dialect);
+  const std::string what = window_.empty() || window_.front().number == 0
+                               ? std::string("something that is no line of the program")
+                               : "line " + std::to_string(window_.front().number) + " \"" +
+                                     window_.front().command.substr(0, 40) + "\"";
+  abort({ErrorCode::Rejected, "the machine refused " + what + " (" + why + ")" + record_.whereItStands()},
+        now);
+}
+
+void GrblJob::onAlarm(const std::string& code_text, int code, double now) {
+  const std::string why = code > 0 ? ", " + meaningOfGrblAlarm(code, start_.machine().dialect) : "";
+  record_.status.failure = {ErrorCode::Rejected, "the machine has locked itself: \"" + code_text + "\"" +
+                                                     why + record_.whereItStands()};
+  record_.enter(PackmlState::Aborting);
+  if (!has_begun_) return finishAborted("");
+  stop(GrblStop::Motion::EndedByAlarm, now);
+}
+
+/// An answer was lost, or a line: which of the two nobody knows.
+void GrblJob::loseCount(const std::string& what, double now) {
+  abort({ErrorCode::DeviceError, what + "; " + std::to_string(window_.count()) +
+                                     " lines are under way, and it is in doubt which of them were run" +
+                                     record_.whereItStands()},
+        now);
+}
+
+std::optional<GrblAxes> GrblJob::workPosition(const GrblReport& report) {
+  if (report.work_offset) work_offset_ = report.work_offset;
+  std::optional<GrblAxes> work = report.work_position;
+  if (!work && report.machine_position && work_offset_) {
+    work = report.machine_position;
+    for (std::size_t i = 0; i < work->size(); ++i) (*work)[i] -= (*work_offset_)[i];
+  }
+  return work;
+}
+
+void GrblJob::onReport(const GrblReport& report, double now) {
+  machine_state_ = report.state;
+  machine_substate_ = report.substate.value_or(0);
+  const auto place = report.machine_position ? report.machine_position : report.work_position;
+  if (std::exchange(place_, place) != place) answers_.restart(now);
+  work_ = workPosition(report);
+  const double unit_mm = start_.machine().reports_in_inches.value_or(false) ? kMillimetresPerInch : 1.0;
+  if (work_)
+    record_.status.position =
+        ReportedPosition{unit_mm * (*work_)[0], unit_mm * (*work_)[1], unit_mm * (*work_)[2], 0.0};
+  switch (report.state) {
+    case GrblState::Alarm:
+      return onAlarm(report.state_text, machine_substate_, now);
+    case GrblState::Check:
+    case GrblState::Sleep:
+      return abort({ErrorCode::Rejected, "the machine went into state " + report.state_text +
+                                             "; expected it to run the program" + record_.whereItStands()},
+                   now);
+    default:
+      break;
+  }
+  if (!isRunning()) return;
+  countStarvation(report, now);
+  onMotionState(report, now);
+  if (phase_ == Phase::Resting) rest(report, now);
+}
+
+void GrblJob::countStarvation(const GrblReport& report, double now) {
+  const int blocks = start_.machine().blocks;
+  const bool is_empty =
+      report.state == GrblState::Idle || (blocks > 0 && report.free_blocks.value_or(0) >= blocks);
+  const bool is_starved = phase_ == Phase::Feeding && state() == PackmlState::Execute && is_empty &&
+                          record_.status.lines_acknowledged > 0;
+  if (!is_starved) {
+    starved_since_.reset();
+    return;
+  }
+  Starvation& starvation = record_.status.starvation;
+  if (!starved_since_) {
+    starved_since_ = now;
+    ++starvation.count;
+  }
+  if (now - *starved_since_ < starvation.longest_s) return;
+  starvation.longest_s = now - *starved_since_;
+  starvation.line = record_.status.lines_acknowledged + 1;
+}
+
+/// Holds of the machine's own are obeyed: a button, a door, M0, a tool that is to be changed.
+void GrblJob::onMotionState(const GrblReport& report, double now) {
+  const bool is_held =
+      report.state == GrblState::Hold || report.state == GrblState::Door || report.state == GrblState::Tool;
+  if (report.state != GrblState::Idle) idle_at_s_ = -1.0;
+  if (is_held && state() == PackmlState::Execute) {
+    record_.status.message = "the machine holds: " + report.state_text;
+    record_.enter(PackmlState::Holding);
+  }
+  const bool is_slowing = (report.state == GrblState::Hold && machine_substate_ > 0) ||
+                          (report.state == GrblState::Door && machine_substate_ > 1);
+  if (is_held && !is_slowing) return onStandstill(report, now);
+  if (is_held) return;
+  if (report.state == GrblState::Idle && state() == PackmlState::Holding) {
+    // Nothing was left to be held; but one report may be from before the hold.
+    if (idle_at_s_ < 0.0) idle_at_s_ = now;
+    if (now >= idle_at_s_ + kIdleApart) onStandstill(report, now);
+  } else if (state() == PackmlState::Unholding ||
+             (state() == PackmlState::Held && (!is_held_by_user_ || report.state != GrblState::Idle))) {
+    onMoving(now);
+  }
+}
+
+void GrblJob::onStandstill(const GrblReport&, double now) {
+  if (state() != PackmlState::Holding) return;
+  record_.enter(PackmlState::Held);
+  if (std::exchange(is_resume_wanted_, false)) resume(now);
+}
+
+/// Also where a person at the machine has released it.
+void GrblJob::onMoving(double now) {
+  if (state() == PackmlState::Held) record_.enter(PackmlState::Unholding);
+  record_.enter(PackmlState::Execute);
+  is_held_by_user_ = false;
+  answers_.restart(now);
+}
+
+/// One Idle may be from before the last motions were begun.
+void GrblJob::rest(const GrblReport& report, double now) {
+  if (report.state != GrblState::Idle) return;
+  if (idle_at_s_ < 0.0) {
+    idle_at_s_ = now;
+  } else if (now >= idle_at_s_ + kIdleApart) {
+    finish(now);
+  }
+}
+
+void GrblJob::finish(double now) {
+  const auto in_inches = start_.machine().reports_in_inches;
+  if (work_ && in_inches) {
+    GrblAxes work = *work_;
+    for (double& axis : work) axis *= *in_inches ? kMillimetresPerInch : 1.0;
+    const std::string contradiction = expected_.contradictionBy(work);
+    if (!contradiction.empty()) {
+      abort({ErrorCode::DeviceError,
+             "all lines were answered, but the machine does not stand where they end: " + contradiction +
+                 "; lines were lost or damaged"},
+            now);
+      return;
+    }
+  }
+  phase_ = Phase::Idle;
+  record_.enter(PackmlState::Complete);
+}
+
+// Pause, abort and the link.
+
+bool GrblJob::pause(double now) {
+  if (state() != PackmlState::Execute || !isRunning()) return false;
+  record_.enter(PackmlState::Holding);
+  is_held_by_user_ = true;
+  is_resume_wanted_ = false;
+  idle_at_s_ = -1.0;
+  poll(now);
+  return true;
+}
+
+bool GrblJob::resume(double now) {
+  if (state() == PackmlState::Holding) {
+    is_resume_wanted_ = true;  // grbl ignores it before it is at rest
+    return true;
+  }
+  if (state() != PackmlState::Held) return false;
+  if (machine_state_ == GrblState::Door && machine_substate_ != 0) return false;
+  record_.enter(PackmlState::Unholding);
+  release(now);
+  poll(now);
+  return true;
+}
+
+void GrblJob::release(double now) {
+  output_ += grbl_byte::kCycleStart;
+  release_again_s_ = now + order_.settings.probe_after_s;
+}
+
+void GrblJob::abort(const Failure& why, double now) {
+  if (record_.isStopping() || isFinal(state())) return;
+  record_.status.failure = why;
+  record_.enter(PackmlState::Aborting);
+  if (!has_begun_) return finishAborted("");
+  stop(GrblStop::Motion::Possible, now);
+}
+
+void GrblJob::stop(GrblStop::Motion motion, double now) {
+  safe_stop_by_s_ = now + order_.settings.safe_stop_timeout_s;
+  window_.clear();
+  stop_.emplace(motion, order_.settings.safe_stop_timeout_s, now);
+  phase_ = Phase::Stopping;
+  output_ += stop_->takeOutput();
+}
+
+void GrblJob::followStop(double now) {
+  if (phase_ == Phase::Offline) {
+    if (now >= safe_stop_by_s_)
+      finishAborted("; the link did not come back, so that the machine was not told to stop: look after it");
+    return;
+  }
+  stop_->elapse(now);
+  output_ += stop_->takeOutput();
+  if (stop_->isConfirmed()) {
+    finishAborted(stop_->remark());
+  } else if (now >= safe_stop_by_s_) {
+    finishAborted(stop_->remark() + "; the machine did not confirm the safe stop");
+  }
+}
+
+/// A machine whose link is lost runs on what its buffer holds, and its spindle turns on.
+void GrblJob::disconnect(const std::string& why, double now) {
+  if (isFinal(state()) || phase_ == Phase::Offline) return;
+  if (!record_.isStopping()) {
+    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
+    record_.enter(PackmlState::Aborting);
+    if (!has_begun_) return finishAborted("");
+    safe_stop_by_s_ = now + order_.settings.safe_stop_timeout_s;
+  }
+  window_.clear();
+  replies_.clear();
+  output_.clear();
+  phase_ = Phase::Offline;
+}
+
+void GrblJob::reconnect(double now) {
+  if (phase_ == Phase::Offline) stop(GrblStop::Motion::Possible, now);
+}
+
+void GrblJob::finishAborted(const std::string& remark) {
+  record_.status.failure.message += remark;
+  phase_ = Phase::Idle;
+  window_.clear();
+  record_.enter(PackmlState::Aborted);
+}
+
+}  // namespace lamina

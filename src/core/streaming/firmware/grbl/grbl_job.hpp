@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/streaming/job/firmware_protocol.hpp"
+#include "streaming/firmware/grbl/expected_position.hpp"
+#include "streaming/firmware/grbl/grbl_machine.hpp"
+#include "streaming/firmware/grbl/grbl_start.hpp"
+#include "streaming/firmware/grbl/grbl_stop.hpp"
+#include "streaming/firmware/grbl/grbl_window.hpp"
+#include "streaming/job/answer_timer.hpp"
+#include "streaming/job/job_record.hpp"
+#include "streaming/job/line_feed.hpp"
+#include "streaming/job/reply_lines.hpp"
+
+namespace lamina {
+
+/// Streams to grbl and its kin, which answer each line once and in order, and to '?' at any time.
+class GrblJob final : public StreamJob {
+ public:
+  explicit GrblJob(StreamOrder order);
+
+  void start(double now) override;
+  void receive(std::string_view bytes, double now) override;
+  void elapse(double now) override;
+  void disconnect(const std::string& why, double now) override;
+  void reconnect(double now) override;
+  bool isOffline() const override { return phase_ == Phase::Offline; }
+  bool pause(double now) override;
+  bool resume(double now) override;
+  void abort(const Failure& why, double now) override;
+
+  std::string takeOutput() override;
+  double nextDeadline() const override;
+  const StreamStatus& status() const override { return record_.status; }
+  std::vector<PackmlState> takeStateChanges() override { return record_.takeStateChanges(); }
+
+ private:
+  /// What is being waited for.
+  enum class Phase {
+    Idle,      ///< nothing
+    Starting,  ///< a machine that is idle and says what it is
+    Checking,  ///< the rest of the program to be compared with what the machine knows
+    Feeding,   ///< answers to the lines under way
+    Proving,   ///< the answer to a question behind the last line
+    Resting,   ///< the end of all motions
+    Stopping,  ///< the safe stop to be confirmed
+    Offline,   ///< the link to come back, for the safe stop
+  };
+
+  PackmlState state() const { return record_.status.state; }
+  bool isRunning() const {
+    return phase_ == Phase::Feeding || phase_ == Phase::Proving || phase_ == Phase::Resting;
+  }
+
+  void onReply(const GrblReply& reply, double now);
+  void followStart(double now);
+  void followStop(double now);
+  void beginChecking(double now);
+  void check(double now);
+  void execute(double now);
+
+  void proceed(double now);
+  void pump(double now);
+  bool hasRoom(std::size_t bytes) const;
+  void ask();
+  void prove(double now);
+
+  void onAnswered(double now);
+  void onOk(double now);
+  void onError(int code, double now);
+  void onModes(double now);
+  void onAlarm(const std::string& code_text, int code, double now);
+  void onReport(const GrblReport& report, double now);
+  void onMotionState(const GrblReport& report, double now);
+  void onStandstill(const GrblReport& report, double now);
+  void onMoving(double now);
+  void countStarvation(const GrblReport& report, double now);
+  void rest(const GrblReport& report, double now);
+  void finish(double now);
+  std::optional<GrblAxes> workPosition(const GrblReport& report);
+
+  void poll(double now);
+  void onNoAnswer(double now);
+  double silenceLimit() const;
+  double answerLimit() const;
+  bool isAnswerDue() const;
+  void release(double now);
+  void loseCount(const std::string& what, double now);
+  void stop(GrblStop::Motion motion, double now);
+  void finishAborted(const std::string& remark);
+  FirmwareReply translated(const GrblReply& reply) const;
+
+  StreamOrder order_;
+  JobRecord record_;
+  LineFeed feed_;
+  GrblStart start_;
+  std::optional<GrblStop> stop_;
+  std::optional<ProgramCursor> unchecked_;
+  ExpectedPosition expected_{""};
+  GrblWindow window_;
+  AnswerTimer answers_;
+  Phase phase_ = Phase::Idle;
+  std::size_t capacity_ = 0;  ///< [bytes] that may be under way
+  double next_poll_s_ = 0.0;
+  double heard_s_ = 0.0;
+  GrblState machine_state_ = GrblState::Other;  ///< as last reported
+  int machine_substate_ = 0;
+  std::optional<GrblAxes> work_offset_;
+  std::optional<GrblAxes> place_;  ///< as last reported
+  std::optional<GrblAxes> work_;   ///< position, in the reports' unit
+  double idle_at_s_ = -1.0;        ///< of the first Idle in a row; -1 if there is none
+  bool has_begun_ = false;         ///< a line of the program may have been sent
+  bool has_modes_ = false;         ///< the answer to our question was heard, its ok was not
+  bool is_held_by_user_ = false;
+  bool is_resume_wanted_ = false;
+  std::optional<double> starved_since_;  ///< the first report of an empty planner
+  double release_again_s_ = 0.0;
+  double safe_stop_by_s_ = 0.0;
+  ReplyLines replies_;
+  std::string output_;
+};
+
+}  // namespace lamina

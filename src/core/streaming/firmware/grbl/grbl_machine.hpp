@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lamina/streaming/firmware/grbl/grbl_protocol.hpp"
+
+namespace lamina {
+
+/// What a machine says of itself before a job.
+struct GrblMachine {
+  GrblDialect dialect = GrblDialect::Grbl;
+  std::string version;                    ///< "1.1h.20190830"
+  std::string options;                    ///< letters of the options it was built with
+  int blocks = 0;                         ///< of its motion queue; 0 if it does not say
+  int receive_bytes = 0;                  ///< of its receive buffer; 0 if it does not say
+  std::string modes;                      ///< answer to `$G`
+  std::optional<bool> reports_in_inches;  ///< nothing if it does not say
+
+  /// Name and version, as in "grbl 1.1h.20190830".
+  std::string name() const;
+  bool hasOption(char letter) const { return options.find(letter) != std::string::npos; }
+
+  /// Takes what it says to `$I`, `$G` and `$$`.
+  void learn(const GrblReply& reply);
+};
+
+}  // namespace lamina

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/job/stream_settings.hpp"
+#include "streaming/firmware/grbl/grbl_machine.hpp"
+
+namespace lamina {
+
+/// What is done with a machine before a job: waits until it is idle, unlocks it if that was asked for, and
+/// asks what it is. Changes nothing else.
+class GrblStart {
+ public:
+  explicit GrblStart(const StreamSettings& settings) : settings_(settings) {}
+
+  void begin(double now);
+  void hear(const GrblReply& reply, double now);
+  void elapse(double now);
+  double nextDeadline() const;
+  std::string takeOutput();
+
+  bool isReady() const { return step_ == Step::Ready; }
+  /// Whole once it is ready.
+  const GrblMachine& machine() const { return machine_; }
+  /// Why the job cannot be.
+  const std::optional<Failure>& failure() const { return failure_; }
+
+ private:
+  enum class Step {
+    Awaiting,   ///< that the machine is idle
+    Unlocking,  ///< the ok to `$X`
+    Asking,     ///< the answers to `$I`, `$G` and `$$`
+    Ready,
+  };
+
+  void onReport(const GrblReport& report);
+  void onLocked(const GrblReport& report);
+  void ask(std::size_t question);
+  void onAnswer(const GrblReply& reply);
+  void refuse(const std::string& why) { failure_ = Failure{ErrorCode::Rejected, why}; }
+  void timeOut();
+
+  StreamSettings settings_;
+  Step step_ = Step::Awaiting;
+  GrblMachine machine_;
+  std::optional<Failure> failure_;
+  double began_s_ = 0.0;
+  double next_poll_s_ = 0.0;
+  bool has_reported_ = false;
+  std::string last_state_;
+  int idle_reports_ = 0;
+  int alarm_code_ = 0;  ///< 0 if it was not heard
+  bool has_unlocked_ = false;
+  std::size_t question_ = 0;
+  bool is_answered_ = false;  ///< the question, except for its ok
+  std::string output_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace lamina {
+
+/// A letter, in upper case, and its number.
+struct GrblWord {
+  char letter = ' ';
+  double value = 0.0;
+
+  /// Ten times the number of a command: 382 for G38.2.
+  int tenfold() const { return static_cast<int>(10.0 * value + 0.5); }
+};
+
+/// The words of a line of G-code, read as grbl reads them: blanks do not count, letters may be small.
+class GrblWords {
+ public:
+  const GrblWord* begin() const { return words_.data(); }
+  const GrblWord* end() const { return words_.data() + count_; }
+
+  /// @return nothing if the line is anything but letters with numbers, or has more than 32 of them
+  static std::optional<GrblWords> of(std::string_view line);
+
+ private:
+  std::array<GrblWord, 32> words_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace lamina

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streams to a real grbl that runs as a program of this computer, with resets, alarms and errors.
+
+    real_grbl_test.py LAMINA
+
+LAMINA_GRBL_RUNNER names a program `RUNNER LINK` that runs grbl behind a pseudo-terminal at LINK until it is ended, and prints `ready`. It takes from its
+environment RESET_AFTER, SAY_AFTER, SAY, and RECORD: the file for the lines that grbl has read, each behind its answer (`ok G1 X1`); `; reset` where it
+was reset. LAMINA_GRBL_MOVES is the length of the program that is streamed whole (2000). Without the runner nothing is tested, and the exit code is 77.
+"""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+RUNNER = os.environ.get("LAMINA_GRBL_RUNNER", "")
+MOVES = int(os.environ.get("LAMINA_GRBL_MOVES", "2000"))
+PATIENCE_S = 300
+
+
+def steps(count):
+    """A program of short motions, none like another."""
+    return ["G21", "G90", "F300"] + ["G1 X%.3f" % (0.02 * (i + 1)) for i in range(count)]
+
+
+class RealGrbl(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.port, self.record, self.program = (os.path.join(folder.name, name) for name in ("port", "record", "part.nc"))
+
+    def run_grbl(self, **faults):
+        grbl = subprocess.Popen([RUNNER, self.port], env={**os.environ, "RECORD": self.record, **faults}, stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, text=True, start_new_session=True)
+        self.addCleanup(grbl.stdout.close)
+        self.addCleanup(grbl.wait)
+        self.addCleanup(os.killpg, grbl.pid, signal.SIGTERM)
+        self.assertEqual(grbl.stdout.readline().strip(), "ready")
+
+    def begin(self, lines, *options):
+        with open(self.program, "w", encoding="utf-8") as program:
+            program.write("\n".join(lines) + "\n")
+        return subprocess.Popen([LAMINA, "stream", self.program, "--port", self.port, *options], stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, text=True)
+
+    def stream(self, lines, *options):
+        streaming = self.begin(lines, *options)
+        output, errors = streaming.communicate(timeout=PATIENCE_S)
+        return streaming.returncode, output, errors
+
+    def ran(self):
+        """The lines of the program that grbl has taken."""
+        with open(self.record, encoding="utf-8", errors="replace") as lines:
+            answered = [line.strip().split(" ", 1) for line in lines]
+        return [words[1].replace(" ", "") for words in answered if words[0] == "ok" and len(words) > 1 and words[1][0] in "GFM"]
+
+    def assert_ran_the_start_of(self, lines):
+        ran = self.ran()
+        self.assertEqual(ran, [line.replace(" ", "") for line in lines][:len(ran)])
+        return len(ran)
+
+    def test_every_line_is_run_once(self):
+        self.run_grbl()
+        lines = steps(MOVES)
+        code, output, errors = self.stream(lines)
+        self.assertEqual(code, 0, errors)
+        self.assertIn("firmware: grbl 1.1", output)
+        self.assertEqual(self.assert_ran_the_start_of(lines), len(lines))
+
+    def test_a_reset_ends_the_job(self):
+        self.run_grbl(RESET_AFTER="40")
+        code, _, errors = self.stream(steps(200))
+        self.assertEqual(code, 1)
+        self.assertIn("the machine was reset", errors)
+        self.assertNotIn("did not confirm", errors)
+        ran = self.ran()
+        self.assertEqual(len(ran), len(set(ran)))
+
+    def test_an_alarm_ends_the_job(self):
+        self.run_grbl(SAY_AFTER="30", SAY="ALARM:1")
+        lines = steps(200)
+        code, _, errors = self.stream(lines)
+        self.assertEqual(code, 1)
+        self.assertIn("a limit switch was hit", errors)
+        self.assertNotIn("did not confirm", errors)
+        self.assertLess(self.assert_ran_the_start_of(lines), 60)
+
+    def test_an_interrupt_stops_the_machine_safely(self):
+        self.run_grbl()
+        lines = ["M3 S500"] + steps(0) + ["G1 X5", "G1 X1", "G1 X6", "G1 X2"]
+        streaming = self.begin(lines)
+        time.sleep(3.0)
+        streaming.send_signal(signal.SIGINT)
+        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        self.assertEqual(streaming.returncode, 1, errors)
+        self.assertIn("stopped by the user", errors)
+        self.assertNotIn("did not confirm", errors)
+        self.assertNotIn("position is lost", errors)
+        self.assert_ran_the_start_of(lines)
+
+    def test_a_line_that_is_refused_ends_the_job(self):
+        self.run_grbl()
+        lines = steps(5) + ["G2 X5 Y5"] + ["G1 X9"]  # an arc without its centre
+        code, _, errors = self.stream(lines)
+        self.assertEqual(code, 1)
+        self.assertIn("error:35", errors)
+        self.assertIn("line 9", errors)
+        self.assertNotIn("did not confirm", errors)
+
+    def test_a_line_that_it_does_not_know_is_named_before_the_first(self):
+        self.run_grbl()
+        code, _, errors = self.stream(["G21", "M104 S200"])
+        self.assertEqual(code, 1)
+        self.assertIn("line 2", errors)
+        self.assertIn("M104", errors)
+        self.assertEqual(self.ran(), [])
+
+    def test_a_locked_machine_is_unlocked_only_where_that_is_asked_for(self):
+        self.run_grbl()
+        descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
+        time.sleep(1.5)
+        os.write(descriptor, b"G1 X50 F60\n")
+        time.sleep(0.5)
+        os.write(descriptor, b"\x18")  # in motion
+        time.sleep(2.0)
+        os.close(descriptor)
+        lines = ["G21", "G90", "G1 X1 F300"]
+        code, _, errors = self.stream(lines)
+        self.assertEqual(code, 1)
+        self.assertIn("the machine is locked", errors)
+        self.assertIn("$H", errors)
+        code, _, errors = self.stream(lines, "--set", "stream.unlock=once")
+        self.assertEqual(code, 0, errors)
+
+
+if __name__ == "__main__":
+    if not RUNNER:
+        print("no real grbl is there: LAMINA_GRBL_RUNNER is not set")
+        sys.exit(77)
+    unittest.main()

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Jobs on an emulated grbl with faults. LAMINA_GRBL_LINES=10000000 in the environment runs so many lines.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "streaming/emulator/grbl_link.hpp"
+#include "streaming/emulator/simulated_link.hpp"
+
+namespace lamina {
+namespace {
+
+using test::GrblLink;
+
+StreamSettings grblWire(LinkKind link) {
+  StreamSettings settings;
+  settings.link = link;
+  settings.window_bytes = 1024;
+  return settings;
+}
+
+std::uint64_t linesToRun() {
+  constexpr std::uint64_t kLinesInEveryTest = 100000;
+  const char* wanted = std::getenv("LAMINA_GRBL_LINES");
+  return wanted == nullptr ? kLinesInEveryTest : std::strtoull(wanted, nullptr, 10);
+}
+
+/// What became of many jobs.
+struct Tally {
+  std::uint64_t lines = 0;
+  std::uint64_t jobs = 0;
+  std::uint64_t complete = 0;
+  std::uint64_t struck = 0;      ///< jobs with at least one fault
+  std::uint64_t confirmed = 0;   ///< jobs that ended otherwise, with a safe stop that the machine confirmed
+  std::uint64_t wrong = 0;       ///< a line was run twice, or out of order
+  std::uint64_t false_ends = 0;  ///< Complete, and what ran is not the program
+};
+
+/// Whether lines are run once and in the program's order; some may be missing, as behind one that is refused.
+bool isInOrder(const std::vector<std::string>& executed, const std::vector<std::string>& commands) {
+  auto next = commands.begin();
+  for (const std::string& line : executed) {
+    if (line[0] != 'G') continue;  // the tail of a line that a reset has cut
+    next = std::find(next, commands.end(), line);
+    if (next == commands.end()) return false;
+    ++next;
+  }
+  return true;
+}
+
+void runOne(const StreamableProgram& program, const std::vector<std::string>& commands, LinkKind link,
+            const EmulatedGrblSettings& machine, const std::vector<GrblFault>& faults, Tally& tally) {
+  GrblLink wire(program, grblWire(link), machine, faults);
+  wire.run();
+  ++tally.jobs;
+  tally.lines += wire.executed.size();
+  if (wire.grbl.faults() > 0) ++tally.struck;
+  if (!isInOrder(wire.executed, commands)) ++tally.wrong;
+  if (wire.isComplete()) ++tally.complete;
+  if (wire.isComplete() && wire.executed != commands) ++tally.false_ends;
+  const bool is_safe = !wire.isComplete() && !wire.grbl.isInMotion() && wire.grbl.spindleSpeed() == 0.0 &&
+                       wire.message().find("did not confirm") == std::string::npos;
+  if (is_safe) ++tally.confirmed;
+  EXPECT_TRUE(isFinal(wire.streamer.status().state));
+  EXPECT_EQ(wire.grbl.bytesLost(), 0U);
+}
+
+Tally runMany(GrblFaultKind kind, LinkKind link, std::uint64_t lines) {
+  constexpr int kLinesOfProgram = 1000;
+  constexpr double kRate = 1.0 / 2000.0;
+  const auto program = StreamableProgram::fromText("mill", test::millProgram(kLinesOfProgram), {});
+  const auto commands = test::commandsOf(program);
+  Tally tally;
+  for (std::uint64_t seed = 1; tally.lines < lines; ++seed) {
+    EmulatedGrblSettings machine;
+    machine.seed = seed;
+    runOne(program, commands, link, machine, {{kind, kRate, {}}}, tally);
+    if (tally.jobs > lines) break;  // of a job that is refused no line is run
+  }
+  std::printf(
+      "%llu lines, %llu jobs, %llu struck, %llu complete, %llu stopped safely, %llu wrong, %llu false ends\n",
+      static_cast<unsigned long long>(tally.lines), static_cast<unsigned long long>(tally.jobs),
+      static_cast<unsigned long long>(tally.struck), static_cast<unsigned long long>(tally.complete),
+      static_cast<unsigned long long>(tally.confirmed), static_cast<unsigned long long>(tally.wrong),
+      static_cast<unsigned long long>(tally.false_ends));
+  return tally;
+}
+
+class GrblUnderFault : public testing::TestWithParam<GrblFaultKind> {};
+
+TEST_P(GrblUnderFault, RunsEveryLineOnceInOrderOrEndsOtherwise) {
+  constexpr std::uint64_t kKinds = 7;
+  const Tally tally = runMany(GetParam(), LinkKind::Reliable, linesToRun() / kKinds);
+  EXPECT_EQ(tally.wrong, 0U);
+  EXPECT_EQ(tally.false_ends, 0U);
+  EXPECT_GT(tally.struck, 0U);
+  EXPECT_EQ(tally.complete + tally.confirmed, tally.jobs);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryKind, GrblUnderFault,
+                         testing::Values(GrblFaultKind::LostOk, GrblFaultKind::DelayedOk,
+                                         GrblFaultKind::Error, GrblFaultKind::Alarm, GrblFaultKind::Reset,
+                                         GrblFaultKind::Silence, GrblFaultKind::Disconnect));
+
+TEST(GrblUnderDamage, RunsNothingBehindALossyLink) {
+  for (const GrblFaultKind kind : {GrblFaultKind::LostByte, GrblFaultKind::ChangedByte}) {
+    const Tally tally = runMany(kind, LinkKind::Lossy, 20);
+    EXPECT_EQ(tally.complete, 0U);
+    EXPECT_EQ(tally.lines, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace lamina
