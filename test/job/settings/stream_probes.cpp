@@ -27,7 +27,7 @@ std::string sentAgainAt(const SettingTexts& set) {
 
 /// What a grbl is told that has locked itself.
 std::string toldALocked(const SettingTexts& set) {
-  Streamer streamer(StreamableProgram::fromText("job", kTenMoves), settingsWith<StreamSettings>(set));
+  Streamer streamer(StreamableProgram::fromText("job", "G1 X1\n"), settingsWith<StreamSettings>(set));
   streamer.start(0.0);
   streamer.elapse(0.0);
   streamer.receive("<Alarm|MPos:0.000,0.000,0.000>\n", 0.1);
