@@ -44,6 +44,14 @@ TEST(Identification, PassesOnWhatComesBehindTheAnswer) {
       << "the request for line 1 confirms the numbering";
 }
 
+TEST(Identification, RefusesAMachineThatAsksForAPassword) {
+  Asking asking;
+  asking.streamer.receive("RepRapFirmware Telnet interface\r\n\r\nPlease enter your password:\r\n> ", 0.1);
+  EXPECT_EQ(asking.streamer.status().failure.code, ErrorCode::Rejected);
+  EXPECT_NE(asking.streamer.status().failure.message.find("password"), std::string::npos);
+  EXPECT_EQ(asking.streamer.takeOutput(), "");
+}
+
 TEST(Identification, GivesTheNameInTheStatus) {
   Asking asking;
   asking.streamer.receive("FIRMWARE_NAME:Marlin 2.1.3 SOURCE_CODE_URL:x\nok\n", 0.1);

@@ -260,8 +260,10 @@ TEST_F(ScriptedPeer, KnowsWhoAnswersBeforeItSendsAnythingElse) {
 }
 
 TEST_F(ScriptedPeer, LeavesFirmwareThatSpeaksOtherwiseAlone) {
-  for (const std::string name : {"Klipper", "RepRapFirmware for Duet 3 MB6HC", "Smoothieware"}) {
-    Streamer streamer(program_, settings());
+  for (const std::string name : {"Klipper", "RepRapFirmware for Duet 3 MB6HC", "Grbl 1.1h", "Smoothieware"}) {
+    StreamSettings insisting = settings();
+    insisting.firmware = "marlin";
+    Streamer streamer(program_, insisting);
     streamer.start(0.0);
     streamer.takeOutput();
     streamer.receive("FIRMWARE_NAME: " + name + " FIRMWARE_VERSION: 3.5\nok\n", 0.1);

@@ -73,7 +73,9 @@ TEST(FirmwareProtocol, OfAnUnknownNameIsRefusedNamingThoseThereAre) {
     Streamer(StreamableProgram::fromText("one line", "G1 X1\n"), settings);
     FAIL() << "nothing thrown";
   } catch (const InvalidConfig& error) {
-    EXPECT_STREQ(error.what(), "stream.firmware is 'smoke signals'; must be one of grbl | marlin");
+    EXPECT_STREQ(
+        error.what(),
+        "stream.firmware is 'smoke signals'; must be one of grbl | klipper | marlin | reprapfirmware");
   }
 }
 

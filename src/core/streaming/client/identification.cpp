@@ -71,6 +71,11 @@ void Identification::receive(std::string_view bytes, double now) {
 }
 
 void Identification::onReply(const FirmwareReply& reply, double now) {
+  if (reply.text.find("Please enter your password") != std::string::npos) {
+    abort({ErrorCode::Rejected, "the machine asks for a password (\"" + reply.text +
+                                    "\"), and none can be given; expected a machine without one (M551)"});
+    return;
+  }
   if (!reply.firmware_name.empty()) firmware_name_ = reply.firmware_name;
   if (isOfGrbl(reply.text)) {
     firmware_name_ = "grbl";

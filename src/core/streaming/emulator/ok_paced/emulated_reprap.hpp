@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "streaming/emulator/ok_paced/emulated_paced_firmware.hpp"
+
+namespace lamina {
+
+/// RepRapFirmware 3 in its emulation of Marlin, as GCodeBuffer/StringParser reads lines: a check of one to
+/// three digits is an exclusive or, one of five the CRC-16, and only lines with a number have one; a line
+/// whose check is wrong, or missing where it is required, is dropped without a word. The position is that of
+/// the last motion taken.
+class EmulatedRepRap final : public EmulatedPacedFirmware {
+ public:
+  /// Which lines it takes (M575 S0, S4).
+  enum class Checks : std::uint8_t { IfThere, RequiresCrc };
+
+  EmulatedRepRap(const PacedFaults& faults, Checks checks, Observer observer)
+      : EmulatedPacedFirmware(faults, std::move(observer)), checks_(checks) {}
+  /// The state that M409 tells: "idle".
+  void setStatus(const std::string& status) { status_ = status; }
+
+ private:
+  Answer onLine(std::string_view line) override;
+  Answer obey(const std::string& command);
+  std::string refusalOf(const std::string& command) const override;
+  void halt() override;
+  void restart() override;
+  std::string echoed(const std::string& expressions) const;
+  void follow(const std::string& command);
+
+  Checks checks_;
+  std::string status_ = "idle";
+  std::array<double, 4> at_{};  ///< X, Y, Z, and the filament
+  bool is_relative_ = false;
+  bool is_filament_relative_ = false;
+};
+
+}  // namespace lamina

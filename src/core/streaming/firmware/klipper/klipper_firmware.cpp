@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/firmware/klipper/klipper_firmware.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "streaming/firmware/klipper/klipper_protocol.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr const char* kWho = "M115";
+constexpr const char* kState = "STATUS";
+
+OpeningVerdict judgeName(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    if (line.find("FIRMWARE_NAME:") == std::string::npos) continue;
+    if (line.find("FIRMWARE_NAME:Klipper") != std::string::npos) return {};
+    return {OpeningVerdict::Kind::Refused,
+            "the machine is \"" + line + "\", which does not speak klipper; expected stream.firmware auto"};
+  }
+  return {OpeningVerdict::Kind::NotYet, "the machine answers M115 without the name of its firmware"};
+}
+
+/// Klipper gives its reason in lines of its own, of which the error repeats the first.
+OpeningVerdict judgeState(const std::vector<std::string>& lines) {
+  std::string reason;
+  for (const std::string& line : lines) {
+    if (line == "// Klipper state: Ready") return {};
+    if (line.compare(0, 3, "// ") == 0 && line.find("Klipper state:") == std::string::npos)
+      reason += (reason.empty() ? "" : " ") + line.substr(3);
+    if (line.compare(0, 2, "!!") == 0 && reason.empty())
+      reason = line.substr(std::min<std::size_t>(3, line.size()));
+  }
+  if (reason.empty()) return {OpeningVerdict::Kind::NotYet, "Klipper does not tell its state (STATUS)"};
+  const bool may_pass = reason.find("is not ready") != std::string::npos;
+  return {may_pass ? OpeningVerdict::Kind::NotYet : OpeningVerdict::Kind::Refused,
+          "Klipper is not ready: \"" + reason + "\""};
+}
+
+}  // namespace
+
+bool KlipperFirmware::isSpokenBy(std::string_view firmware_name) const {
+  constexpr std::string_view kName = "Klipper";
+  return firmware_name.substr(0, kName.size()) == kName;
+}
+
+std::string KlipperFirmware::defectOf(std::string_view command, const StreamSettings& settings) const {
+  return klipperDefectOf(command, settings.max_line_bytes);
+}
+
+std::string KlipperFirmware::framed(std::uint64_t, std::string_view command) const {
+  return std::string(command) + "\n";
+}
+
+PacedReply KlipperFirmware::read(std::string_view line) const { return readKlipperReply(line); }
+
+std::vector<std::string> KlipperFirmware::opening(LinkKind) const { return {kWho, kState}; }
+
+OpeningVerdict KlipperFirmware::judge(const std::string& question,
+                                      const std::vector<std::string>& lines) const {
+  return question == kWho ? judgeName(lines) : judgeState(lines);
+}
+
+std::string KlipperFirmware::question(std::uint64_t number, LinkKind) const {
+  return klipperQuestion(number);
+}
+
+/// Klipper runs what it has read behind a line with an error: one line leaves nothing behind it, and Klipper
+/// itself queues ahead.
+int KlipperFirmware::windowLines(LinkKind) const { return 1; }
+
+bool KlipperFirmware::isBlocking(std::string_view command) const {
+  constexpr std::array<std::string_view, 16> kShort = {"G0",   "G1",   "G2",   "G3",  "G90", "G91",
+                                                       "G92",  "G20",  "G21",  "M82", "M83", "M104",
+                                                       "M106", "M107", "M140", "M117"};
+  if (isExtendedCommand(command)) return true;
+  return std::none_of(kShort.begin(), kShort.end(), [command](std::string_view code) {
+    return command.substr(0, code.size()) == code &&
+           (command.size() == code.size() ||
+            std::isdigit(static_cast<unsigned char>(command[code.size()])) == 0);
+  });
+}
+
+std::vector<std::string> KlipperFirmware::switchOff(const std::string&) const { return {"TURN_OFF_HEATERS"}; }
+
+std::string KlipperFirmware::afterHalt() const {
+  return "Klipper in shutdown has its microcontroller switch heaters and motors off, which it does not "
+         "confirm";
+}
+
+std::string KlipperFirmware::reasonOfHalt() const { return kState; }
+
+std::string KlipperFirmware::afterRestart() const {
+  return "Klipper that starts anew has its microcontroller switch heaters and motors off, which it does not "
+         "confirm";
+}
+
+}  // namespace lamina

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace lamina {
+
+/// A command that was sent and is not yet answered.
+struct PacedCommand {
+  std::uint64_t line = 0;      ///< of the program; 0 if it is none of it
+  std::uint64_t question = 0;  ///< its identity; 0 if it is no question
+  std::size_t bytes = 0;
+  bool is_blocking = false;  ///< may take the machine long
+};
+
+/// What is sent and not yet answered, oldest first, by firmware that answers in order.
+class LinesUnderWay {
+ public:
+  void add(const PacedCommand& command) { commands_.push_back(command); }
+  void clear() { commands_.clear(); }
+
+  bool empty() const { return commands_.empty(); }
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const PacedCommand& command : commands_) sum += command.bytes;
+    return sum;
+  }
+  /// Lines of the program among them.
+  std::size_t lines() const {
+    return static_cast<std::size_t>(std::count_if(commands_.begin(), commands_.end(),
+                                                  [](const auto& command) { return command.line > 0; }));
+  }
+  bool hasOthers() const { return lines() < commands_.size(); }
+  bool hasBlocking() const {
+    return std::any_of(commands_.begin(), commands_.end(),
+                       [](const auto& command) { return command.is_blocking; });
+  }
+  /// The oldest line of the program; 0 if there is none.
+  std::uint64_t oldestLine() const {
+    const auto line = std::find_if(commands_.begin(), commands_.end(),
+                                   [](const auto& command) { return command.line > 0; });
+    return line == commands_.end() ? 0 : line->line;
+  }
+  /// Whether the answer that comes next is that to a line of the program.
+  bool isLineNext() const { return !commands_.empty() && commands_.front().line > 0; }
+
+  /// The oldest is answered.
+  std::optional<PacedCommand> takeOldest() {
+    if (commands_.empty()) return std::nullopt;
+    const PacedCommand oldest = commands_.front();
+    commands_.pop_front();
+    return oldest;
+  }
+  /// Whether a question is under way, so that all before it were read where nothing is lost.
+  bool hasQuestion(std::uint64_t question) const {
+    return std::any_of(commands_.begin(), commands_.end(),
+                       [question](const auto& command) { return command.question == question; });
+  }
+  bool isNext(std::uint64_t question) const {
+    return !commands_.empty() && commands_.front().question == question;
+  }
+
+ private:
+  std::deque<PacedCommand> commands_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "streaming/firmware/ok_paced/lines_under_way.hpp"
+#include "streaming/firmware/ok_paced/motion_tracker.hpp"
+#include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
+#include "streaming/job/answer_timer.hpp"
+#include "streaming/job/job_record.hpp"
+#include "streaming/job/line_feed.hpp"
+#include "streaming/job/reply_lines.hpp"
+#include "streaming/job/undone_commands.hpp"
+
+namespace lamina {
+
+/// Streams to firmware that says `ok` to each line and asks for none again.
+///
+/// Where nothing is lost, the oks are counted, and a question that carries an identity says that all before
+/// it was read: when oks stay away, and at the end. Where lines get lost one is under way, and when its ok
+/// stays away the machine's position decides whether it ran; where that cannot be told, the job ends.
+class OkPacedJob final : public StreamJob {
+ public:
+  OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware> firmware);
+
+  void start(double now) override;
+  void receive(std::string_view bytes, double now) override;
+  void elapse(double now) override;
+  void disconnect(const std::string& why, double now) override;
+  void reconnect(double now) override;
+  bool isOffline() const override { return phase_ == Phase::Offline; }
+  bool pause(double now) override;
+  bool resume(double now) override;
+  void abort(const Failure& why, double now) override;
+
+  std::string takeOutput() override;
+  double nextDeadline() const override;
+  const StreamStatus& status() const override { return record_.status; }
+  std::vector<PackmlState> takeStateChanges() override { return record_.takeStateChanges(); }
+
+ private:
+  enum class Phase {
+    Idle,
+    Opening,   ///< the answer to opening_[step_]
+    Locating,  ///< the answer to the last question, and that nothing else is under way
+    Feeding,   ///< answers to the lines under way
+    Stopping,  ///< confirmation of the safe stop
+    Offline,   ///< the link to come back, for the safe stop
+  };
+  /// What the answer to the last question is for.
+  enum class Aim {
+    Begin,  ///< the first line
+    Doubt,  ///< whether the line under way ran
+    Base,   ///< where the machine is before the next line
+    End,    ///< that all was read
+  };
+  enum class StopStage {
+    SwitchOff,
+    Rest,    ///< the end of the motions it has taken
+    Reason,  ///< why the machine has halted
+  };
+
+  bool isStopping() const { return record_.isStopping(); }
+  bool isLossy() const { return settings_.link == LinkKind::Lossy; }
+  bool isWaiting() const;
+  double silenceLimit() const;
+  void beginPhase(Phase phase, double now);
+  void send(const std::string& command, PacedCommand as);
+  std::uint64_t ask();
+
+  void onReply(const PacedReply& heard, double now);
+  void onKind(const FirmwareReply& reply, double now);
+  void onOk(double now);
+  void onOpeningOk(double now);
+  void onAnswer(const SyncAnswer& answer, double now);
+  void onRefusal(const FirmwareReply& reply, double now);
+  void onHalt(const FirmwareReply& reply, double now);
+  void onReason();
+  void onRestart(const FirmwareReply& reply, double now);
+  void onNotDone(const FirmwareReply& reply);
+
+  void askOpening(double now);
+  void locate(Aim aim, double now);
+  void onLocated(double now);
+  void decide(double now);
+  void proceed(double now);
+  void pump(double now);
+  bool sendNext(double now);
+  void poll(double now);
+  void onAllTaken(double now);
+  void acknowledge(const PacedCommand& command);
+  std::optional<ProgramLine> nextLine();
+
+  void retry(double now);
+  void timeOut(double now);
+  void prepareStop(double now);
+  void sendStop(double now);
+  void onStopAnswer(double now);
+  void finishAborted(const std::string& remark);
+
+  StreamSettings settings_;
+  std::shared_ptr<const OkPacedFirmware> firmware_;
+  ReplyListener heard_;
+  JobRecord record_;
+  LineFeed::Source program_;
+  std::uint64_t lines_read_ = 0;
+  LineFeed feed_;
+  LinesUnderWay under_way_;
+  MotionTracker tracker_;
+  AnswerTimer timer_;
+  UndoneCommands undone_;
+  std::vector<std::string> opening_;
+  std::vector<std::string> opening_answer_;
+  std::size_t step_ = 0;
+  std::string not_yet_;  ///< why the opening waits
+  Phase phase_ = Phase::Idle;
+  Aim aim_ = Aim::Begin;
+  StopStage stage_ = StopStage::SwitchOff;
+  bool has_begun_ = false;  ///< a line of the program may have been sent
+  bool has_answered_ = false;
+  bool is_paused_by_machine_ = false;
+  std::uint64_t next_number_ = 1;
+  std::uint64_t last_question_ = 0;
+  int questions_ = 0;  ///< since the phase began
+  std::uint64_t oks_heard_ = 0;
+  bool is_ok_heard_ = false;          ///< that of the line in doubt
+  std::optional<SyncAnswer> answer_;  ///< to the last question; its ok is to come
+  double longest_motion_s_ = 0.0;
+  double next_poll_ = 0.0;
+  std::string temperatures_;
+  std::optional<bool> are_heaters_off_;  ///< since the safe stop was sent last
+  double safe_stop_by_ = 0.0;
+  double safe_stop_latest_ = 0.0;
+  ReplyLines replies_;
+  std::string output_;
+};
+
+}  // namespace lamina
