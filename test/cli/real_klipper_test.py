@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Streams to a real Klipper whose microcontroller runs as a program of this computer.
+
+    real_klipper_test.py LAMINA
+
+LAMINA_KLIPPER_RUNNER names a program `RUNNER LINK` that runs Klipper behind a pseudo-terminal at LINK until it is ended, and prints `ready`. It takes
+from its environment NOZZLE_C, the temperature that the nozzle shows all the time, LOG, a file of both directions (`>` to Klipper, `<` from it), and
+RECORD: the file for the commands that Klipper has run (docs/firmware/klipper.md). Without it nothing is tested, and the exit code is 77.
+"""
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+RUNNER = os.environ.get("LAMINA_KLIPPER_RUNNER", "")
+PATIENCE_S = 120
+
+
+def spiral(lines):
+    """A program of short motions, none like another."""
+    text = ["G90", "M83", "G28"]
+    for i in range(lines - len(text)):
+        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
+    return text
+
+
+class RealKlipper(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.port, self.record, self.log, self.program = (os.path.join(folder.name, name) for name in ("port", "record", "log", "part.gcode"))
+
+    def run_klipper(self, **environment):
+        environment = {**os.environ, "RECORD": self.record, "LOG": self.log, **environment}
+        klipper = subprocess.Popen([RUNNER, self.port], env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                                   start_new_session=True)
+        self.addCleanup(klipper.stdout.close)
+        self.addCleanup(klipper.wait)
+        self.addCleanup(os.killpg, klipper.pid, signal.SIGTERM)
+        self.assertEqual(klipper.stdout.readline().strip(), "ready")
+
+    def begin(self, lines):
+        with open(self.program, "w", encoding="utf-8") as program:
+            program.write("\n".join(lines) + "\n")
+        return subprocess.Popen([LAMINA, "stream", self.program, "--port", self.port], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def stream(self, lines):
+        job = self.begin(lines)
+        out, told = job.communicate(timeout=PATIENCE_S)
+        return job.returncode, out, told
+
+    def say(self, command):
+        """Another sender's command, behind the streamer's back."""
+        with open(self.port, "wb", buffering=0) as port:
+            port.write(command.encode() + b"\n")
+
+    def ran(self):
+        with open(self.record, encoding="utf-8", errors="replace") as lines:
+            commands = [line.strip() for line in lines]
+        own = re.compile(r"(M115|M105|M400|STATUS|ECHO|TURN_OFF_HEATERS|FIRMWARE_RESTART|;)")
+        return [command for command in commands if command and not own.match(command)]
+
+    def sent(self):
+        with open(self.log, encoding="utf-8", errors="replace") as lines:
+            return [line.split("> ", 1)[1].strip() for line in lines if "> " in line]
+
+    def test_every_line_is_run_once(self):
+        self.run_klipper()
+        lines = spiral(500)
+        code, _, told = self.stream(lines)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), lines)
+
+    def test_an_error_ends_the_job_and_nothing_behind_it_is_run(self):
+        self.run_klipper(NOZZLE_C="25")
+        code, _, told = self.stream(["G90", "G28", "M83", "G1 X20 E5 F6000", "G1 X30"])
+        self.assertEqual(code, 1)
+        self.assertIn("Extrude below minimum temp", told)
+        self.assertNotIn("confirm", told)
+        self.assertNotIn("G1 X30", self.sent())
+        self.assertIn("TURN_OFF_HEATERS", self.sent())
+
+    def test_commands_that_it_does_not_know_are_counted(self):
+        self.run_klipper()
+        code, out, told = self.stream(["G90", "M4242", "FROBNICATE A=1"])
+        self.assertEqual(code, 0, told)
+        self.assertIn("not done: 2", out)
+
+    def test_an_interrupted_job_stops_safely(self):
+        self.run_klipper()
+        job = self.begin(["M104 S180"] + spiral(2000))
+        time.sleep(4.0)
+        job.send_signal(signal.SIGINT)
+        _, told = job.communicate(timeout=PATIENCE_S)
+        self.assertEqual(job.returncode, 1)
+        self.assertNotIn("confirm", told)
+        self.assertIn("TURN_OFF_HEATERS", self.sent())
+
+    def test_a_machine_in_shutdown_is_left_alone(self):
+        self.run_klipper()
+        self.say("M112")
+        time.sleep(1.0)
+        code, _, told = self.stream(spiral(10))
+        self.assertEqual(code, 1)
+        self.assertIn("Shutdown due to M112", told)
+        self.assertEqual(set(self.sent()), {"M112", "M115", "STATUS"})
+
+    def test_a_shutdown_under_way_is_told_with_its_reason(self):
+        self.run_klipper()
+        code, _, told = self.stream(spiral(50) + ["M112"] + spiral(50))
+        self.assertEqual(code, 1)
+        self.assertIn("Shutdown due to M112", told)
+        self.assertIn("does not confirm", told)
+
+    def test_a_restart_under_way_ends_the_job(self):
+        self.run_klipper()
+        code, _, told = self.stream(spiral(50) + ["FIRMWARE_RESTART"] + spiral(50))
+        self.assertEqual(code, 1)
+        self.assertIn("the machine was reset", told)
+
+
+if __name__ == "__main__":
+    if not RUNNER:
+        print("no real Klipper is there: LAMINA_KLIPPER_RUNNER is not set")
+        sys.exit(77)
+    unittest.main()
