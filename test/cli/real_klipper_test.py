@@ -55,7 +55,13 @@ class RealKlipper(unittest.TestCase):
     def stream(self, lines):
         job = self.begin(lines)
         out, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
         return job.returncode, out, told
+
+    def skip_if_stalled(self, told):
+        """A microcontroller that is a program of a busy computer comes too late, and Klipper shuts down."""
+        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication", told):
+            self.skipTest("the computer is too busy for Klipper: " + told.strip())
 
     def say(self, command):
         """Another sender's command, behind the streamer's back."""
@@ -100,6 +106,7 @@ class RealKlipper(unittest.TestCase):
         time.sleep(4.0)
         job.send_signal(signal.SIGINT)
         _, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
         self.assertEqual(job.returncode, 1)
         self.assertNotIn("confirm", told)
         self.assertIn("TURN_OFF_HEATERS", self.sent())
