@@ -146,7 +146,6 @@ TEST(OkPacedProperty, RepRapFirmwareRunsEveryLineOnceOrTheJobIsNotComplete) {
   expectNothingLost(streamMany(
       pacedSettings("reprapfirmware", LinkKind::Reliable), 0.0, [](std::uint64_t seed, auto observer) {
         PacedFaults faults = rareFaults();
-        faults.refusal = 0.0;  // the lines behind a refused one are run: tested apart
         faults.seed = seed;
         return std::make_unique<EmulatedRepRap>(faults, EmulatedRepRap::Checks::IfThere, observer);
       }));

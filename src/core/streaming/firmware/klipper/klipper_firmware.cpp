@@ -68,10 +68,6 @@ std::string KlipperFirmware::question(std::uint64_t number, LinkKind) const {
   return klipperQuestion(number);
 }
 
-/// Klipper runs what it has read behind a line with an error: one line leaves nothing behind it, and Klipper
-/// itself queues ahead.
-int KlipperFirmware::windowLines(LinkKind) const { return 1; }
-
 bool KlipperFirmware::isBlocking(std::string_view command) const {
   constexpr std::array<std::string_view, 16> kShort = {"G0",   "G1",   "G2",   "G3",  "G90", "G91",
                                                        "G92",  "G20",  "G21",  "M82", "M83", "M104",

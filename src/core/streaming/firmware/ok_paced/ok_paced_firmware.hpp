@@ -56,8 +56,6 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
 
   /// A harmless command that makes the firmware say this number; on a lossy link its position too.
   virtual std::string question(std::uint64_t number, LinkKind link) const = 0;
-  /// Lines that may be under way where the settings leave it open.
-  virtual int windowLines(LinkKind link) const = 0;
   /// Whether the firmware may say nothing for long while it runs a command.
   virtual bool isBlocking(std::string_view command) const = 0;
   /// Whether the firmware refuses damaged lines, so that it may be spoken to over a lossy link.

@@ -31,7 +31,8 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
       feed_([this] { return nextLine(); }, 1),
       timer_(order.settings.probe_after_s),
       opening_(firmware_->opening(order.settings.link)) {
-  if (settings_.window_lines == 0) settings_.window_lines = firmware_->windowLines(settings_.link);
+  // Such firmware runs what it has read behind a line that it refuses.
+  if (settings_.window_lines == 0) settings_.window_lines = 1;
   if (isLossy()) settings_.window_lines = 1;
   record_.status.lines_total = order.program.lines();
   if (order.firmware_name) record_.status.firmware_name = *order.firmware_name;
@@ -167,7 +168,7 @@ void OkPacedJob::decide(double now) {
     return;
   }
   if (evidence == RunEvidence::Ran) {
-    acknowledge(*line);
+    acknowledge(*line, now);
   } else {
     ++record_.status.resends;
     undone_.rewind(line->line);
@@ -176,12 +177,14 @@ void OkPacedJob::decide(double now) {
   if (position) tracker_.locate(*position);
 }
 
-void OkPacedJob::acknowledge(const PacedCommand& command) {
+void OkPacedJob::acknowledge(const PacedCommand& command, double now) {
   if (command.line == 0) return;
   tracker_.confirm();
   if (command.line > record_.status.lines_total) return;
   undone_.acknowledge(command.line);
   record_.status.commands_not_done = undone_.count();
+  starvation_.acknowledged(command.line, std::nullopt, now);
+  record_.status.starvation = starvation_.starvation();
   record_.status.lines_acknowledged = command.line;
   record_.status.layer = feed_.layerOf(command.line);
 }
@@ -241,6 +244,11 @@ bool OkPacedJob::sendNext(double now) {
   as.line = feed_.next();
   as.is_blocking = firmware_->isBlocking(line->command);
   const std::string command = line->command;
+  outputs_.see(command);
+  if (as.is_blocking)
+    starvation_.sentWait(as.line, now);
+  else
+    starvation_.sent(as.line, line->seconds, now);
   feed_.advance();
   send(command, as);
   return true;
@@ -324,6 +332,7 @@ void OkPacedJob::timeOut(double now) {
 bool OkPacedJob::pause(double now) {
   if (record_.status.state != PackmlState::Execute) return false;
   record_.enter(PackmlState::Holding);
+  starvation_.standStill();
   proceed(now);
   return true;
 }
@@ -361,6 +370,8 @@ void OkPacedJob::prepareStop(double now) {
 void OkPacedJob::sendStop(double now) {
   timer_.asked(now);
   are_heaters_off_.reset();
+  for (const std::string& command : outputs_.beamOff()) send(command, {});
+  for (const std::string& command : outputs_.airOff()) send(command, {});
   if (stage_ == StopStage::SwitchOff) {
     for (const std::string& command : firmware_->switchOff(temperatures_)) send(command, {});
     send(kTemperatures, {});
@@ -486,7 +497,7 @@ void OkPacedJob::onOk(double now) {
     if (answer_) return onLocated(now);
     ++oks_heard_;
   } else if (phase_ == Phase::Feeding) {
-    if (const auto oldest = under_way_.takeOldest()) acknowledge(*oldest);
+    if (const auto oldest = under_way_.takeOldest()) acknowledge(*oldest, now);
   }
 }
 
@@ -503,7 +514,7 @@ void OkPacedJob::onAnswer(const SyncAnswer& answer, double now) {
   } else if (phase_ == Phase::Feeding) {
     if (!under_way_.hasQuestion(answer.question)) return;
     // Nothing is lost on the way: all before the question was read.
-    while (!under_way_.isNext(answer.question)) acknowledge(*under_way_.takeOldest());
+    while (!under_way_.isNext(answer.question)) acknowledge(*under_way_.takeOldest(), now);
   } else if (phase_ == Phase::Stopping && answer.question == last_question_) {
     onStopAnswer(now);
   }

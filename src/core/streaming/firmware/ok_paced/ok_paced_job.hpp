@@ -15,7 +15,9 @@
 #include "streaming/job/job_record.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
+#include "streaming/job/starvation_watch.hpp"
 #include "streaming/job/undone_commands.hpp"
+#include "streaming/job/used_outputs.hpp"
 
 namespace lamina {
 
@@ -93,7 +95,7 @@ class OkPacedJob final : public StreamJob {
   bool sendNext(double now);
   void poll(double now);
   void onAllTaken(double now);
-  void acknowledge(const PacedCommand& command);
+  void acknowledge(const PacedCommand& command, double now);
   std::optional<ProgramLine> nextLine();
 
   void retry(double now);
@@ -111,6 +113,8 @@ class OkPacedJob final : public StreamJob {
   std::uint64_t lines_read_ = 0;
   LineFeed feed_;
   LinesUnderWay under_way_;
+  UsedOutputs outputs_;
+  StarvationWatch starvation_;
   MotionTracker tracker_;
   AnswerTimer timer_;
   UndoneCommands undone_;

@@ -94,11 +94,6 @@ std::string RepRapFirmware::question(std::uint64_t number, LinkKind link) const 
   return reprapQuestion(number, link);
 }
 
-int RepRapFirmware::windowLines(LinkKind link) const {
-  constexpr int kReliable = 4;  // its input holds 256 bytes
-  return link == LinkKind::Lossy ? 1 : kReliable;
-}
-
 /// Whatever may run a macro, wait, or home.
 bool RepRapFirmware::isBlocking(std::string_view command) const {
   constexpr std::array<std::string_view, 16> kQuick = {"G0",   "G1",   "G2",   "G3",  "G90", "G91",
