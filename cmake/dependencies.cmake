@@ -14,6 +14,7 @@ pkg_check_modules(KDL REQUIRED IMPORTED_TARGET orocos-kdl)
 find_package(fcl REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(OpenSSL REQUIRED)
 
 # Searches: without their libraries (tools/install-dependencies --all) there is no `lamina optimise`, no node `optimiser`.
 find_package(Pagmo QUIET)

@@ -103,7 +103,9 @@ void addStream(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("stream", "Stream a G-code program to a machine");
   auto arguments = std::make_shared<StreamArguments>();
   command->add_option("program", arguments->program, "G-code file")->required();
-  command->add_option("--port,-p", arguments->port.name, "serial port such as /dev/ttyUSB0, or tcp:host:port")
+  command
+      ->add_option("--port,-p", arguments->port.name,
+                   "serial port such as /dev/ttyUSB0, tcp:host:port, or http://host:port")
       ->required();
   command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
   command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");

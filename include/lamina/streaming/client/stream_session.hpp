@@ -12,11 +12,13 @@ namespace lamina {
 
 /// Where the machine is.
 struct MachinePort {
-  std::string name;  ///< "tcp:host:port", or the path of a serial port or pseudo-terminal
+  /// "tcp:host:port", "http://host:port" of a print server, or the path of a serial port or pseudo-terminal
+  std::string name;
   int baud = 115200;
 };
 
-/// A job under way: a streamer at a port, in a thread of its own. All calls may come from any thread.
+/// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
+/// prints by itself. All calls may come from any thread.
 class StreamSession {
  public:
   /// Given the job's status whenever its state changes, in order, and at least ten times a second while it
@@ -24,9 +26,11 @@ class StreamSession {
   using Observer = std::function<void(const StreamStatus&)>;
 
   /// Opens the port and starts to stream.
-  /// @param heard  given every line of the machine, from the session's thread; may be empty
+  /// @param heard  given every line of the machine, from the session's thread; may be empty. A print server
+  ///               says none.
   /// @throws Disconnected naming the port if there is no machine
-  /// @throws FileError if the program is gone
+  /// @throws FileError if the program is gone, or the password's file
+  /// @throws InvalidProgram of a print server, if it would misread the program
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
                 Observer observer, ReplyListener heard = {});
   /// Aborts a job that is not over, and waits for the safe stop.
@@ -48,8 +52,7 @@ class StreamSession {
   bool waitFor(double timeout_s) const;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<class SessionKind> kind_;
 };
 
 /// The status of a job that is over as an exception: nothing if it is Complete.

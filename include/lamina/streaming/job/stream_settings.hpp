@@ -41,6 +41,7 @@ struct StreamSettings {
   double safe_stop_timeout_s = 10;   ///< until the machine has confirmed the safe stop
   bool keep_heaters_on = false;      ///< after a safe stop
   UnlockPolicy unlock = UnlockPolicy::Never;
+  std::string password_file;       ///< of a print server's password or API key; empty for none
   int temperature_interval_s = 1;  ///< of the firmware's own reports (M155); 0 for none
   int position_interval_s = 0;     ///< of the firmware's own reports (M154); 0 for none
 };

@@ -32,6 +32,8 @@ class ProgramCursor {
   std::optional<ProgramLine> next();
   /// Line of the text that the last command stood on, from 1.
   std::uint64_t textLine() const { return text_line_; }
+  /// Bytes of the text up to the end of that line; an end of line that the last one lacks is counted.
+  std::uint64_t bytesRead() const { return bytes_read_; }
 
  private:
   void readComment(std::string_view comment);
@@ -39,6 +41,7 @@ class ProgramCursor {
   std::unique_ptr<std::istream> text_;
   std::string raw_;
   std::uint64_t text_line_ = 0;
+  std::uint64_t bytes_read_ = 0;
   std::int32_t layer_ = -1;
 };
 
@@ -64,6 +67,9 @@ class StreamableProgram {
   ProgramCursor open() const;
   /// Whether its text lies in memory; else it is a file.
   bool isHeld() const { return text_ != nullptr; }
+  /// The text as it is.
+  /// @throws FileError if the file is gone
+  std::unique_ptr<std::istream> openText() const;
   /// Whether the file is no longer the one that was checked: written to, cut, replaced or gone.
   bool hasChanged() const;
 

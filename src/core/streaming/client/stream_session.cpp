@@ -4,20 +4,19 @@
 
 #include <boost/asio/post.hpp>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <thread>
 #include <utility>
 
 #include "lamina/base/clock.hpp"
 #include "lamina/streaming/transport/transport.hpp"
+#include "streaming/client/session_kind.hpp"
 #include "streaming/transport/deadline_timer.hpp"
+#include "streaming/transport/http_client.hpp"
 #include "streaming/transport/thread_priority.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kProgressInterval = 0.05;  // s
 constexpr std::chrono::milliseconds kReopenInterval{200};
 
 StreamSettings atPort(StreamSettings settings, const std::string& port) {
@@ -25,14 +24,13 @@ StreamSettings atPort(StreamSettings settings, const std::string& port) {
   return settings;
 }
 
-}  // namespace
-
-class StreamSession::Impl {
+/// A streamer and the link over which it speaks.
+class LinkSession final : public SessionKind {
  public:
-  Impl(const StreamableProgram& program, const StreamSettings& settings, MachinePort port, Observer observer,
-       ReplyListener heard)
+  LinkSession(const StreamableProgram& program, const StreamSettings& settings, MachinePort port,
+              StreamSession::Observer observer, ReplyListener heard)
       : port_(std::move(port)),
-        observer_(std::move(observer)),
+        record_(port_.name, std::move(observer)),
         streamer_(program, atPort(settings, port_.name), std::move(heard)),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
@@ -44,35 +42,24 @@ class StreamSession::Impl {
     thread_ = std::thread([this] { run(); });
   }
 
-  ~Impl() {
+  ~LinkSession() override {
     abort({ErrorCode::Cancelled, "the job was abandoned"});
     thread_.join();
   }
 
-  void pause() {
+  void pause() override {
     command([this](double now) { streamer_.pause(now); });
   }
-  void resume() {
+  void resume() override {
     command([this](double now) { streamer_.resume(now); });
   }
-  void abort(const Failure& why) {
+  void abort(const Failure& why) override {
     command([this, why](double now) { streamer_.abort(why, now); });
   }
 
-  StreamStatus status() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return snapshot_;
-  }
-
-  bool isOver() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return is_over_;
-  }
-
-  bool waitFor(double timeout_s) const {
-    std::unique_lock<std::mutex> lock(mutex_);
-    return over_.wait_for(lock, std::chrono::duration<double>(timeout_s), [this] { return is_over_; });
-  }
+  StreamStatus status() const override { return record_.status(); }
+  bool isOver() const override { return record_.isOver(); }
+  bool waitFor(double timeout_s) const override { return record_.waitFor(timeout_s); }
 
  private:
   TransportEvents events() {
@@ -129,7 +116,7 @@ class StreamSession::Impl {
     if (is_closed_) return;
     const std::string output = streamer_.takeOutput();
     if (!output.empty()) transport_->send(output);
-    notify();
+    record_.publish(streamer_.status(), streamer_.takeStateChanges(), clock_.now());
     if (isFinal(streamer_.status().state)) {
       finish();
     } else if (streamer_.isOffline()) {
@@ -140,63 +127,42 @@ class StreamSession::Impl {
     }
   }
 
-  void notify() {
-    const auto entered = streamer_.takeStateChanges();
-    const double now = clock_.now();
-    if (entered.empty() && now < next_progress_) return;
-    next_progress_ = now + kProgressInterval;
-    StreamStatus status = streamer_.status();
-    if (status.failure.code != ErrorCode::Ok)
-      status.failure.message = port_.name + ": " + status.failure.message;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      snapshot_ = status;
-    }
-    if (!observer_) return;
-    for (std::size_t i = 0; i + 1 < entered.size(); ++i) {
-      StreamStatus passing = status;
-      passing.state = entered[i];
-      observer_(passing);
-    }
-    observer_(status);
-  }
-
   void finish() {
     is_closed_ = true;
     timer_.cancel();
     transport_->close();
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_over_ = true;
-    over_.notify_all();
+    record_.finish();
   }
 
   SteadyClock clock_;
   boost::asio::io_context context_;
   MachinePort port_;
-  Observer observer_;
+  SessionRecord record_;
   Streamer streamer_;
   std::unique_ptr<Transport> transport_;
   DeadlineTimer timer_;
-  double next_progress_ = 0.0;
   bool is_closed_ = false;
-  mutable std::mutex mutex_;
-  mutable std::condition_variable over_;
-  StreamStatus snapshot_;
-  bool is_over_ = false;
   std::thread thread_;
 };
 
+}  // namespace
+
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
-                             const MachinePort& port, Observer observer, ReplyListener heard)
-    : impl_(std::make_unique<Impl>(program, settings, port, std::move(observer), std::move(heard))) {}
+                             const MachinePort& port, Observer observer, ReplyListener heard) {
+  if (isWebAddress(port.name)) {
+    kind_ = beginUpload(program, settings, port, std::move(observer));
+  } else {
+    kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(heard));
+  }
+}
 StreamSession::~StreamSession() = default;
 
-void StreamSession::pause() { impl_->pause(); }
-void StreamSession::resume() { impl_->resume(); }
-void StreamSession::abort(const Failure& why) { impl_->abort(why); }
-StreamStatus StreamSession::status() const { return impl_->status(); }
-bool StreamSession::isOver() const { return impl_->isOver(); }
-bool StreamSession::waitFor(double timeout_s) const { return impl_->waitFor(timeout_s); }
+void StreamSession::pause() { kind_->pause(); }
+void StreamSession::resume() { kind_->resume(); }
+void StreamSession::abort(const Failure& why) { kind_->abort(why); }
+StreamStatus StreamSession::status() const { return kind_->status(); }
+bool StreamSession::isOver() const { return kind_->isOver(); }
+bool StreamSession::waitFor(double timeout_s) const { return kind_->waitFor(timeout_s); }
 
 void throwIfFailed(const StreamStatus& status) {
   const Failure& failure = status.failure;

@@ -12,9 +12,9 @@ namespace lamina {
 Registry<std::shared_ptr<const FirmwareProtocol>>& firmwareProtocols() {
   static Registry<std::shared_ptr<const FirmwareProtocol>> registry(
       "stream.firmware", {{"grbl", std::make_shared<GrblFirmware>()},
-                           {"klipper", std::make_shared<KlipperFirmware>()},
-                           {"marlin", std::make_shared<MarlinFirmware>()},
-                           {"reprapfirmware", std::make_shared<RepRapFirmware>()}});
+                          {"klipper", std::make_shared<KlipperFirmware>()},
+                          {"marlin", std::make_shared<MarlinFirmware>()},
+                          {"reprapfirmware", std::make_shared<RepRapFirmware>()}});
   return registry;
 }
 

@@ -48,6 +48,8 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
       "stream.unlock", settings.unlock, {{"never", UnlockPolicy::Never}, {"once", UnlockPolicy::Once}},
       "Whether a machine that has locked itself (grbl's alarm) is unlocked at the start; never refuses the "
       "job.");
+  schema.text("stream.password_file", settings.password_file,
+              "File whose first line is the password or API key of a print server; empty for none.");
   schema.integer("stream.temperature_interval_s", settings.temperature_interval_s, {0, 60},
                  "Interval of the machine's temperature reports; 0 for none.");
   schema.integer("stream.position_interval_s", settings.position_interval_s, {0, 60},

@@ -99,6 +99,7 @@ std::vector<Checker> checkersOf(const std::string& firmware) {
 std::optional<ProgramLine> ProgramCursor::next() {
   while (std::getline(*text_, raw_)) {
     ++text_line_;
+    bytes_read_ += raw_.size() + 1;
     std::string_view line = raw_;
     const std::size_t comment = commentOf(line);
     if (comment != std::string_view::npos) {
@@ -141,11 +142,13 @@ StreamableProgram StreamableProgram::fromText(const std::string& name, std::stri
   return program;
 }
 
-ProgramCursor StreamableProgram::open() const {
-  if (text_) return ProgramCursor(std::make_unique<std::istringstream>(*text_));
+ProgramCursor StreamableProgram::open() const { return ProgramCursor(openText()); }
+
+std::unique_ptr<std::istream> StreamableProgram::openText() const {
+  if (text_) return std::make_unique<std::istringstream>(*text_);
   auto file = std::make_unique<std::ifstream>(path_, std::ios::binary);
   if (!*file) throwUnreadable(path_, std::strerror(errno));
-  return ProgramCursor(std::move(file));
+  return file;
 }
 
 std::optional<StreamableProgram::FileState> StreamableProgram::stateOf(const std::string& path) {

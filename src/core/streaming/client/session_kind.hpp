@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/streaming/client/stream_session.hpp"
+
+namespace lamina {
+
+/// What the kinds of sessions have in common: a job in a thread of its own. All calls may come from any
+/// thread.
+class SessionKind {
+ public:
+  virtual ~SessionKind() = default;
+
+  virtual void pause() = 0;
+  virtual void resume() = 0;
+  virtual void abort(const Failure& why) = 0;
+  virtual StreamStatus status() const = 0;
+  virtual bool isOver() const = 0;
+  virtual bool waitFor(double timeout_s) const = 0;
+};
+
+/// The status of a session as other threads see it, and who is told of it.
+class SessionRecord {
+ public:
+  /// @param port  that messages of failures begin with
+  SessionRecord(std::string port, StreamSession::Observer observer)
+      : port_(std::move(port)), observer_(std::move(observer)) {}
+
+  /// From the session's thread: what the job now says, and the states that it has entered. Progress alone is
+  /// passed on twenty times a second.
+  void publish(StreamStatus status, const std::vector<PackmlState>& entered, double now);
+  void finish();
+
+  StreamStatus status() const;
+  bool isOver() const;
+  bool waitFor(double timeout_s) const;
+
+ private:
+  std::string port_;
+  StreamSession::Observer observer_;
+  double next_progress_ = 0.0;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable over_;
+  StreamStatus snapshot_;
+  bool is_over_ = false;
+};
+
+/// A session that uploads the program to a print server.
+/// @throws Disconnected, FileError, InvalidProgram, InvalidInput, InvalidConfig
+std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
+                                         const MachinePort& port, StreamSession::Observer observer);
+
+}  // namespace lamina

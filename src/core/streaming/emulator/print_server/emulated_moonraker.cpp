@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nlohmann/json.hpp>
+
+#include "streaming/emulator/print_server/emulated_print_server.hpp"
+
+namespace lamina {
+namespace {
+
+using nlohmann::json;
+
+/// What stands between two texts; empty if one of them is missing.
+std::string between(std::string_view text, std::string_view before, std::string_view after) {
+  const std::size_t start = text.find(before);
+  if (start == std::string_view::npos) return {};
+  const std::size_t first = start + before.size();
+  const std::size_t end = text.find(after, first);
+  if (end == std::string_view::npos) return {};
+  return std::string(text.substr(first, end - first));
+}
+
+/// Klipper behind Moonraker. The checksum of an upload is not looked at: uploads that are damaged on the way
+/// are found by what is read back.
+class EmulatedMoonraker final : public EmulatedPrintServer {
+ public:
+  HttpResponse answer(const HttpRequest& request, std::string_view body) override;
+
+ private:
+  HttpResponse answerFiles(const HttpRequest& request, const std::string& path, std::string_view body);
+  HttpResponse upload(const HttpRequest& request, std::string_view body);
+  HttpResponse download(const std::string& file) const;
+  HttpResponse start(const std::string& file);
+  HttpResponse script(const std::string& text);
+  json status() const;
+  static HttpResponse result(const json& value) { return {200, json{{"result", value}}.dump()}; }
+  static HttpResponse error(int code, const std::string& message) {
+    return {code, json{{"error", {{"code", code}, {"message", message}}}}.dump()};
+  }
+};
+
+HttpResponse EmulatedMoonraker::answer(const HttpRequest& request, std::string_view body) {
+  const std::string path = request.target.substr(0, request.target.find('?'));
+  if (!password.empty() && headerValue(request, "X-Api-Key") != password) return error(401, "Unauthorized");
+  if (path == "/server/info") {
+    return result(
+        {{"klippy_state", printer.is_halted ? "shutdown" : "ready"}, {"moonraker_version", "v0.9.3"}});
+  }
+  if (path.compare(0, 14, "/server/files/") == 0) return answerFiles(request, path, body);
+  if (path == "/printer/objects/query") return result({{"eventtime", 1.0}, {"status", status()}});
+  if (request.method != "POST") return error(404, "Not Found");
+  if (printer.is_halted) return error(400, "Lost communication with MCU 'mcu'");
+  if (path == "/printer/print/start") return start(queryValue(request.target, "filename"));
+  if (path == "/printer/print/pause") printer.pause();
+  if (path == "/printer/print/resume") printer.resume();
+  if (path == "/printer/print/cancel") printer.cancel();
+  if (path == "/printer/gcode/script") return script(queryValue(request.target, "script"));
+  return result("ok");
+}
+
+HttpResponse EmulatedMoonraker::answerFiles(const HttpRequest& request, const std::string& path,
+                                            std::string_view body) {
+  if (path == "/server/files/upload") return upload(request, body);
+  if (path == "/server/files/metadata") {
+    const auto found = printer.files.find(queryValue(request.target, "filename"));
+    if (found == printer.files.end()) return error(404, "Metadata not available");
+    return result({{"size", found->second.size()}, {"filename", found->first}});
+  }
+  const std::string file = percentDecoded(path.substr(std::string_view("/server/files/gcodes/").size()));
+  if (request.method != "DELETE") return download(file);
+  if (printer.state() != EmulatedPrinter::State::Idle && printer.file() == file)
+    return error(403, "File currently in use");
+  if (printer.files.erase(file) == 0) return error(404, "File does not exist");
+  return result("ok");
+}
+
+HttpResponse EmulatedMoonraker::upload(const HttpRequest& request, std::string_view body) {
+  const std::string boundary = between(headerValue(request, "Content-Type") + ";", "boundary=", ";");
+  const std::string folder = between(body, "name=\"path\"\r\n\r\n", "\r\n--");
+  const std::string name = between(body, "filename=\"", "\"");
+  const std::size_t part = body.find("filename=\"");
+  if (boundary.empty() || name.empty()) return error(400, "Multipart filename omitted");
+  const std::string file = folder.empty() ? name : folder + "/" + name;
+  if (printer.state() != EmulatedPrinter::State::Idle && printer.file() == file)
+    return error(403, "File is loaded, upload not permitted");
+  printer.files[file] = between(body.substr(part), "\r\n\r\n", "\r\n--" + boundary + "--");
+  return {201, json{{"item", {{"path", file}, {"root", "gcodes"}}}, {"action", "create_file"}}.dump()};
+}
+
+HttpResponse EmulatedMoonraker::download(const std::string& file) const {
+  const auto found = printer.files.find(file);
+  if (found == printer.files.end()) return error(404, "File does not exist");
+  return {200, found->second};
+}
+
+HttpResponse EmulatedMoonraker::start(const std::string& file) {
+  if (printer.state() == EmulatedPrinter::State::Printing) return error(400, "SD busy");
+  if (!printer.print(file)) return error(400, "Unable to open file");
+  return result("ok");
+}
+
+HttpResponse EmulatedMoonraker::script(const std::string& text) {
+  if (text == "TURN_OFF_HEATERS") printer.nozzle_target_c = printer.bed_target_c = 0.0;
+  if (text == "SDCARD_RESET_FILE") printer.cancel();
+  return result("ok");
+}
+
+json EmulatedMoonraker::status() const {
+  using Outcome = EmulatedPrinter::Outcome;
+  std::string print = "standby";
+  if (printer.outcome() == Outcome::Complete) print = "complete";
+  if (printer.outcome() == Outcome::Stopped) print = "cancelled";
+  if (printer.outcome() == Outcome::Failed) print = "error";
+  if (printer.state() == EmulatedPrinter::State::Printing) print = "printing";
+  if (printer.state() == EmulatedPrinter::State::Paused) print = "paused";
+  const std::string message = print == "error" ? "Move out of range: 400.000" : "";
+  return {{"webhooks",
+           {{"state", printer.is_halted ? "shutdown" : "ready"},
+            {"state_message",
+             printer.is_halted ? "Lost communication with MCU 'mcu'\nOnce the" : "Printer is ready"}}},
+          {"print_stats", {{"state", print}, {"filename", printer.file()}, {"message", message}}},
+          {"virtual_sdcard", {{"file_position", printer.position()}}},
+          {"idle_timeout", {{"state", print == "printing" ? "Printing" : "Ready"}}},
+          {"gcode_move", {{"gcode_position", {1.0, 2.0, 3.0, 4.0}}}},
+          {"heaters", {{"available_heaters", {"heater_bed", "extruder"}}}},
+          {"extruder", {{"temperature", 24.5}, {"target", printer.nozzle_target_c}}},
+          {"heater_bed", {{"temperature", 23.5}, {"target", printer.bed_target_c}}}};
+}
+
+}  // namespace
+
+std::unique_ptr<EmulatedPrintServer> makeEmulatedMoonraker() { return std::make_unique<EmulatedMoonraker>(); }
+
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "streaming/emulator/print_server/emulated_printer.hpp"
+#include "streaming/upload/http_exchange.hpp"
+
+namespace lamina {
+
+/// A print server before an emulated printer: requests in, responses out, in the time it is told.
+class EmulatedPrintServer {
+ public:
+  virtual ~EmulatedPrintServer() = default;
+
+  /// @param body  of the request, whole
+  virtual HttpResponse answer(const HttpRequest& request, std::string_view body) = 0;
+  /// Its sessions are forgotten.
+  virtual void forgetSessions() {}
+
+  EmulatedPrinter printer;
+  std::string password;  ///< or key; empty for none
+};
+
+std::unique_ptr<EmulatedPrintServer> makeEmulatedMoonraker();
+std::unique_ptr<EmulatedPrintServer> makeEmulatedDuet();
+std::unique_ptr<EmulatedPrintServer> makeEmulatedDuetWithComputer();
+
+/// The value of a key in the query of a target, decoded; empty if there is none.
+std::string queryValue(const std::string& target, const std::string& key);
+std::string percentDecoded(std::string_view text);
+/// The value of a header, whose name may be in any case; empty if there is none.
+std::string headerValue(const HttpRequest& request, const std::string& name);
+
+}  // namespace lamina

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// A printer that prints files of its own, without a machine: lines are run at a steady pace in the time it
+/// is told. What print servers show of it is theirs.
+class EmulatedPrinter {
+ public:
+  enum class State : std::uint8_t { Idle, Printing, Paused };
+  enum class Outcome : std::uint8_t { None, Complete, Stopped, Failed };
+
+  std::map<std::string, std::string> files = {};  ///< by name below the folder of programs
+  double lines_per_s = 100.0;
+  double nozzle_target_c = 0.0;
+  double bed_target_c = 0.0;
+  bool is_halted = false;
+
+  /// @return false if it prints, or has no such file
+  bool print(const std::string& file);
+  void pause();
+  void resume();
+  void cancel();
+  /// Ends the print with an error.
+  void breakDown();
+  /// Forgets everything but the files.
+  void restart();
+  /// Shuts itself down.
+  void halt();
+  void elapse(double now);
+
+  State state() const { return state_; }
+  Outcome outcome() const { return outcome_; }
+  const std::string& file() const { return file_; }     ///< printed now or last
+  std::uint64_t position() const { return position_; }  ///< bytes of it that were run
+  double printTime() const { return print_time_s_; }    ///< of that print [s]
+  /// Every command that was run, of any print, without comment.
+  const std::vector<std::string>& executed() const { return executed_; }
+  void forgetExecuted() { executed_.clear(); }
+
+ private:
+  void runLine(const std::string& text);
+  void end(Outcome outcome);
+
+  State state_ = State::Idle;
+  Outcome outcome_ = Outcome::None;
+  std::string file_;
+  std::uint64_t position_ = 0;
+  double now_ = 0.0;
+  double print_time_s_ = 0.0;
+  double line_debt_ = 0.0;  ///< lines that are due
+  std::vector<std::string> executed_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "streaming/upload/http_exchange.hpp"
+#include "streaming/upload/program_body.hpp"
+
+namespace lamina {
+
+/// Where a print server listens.
+struct HttpAddress {
+  std::string host;
+  std::string port = "80";
+};
+
+/// Whether a port is named as an address on the web, whatever the scheme: "http://host".
+bool isWebAddress(const std::string& port);
+
+/// Reads "http://host", "http://host:port" or "http://[address]:port".
+/// @throws InvalidInput if it is none, has a path, or is one of https://, which is not spoken
+HttpAddress httpAddressOf(const std::string& port);
+
+/// What comes of a request. Called from the thread that runs the io_context.
+struct HttpEvents {
+  std::function<void(std::uint64_t bytes)> sent;  ///< of the program, so far
+  std::function<void(const HttpResponse&)> responded;
+  std::function<void(const HttpFailure&)> failed;
+};
+
+/// Sends one request at a time, each over a connection of its own. A response has at most 4 MiB, unless it is
+/// digested; redirects are not followed.
+class HttpClient {
+ public:
+  HttpClient(boost::asio::io_context& context, HttpAddress address, HttpEvents events);
+  ~HttpClient();
+  HttpClient(const HttpClient&) = delete;
+  HttpClient& operator=(const HttpClient&) = delete;
+
+  /// Looks up the host and tries a connection. To be called before the io_context runs.
+  /// @throws Disconnected if nobody listens there
+  void open();
+  /// Sends a request; the last one must be over or broken off.
+  void ask(const HttpRequest& request, const ProgramBody& program);
+  /// Closes the connection of the request under way without notifying anybody.
+  void breakOff();
+
+ private:
+  boost::asio::io_context& context_;
+  HttpAddress address_;
+  HttpEvents events_;
+  boost::asio::ip::tcp::resolver::results_type endpoints_;
+  std::shared_ptr<class HttpExchange> exchange_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "streaming/upload/duet_model.hpp"
+#include "streaming/upload/server_answers.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::array<const char*, 4> kModelKeys = {"state", "job", "heat", "move"};
+
+/// A Duet that runs RepRapFirmware alone [RepRapFirmware's documentation, "HTTP requests"].
+class Duet final : public PrintServer {
+ public:
+  using PrintServer::PrintServer;
+
+  const char* firmware() const override { return "reprapfirmware"; }
+  std::optional<HttpRequest> request(UploadStep step) override;
+  ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+
+ private:
+  /// What a step of several requests asks next.
+  enum class Part : std::uint8_t { Session, Tools, Model, Reply };
+
+  HttpRequest get(const std::string& target) const;
+  HttpRequest code(const std::string& commands) const;
+  HttpRequest upload() const;
+  HttpRequest connect() const;
+  HttpRequest query() const;
+  ServerAnswer readConnect(const HttpResponse& response);
+  ServerAnswer readTools(const HttpResponse& response);
+  ServerAnswer readModel(const HttpResponse& response);
+  ServerAnswer readReply(const HttpResponse& response);
+  ServerAnswer readResult(UploadStep step, const HttpResponse& response) const;
+  void conclude();
+
+  Part part_ = Part::Session;
+  bool gives_password_ = false;
+  bool has_finished_ = false;  ///< the board has said so
+  std::string session_key_;
+  nlohmann::json tools_ = nlohmann::json::array();
+  nlohmann::json model_;
+  std::size_t key_ = 0;
+};
+
+std::string onCard(const std::string& file) { return "0:/gcodes/" + file; }
+
+/// Whether the answer to "connect" is a Duet's.
+bool isOfDuet(const std::optional<nlohmann::json>& tree) { return tree && tree->contains("err"); }
+
+std::optional<HttpRequest> Duet::request(UploadStep step) {
+  const std::string file = percentEncoded(onCard(order().file));
+  switch (step) {
+    case UploadStep::Connect:
+      return connect();
+    case UploadStep::Report:
+      return query();
+    case UploadStep::Upload:
+      return upload();
+    case UploadStep::Verify:
+      return get("/rr_fileinfo?name=" + file);
+    case UploadStep::Start:
+      return code("M32 \"" + onCard(order().file) + "\"");
+    case UploadStep::Pause:
+      return code("M25");
+    case UploadStep::Resume:
+      return code("M24");
+    case UploadStep::Cancel:
+      return code(cancelCommand(report_.state));
+    case UploadStep::HeatersOff:
+      return code(heatersOffCommands(tools_));
+    case UploadStep::Remove:
+      return get("/rr_delete?name=" + file);
+    case UploadStep::Disconnect:
+      return get("/rr_disconnect");
+  }
+  return std::nullopt;
+}
+
+HttpRequest Duet::get(const std::string& target) const {
+  HttpRequest request{"GET", target};
+  request.timeout_s = order().command_timeout_s;
+  if (!session_key_.empty()) request.headers.emplace_back("X-Session-Key", session_key_);
+  return request;
+}
+
+HttpRequest Duet::code(const std::string& commands) const {
+  return get("/rr_gcode?gcode=" + percentEncoded(commands));
+}
+
+HttpRequest Duet::connect() const {
+  if (part_ == Part::Tools) return get("/rr_model?key=tools&flags=v");
+  return {"GET", "/rr_connect?password=" + percentEncoded(gives_password_ ? order().credential : "") +
+                     "&sessionKey=yes"};
+}
+
+HttpRequest Duet::query() const {
+  if (part_ == Part::Reply) return get("/rr_reply");
+  return get(std::string("/rr_model?key=") + kModelKeys[key_] + "&flags=v");
+}
+
+HttpRequest Duet::upload() const {
+  std::array<char, 9> crc{};
+  std::snprintf(crc.data(), crc.size(), "%08x", order().body.crc32());
+  HttpRequest request =
+      get("/rr_upload?name=" + percentEncoded(onCard(order().file)) + "&crc32=" + crc.data());
+  request.method = "POST";
+  request.sends_program = true;
+  request.timeout_s = order().upload_timeout_s;
+  return request;
+}
+
+ServerAnswer Duet::read(UploadStep step, const HttpResponse& response) {
+  constexpr int kUnauthorised = 401;
+  if (step == UploadStep::Connect) return part_ == Part::Tools ? readTools(response) : readConnect(response);
+  if (response.status == kUnauthorised) {
+    part_ = Part::Session;
+    session_key_.clear();
+    return answered(AnswerKind::LoggedOut);
+  }
+  if (step == UploadStep::Report) return part_ == Part::Reply ? readReply(response) : readModel(response);
+  if (step == UploadStep::Disconnect) return answered(AnswerKind::Done);
+  return readResult(step, response);
+}
+
+ServerAnswer Duet::readConnect(const HttpResponse& response) {
+  constexpr std::size_t kLongestCommand = 255;  // bytes
+  if (response.status / 100 == 5) return answerOfStatus("the question who is there", response);
+  const auto tree = jsonOf(response);
+  if (!isOfDuet(tree)) return answered(AnswerKind::NotMine);
+  const int error = valueAt(*tree, "/err", -1);
+  if (error == 1 && !gives_password_ && !order().credential.empty()) {
+    gives_password_ = true;
+    return answered(AnswerKind::More);
+  }
+  if (error == 1) {
+    return refused(gives_password_ ? "the Duet does not take the password of stream.password_file"
+                                   : "the Duet asks for a password; expected it in stream.password_file");
+  }
+  if (error != 0)
+    return {AnswerKind::Later,
+            {ErrorCode::Rejected, "the Duet has no session left; close others that show it"}};
+  const ProgramBody& body = order().body;
+  if (body.longestCommand() > kLongestCommand) {
+    return {AnswerKind::Refused,
+            {ErrorCode::InvalidProgram,
+             body.program().name() + " line " + std::to_string(body.longestCommandLine()) + " has " +
+                 std::to_string(body.longestCommand()) + " bytes; RepRapFirmware takes " +
+                 std::to_string(kLongestCommand)}};
+  }
+  const auto key = valueAt<std::uint64_t>(*tree, "/sessionKey", 0);
+  session_key_ = key == 0 ? "" : std::to_string(key);
+  name_ = "RepRapFirmware (" + valueAt<std::string>(*tree, "/boardType", "Duet") + ")";
+  part_ = Part::Tools;
+  return answered(AnswerKind::More);
+}
+
+ServerAnswer Duet::readTools(const HttpResponse& response) {
+  const auto tree = jsonOf(response);
+  if (!isSuccess(response)) return answerOfStatus("the question which tools there are", response);
+  if (!tree || !tree->contains("result"))
+    return {AnswerKind::Later, {ErrorCode::DeviceError, "the Duet does not tell which tools it has"}};
+  tools_ = tree->at("result").is_array() ? tree->at("result") : nlohmann::json::array();
+  part_ = Part::Model;
+  key_ = 0;
+  return answered(AnswerKind::Done);
+}
+
+ServerAnswer Duet::readModel(const HttpResponse& response) {
+  const auto tree = jsonOf(response);
+  const std::size_t key = std::exchange(key_, 0);
+  if (!isSuccess(response)) return answerOfStatus("the question how the printer stands", response);
+  if (!tree || !tree->contains("result") || !tree->at("result").is_object())
+    return {AnswerKind::Later,
+            {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
+  model_[kModelKeys[key]] = tree->at("result");
+  if (key + 1 < kModelKeys.size()) {
+    key_ = key + 1;
+    return answered(AnswerKind::More);
+  }
+  report_ = reportOf(model_);
+  // A print of less than a second has no duration: what the board has said of it is asked.
+  if (report_.state == PrintState::Stopped && isOurs() && !has_finished_) {
+    part_ = Part::Reply;
+    return answered(AnswerKind::More);
+  }
+  conclude();
+  return answered(AnswerKind::Done);
+}
+
+ServerAnswer Duet::readReply(const HttpResponse& response) {
+  part_ = Part::Model;
+  if (!isSuccess(response)) return answerOfStatus("the question what the printer has said", response);
+  has_finished_ = response.body.find("Finished printing file " + onCard(order().file)) != std::string::npos;
+  conclude();
+  return answered(AnswerKind::Done);
+}
+
+void Duet::conclude() {
+  if (has_finished_ && report_.state == PrintState::Stopped && isOurs()) report_.state = PrintState::Complete;
+}
+
+ServerAnswer Duet::readResult(UploadStep step, const HttpResponse& response) const {
+  const std::string what = step == UploadStep::Upload ? "the upload" : "the command";
+  if (!isSuccess(response)) return answerOfStatus(what, response);
+  const auto tree = jsonOf(response);
+  if (!tree)
+    return {AnswerKind::Later, {ErrorCode::DeviceError, "the answer to " + what + " cannot be read"}};
+  const int error = valueAt(*tree, "/err", 0);
+  if (step == UploadStep::Verify && error == 0)
+    return comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/size", 0));
+  if (error == 0) return answered(AnswerKind::Done);
+  if (step == UploadStep::Upload)
+    return refused("the Duet has not stored the file: its size or checksum is wrong, or the card is full");
+  if (step == UploadStep::Verify) return refused("the Duet does not find the file that was uploaded");
+  return {AnswerKind::Later, {ErrorCode::DeviceError, "the Duet has no room for another command"}};
+}
+
+}  // namespace
+
+std::unique_ptr<PrintServer> makeDuet(std::shared_ptr<const UploadOrder> order) {
+  return std::make_unique<Duet>(std::move(order));
+}
+
+}  // namespace lamina

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "streaming/upload/duet_model.hpp"
+#include "streaming/upload/server_answers.hpp"
+
+namespace lamina {
+namespace {
+
+/// A Duet behind a single-board computer with DuetSoftwareFramework [its documentation, "REST API"].
+class DuetWithComputer final : public PrintServer {
+ public:
+  using PrintServer::PrintServer;
+
+  const char* firmware() const override { return "reprapfirmware"; }
+  std::optional<HttpRequest> request(UploadStep step) override;
+  ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+
+ private:
+  HttpRequest ask(const std::string& method, const std::string& target) const;
+  HttpRequest code(const std::string& commands) const;
+  ServerAnswer readConnect(const HttpResponse& response);
+  ServerAnswer readModel(const HttpResponse& response);
+  ServerAnswer readCode(UploadStep step, const HttpResponse& response) const;
+
+  bool gives_password_ = false;
+  std::string session_key_;
+  nlohmann::json tools_ = nlohmann::json::array();
+};
+
+std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
+  const std::string path = "/machine/file/" + percentEncoded("gcodes/" + order().file);
+  switch (step) {
+    case UploadStep::Connect:
+      return HttpRequest{
+          "GET", "/machine/connect?password=" + percentEncoded(gives_password_ ? order().credential : "")};
+    case UploadStep::Report:
+      return ask("GET", "/machine/model");
+    case UploadStep::Upload: {
+      HttpRequest request = ask("PUT", path);
+      request.sends_program = true;
+      request.timeout_s = order().upload_timeout_s;
+      return request;
+    }
+    case UploadStep::Verify: {
+      HttpRequest request = ask("GET", path);
+      request.digests_answer = true;
+      request.timeout_s = order().upload_timeout_s;
+      return request;
+    }
+    case UploadStep::Start:
+      return code("M32 \"0:/gcodes/" + order().file + "\"");
+    case UploadStep::Pause:
+      return code("M25");
+    case UploadStep::Resume:
+      return code("M24");
+    case UploadStep::Cancel:
+      return code(cancelCommand(report_.state));
+    case UploadStep::HeatersOff:
+      return code(heatersOffCommands(tools_));
+    case UploadStep::Remove:
+      return ask("DELETE", path);
+    case UploadStep::Disconnect:
+      return ask("GET", "/machine/disconnect");
+  }
+  return std::nullopt;
+}
+
+HttpRequest DuetWithComputer::ask(const std::string& method, const std::string& target) const {
+  HttpRequest request{method, target};
+  request.timeout_s = order().command_timeout_s;
+  if (!session_key_.empty()) request.headers.emplace_back("X-Session-Key", session_key_);
+  return request;
+}
+
+HttpRequest DuetWithComputer::code(const std::string& commands) const {
+  HttpRequest request = ask("POST", "/machine/code");
+  request.headers.emplace_back("Content-Type", "text/plain");
+  request.head = commands;
+  return request;
+}
+
+ServerAnswer DuetWithComputer::read(UploadStep step, const HttpResponse& response) {
+  constexpr int kUnauthorised = 401;
+  constexpr int kForbidden = 403;
+  if (step == UploadStep::Connect) return readConnect(response);
+  if (response.status == kUnauthorised || response.status == kForbidden) {
+    session_key_.clear();
+    return answered(AnswerKind::LoggedOut);
+  }
+  switch (step) {
+    case UploadStep::Report:
+      return readModel(response);
+    case UploadStep::Upload:
+      return isSuccess(response) ? answered(AnswerKind::Done) : answerOfStatus("the upload", response);
+    case UploadStep::Verify:
+      if (!isSuccess(response)) return answerOfStatus("the question what was stored", response);
+      return compared(order().body, response);
+    case UploadStep::Remove:
+    case UploadStep::Disconnect:
+      return isSuccess(response) ? answered(AnswerKind::Done) : answerOfStatus("the command", response);
+    default:
+      return readCode(step, response);
+  }
+}
+
+ServerAnswer DuetWithComputer::readConnect(const HttpResponse& response) {
+  constexpr int kForbidden = 403;
+  if (response.status == kForbidden) {
+    if (!gives_password_ && !order().credential.empty()) {
+      gives_password_ = true;
+      return answered(AnswerKind::More);
+    }
+    return refused(gives_password_ ? "the Duet does not take the password of stream.password_file"
+                                   : "the Duet asks for a password; expected it in stream.password_file");
+  }
+  if (response.status / 100 == 5) return answerOfStatus("the question who is there", response);
+  const auto tree = jsonOf(response);
+  session_key_ = tree ? valueAt<std::string>(*tree, "/sessionKey", "") : "";
+  if (session_key_.empty()) return answered(AnswerKind::NotMine);
+  name_ = "RepRapFirmware (DuetSoftwareFramework)";
+  return answered(AnswerKind::Done);
+}
+
+ServerAnswer DuetWithComputer::readModel(const HttpResponse& response) {
+  const auto tree = jsonOf(response);
+  if (!isSuccess(response)) return answerOfStatus("the question how the printer stands", response);
+  if (!tree || !tree->contains("state") || !tree->contains("job"))
+    return {AnswerKind::Later,
+            {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
+  report_ = reportOf(*tree);
+  if (tree->contains("tools") && tree->at("tools").is_array()) tools_ = tree->at("tools");
+  return answered(AnswerKind::Done);
+}
+
+/// Codes are answered by what they say, an error by a text that begins so.
+ServerAnswer DuetWithComputer::readCode(UploadStep step, const HttpResponse& response) const {
+  const std::string what = step == UploadStep::Start ? "the start of the print" : "the command";
+  if (!isSuccess(response)) return answerOfStatus(what, response);
+  if (response.body.compare(0, 6, "Error:") != 0) return answered(AnswerKind::Done);
+  return refused(what + " was refused: " + errorTextOf(response));
+}
+
+}  // namespace
+
+std::unique_ptr<PrintServer> makeDuetWithComputer(std::shared_ptr<const UploadOrder> order) {
+  return std::make_unique<DuetWithComputer>(std::move(order));
+}
+
+}  // namespace lamina

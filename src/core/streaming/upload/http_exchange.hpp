@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lamina {
+
+/// One question to a print server. The body is `head`, the program if it is sent, and `tail`.
+struct HttpRequest {
+  std::string method = "GET";
+  std::string target;  ///< path and query, escaped; may hold a password, so no message quotes it
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  std::string head = {};
+  bool sends_program = false;
+  std::string tail = {};
+  bool digests_answer = false;  ///< only size and checksum of the answer are wanted, not its body
+  double timeout_s = 5.0;       ///< without a byte either way
+};
+
+struct HttpResponse {
+  int status = 0;
+  std::string body;
+  std::uint64_t digested_bytes = 0;  ///< of an answer that was digested
+  std::uint32_t digested_crc32 = 0;
+};
+
+/// Why there is no response.
+struct HttpFailure {
+  std::string why;
+  bool reached_server = true;  ///< false only if no byte of the request can have arrived
+};
+
+/// As a query or a path holds it: all but letters, digits and "-._~/" by its number. Hexadecimal digits are
+/// capitals, since RepRapFirmware reads no others.
+std::string percentEncoded(const std::string& text);
+
+}  // namespace lamina

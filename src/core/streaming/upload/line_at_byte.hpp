@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lamina/streaming/job/streamable_program.hpp"
+
+namespace lamina {
+
+/// Which command of a program a position in its file stands behind.
+class LineAtByte {
+ public:
+  explicit LineAtByte(StreamableProgram program);
+
+  /// Commands that end at or before that byte. A file that was changed meanwhile is not read any further.
+  std::uint64_t linesBefore(std::uint64_t byte);
+  /// Layer of the last of them; -1 before the first.
+  std::int32_t layer() const { return layer_; }
+
+ private:
+  void rewind();
+
+  StreamableProgram program_;
+  std::optional<ProgramCursor> cursor_;
+  std::optional<ProgramLine> next_;
+  std::uint64_t lines_ = 0;
+  std::uint64_t last_byte_ = 0;
+  std::int32_t layer_ = -1;
+};
+
+}  // namespace lamina

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include "streaming/upload/server_answers.hpp"
+
+namespace lamina {
+namespace {
+
+/// Klipper behind Moonraker [Moonraker's documentation, "External API"].
+class Moonraker final : public PrintServer {
+ public:
+  using PrintServer::PrintServer;
+
+  const char* firmware() const override { return "klipper"; }
+  std::optional<HttpRequest> request(UploadStep step) override;
+  ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+
+ private:
+  std::optional<HttpRequest> plainRequest(UploadStep step) const;
+  HttpRequest post(const std::string& target) const;
+  HttpRequest query() const;
+  HttpRequest upload() const;
+  HttpRequest cancel();
+  ServerAnswer readConnect(const HttpResponse& response);
+  ServerAnswer readReport(const HttpResponse& response);
+  ServerAnswer readVerify(const HttpResponse& response);
+  void readMachine(const nlohmann::json& status);
+
+  bool gives_key_ = false;
+  bool knows_size_ = false;  ///< and the file is to be read back
+  bool has_asked_to_cancel_ = false;
+  std::vector<std::string> heaters_;  ///< as the machine lists them
+};
+
+constexpr const char* kGivenBoundary = "lamina-7d1c52b09f3e4a68b1";
+
+std::optional<HttpRequest> Moonraker::request(UploadStep step) {
+  if (step == UploadStep::Cancel) return cancel();
+  if (step == UploadStep::Upload) knows_size_ = false;
+  auto request = plainRequest(step);
+  if (request && gives_key_) request->headers.emplace_back("X-Api-Key", order().credential);
+  return request;
+}
+
+std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
+  const std::string file = percentEncoded(order().file);
+  switch (step) {
+    case UploadStep::Connect:
+      return HttpRequest{"GET", "/server/info"};
+    case UploadStep::Report:
+      return query();
+    case UploadStep::Upload:
+      return upload();
+    case UploadStep::Verify: {
+      HttpRequest request{"GET", "/server/files/gcodes/" + file};
+      request.digests_answer = true;
+      request.timeout_s = order().upload_timeout_s;
+      return knows_size_ ? request : HttpRequest{"GET", "/server/files/metadata?filename=" + file};
+    }
+    case UploadStep::Start:
+      return post("/printer/print/start?filename=" + file);
+    case UploadStep::Pause:
+      return post("/printer/print/pause");
+    case UploadStep::Resume:
+      return post("/printer/print/resume");
+    case UploadStep::HeatersOff:
+      return post("/printer/gcode/script?script=TURN_OFF_HEATERS");
+    case UploadStep::Remove: {
+      HttpRequest request = post("/server/files/gcodes/" + file);
+      request.method = "DELETE";
+      return request;
+    }
+    case UploadStep::Cancel:
+    case UploadStep::Disconnect:
+      break;
+  }
+  return std::nullopt;
+}
+
+HttpRequest Moonraker::post(const std::string& target) const {
+  HttpRequest request{"POST", target};
+  request.timeout_s = order().command_timeout_s;
+  return request;
+}
+
+HttpRequest Moonraker::query() const {
+  std::string target =
+      "/printer/objects/query?webhooks&print_stats&virtual_sdcard&idle_timeout&gcode_move&heaters&extruder&"
+      "heater_bed";
+  for (const std::string& heater : heaters_)
+    if (heater != "extruder" && heater != "heater_bed") target += "&" + percentEncoded(heater);
+  return {"GET", target};
+}
+
+HttpRequest Moonraker::upload() const {
+  const std::string boundary = std::string("--") + kGivenBoundary;
+  const auto field = [&](const std::string& name, const std::string& value) {
+    return boundary + "\r\nContent-Disposition: form-data; name=\"" + name + "\"\r\n\r\n" + value + "\r\n";
+  };
+  const std::size_t slash = order().file.rfind('/');
+  HttpRequest request{"POST", "/server/files/upload"};
+  request.headers.emplace_back("Content-Type",
+                               std::string("multipart/form-data; boundary=") + kGivenBoundary);
+  request.head = field("root", "gcodes") + field("path", order().file.substr(0, slash)) +
+                 field("checksum", order().body.sha256()) + boundary +
+                 "\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" +
+                 order().file.substr(slash + 1) + "\"\r\nContent-Type: application/octet-stream\r\n\r\n";
+  request.sends_program = true;
+  request.tail = "\r\n" + boundary + "--\r\n";
+  request.timeout_s = order().upload_timeout_s;
+  return request;
+}
+
+/// CANCEL_PRINT ends only what PAUSE has paused. A print that was paused otherwise, as by an error in the
+/// middle of a command, is ended by closing its file.
+HttpRequest Moonraker::cancel() {
+  const bool is_stuck = has_asked_to_cancel_ && report_.state == PrintState::Paused;
+  HttpRequest request =
+      post(is_stuck ? "/printer/gcode/script?script=SDCARD_RESET_FILE" : "/printer/print/cancel");
+  if (gives_key_) request.headers.emplace_back("X-Api-Key", order().credential);
+  has_asked_to_cancel_ = true;
+  return request;
+}
+
+ServerAnswer Moonraker::read(UploadStep step, const HttpResponse& response) {
+  constexpr int kUnauthorised = 401;
+  if (step == UploadStep::Connect) return readConnect(response);
+  if (response.status == kUnauthorised)
+    return refused("Moonraker does not take this key any more: " + errorTextOf(response));
+  switch (step) {
+    case UploadStep::Report:
+      return readReport(response);
+    case UploadStep::Verify:
+      return readVerify(response);
+    case UploadStep::Upload:
+      return isSuccess(response) ? answered(AnswerKind::Done) : answerOfStatus("the upload", response);
+    case UploadStep::Start:
+      return isSuccess(response) ? answered(AnswerKind::Done)
+                                 : answerOfStatus("the start of the print", response);
+    default:
+      return isSuccess(response) ? answered(AnswerKind::Done) : answerOfStatus("the command", response);
+  }
+}
+
+ServerAnswer Moonraker::readConnect(const HttpResponse& response) {
+  constexpr int kUnauthorised = 401;
+  const auto tree = jsonOf(response);
+  if (response.status == kUnauthorised && tree && tree->contains("error")) {
+    if (!gives_key_ && !order().credential.empty()) {
+      gives_key_ = true;
+      return answered(AnswerKind::More);
+    }
+    return refused(gives_key_ ? "Moonraker does not take the key of stream.password_file"
+                              : "Moonraker asks for an API key; expected one in stream.password_file");
+  }
+  if (response.status / 100 == 5) return answerOfStatus("the question who is there", response);
+  if (!tree || !tree->contains(nlohmann::json::json_pointer("/result/klippy_state")))
+    return answered(AnswerKind::NotMine);
+  const std::uint64_t line = order().body.lineNotUtf8();
+  if (line > 0) {
+    return {AnswerKind::Refused,
+            {ErrorCode::InvalidProgram, order().body.program().name() + " line " + std::to_string(line) +
+                                            " is not UTF-8, at which Klipper stops reading a file"}};
+  }
+  name_ = "Klipper (Moonraker " + valueAt<std::string>(*tree, "/result/moonraker_version", "?") + ")";
+  return answered(AnswerKind::Done);
+}
+
+ServerAnswer Moonraker::readReport(const HttpResponse& response) {
+  const auto tree = jsonOf(response);
+  if (!isSuccess(response)) return answerOfStatus("the question how the printer stands", response);
+  const nlohmann::json::json_pointer place("/result/status");
+  if (!tree || !tree->contains(place))
+    return {AnswerKind::Later,
+            {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
+  const nlohmann::json& status = tree->at(place);
+  report_ = {};
+  const std::string host = valueAt<std::string>(status, "/webhooks/state", "startup");
+  report_.is_ready = host == "ready";
+  report_.is_halted = host == "shutdown" || host == "error";
+  report_.condition =
+      valueAt<std::string>(status, "/webhooks/state_message", "Klipper is in the state " + host);
+  report_.condition = report_.condition.substr(0, report_.condition.find('\n'));
+  const std::string print = valueAt<std::string>(status, "/print_stats/state", "standby");
+  report_.file = valueAt<std::string>(status, "/print_stats/filename", "");
+  if (print == "printing") report_.state = PrintState::Printing;
+  if (print == "paused") report_.state = PrintState::Paused;
+  if (print == "complete") report_.state = PrintState::Complete;
+  if (print == "cancelled") report_.state = PrintState::Stopped;
+  if (print == "error") {
+    report_.state = PrintState::Failed;
+    report_.condition = valueAt<std::string>(status, "/print_stats/message", "");
+  }
+  readMachine(status);
+  return answered(AnswerKind::Done);
+}
+
+void Moonraker::readMachine(const nlohmann::json& status) {
+  report_.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
+  report_.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
+  const auto position = nlohmann::json::json_pointer("/gcode_move/gcode_position");
+  if (status.contains(position) && status.at(position).is_array() && status.at(position).size() >= 4)
+    report_.position = ReportedPosition{valueAt(status, "/gcode_move/gcode_position/0", 0.0),
+                                        valueAt(status, "/gcode_move/gcode_position/1", 0.0),
+                                        valueAt(status, "/gcode_move/gcode_position/2", 0.0),
+                                        valueAt(status, "/gcode_move/gcode_position/3", 0.0)};
+  ReportedTemperatures now;
+  now.nozzle_c = valueAt(status, "/extruder/temperature", 0.0);
+  now.nozzle_target_c = valueAt(status, "/extruder/target", 0.0);
+  if (status.contains("heater_bed")) {
+    now.bed_c = valueAt(status, "/heater_bed/temperature", 0.0);
+    now.bed_target_c = valueAt(status, "/heater_bed/target", 0.0);
+  }
+  if (status.contains("extruder")) report_.temperatures = now;
+  const auto listed = nlohmann::json::json_pointer("/heaters/available_heaters");
+  heaters_.clear();
+  if (status.contains(listed) && status.at(listed).is_array())
+    for (const auto& heater : status.at(listed))
+      if (heater.is_string()) heaters_.push_back(heater.get<std::string>());
+  report_.has_targets = std::any_of(heaters_.begin(), heaters_.end(), [&](const std::string& heater) {
+    return !status.contains(heater) || valueAt(status.at(heater), "/target", 1.0) > 0.0;
+  });
+}
+
+ServerAnswer Moonraker::readVerify(const HttpResponse& response) {
+  constexpr int kNoMetadata = 404;
+  if (response.status == kNoMetadata && !knows_size_) {
+    knows_size_ = true;  // by what is read back
+    return answered(AnswerKind::More);
+  }
+  if (!isSuccess(response)) return answerOfStatus("the question what was stored", response);
+  if (knows_size_) return compared(order().body, response);
+  const auto tree = jsonOf(response);
+  if (!tree)
+    return {AnswerKind::Later, {ErrorCode::DeviceError, "the answer of what was stored cannot be read"}};
+  const ServerAnswer size = comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/result/size", 0));
+  if (size.kind != AnswerKind::Done) return size;
+  knows_size_ = true;
+  return answered(AnswerKind::More);
+}
+
+}  // namespace
+
+std::unique_ptr<PrintServer> makeMoonraker(std::shared_ptr<const UploadOrder> order) {
+  return std::make_unique<Moonraker>(std::move(order));
+}
+
+}  // namespace lamina

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+#include "streaming/upload/http_exchange.hpp"
+#include "streaming/upload/machine_report.hpp"
+#include "streaming/upload/program_body.hpp"
+
+namespace lamina {
+
+/// What is asked of a print server.
+enum class UploadStep : std::uint8_t {
+  Connect,  ///< who it is; a session where it keeps such
+  Report,   ///< how machine and print stand
+  Upload,
+  Verify,  ///< that it has the file as it was sent
+  Start,
+  Pause,
+  Resume,
+  Cancel,
+  HeatersOff,
+  Remove,      ///< the file
+  Disconnect,  ///< the end of the session
+};
+
+/// What a response means.
+struct ServerAnswer {
+  enum class Kind : std::uint8_t {
+    Done,
+    More,       ///< the step has another request
+    Later,      ///< it cannot answer now
+    LoggedOut,  ///< the session is over: connect again
+    NotMine,    ///< another kind of server
+    Refused,
+  };
+  Kind kind = Kind::Done;
+  Failure failure;  ///< of Later and Refused
+};
+
+using AnswerKind = ServerAnswer::Kind;
+
+/// What is uploaded, and under which name.
+struct UploadOrder {
+  ProgramBody body;
+  std::string file;                ///< below the server's folder of programs: "lamina/part-0a1b2c3d.gcode"
+  std::string credential;          ///< password or key; empty for none
+  double upload_timeout_s = 60.0;  ///< without a byte either way, and for the server to store the file
+  double command_timeout_s = 10.0;
+};
+
+/// How a kind of print server is spoken to: requests out, responses in, no time. One request is under way at
+/// a time.
+class PrintServer {
+ public:
+  explicit PrintServer(std::shared_ptr<const UploadOrder> order) : order_(std::move(order)) {}
+  virtual ~PrintServer() = default;
+  PrintServer(const PrintServer&) = delete;
+  PrintServer& operator=(const PrintServer&) = delete;
+
+  /// The firmware behind it, as `stream.firmware` names it.
+  virtual const char* firmware() const = 0;
+  /// The next request of a step; nothing if the step needs none.
+  virtual std::optional<HttpRequest> request(UploadStep step) = 0;
+  /// What the response to the last request means.
+  virtual ServerAnswer read(UploadStep step, const HttpResponse& response) = 0;
+
+  const std::string& name() const { return name_; }  ///< as it gives it, once connected
+  const MachineReport& report() const { return report_; }
+  /// The last report is of the print that was ordered.
+  bool isOurs() const { return report_.file == order_->file; }
+
+ protected:
+  const UploadOrder& order() const { return *order_; }
+
+  std::string name_;
+  MachineReport report_;
+
+ private:
+  std::shared_ptr<const UploadOrder> order_;
+};
+
+std::unique_ptr<PrintServer> makeMoonraker(std::shared_ptr<const UploadOrder> order);
+std::unique_ptr<PrintServer> makeDuet(std::shared_ptr<const UploadOrder> order);
+std::unique_ptr<PrintServer> makeDuetWithComputer(std::shared_ptr<const UploadOrder> order);
+
+/// The kinds of servers that `stream.firmware` admits, in the order in which they are tried.
+/// @throws InvalidConfig if none speaks for that firmware
+std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
+                                                       std::shared_ptr<const UploadOrder> order);
+
+}  // namespace lamina

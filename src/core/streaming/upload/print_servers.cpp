@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/job/stream_settings.hpp"
+#include "streaming/upload/print_server.hpp"
+
+namespace lamina {
+
+std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
+                                                       std::shared_ptr<const UploadOrder> order) {
+  std::vector<std::unique_ptr<PrintServer>> servers;
+  for (const auto make : {makeMoonraker, makeDuetWithComputer, makeDuet}) {
+    auto server = make(order);
+    if (firmware == kAnyFirmware || firmware == server->firmware()) servers.push_back(std::move(server));
+  }
+  if (!servers.empty()) return servers;
+  throw InvalidConfig("stream.firmware is " + firmware +
+                      ", which is not spoken to over http://; expected auto, klipper or reprapfirmware");
+}
+
+}  // namespace lamina

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/upload/server_answers.hpp"
+
+#include <array>
+
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+std::string eightDigits(std::uint32_t number) {
+  std::array<char, 9> text{};
+  std::snprintf(text.data(), text.size(), "%08x", number);
+  return text.data();
+}
+
+}  // namespace
+
+std::string percentEncoded(const std::string& text) {
+  constexpr std::string_view kPlain = "-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string encoded;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (is_letter || kPlain.find(c) != std::string_view::npos) {
+      encoded += c;
+    } else {
+      encoded += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
+    }
+  }
+  return encoded;
+}
+
+std::optional<nlohmann::json> jsonOf(const HttpResponse& response) {
+  nlohmann::json tree = nlohmann::json::parse(response.body, nullptr, false);
+  if (!tree.is_object()) return std::nullopt;
+  return tree;
+}
+
+std::string errorTextOf(const HttpResponse& response) {
+  constexpr std::size_t kLongest = 200;
+  const std::string status = "HTTP status " + std::to_string(response.status);
+  if (const auto tree = jsonOf(response)) {
+    const std::string message = valueAt<std::string>(*tree, "/error/message", "");
+    if (!message.empty()) return message.substr(0, kLongest) + " (" + status + ")";
+  }
+  if (response.body.empty() || response.body.front() == '<') return status;
+  std::string text;
+  for (const char c : response.body.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : ' ';
+  return std::string(trimmed(text)) + " (" + status + ")";
+}
+
+ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& response) {
+  constexpr int kTooManyRequests = 429;
+  const std::string why = what + " was refused: " + errorTextOf(response);
+  if (response.status >= 500 || response.status == kTooManyRequests)
+    return {AnswerKind::Later, {ErrorCode::DeviceError, why}};
+  if (response.status / 100 == 3) return refused(why + "; a redirect is not followed");
+  return refused(why);
+}
+
+ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes) {
+  if (bytes == body.bytes()) return answered(AnswerKind::Done);
+  return refused("the uploaded file has " + std::to_string(bytes) + " bytes; expected " +
+                 std::to_string(body.bytes()));
+}
+
+ServerAnswer compared(const ProgramBody& body, const HttpResponse& response) {
+  if (response.digested_bytes != body.bytes()) return comparedSize(body, response.digested_bytes);
+  if (response.digested_crc32 == body.crc32()) return answered(AnswerKind::Done);
+  return refused("the uploaded file has the CRC-32 " + eightDigits(response.digested_crc32) + "; expected " +
+                 eightDigits(body.crc32()));
+}
+
+}  // namespace lamina

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "streaming/upload/print_server.hpp"
+
+namespace lamina {
+
+inline ServerAnswer answered(ServerAnswer::Kind kind) { return {kind, {}}; }
+inline ServerAnswer refused(const std::string& why) {
+  return {ServerAnswer::Kind::Refused, {ErrorCode::Rejected, why}};
+}
+
+/// A body as JSON; nothing if it is none.
+std::optional<nlohmann::json> jsonOf(const HttpResponse& response);
+
+/// What a server says of an error: its JSON's message, otherwise the status and the beginning of its text.
+std::string errorTextOf(const HttpResponse& response);
+
+/// What a response with a status other than 2xx means to any server: to be asked again later (5xx, 429), or
+/// no (all others, redirects among them, which are not followed).
+/// @param what  "the upload"
+ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& response);
+
+inline bool isSuccess(const HttpResponse& response) { return response.status / 100 == 2; }
+
+/// The value at a path of keys if it is a number, a text, ...; `fallback` if there is none.
+template <class Value>
+Value valueAt(const nlohmann::json& tree, const char* path, Value fallback) {
+  const nlohmann::json::json_pointer pointer(path);
+  if (!tree.contains(pointer)) return fallback;
+  const nlohmann::json& found = tree.at(pointer);
+  if constexpr (std::is_same_v<Value, std::string>) return found.is_string() ? found.get<Value>() : fallback;
+  if constexpr (std::is_same_v<Value, bool>) return found.is_boolean() ? found.get<Value>() : fallback;
+  if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
+    return found.is_number() ? found.get<Value>() : fallback;
+  return fallback;
+}
+
+/// Whether a file that was read back is the one that was sent.
+ServerAnswer compared(const ProgramBody& body, const HttpResponse& response);
+/// Whether the size that a server gives is that of the file that was sent.
+ServerAnswer comparedSize(const ProgramBody& body, std::uint64_t bytes);
+
+}  // namespace lamina

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <string>
+
+#include "streaming/upload/upload_job.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRepeatCommand = 5.0;  // s
+
+std::string named(const MachineReport& report) { return "\"" + report.file + "\""; }
+
+}  // namespace
+
+void UploadJob::onReport(double now) {
+  heard_at_ = now;
+  takeTelemetry();
+  switch (phase_) {
+    case Phase::Check:
+      return check(now);
+    case Phase::Follow:
+      return was_seen_ ? follow(now) : awaitStart(now);
+    case Phase::Finish:
+      return finish(now);
+    case Phase::Stop:
+      return stop(now);
+    default:
+      return;
+  }
+}
+
+void UploadJob::takeTelemetry() {
+  const MachineReport& report = server().report();
+  StreamStatus& status = record_.status;
+  if (report.temperatures) status.temperatures = report.temperatures;
+  if (report.position) status.position = report.position;
+  if (!may_be_started_ || !server().isOurs() || !report.isPrintUnderWay()) return;
+  status.lines_acknowledged = std::max(status.lines_acknowledged, read_line_.linesBefore(report.bytes_read));
+  status.layer = read_line_.layer();
+}
+
+void UploadJob::check(double now) {
+  const MachineReport& report = server().report();
+  if (!report.is_ready)
+    return abort({ErrorCode::Rejected, "the printer is not ready: " + report.condition}, now);
+  if (report.isPrintUnderWay()) {
+    return abort({ErrorCode::Rejected,
+                  "the printer has another print under way, " + named(report) + "; expected it to have none"},
+                 now);
+  }
+  phase_ = is_stored_ ? Phase::Start : Phase::Upload;
+  next_at_ = now;
+}
+
+void UploadJob::awaitStart(double now) {
+  const MachineReport& report = server().report();
+  if (server().isOurs() && report.state != PrintState::None) {
+    was_seen_ = true;
+    record_.enter(PackmlState::Execute);
+    return follow(now);
+  }
+  if (report.is_halted) {
+    abort({ErrorCode::DeviceError, "the printer has shut itself down: " + report.condition}, now);
+  } else if (report.isPrintUnderWay()) {
+    abort({ErrorCode::Rejected, "another print, " + named(report) + ", was started before this one"}, now);
+  } else if (now >= started_at_ + settings_.connect_timeout_s) {
+    abort({ErrorCode::TimedOut, "the machine has not begun the print within " +
+                                    std::to_string(static_cast<int>(settings_.connect_timeout_s)) + " s"},
+          now);
+  }
+}
+
+void UploadJob::follow(double now) {
+  const MachineReport& report = server().report();
+  if (report.is_halted)
+    return abort({ErrorCode::DeviceError, "the printer has shut itself down: " + report.condition}, now);
+  if (!server().isOurs()) {
+    if (!report.file.empty())
+      return abort({ErrorCode::Cancelled, "another print, " + named(report) + ", was started at the machine"},
+                   now);
+    return abort({ErrorCode::DeviceError,
+                  "the machine no longer knows of the print: it was restarted, or the print was cleared"},
+                 now);
+  }
+  switch (report.state) {
+    case PrintState::None:
+      return abort({ErrorCode::DeviceError, "the machine no longer knows how the print stands"}, now);
+    case PrintState::Stopped:
+      return abort({ErrorCode::Cancelled, "the print was cancelled at the machine"}, now);
+    case PrintState::Failed:
+      return abort({ErrorCode::Rejected, "the print has ended with an error: " + report.condition}, now);
+    case PrintState::Complete:
+      complete();
+      completed_at_ = now;
+      return;
+    default:
+      return followHold(now);
+  }
+}
+
+/// Holding and going on, whoever asked for it.
+void UploadJob::followHold(double now) {
+  const PrintState print = server().report().state;
+  const bool is_to_repeat = now >= asked_at_ + kRepeatCommand && !command_;
+  switch (record_.status.state) {
+    case PackmlState::Execute:
+      if (print != PrintState::Paused) return;
+      record_.status.message = "paused at the machine";
+      record_.enter(PackmlState::Holding);
+      record_.enter(PackmlState::Held);
+      return;
+    case PackmlState::Holding:
+      if (print == PrintState::Paused) {
+        record_.enter(PackmlState::Held);
+        if (is_to_resume_) resume(now);
+      } else if (print == PrintState::Printing && is_to_repeat) {
+        command_ = UploadStep::Pause;
+      }
+      return;
+    case PackmlState::Held:
+      if (print != PrintState::Printing) return;
+      record_.status.message = "resumed at the machine";
+      record_.enter(PackmlState::Unholding);
+      record_.enter(PackmlState::Execute);
+      return;
+    case PackmlState::Unholding:
+      if (print == PrintState::Printing) record_.enter(PackmlState::Execute);
+      if (print == PrintState::Paused && is_to_repeat) command_ = UploadStep::Resume;
+      return;
+    default:
+      return;
+  }
+}
+
+/// The machine has said that this print is complete. A hold that came too late for it has no effect.
+void UploadJob::complete() {
+  if (record_.status.state == PackmlState::Holding) record_.enter(PackmlState::Held);
+  if (record_.status.state == PackmlState::Held) record_.enter(PackmlState::Unholding);
+  if (record_.status.state == PackmlState::Unholding) record_.enter(PackmlState::Execute);
+  record_.enter(PackmlState::Completing);
+  command_.reset();
+  phase_ = Phase::Finish;
+}
+
+/// It has to say so twice: a Duet's computer may learn that a print has ended before it learns how.
+void UploadJob::finish(double now) {
+  const MachineReport& report = server().report();
+  if (!server().isOurs() || report.state != PrintState::Complete) return follow(now);
+  if (report.is_moving && now < completed_at_ + settings_.blocking_timeout_s) return;
+  record_.status.lines_acknowledged = record_.status.lines_total;
+  phase_ = Phase::Remove;
+  next_at_ = now;
+}
+
+// The safe stop
+
+void UploadJob::stop(double now) {
+  const MachineReport& report = server().report();
+  if (report.is_halted) return confirmStop("; the printer has shut itself down: " + report.condition);
+  if (!report.is_ready) return;
+  if (report.isPrintUnderWay()) {
+    if (server().isOurs()) return askToCancel(now);
+    return confirmStop("; the print that is under way now, " + named(report) + ", was left alone");
+  }
+  if (settings_.keep_heaters_on) return confirmStop("; the machine has ended the print");
+  if (!report.has_targets) return confirmStop("; the machine has ended the print, and its heaters are off");
+  if (!asked_heaters_off_ || now >= asked_at_ + kRepeatCommand) {
+    command_ = UploadStep::HeatersOff;
+    next_at_ = now;
+  }
+}
+
+/// Once in each state in which the print can be, twice where it stays paused: a request that was not answered
+/// may still be waiting in the machine for a command to end.
+void UploadJob::askToCancel(double now) {
+  const PrintState print = server().report().state;
+  if (print == PrintState::Changing) {
+    stop_until_ = now + settings_.safe_stop_timeout_s;
+    return;
+  }
+  const bool is_paused = print == PrintState::Paused;
+  int& asked = cancels_[is_paused ? 1 : 0];
+  if (asked >= (is_paused ? 2 : 1)) return;
+  ++asked;
+  command_ = UploadStep::Cancel;
+  next_at_ = now;
+}
+
+void UploadJob::confirmStop(const std::string& how) {
+  record_.status.failure.message += how;
+  phase_ = Phase::Remove;
+  next_at_ = heard_at_;
+}
+
+void UploadJob::giveUpStop() {
+  if (under_way_) is_to_break_ = true;
+  under_way_.reset();
+  record_.status.failure.message +=
+      "; the machine has not confirmed within " +
+      std::to_string(static_cast<int>(settings_.safe_stop_timeout_s)) + " s that it has ended the print" +
+      (settings_.keep_heaters_on ? "" : " and turned its heaters off") + ": look after it";
+  close();
+}
+
+}  // namespace lamina

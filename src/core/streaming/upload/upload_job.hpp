@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/streaming/job/stream_settings.hpp"
+#include "streaming/job/job_record.hpp"
+#include "streaming/upload/line_at_byte.hpp"
+#include "streaming/upload/print_server.hpp"
+
+namespace lamina {
+
+/// A program that a printer gets whole, over HTTP, and prints by itself: a state machine without input,
+/// output or time of its own. Requests come out, one at a time; responses, failures, times and commands go
+/// in.
+///
+/// Who is there is asked first, then whether it is ready and idle; then the file is uploaded, compared with
+/// what was sent, and started; then the machine is asked how the print stands until it says that this print
+/// is complete. `lines_acknowledged` counts the lines that the machine has read.
+///
+/// The start is asked for once: where it is not known whether it arrived, the machine is asked, not started
+/// again.
+class UploadJob {
+ public:
+  /// @throws InvalidConfig if the firmware that `stream.firmware` names is not spoken to over HTTP
+  UploadJob(const StreamSettings& settings, std::shared_ptr<const UploadOrder> order);
+
+  void start(double now);
+  /// The next request; nothing while one is under way, or before `nextDeadline`.
+  std::optional<HttpRequest> takeRequest(double now);
+  /// How many bytes of the program have left by the request under way.
+  void sent(std::uint64_t bytes);
+  /// The answer to the request under way; one that comes after it was broken off is to be dropped.
+  void receive(const HttpResponse& response, double now);
+  void fail(const HttpFailure& failure, double now);
+  /// Whether the request under way is to be broken off: asked once.
+  bool takeBreak() { return std::exchange(is_to_break_, false); }
+  void elapse(double now);
+  /// When to call `elapse`, and `takeRequest` after it; infinite if nothing is waited for but an answer.
+  double nextDeadline() const;
+
+  /// @return false if the job is not in Execute
+  bool pause(double now);
+  /// @return false if the job is not in Holding or Held
+  bool resume(double now);
+  /// Ends the print, if it may have been started. Without effect once the job is over or being aborted.
+  void abort(const Failure& why, double now);
+
+  const StreamStatus& status() const { return record_.status; }
+  std::vector<PackmlState> takeStateChanges() { return record_.takeStateChanges(); }
+
+ private:
+  enum class Phase : std::uint8_t {
+    Connect,
+    Check,
+    Upload,
+    Verify,
+    Start,
+    Follow,
+    Finish,
+    Stop,
+    Remove,
+    Leave,
+    Over
+  };
+
+  UploadStep nextStep() const;
+  PrintServer& server() const { return *servers_.front(); }
+  void beforeAsking(UploadStep step, double now);
+  void onDone(UploadStep step, double now);
+  void onTrouble(UploadStep step, const Failure& why, bool reached_server, double now);
+  void onRefused(UploadStep step, const Failure& why, double now);
+  void tryNextServer(double now);
+  void onReport(double now);
+  void takeTelemetry();
+  void check(double now);
+  void awaitStart(double now);
+  void follow(double now);
+  void followHold(double now);
+  void finish(double now);
+  void complete();
+  void stop(double now);
+  void askToCancel(double now);
+  void confirmStop(const std::string& how);
+  void giveUpStop();
+  void lose(double now);
+  void close();
+
+  StreamSettings settings_;
+  std::shared_ptr<const UploadOrder> order_;
+  std::vector<std::unique_ptr<PrintServer>> servers_;  ///< that are still in question; the first is asked
+  JobRecord record_;
+  LineAtByte sent_line_;
+  LineAtByte read_line_;
+
+  Phase phase_ = Phase::Connect;
+  std::optional<UploadStep> under_way_;
+  std::optional<UploadStep> command_;  ///< to ask next, ahead of a report
+  bool is_to_break_ = false;
+  bool is_logged_out_ = false;
+  bool is_stored_ = false;  ///< the file is there, and is the one that was sent
+  bool may_be_stored_ = false;
+  bool may_be_started_ = false;
+  bool was_seen_ = false;      ///< the machine has said that it prints it
+  bool is_to_resume_ = false;  ///< once it is paused
+  std::string trouble_;        ///< the last one
+  int attempts_ = 0;           ///< of this step that brought no answer
+  double next_at_ = 0.0;
+  double started_at_ = 0.0;  ///< when the start was asked for
+  double heard_at_ = 0.0;    ///< the last report
+  double asked_at_ = 0.0;    ///< to pause, to resume, or to turn heaters off
+  double completed_at_ = 0.0;
+  double stop_until_ = 0.0;
+  std::array<int, 2> cancels_{};  ///< asked for while it printed, and while it was paused
+  bool asked_heaters_off_ = false;
+};
+
+}  // namespace lamina
