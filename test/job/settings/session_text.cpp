@@ -73,7 +73,8 @@ std::string lastAfterAbort(const SettingTexts& set) {
   if (!waitFor(20.0, [&] { return !session.isBusy(); })) return "never stopped";
   std::string last;
   for (const std::string& command : machine.commands())
-    if (command != "M400" && command != "M105" && command.rfind("M110", 0) != 0) last = command;
+    if (command != "M400" && command != "M105" && command.rfind("M110", 0) != 0 && command != "M155 S0")
+      last = command;
   return last;
 }
 
