@@ -93,6 +93,7 @@ install(FILES ${PROJECT_BINARY_DIR}/install/lamina.pc DESTINATION ${LAMINA_LIB_D
 
 if(LAMINA_WITH_ROS)
   install(DIRECTORY launch rviz DESTINATION ${LAMINA_SHARE_DIR})
+  install(DIRECTORY deploy DESTINATION ${LAMINA_SHARE_DIR} PATTERN *.sh EXCLUDE)
   install(FILES rviz_plugins.xml DESTINATION ${LAMINA_SHARE_DIR})
   install(FILES src/ros_adapters/messages.hpp DESTINATION include/lamina_ros)
   set(catkin_config ${PROJECT_BINARY_DIR}/catkin_generated/installspace)

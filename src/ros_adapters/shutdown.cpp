@@ -11,6 +11,7 @@
 
 #include "lamina/base/error.hpp"
 #include "node_plugins.hpp"
+#include "reach/loopback.hpp"
 
 namespace lamina {
 namespace {
@@ -50,8 +51,10 @@ bool isStopRequested() { return was_stop_requested != 0; }
 void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body) {
   int exit_code = 0;
   try {
+    stayOnLoopback(argc, argv);
     ros::init(argc, argv, run.name, ros::init_options::NoSigintHandler);
     const ros::NodeHandle node;
+    guardPorts();
     withdrawLoggerList();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
     const ros::WallTimer timer =

@@ -22,8 +22,9 @@ struct NodeRun {
 /// Whether one of the signals came.
 bool isStopRequested();
 
-/// A node from start to end: joins ROS, loads plug-ins (`loadNodePlugins`), runs `body`, and leaves ROS. On a
-/// signal `body` returns or throws, so that destructors run.
+/// A node from start to end: joins ROS, on the loopback interface by default (`guardPorts`), loads plug-ins
+/// (`loadNodePlugins`), runs `body`, and leaves ROS. On a signal `body` returns or throws, so that
+/// destructors run.
 ///
 /// Does not return: the process ends with exit code 0, or 1 if `body` threw; then the message was logged.
 [[noreturn]] void runNode(int argc, char** argv, const NodeRun& run, const std::function<void()>& body);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What others see is used: options of the command by a test or tool, launch files and their arguments too, topics, services and
-actions by a node and by a test. Fields of messages stand in a source, and once more in a source or test.
+actions by a node and by a test. Fields of messages stand in a source, and once more in a source or test. Launch files keep nodes of
+other packages on the loopback interface.
 
 Usage: interfaces.py [ROOT]   exits 1 and names what nothing outside its definition uses
 """
@@ -54,6 +55,8 @@ def launch_faults(root):
         for name in ARGUMENT.findall(text):
             if f"$(arg {name})" not in text and not re.search(rf"\beval\b[^\"]*\b{name}\b", text):
                 yield name, f"{path}: argument {name} is passed to nothing"
+        if re.search(r'<node[^>]* pkg="(?!lamina")', text) and 'name="ROS_IP"' not in text:
+            yield path.name, f"{path}: a node of another package is not kept on the loopback interface (docs/security.md)"
 
 
 def topic_faults(root):

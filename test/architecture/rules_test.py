@@ -83,6 +83,14 @@ class Interfaces(unittest.TestCase):
         del launch["tools/demo"]
         self.assertEqual(len(self.found(launch)), 1)
 
+    def test_a_launch_file_keeps_nodes_of_others_on_the_loopback_interface(self):
+        launch = {"launch/a.launch": '<node name="a" pkg="lamina" type="a"/>\n', "tools/demo": "roslaunch a.launch\n"}
+        self.assertEqual(self.found(launch), [])
+        launch["launch/a.launch"] += '<node name="b" pkg="rviz" type="rviz"/>\n'
+        self.assertEqual(len(self.found(launch)), 1)
+        launch["launch/a.launch"] += '<env name="ROS_IP" value="127.0.0.1"/>\n'
+        self.assertEqual(self.found(launch), [])
+
     def test_a_topic_has_a_node_and_a_test(self):
         topic = {"src/ros_adapters/names.hpp": 'inline constexpr char kHeat[] = "heat";\n'}
         self.assertEqual(len(self.found(topic)), 2)

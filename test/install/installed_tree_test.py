@@ -59,6 +59,16 @@ class Tree(unittest.TestCase):
         self.assertIn("/gcode_streamer", in_environment("roslaunch --nodes lamina demo.launch"))
         self.assertIn("lamina/Status status", in_environment("rossrv show lamina/SliceMesh"))
 
+    @unittest.skipUnless(HAS_ROS, "built without ROS")
+    def test_the_setup_file_keeps_ros_on_the_loopback_interface_unless_told_otherwise(self):
+        def address_with(setting):
+            others = "unset ROS_IP ROS_HOSTNAME ROS_MASTER_URI"
+            return run("bash", "-c", f"{others}; {setting}; source {TREE}/setup.bash; echo $ROS_IP").strip()
+        self.assertEqual(address_with("true"), "127.0.0.1")
+        self.assertEqual(address_with("export ROS_IP=192.168.50.2"), "192.168.50.2")
+        self.assertEqual(address_with("export ROS_HOSTNAME=robot"), "")
+        self.assertEqual(address_with("export ROS_MASTER_URI=http://robot:11311"), "")
+
 
 class Examples(unittest.TestCase):
     @classmethod
