@@ -3,6 +3,9 @@
 #include "lamina/base/atomic_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
 
 #include "lamina/base/error.hpp"
 #include "support/scratch_folder.hpp"
@@ -66,6 +69,32 @@ TEST(AtomicFile, TakesWhatALibraryWroteUnderTheTemporaryName) {
   std::fclose(other);
   file.commit();
   EXPECT_EQ(readFile(folder.file("a")), "theirs");
+}
+
+TEST(AtomicFile, HasATemporaryNameThatIsAnotherEachTime) {
+  const test::ScratchFolder folder;
+  const AtomicFile first(folder.file("a"));
+  const AtomicFile second(folder.file("a"));
+  EXPECT_NE(first.temporaryPath(), second.temporaryPath());
+}
+
+TEST(AtomicFile, ReplacesALinkAndLeavesWhatItLedTo) {
+  const test::ScratchFolder folder;
+  writeWhole(folder.file("precious"), "old");
+  std::filesystem::create_symlink(folder.file("precious"), folder.file("a"));
+  writeWhole(folder.file("a"), "new");
+  EXPECT_EQ(readFile(folder.file("precious")), "old");
+  EXPECT_EQ(readFile(folder.file("a")), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder.file("a")));
+}
+
+TEST(AtomicFile, MayBeReadByThoseWhomTheMaskOfTheProcessLets) {
+  const test::ScratchFolder folder;
+  const mode_t before = ::umask(027);
+  writeWhole(folder.file("a"), "");
+  ::umask(before);
+  EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(),
+            static_cast<std::filesystem::perms>(0640));
 }
 
 TEST(AtomicFile, InAFolderThatIsMissingIsRefusedNamingThePath) {

@@ -10,6 +10,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/gcode_rewrite/gcode_rewrite.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
@@ -28,8 +29,8 @@ lamina::RewriteSettings settingsFrom(std::uint8_t choices) {
 /// Any bytes are transformed, or refused with nothing written.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   if (size == 0) return 0;
-  const std::string stem = "/tmp/lamina_transform_fuzz_" + std::to_string(::getpid());
-  const std::string files[] = {stem + "_in.gcode", stem + "_out.gcode"};
+  static const lamina::test::ScratchFolder folder;
+  const std::string files[] = {folder.file("in.gcode"), folder.file("out.gcode")};
   lamina::writeFile(files[0], {reinterpret_cast<const char*>(bytes) + 1, size - 1});
   const lamina::AffineMap turn = lamina::rotation({1.0, 0.0, 0.0}, 45.0);
   const lamina::AffineMap stretch = lamina::scaling({1.0, 2.0, 3.0});

@@ -10,9 +10,7 @@
 #include <std_srvs/Trigger.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <mutex>
@@ -22,11 +20,11 @@
 #include "messages.hpp"
 #include "names.hpp"
 #include "ros_home.hpp"
+#include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
 using lamina::test::kPatience;
 using lamina::test::waitUntil;
 using lamina_msgs::MachineState;
@@ -81,8 +79,6 @@ std::vector<std::string> zigzag(int lines) {
 class GcodeStreamer : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_gcode_streamer_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
     ASSERT_TRUE(client_.waitForServer(ros::Duration(kPatience)));
     subscriber_ =
         node_.subscribe<MachineState>(lamina::names::kMachineState, 1000, [this](const auto& message) {
@@ -91,15 +87,12 @@ class GcodeStreamer : public testing::Test {
             states_.push_back(message->state_name);
         });
   }
-  void TearDown() override {
-    client_.cancelAllGoals();
-    fs::remove_all(folder_);
-  }
+  void TearDown() override { client_.cancelAllGoals(); }
 
   std::string write(const std::vector<std::string>& commands) {
-    std::ofstream file(folder_ / "program.gcode");
+    std::ofstream file(folder_.file("program.gcode"));
     for (const std::string& command : commands) file << command << " ; comment\n";
-    return folder_ / "program.gcode";
+    return folder_.file("program.gcode");
   }
   /// Asks for a toolpath as soon as the node has received it.
   lamina_msgs::StreamProgramResult streamPublished(const lamina::MachineToolpath& placed) {
@@ -138,7 +131,7 @@ class GcodeStreamer : public testing::Test {
   ros::Subscriber subscriber_;
   MachineState::ConstPtr state_;
   std::vector<std::string> states_;
-  fs::path folder_;
+  lamina::test::ScratchFolder folder_;
 };
 
 TEST_F(GcodeStreamer, StreamsAFileThroughEveryFaultOfTheLine) {

@@ -186,12 +186,12 @@ TEST_F(SlicingService, RefusesAPartItDoesNotKnow) {
 }
 
 TEST_F(SlicingService, RefusesAMeshThatIsNotFinite) {
-  const fs::path mesh = fs::temp_directory_path() / ("lamina_nan_" + std::to_string(::getpid()) + ".stl");
+  const lamina::test::ScratchFolder folder;
+  const std::string mesh = folder.file("nan.stl");
   std::ofstream(mesh)
       << "solid s\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
          "endloop\nendfacet\nendsolid s\n";
   expectRefused(call(mesh, {}, precious()), Status::INVALID_MESH, "");
-  fs::remove(mesh);
 }
 
 TEST_F(SlicingService, RefusesAnUnknownSetting) {

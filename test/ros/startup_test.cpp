@@ -4,20 +4,18 @@
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 
 #include "lamina/startup/program_identity.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
 using lamina::test::kPatience;
 using lamina::test::waitUntil;
 using lamina_msgs::MachineState;
@@ -98,15 +96,9 @@ std::string hexadecimal(std::uint32_t value) {
 
 class StartupSequence : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("lamina_startup_" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string write(const std::string& name, const std::string& text) {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
+    std::ofstream(folder_.file(name)) << text;
+    return folder_.file(name);
   }
   static RunStartup::Request transferOf(const std::string& program) {
     const auto identity = lamina::identityOfFile(program);
@@ -119,7 +111,7 @@ class StartupSequence : public testing::Test {
     return request;
   }
 
-  fs::path folder_;
+  lamina::test::ScratchFolder folder_;
 };
 
 TEST_F(StartupSequence, LetsAJobStartWhenEveryStepIsSatisfiedAndNoLongerWhenHomingIsLost) {

@@ -8,8 +8,9 @@
 
 namespace lamina {
 
-/// A file that appears under its name whole or not at all: it is written beside it under a temporary name and
-/// renamed by `commit`. Destroyed without `commit`, it leaves nothing behind and an existing file untouched.
+/// A file that appears under its name whole or not at all: it is written beside it under a temporary name
+/// that nobody can guess, never through a link, and renamed by `commit`. Destroyed without `commit`, it
+/// leaves nothing behind and an existing file untouched.
 class AtomicFile {
  public:
   /// @throws FileError if the folder cannot be written to

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/base/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <random>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
@@ -17,11 +22,23 @@ namespace {
   throw FileError("cannot " + what + " '" + path + "': " + std::strerror(error_number));
 }
 
+/// A name beside the path that others cannot guess.
+std::string nameBeside(const std::string& path) {
+  std::random_device device;
+  const std::uint64_t number = (std::uint64_t{device()} << 32) | device();
+  char digits[16];
+  const auto result = std::to_chars(std::begin(digits), std::end(digits), number, 16);
+  return path + "." + std::string(digits, result.ptr) + ".part";
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)) {
-  temporary_path_ = path_ + "." + std::to_string(::getpid()) + ".part";
-  file_ = std::fopen(temporary_path_.c_str(), "wb");
+  // In a folder that others may write to, such as /tmp, somebody may have laid a link to a file of ours: a
+  // new file is made, or none.
+  temporary_path_ = nameBeside(path_);
+  const int descriptor = ::open(temporary_path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor >= 0) file_ = ::fdopen(descriptor, "wb");
   if (file_ == nullptr) fail("write", path_, errno);
 }
 

@@ -14,13 +14,17 @@
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "streaming/emulator/simulated_link.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kPatience = 60.0;  // s: far above what a job takes, for loaded machines
 
-std::string linkPath() { return "/tmp/lamina_stream_session_" + std::to_string(::getpid()); }
+std::string linkPath() {
+  static const test::ScratchFolder folder;
+  return folder.file("machine");
+}
 
 /// An emulated machine as fast as possible, and the numbered lines it has run.
 class RecordedMachine {
