@@ -33,15 +33,24 @@ TEST(CsvTableTest, ReadsCellsUnderTheirHeaderAndSkipsRemarks) {
 TEST(CsvTableTest, NamesWhatIsWrongAndWhere) {
   EXPECT_EQ(refusalOf("# nothing\n"), "'t.csv' holds no header; expected names of columns");
   EXPECT_EQ(refusalOf("a,b\n1,2\n1,2,3\n"), "'t.csv' line 3: 3 cells; expected 2, as many as the header");
-  EXPECT_EQ(refusalOf("a,a\n"), "'t.csv' line 1: column 'a' stands twice");
+  EXPECT_EQ(refusalOf("a,a\n"), "'t.csv' line 1: two columns have the same name");
   EXPECT_EQ(refusalOf("a,\n"), "'t.csv' line 1: a column without a name");
   EXPECT_EQ(refusalOf("a,b\n\"1,2\n"), "'t.csv' line 2: a double quote that is not closed");
+}
+
+std::string refusalOfColumn(const std::string& text) {
   try {
-    columnOf(parseCsvTable("a,b\n", "t.csv"), "c");
-    ADD_FAILURE() << "a column that is not there";
+    columnOf(parseCsvTable(text, "t.csv"), "c");
   } catch (const InvalidInput& error) {
-    EXPECT_STREQ(error.what(), "'t.csv' has no column 'c'; it has a, b");
+    return error.what();
   }
+  return "";
+}
+
+TEST(CsvTableTest, NamesItsColumnsIfThereAreNumbersBelow) {
+  EXPECT_EQ(refusalOfColumn("a,b\nx,2\n"), "'t.csv' has no column 'c'; it has a, b");
+  for (const char* text : {"a,b\n", "a,b\nx,y\n", "a\n1\n"})
+    EXPECT_EQ(refusalOfColumn(text), "'t.csv' has no column 'c'; it has no columns of numbers") << text;
 }
 
 TEST(CsvTableTest, QuotesOnlyWhatNeedsIt) {

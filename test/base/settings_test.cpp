@@ -7,7 +7,9 @@
 
 #include <limits>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -69,6 +71,24 @@ TEST_F(Settings, SuggestTheNearestKeyForAnUnknownOne) {
   const std::string refusal = refusalOf("lamp.powr_w", "3");
   EXPECT_NE(refusal.find("'lamp.powr_w'"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("'lamp.power_w'"), std::string::npos) << refusal;
+}
+
+TEST_F(Settings, QuoteNoFileOfWhichNoKeyIsKnown) {
+  const test::ScratchFolder folder;
+  const auto refusalOfFile = [&](const std::string& yaml) -> std::string {
+    writeFile(folder.file("a.yaml"), yaml);
+    try {
+      applySettings(schema_, folder.file("a.yaml"), {});
+    } catch (const InvalidConfig& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string foreign = refusalOfFile("lamp: {powr_w: 3}\nwifi: {key: 4}\n");
+  EXPECT_EQ(foreign.find("powr_w"), std::string::npos) << foreign;
+  EXPECT_NE(foreign.find("did you mean 'lamp.power_w'"), std::string::npos) << foreign;
+  EXPECT_NE(refusalOfFile("lamp: {count: 3, powr_w: 3}\n").find("'lamp.powr_w'"), std::string::npos);
+  EXPECT_EQ(refusalOfFile(""), "");
 }
 
 TEST_F(Settings, KeepToTheirBounds) {

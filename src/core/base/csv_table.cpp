@@ -3,7 +3,9 @@
 #include "lamina/base/csv_table.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
+#include <system_error>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -60,8 +62,22 @@ void requireNamed(const std::vector<std::string>& columns, const std::string& so
   std::set<std::string> names;
   for (const std::string& column : columns) {
     if (column.empty()) throw fault(source, line, "a column without a name");
-    if (!names.insert(column).second) throw fault(source, line, "column '" + column + "' stands twice");
+    if (!names.insert(column).second) throw fault(source, line, "two columns have the same name");
   }
+}
+
+bool isNumber(const std::string& cell) {
+  double value = 0.0;
+  const auto result = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return !cell.empty() && result.ec == std::errc{} && result.ptr == cell.data() + cell.size();
+}
+
+/// Any text is a table of one column, and many are one of several: a table that is meant has numbers below
+/// its header.
+bool isTable(const CsvTable& table) {
+  return table.columns.size() > 1 && std::any_of(table.rows.begin(), table.rows.end(), [](const auto& row) {
+           return std::any_of(row.begin(), row.end(), isNumber);
+         });
 }
 
 }  // namespace
@@ -109,7 +125,7 @@ std::size_t columnOf(const CsvTable& table, const std::string& name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   if (found == table.columns.end())
     throw InvalidInput("'" + table.source + "' has no column '" + name + "'; it has " +
-                       listed(table.columns));
+                       (isTable(table) ? listed(table.columns) : "no columns of numbers"));
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 

@@ -84,6 +84,16 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+/// "; did you mean ...?" with the key that is nearest; empty if there are none.
+std::string suggestionFor(const SettingsSchema& schema, const std::string& key) {
+  const std::vector<Setting>& settings = schema.settings();
+  const auto nearest =
+      std::min_element(settings.begin(), settings.end(), [&](const Setting& a, const Setting& b) {
+        return editDistance(a.key, key) < editDistance(b.key, key);
+      });
+  return nearest == settings.end() ? "" : "; did you mean '" + nearest->key + "'?";
+}
+
 }  // namespace
 
 void SettingsSchema::number(const std::string& key, double& field, Bounds bounds,
@@ -190,21 +200,28 @@ const Setting* SettingsSchema::find(const std::string& key) const {
 
 void SettingsSchema::set(const std::string& key, const std::string& text) {
   if (const Setting* setting = find(key)) return setting->set(text);
-  const Setting* nearest = nullptr;
-  std::size_t nearest_distance = std::numeric_limits<std::size_t>::max();
-  for (const Setting& setting : settings_) {
-    const std::size_t distance = editDistance(setting.key, key);
-    if (distance < nearest_distance) nearest = &setting, nearest_distance = distance;
-  }
-  throw InvalidConfig("unknown setting '" + key + "'" +
-                      (nearest == nullptr ? std::string() : "; did you mean '" + nearest->key + "'?"));
+  throw InvalidConfig("unknown setting '" + key + "'" + suggestionFor(*this, key));
 }
+
+namespace {
+
+/// A file of which no key is known may be no settings at all: then its keys are not shown.
+void applyFile(SettingsSchema& schema, const std::string& path) {
+  const std::vector<SettingText> settings = settingsFromYaml(readFile(path), path);
+  const bool is_known = std::any_of(settings.begin(), settings.end(), [&](const SettingText& setting) {
+    return schema.find(setting.key) != nullptr;
+  });
+  if (!settings.empty() && !is_known)
+    throw InvalidConfig(path + ": none of its keys is a setting" +
+                        suggestionFor(schema, settings.front().key));
+  for (const SettingText& setting : settings) schema.set(setting.key, setting.text);
+}
+
+}  // namespace
 
 void applySettings(SettingsSchema& schema, const std::string& yaml_path,
                    const std::vector<SettingText>& overrides) {
-  if (!yaml_path.empty())
-    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
-      schema.set(setting.key, setting.text);
+  if (!yaml_path.empty()) applyFile(schema, yaml_path);
   for (const SettingText& setting : overrides) schema.set(setting.key, setting.text);
 }
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kDeepest = 10;  // an alias may lead back to itself
 
+/// Knows no keys, so that it cannot tell settings from another file: none of its messages quotes one
+/// (`Quotation`).
 class Flattener {
  public:
   explicit Flattener(std::string source_name) : source_name_(std::move(source_name)) {}
@@ -21,14 +23,14 @@ class Flattener {
   void visit(const std::string& prefix, const YAML::Node& map, int depth) {
     for (const auto& entry : map) {
       const std::string key = prefix + entry.first.as<std::string>();
-      if (!seen_.insert(key).second) refuse(entry.first, key + " stands twice");
+      if (!seen_.insert(key).second) refuse(entry.first, "a key stands twice");
       if (entry.second.IsMap()) {
-        if (depth == kDeepest) refuse(entry.first, key + " is nested too deep");
+        if (depth == kDeepest) refuse(entry.first, "keys are nested too deep");
         visit(key + ".", entry.second, depth + 1);
       } else if (entry.second.IsScalar()) {
         found_.push_back({key, entry.second.Scalar()});
       } else {
-        refuse(entry.first, key + " has no single value");
+        refuse(entry.first, "a key has no single value");
       }
     }
   }

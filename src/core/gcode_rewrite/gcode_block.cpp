@@ -7,6 +7,7 @@
 
 #include "gcode_rewrite/decimal_number.hpp"
 #include "lamina/base/error.hpp"
+#include "program/gcode/plain_command.hpp"
 
 namespace lamina {
 namespace {
@@ -34,15 +35,19 @@ bool GcodeBlock::hasAny(std::string_view letters) const {
 }
 
 void GcodeBlock::refuse(std::string_view what, std::size_t at) const {
-  std::string shown(text_.substr(at, 40));
-  for (char& c : shown)
-    if (c < ' ' || c > '~') c = '?';
-  throw InvalidProgram("line " + std::to_string(number_) + ": " + std::string(what) + " at '" + shown + "'");
+  throw InvalidProgram("line " + std::to_string(number_) + ": " + std::string(what) + " at " +
+                       quotation_.of(text_.substr(at)));
 }
 
 LineStart GcodeBlock::read(std::string_view line, std::size_t number) {
-  text_ = line;
   number_ = number;
+  take(line);
+  if (!quotation_.isRecognised() && isPlainCommand(line)) quotation_.recognise();
+  return start_;
+}
+
+LineStart GcodeBlock::take(std::string_view line) {
+  text_ = line;
   comment_ = {};
   code_ = -1;
   count_ = 0;

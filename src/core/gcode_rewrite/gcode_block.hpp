@@ -5,7 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
+
+#include "lamina/base/quotation.hpp"
 
 namespace lamina {
 
@@ -55,7 +58,11 @@ class GcodeBlock {
   }
   bool hasAny(std::string_view letters) const;
 
+  /// The line as a message quotes it, if a line before it was plain G-code.
+  std::string quoted() const { return quotation_.of(text_); }
+
  private:
+  LineStart take(std::string_view line);
   void setCode(double number);
   void readWords(std::size_t at);
   std::size_t readWord(std::size_t at);
@@ -63,6 +70,7 @@ class GcodeBlock {
 
   static constexpr std::size_t kMostWords = 26;  // no letter stands twice
   static constexpr std::uint8_t kNoWord = 255;
+  Quotation quotation_;
   std::string_view text_;
   std::string_view comment_;
   std::size_t number_ = 0;

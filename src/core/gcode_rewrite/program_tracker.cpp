@@ -132,8 +132,8 @@ void ProgramTracker::requireSupported() const {
   const int code = command_.code();
   const bool retracts = code == 11 || (code == 10 && !command_.hasAny("LPRXYZ"));
   if (section_ != ProgramSection::Part || code == 4 || retracts) return;
-  refuse("'" + std::string(command_.text().substr(0, 20)) +
-         "' within the part cannot be transformed; expected G0 to G4, G10, G11, G17 to G21, G90 or G92");
+  refuse(command_.quoted() +
+         " within the part cannot be transformed; expected G0 to G4, G10, G11, G17 to G21, G90 or G92");
 }
 
 void ProgramTracker::readM() {

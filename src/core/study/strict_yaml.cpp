@@ -25,14 +25,23 @@ void StrictYaml::refuse(const std::string& what) const {
   throw InvalidConfig(source_name_ + ":" + std::to_string(node_.Mark().line + 1) + ": " + key + what);
 }
 
-StrictYaml::Entries StrictYaml::entries() const {
+/// Below a key there is a document whose keys were allowed.
+Quotation StrictYaml::keyQuotation() const {
+  Quotation quotation;
+  if (!key_.empty()) quotation.recognise();
+  return quotation;
+}
+
+StrictYaml::Entries StrictYaml::entries() const { return entriesQuotedBy(keyQuotation()); }
+
+StrictYaml::Entries StrictYaml::entriesQuotedBy(const Quotation& quotation) const {
   if (!node_.IsMap()) refuse("expected a map of keys and values");
   Entries found;
   std::set<std::string> seen;
   for (const auto& entry : node_) {
     if (!entry.first.IsScalar()) refuse("expected keys that are words");
     const std::string name = entry.first.Scalar();
-    if (!seen.insert(name).second) refuse("'" + name + "' stands twice");
+    if (!seen.insert(name).second) refuse(quotation.of(name) + " stands twice");
     const std::string key = key_.empty() ? name : key_ + ": " + name;
     found.emplace_back(name, StrictYaml(entry.second, source_name_, key));
   }
@@ -40,10 +49,15 @@ StrictYaml::Entries StrictYaml::entries() const {
 }
 
 StrictYaml::Entries StrictYaml::entries(const std::vector<std::string>& allowed) const {
-  Entries found = entries();
+  const auto isAllowed = [&](const std::string& name) {
+    return std::find(allowed.begin(), allowed.end(), name) != allowed.end();
+  };
+  Quotation quotation = keyQuotation();
+  for (const auto& entry : node_)
+    if (node_.IsMap() && entry.first.IsScalar() && isAllowed(entry.first.Scalar())) quotation.recognise();
+  Entries found = entriesQuotedBy(quotation);
   for (const auto& [name, value] : found)
-    if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
-      refuse("unknown key '" + name + "'; there are " + listed(allowed));
+    if (!isAllowed(name)) refuse("unknown key " + quotation.of(name) + "; there are " + listed(allowed));
   return found;
 }
 

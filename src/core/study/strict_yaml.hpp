@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "lamina/base/quotation.hpp"
 #include "lamina/base/settings.hpp"
 
 namespace lamina {
@@ -54,6 +55,8 @@ class StrictYaml {
   std::vector<SettingText> settings() const;
 
  private:
+  Quotation keyQuotation() const;
+  Entries entriesQuotedBy(const Quotation& quotation) const;
   void addSettings(const std::string& prefix, int depth, std::vector<SettingText>& found) const;
 
   YAML::Node node_;

@@ -153,7 +153,7 @@ TEST(GcodeReader, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(gcodeReaderRefusal("G1 X1\nG1 X1.2.3\n"), "line 2: unexpected character at '.3'");
   EXPECT_EQ(gcodeReaderRefusal("G1 X\n"), "line 1: X has no value");
   EXPECT_EQ(gcodeReaderRefusal("G1 X1 X2\n"), "line 1: X stands twice");
-  EXPECT_EQ(gcodeReaderRefusal("G1 X-\n"), "line 1: bad number at '-'");
+  EXPECT_EQ(gcodeReaderRefusal("G28\nG1 X-\n"), "line 2: bad number at '-'");
   EXPECT_NE(gcodeReaderRefusal("G1 Xnan\n"), "");
   EXPECT_NE(gcodeReaderRefusal("G1 Xinf\n"), "");
   EXPECT_NE(gcodeReaderRefusal("G1 X99999999999\n"), "");
@@ -169,9 +169,14 @@ TEST(GcodeReader, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(gcodeReaderRefusal("G5 X1\n"), "line 1: G5 is not supported");
   EXPECT_NE(gcodeReaderRefusal("G1 A90\n"), "");
   EXPECT_EQ(gcodeReaderRefusal("N1 G1 X1*3\n").substr(0, 26), "line 1: checksum is 3; the");
-  EXPECT_EQ(gcodeReaderRefusal("G1 (X1\n"), "line 1: comment is not closed at '(X1'");
+  EXPECT_EQ(gcodeReaderRefusal("G28\nG1 (X1\n"), "line 2: comment is not closed at '(X1'");
   EXPECT_NE(gcodeReaderRefusal("\x01\x02\n"), "");
   EXPECT_NE(gcodeReaderRefusal(std::string(2U << 20, 'X')), "");
+}
+
+TEST(GcodeReader, QuotesNothingBeforeAPlainCommand) {
+  EXPECT_EQ(gcodeReaderRefusal("; SECRET\nX:SECRET\n").find("SECRET"), std::string::npos);
+  EXPECT_EQ(gcodeReaderRefusal("; SECRET\nX:SECRET\n").substr(0, 8), "line 2: ");
 }
 
 TEST(GcodeReader, EndsAnyBytesWithMotionsOrAnError) {

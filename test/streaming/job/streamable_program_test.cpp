@@ -71,6 +71,12 @@ TEST(StreamableProgram, RefusesWhatFirmwareWouldMisread) {
   EXPECT_NE(refusalOf("; nothing\n").find("no command"), std::string::npos);
 }
 
+TEST(StreamableProgram, QuotesNothingBeforeAPlainCommand) {
+  EXPECT_EQ(refusalOf("root:$6$SECRET*\n").find("SECRET"), std::string::npos);
+  EXPECT_EQ(refusalOf("M117 SECRET\n12 SECRET\n").find("SECRET"), std::string::npos);
+  EXPECT_NE(refusalOf("M104 S200\n12 monkeys\n").find("test line 2: '12 monkeys'"), std::string::npos);
+}
+
 TEST(StreamableProgram, RefusesALineAsSoonAsItDoesNotFitWithItsNumber) {
   const std::string fits = "M117 " + std::string(96 - 14 - 5, 'x');
   EXPECT_EQ(program(fits).lines(), 1U);
@@ -90,7 +96,7 @@ TEST(StreamableProgram, LeavesOutNumbersChecksumsAndTapeMarks) {
 }
 
 TEST(StreamableProgram, TakesASemicolonInQuotesForText) {
-  EXPECT_NE(refusalOf("M118 \"a;b\" ; said\n").find("\"M118 \"a;b\"\" has a ';' within quotes"),
+  EXPECT_NE(refusalOf("G28\nM118 \"a;b\" ; said\n").find("'M118 \"a;b\"' has a ';' within quotes"),
             std::string::npos);
   const auto lines = linesOf("M117 5\" nozzle ; brass\n");
   ASSERT_EQ(lines.size(), 1U);
@@ -116,7 +122,7 @@ TEST(StreamableProgram, IsCheckedForEachFirmwareItMayGoTo) {
                                                                          std::make_shared<MotionsOnly>());
   const auto program = StreamableProgram::fromText("test", "G1 X1\nM117 hello\n");
   EXPECT_EQ(program.defectFor("marlin"), "");
-  EXPECT_EQ(program.defectFor("motions"), "test line 2: \"M117 hello\" is no motion");
+  EXPECT_EQ(program.defectFor("motions"), "test line 2: 'M117 hello' is no motion");
   Streamer streamer(program, {});
   streamer.start(0.0);
   streamer.takeOutput();

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lamina/base/quotation.hpp"
+
 namespace lamina {
 
 /// A letter and the number after it; no number for flags such as the axes of `G28 X`.
@@ -41,12 +43,18 @@ class GcodeLineParser {
   const GcodeLine& parse(std::string_view text, std::size_t number);
 
  private:
+  void take(std::string_view text);
   std::string_view withoutComment(std::string_view text);
   std::string_view withoutChecksum(std::string_view text) const;
   std::string_view withoutSequence(std::string_view text);
   void parseWords(std::string_view text);
+  bool startsOther(std::string_view text) const;
+  /// Takes a number from the front of the text, if it starts with one.
+  std::optional<double> takeNumber(std::string_view& text) const;
+  [[noreturn]] void refuse(std::string_view what, std::string_view at) const;
 
   GcodeLine line_;
+  Quotation quotation_;
 };
 
 }  // namespace lamina

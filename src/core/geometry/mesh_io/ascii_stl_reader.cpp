@@ -55,6 +55,7 @@ class AsciiStlReader {
       const double x = cursor_.number();
       const double y = cursor_.number();
       loop.push_back(welder_.add({x, y, cursor_.number()}));
+      cursor_.recognise();
     }
     if (!equalsIgnoringCase(word, "endloop")) cursor_.refuse("'vertex' or 'endloop' expected");
     if (loop.size() < 3)

@@ -32,6 +32,7 @@ class ObjReader {
     const double x = cursor_.numberInLine();
     const double y = cursor_.numberInLine();
     faces_.positions.push_back({x, y, cursor_.numberInLine()});
+    cursor_.recognise();
   }
 
   void readFace() {
@@ -58,7 +59,7 @@ class ObjReader {
     const std::int64_t index = number < 0 ? count + number : number - 1;
     if (result.ec != std::errc{} || result.ptr != word.data() + word.size() || number == 0 || index < 0 ||
         index > kLargestIndex)
-      cursor_.refuse("a face names no vertex by '" + std::string(word.substr(0, 40)) + "'; there are " +
+      cursor_.refuse("a face names no vertex by " + cursor_.quoted(word) + "; there are " +
                      std::to_string(count) + " so far");
     return static_cast<std::uint32_t>(index);
   }

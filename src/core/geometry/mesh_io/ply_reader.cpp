@@ -97,6 +97,7 @@ class HeaderReader {
       cursor_.refuse("format must be ascii, binary_little_endian or binary_big_endian");
     }
     has_format_ = true;
+    cursor_.recognise();
   }
 
   void readElement() {
@@ -126,7 +127,7 @@ class HeaderReader {
   PlyType typeNamed(std::string_view word) {
     for (const TypeName& entry : kTypes)
       if (entry.name == word) return entry.type;
-    cursor_.refuse("a property of unknown type '" + std::string(word.substr(0, 40)) + "'");
+    cursor_.refuse("a property of unknown type " + cursor_.quoted(word));
   }
 
   TextCursor cursor_;
@@ -162,6 +163,7 @@ class AsciiNumbers {
  public:
   AsciiNumbers(std::string_view bytes, const PlyHeader& header, const std::string& name)
       : cursor_(bytes, name) {
+    cursor_.recognise();
     while (cursor_.position() < header.size) cursor_.skipLine();
   }
   double next(PlyType) { return cursor_.number(); }

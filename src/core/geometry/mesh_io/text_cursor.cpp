@@ -14,14 +14,6 @@ namespace {
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 bool isSpace(char c) { return isBlank(c) || c == '\n'; }
 
-/// As much of a word as an error message should carry.
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string text;
-  for (const char c : word.substr(0, kLongest)) text += c >= ' ' && c <= '~' ? c : '?';
-  return "'" + text + (word.size() > kLongest ? "...'" : "'");
-}
-
 }  // namespace
 
 std::string_view TextCursor::wordInLine() {

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "lamina/base/quotation.hpp"
+
 namespace lamina {
 
 /// Walks through the words of a text mesh file. Lines are counted only when an error needs one.
@@ -25,6 +27,11 @@ class TextCursor {
   /// The next word as a finite number, in this line.
   double numberInLine();
 
+  /// The file is a mesh: from now on messages quote it.
+  void recognise() { quotation_.recognise(); }
+  /// A word of the file, for messages.
+  std::string quoted(std::string_view word) const { return quotation_.of(word); }
+
   /// @throws InvalidMesh "name:line: what"
   [[noreturn]] void refuse(const std::string& what) const;
 
@@ -33,6 +40,7 @@ class TextCursor {
 
   std::string_view text_;
   const std::string& name_;
+  Quotation quotation_;
   std::size_t position_ = 0;
 };
 

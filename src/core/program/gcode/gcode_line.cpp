@@ -8,44 +8,16 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "program/gcode/plain_command.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kLargest = 1e9;
 
-[[noreturn]] void refuse(std::size_t line, const std::string& what) {
-  throw InvalidProgram("line " + std::to_string(line) + ": " + what);
-}
-
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
-std::string shown(std::string_view text) {
-  std::string clean(text.substr(0, 40));
-  for (char& c : clean)
-    if (c < ' ' || c > '~') c = '?';
-  return "'" + clean + "'";
-}
-
-/// Takes a number from the front of the text, if it starts with one.
-std::optional<double> takeNumber(std::string_view& text, std::size_t line) {
-  if (text.empty()) return std::nullopt;
-  const bool has_sign = text.front() == '+' || text.front() == '-';
-  const std::size_t first = has_sign ? 1 : 0;
-  if (first == text.size() || !(isDigit(text[first]) || text[first] == '.')) {
-    if (has_sign) refuse(line, "bad number at " + shown(text));
-    return std::nullopt;
-  }
-  double value = 0.0;
-  const char* begin = text.data() + (text.front() == '+' ? 1 : 0);
-  const auto result = std::from_chars(begin, text.data() + text.size(), value, std::chars_format::fixed);
-  if (result.ec != std::errc{} || !(std::abs(value) <= kLargest))
-    refuse(line, "bad number at " + shown(text));
-  text.remove_prefix(static_cast<std::size_t>(result.ptr - text.data()));
-  return value;
-}
 
 bool isInterpreted(char letter, std::optional<double> value) {
   if (letter == 'G') {
@@ -67,18 +39,21 @@ bool isNamedCommand(std::string_view text) {
   return length > 1 && (has_underscore || (length >= 4 && !is_axis));
 }
 
-bool startsOther(std::string_view text, std::size_t line) {
-  if (!isLetter(text.front())) return text.front() == '%' || text.front() == '$';
-  if (isNamedCommand(text)) return true;
-  const char letter = upper(text.front());
-  text = trimmed(text.substr(1));
-  return !isInterpreted(letter, takeNumber(text, line));
-}
-
 }  // namespace
 
 const GcodeLine& GcodeLineParser::parse(std::string_view text, std::size_t number) {
   line_.number = number;
+  take(text);
+  if (!quotation_.isRecognised() && isPlainCommand(text)) quotation_.recognise();
+  return line_;
+}
+
+void GcodeLineParser::refuse(std::string_view what, std::string_view at) const {
+  throw InvalidProgram("line " + std::to_string(line_.number) + ": " + std::string(what) + " at " +
+                       quotation_.of(at));
+}
+
+void GcodeLineParser::take(std::string_view text) {
   line_.sequence.reset();
   line_.words.clear();
   line_.comments.clear();
@@ -86,10 +61,9 @@ const GcodeLine& GcodeLineParser::parse(std::string_view text, std::size_t numbe
   text = withoutComment(text);
   text = withoutSequence(withoutChecksum(text));
   line_.command = text;
-  if (text.empty()) return line_;
-  line_.is_other = text.front() != '(' && startsOther(text, number);
+  if (text.empty()) return;
+  line_.is_other = text.front() != '(' && startsOther(text);
   if (!line_.is_other) parseWords(text);
-  return line_;
 }
 
 std::string_view GcodeLineParser::withoutComment(std::string_view text) {
@@ -107,15 +81,14 @@ std::string_view GcodeLineParser::withoutChecksum(std::string_view text) const {
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), stated);
   if (digits.empty() || result.ec != std::errc{} || result.ptr != digits.data() + digits.size()) {
     const std::string_view start = trimmed(text);
-    if (!start.empty() && upper(start.front()) == 'N')
-      refuse(line_.number, "bad checksum at " + shown(text.substr(star)));
+    if (!start.empty() && upper(start.front()) == 'N') refuse("bad checksum", text.substr(star));
     return text;
   }
   unsigned actual = 0;
   for (const char c : text.substr(0, star)) actual ^= static_cast<unsigned char>(c);
   if (actual != stated)
-    refuse(line_.number,
-           "checksum is " + std::to_string(stated) + "; the line's bytes give " + std::to_string(actual));
+    throw InvalidProgram("line " + std::to_string(line_.number) + ": checksum is " + std::to_string(stated) +
+                         "; the line's bytes give " + std::to_string(actual));
   return text.substr(0, star);
 }
 
@@ -124,7 +97,7 @@ std::string_view GcodeLineParser::withoutSequence(std::string_view text) {
   if (text.size() < 2 || upper(text.front()) != 'N' || !(isDigit(text[1]) || text[1] == '-')) return text;
   std::int64_t sequence = 0;
   const auto result = std::from_chars(text.data() + 1, text.data() + text.size(), sequence);
-  if (result.ec != std::errc{}) refuse(line_.number, "bad line number at " + shown(text));
+  if (result.ec != std::errc{}) refuse("bad line number", text);
   line_.sequence = sequence;
   return trimmed(text.substr(static_cast<std::size_t>(result.ptr - text.data())));
 }
@@ -133,16 +106,40 @@ void GcodeLineParser::parseWords(std::string_view text) {
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
     if (text.front() == '(') {
       const std::size_t close = text.find(')');
-      if (close == std::string_view::npos) refuse(line_.number, "comment is not closed at " + shown(text));
+      if (close == std::string_view::npos) refuse("comment is not closed", text);
       line_.comments.push_back(trimmed(text.substr(1, close - 1)));
       text.remove_prefix(close + 1);
       continue;
     }
-    if (!isLetter(text.front())) refuse(line_.number, "unexpected character at " + shown(text));
+    if (!isLetter(text.front())) refuse("unexpected character", text);
     const char letter = upper(text.front());
     text = trimmed(text.substr(1));
-    line_.words.push_back({letter, takeNumber(text, line_.number)});
+    line_.words.push_back({letter, takeNumber(text)});
   }
+}
+
+bool GcodeLineParser::startsOther(std::string_view text) const {
+  if (!isLetter(text.front())) return text.front() == '%' || text.front() == '$';
+  if (isNamedCommand(text)) return true;
+  const char letter = upper(text.front());
+  text = trimmed(text.substr(1));
+  return !isInterpreted(letter, takeNumber(text));
+}
+
+std::optional<double> GcodeLineParser::takeNumber(std::string_view& text) const {
+  if (text.empty()) return std::nullopt;
+  const bool has_sign = text.front() == '+' || text.front() == '-';
+  const std::size_t first = has_sign ? 1 : 0;
+  if (first == text.size() || !(isDigit(text[first]) || text[first] == '.')) {
+    if (has_sign) refuse("bad number", text);
+    return std::nullopt;
+  }
+  double value = 0.0;
+  const char* begin = text.data() + (text.front() == '+' ? 1 : 0);
+  const auto result = std::from_chars(begin, text.data() + text.size(), value, std::chars_format::fixed);
+  if (result.ec != std::errc{} || !(std::abs(value) <= kLargest)) refuse("bad number", text);
+  text.remove_prefix(static_cast<std::size_t>(result.ptr - text.data()));
+  return value;
 }
 
 }  // namespace lamina

@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/quotation.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/job/firmware_protocol.hpp"
+#include "program/gcode/plain_command.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -164,13 +166,16 @@ void StreamableProgram::check(const StreamSettings& settings) {
   std::vector<Checker> checkers = checkersOf(settings.firmware);
   std::string last_defect;
   ProgramCursor cursor = open();
+  Quotation quotation;
   while (const auto line = cursor.next()) {
+    // A line that is plain G-code may be shown itself.
+    if (!quotation.isRecognised() && isPlainCommand(line->command)) quotation.recognise();
     ++lines_;
     const auto isMisread = [&](const Checker& checker) {
       const std::string defect = checker.protocol->defectOf(line->command, settings);
       if (defect.empty()) return false;
-      last_defect = name_ + " line " + std::to_string(cursor.textLine()) + ": \"" +
-                    line->command.substr(0, 40) + "\" " + defect;
+      last_defect = name_ + " line " + std::to_string(cursor.textLine()) + ": " +
+                    quotation.of(line->command) + " " + defect;
       defects_[checker.name] = last_defect;
       return true;
     };

@@ -103,12 +103,9 @@ std::vector<RapidComment> RapidCursor::takeComments() {
 }
 
 void RapidCursor::refuse(std::string_view expected) const {
-  constexpr std::size_t kShown = 40;
-  std::string found(text_.substr(at_, std::min(kShown, text_.find('\n', at_) - at_)));
-  for (char& c : found)
-    if (c < ' ' || c > '~') c = '?';
-  refuseAt(line_,
-           (isAtEnd() ? "the text ends" : "found '" + found + "'") + "; expected " + std::string(expected));
+  const std::string_view found = text_.substr(at_, text_.find('\n', at_) - at_);
+  refuseAt(line_, (isAtEnd() ? "the text ends" : "found " + quotation_.of(found)) + "; expected " +
+                      std::string(expected));
 }
 
 void RapidCursor::refuseAt(std::size_t line, const std::string& what) const {

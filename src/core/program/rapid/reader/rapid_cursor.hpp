@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lamina/base/quotation.hpp"
+
 namespace lamina {
 
 /// A comment and where it stands.
@@ -42,6 +44,9 @@ class RapidCursor {
 
   std::vector<RapidComment> takeComments();
 
+  /// The text is a module: from now on messages quote it.
+  void recognise() { quotation_.recognise(); }
+
   /// @throws InvalidProgram "FILE line N: found '...'; expected EXPECTED"
   [[noreturn]] void refuse(std::string_view expected) const;
   /// @throws InvalidProgram "FILE line N: WHAT"
@@ -53,6 +58,7 @@ class RapidCursor {
 
   std::string_view text_;
   const std::string& name_;
+  Quotation quotation_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
   std::vector<RapidComment> comments_;

@@ -24,10 +24,15 @@ void readProcedure(RapidCursor& cursor, RapidSource& source) {
 void readRapidModule(RapidCursor& cursor, RapidSource& source) {
   cursor.expectWord("module");
   cursor.takeName("the name of the module");
-  while (cursor.takeWord("pers") || cursor.takeWord("const") || cursor.takeWord("var"))
+  while (cursor.takeWord("pers") || cursor.takeWord("const") || cursor.takeWord("var")) {
+    cursor.recognise();
     readRapidDeclaration(cursor, source);
+  }
   if (source.procedures.empty()) source.head = cursor.takeComments();
-  while (cursor.takeWord("proc")) readProcedure(cursor, source);
+  while (cursor.takeWord("proc")) {
+    cursor.recognise();
+    readProcedure(cursor, source);
+  }
   if (!cursor.takeWord("endmodule")) cursor.refuse("PROC, ENDMODULE, or data before the first procedure");
   if (!cursor.isAtEnd()) cursor.refuse("nothing after ENDMODULE");
 }

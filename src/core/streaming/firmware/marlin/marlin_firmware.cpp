@@ -47,8 +47,7 @@ std::string MarlinFirmware::defectOf(std::string_view command, const StreamSetti
     return "has a byte that is not printable ASCII; expected G-code text";
   if (command.find('*') != std::string_view::npos)
     return "has a '*', which marks a checksum; checksums are added here";
-  if (!isLetter(command[0]))
-    return "starts with '" + std::string(command.substr(0, 1)) + "'; expected a command letter";
+  if (!isLetter(command[0])) return "starts with no letter; expected a command letter";
   if (command.size() > 1 && (isLetter(command[1]) || command[1] == '_'))
     return "is a macro's name, which Marlin does not know; expected a letter and a number";
   if (isCommand(command, "M110")) return "sets the line number, which belongs to the streamer";
