@@ -103,6 +103,16 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, GrblUnderFault,
                                          GrblFaultKind::Error, GrblFaultKind::Alarm, GrblFaultKind::Reset,
                                          GrblFaultKind::Silence, GrblFaultKind::Disconnect));
 
+/// grbl cannot see damage in a line that still makes sense; whoever declares such a link reliable gets an end
+/// all the same.
+TEST(GrblUnderDamage, EndsWhereALossyLinkIsDeclaredReliable) {
+  for (const GrblFaultKind kind : {GrblFaultKind::LostByte, GrblFaultKind::ChangedByte}) {
+    const Tally tally = runMany(kind, LinkKind::Reliable, 20000);
+    EXPECT_GT(tally.struck, 0U);
+    EXPECT_LT(tally.complete, tally.jobs) << "most damage is seen";
+  }
+}
+
 TEST(GrblUnderDamage, RunsNothingBehindALossyLink) {
   for (const GrblFaultKind kind : {GrblFaultKind::LostByte, GrblFaultKind::ChangedByte}) {
     const Tally tally = runMany(kind, LinkKind::Lossy, 20);
