@@ -15,10 +15,14 @@
 namespace lamina::cli {
 namespace {
 
+/// What is to be done with the job of the port.
+enum class StreamMode { Begin, Resume, ShowProgress };
+
 struct StreamArguments {
   std::string program;
   MachinePort port;
   std::vector<std::string> settings;
+  StreamMode mode = StreamMode::Begin;
 };
 
 StreamSettings settingsFrom(const StreamArguments& arguments) {
@@ -32,13 +36,14 @@ StreamSettings settingsFrom(const StreamArguments& arguments) {
 
 /// Streams to the end, or to the safe stop after Ctrl-C.
 StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings& settings,
-                         const MachinePort& port) {
+                         const MachinePort& port, const StreamJournal& journal) {
   constexpr double kPollInterval = 0.1;  // s
   TerminalProgress progress;
-  StreamSession session(program, settings, port, [&](const StreamStatus& status) {
+  const auto report = [&](const StreamStatus& status) {
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
-  });
+  };
+  StreamSession session(program, settings, port, report, {}, journal);
   while (!session.waitFor(kPollInterval)) {
     if (progress.isCancelled()) session.abort({ErrorCode::Cancelled, "stopped by the user"});
   }
@@ -86,12 +91,37 @@ Counts countsOf(const StreamStatus& status) {
           {"not_done", status.commands_not_done}};
 }
 
+/// What the progress file of the port says; nothing is sent.
+void showProgress(const std::string& journal, OutputFormat format) {
+  const JournalledProgress known = readJournal(journal);
+  if (format == OutputFormat::Text) {
+    std::printf("%s\n", describeProgress(known).c_str());
+    return;
+  }
+  const nlohmann::ordered_json json = {{"program", known.job.program},
+                                       {"program_sha256", known.job.program_sha256},
+                                       {"port", known.job.port},
+                                       {"firmware", known.job.firmware_name},
+                                       {"lines", known.job.lines_total},
+                                       {"taken_through", known.progress.taken_through},
+                                       {"sent_through", known.progress.sent_through},
+                                       {"layer", known.progress.layer},
+                                       {"state", toString(known.progress.state)},
+                                       {"time_ms", known.progress.time_ms}};
+  std::printf("%s\n", json.dump().c_str());
+}
+
 void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamSettings settings = settingsFrom(arguments);
+  const std::string journal_path = journalPath(settings, arguments.port.name);
+  if (arguments.mode == StreamMode::ShowProgress) return showProgress(journal_path, chosen.format);
   const auto program = StreamableProgram::fromFile(arguments.program, settings);
   const SteadyClock clock;
   const double start = clock.now();
-  const StreamStatus status = streamWhole(program, settings, arguments.port);
+  const StreamJournal journal = arguments.mode == StreamMode::Resume
+                                    ? resumeJournal(journal_path, program, arguments.port.name)
+                                    : beginJournal(journal_path);
+  const StreamStatus status = streamWhole(program, settings, arguments.port, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);
   print(status, clock.now() - start, chosen.format);
@@ -109,6 +139,14 @@ void addStream(CLI::App& app, Chosen& chosen) {
       ->required();
   command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
   command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
+  auto* const resume = command->add_flag_callback(
+      "--resume", [arguments] { arguments->mode = StreamMode::Resume; },
+      "go on with the job whose streaming was cut off, on a machine that has lived on");
+  command
+      ->add_flag_callback(
+          "--progress", [arguments] { arguments->mode = StreamMode::ShowProgress; },
+          "print what is known of the port's last job, and send nothing")
+      ->excludes(resume);
   addJsonFlag(*command, chosen);
   command->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { runStream(*arguments, chosen); }; });

@@ -91,7 +91,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   beginJob(goal, program);
   StreamStatus status;
   try {
-    status = streamProgram(program);
+    status = streamProgram(program, journalFor(goal, program));
   } catch (const Error&) {
     status.failure = currentFailure();
     startup_.endJob(program, status);
@@ -114,10 +114,16 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
   startup_.beginJob(identity);
 }
 
-StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program) {
+StreamJournal GcodeStreamer::journalFor(const lamina_msgs::StreamProgramGoal& goal,
+                                        const StreamableProgram& program) const {
+  const std::string path = journalPath(settings_.stream, settings_.port.name);
+  return goal.resume ? resumeJournal(path, program, settings_.port.name) : beginJournal(path);
+}
+
+StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, const StreamJournal& journal) {
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
-      [this](const FirmwareReply& reply) { startup_.heard(reply); });
+      [this](const FirmwareReply& reply) { startup_.heard(reply); }, journal);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;

@@ -36,7 +36,9 @@ class GcodeStreamer {
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
-  StreamStatus streamProgram(const StreamableProgram& program);
+  StreamJournal journalFor(const lamina_msgs::StreamProgramGoal& goal,
+                           const StreamableProgram& program) const;
+  StreamStatus streamProgram(const StreamableProgram& program, const StreamJournal& journal);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   void finish(const StreamStatus& status, double duration_s);

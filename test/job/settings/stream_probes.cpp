@@ -5,6 +5,7 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/silent_machine.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina::test {
 namespace {
@@ -37,34 +38,39 @@ std::string toldALocked(const SettingTexts& set) {
 }  // namespace
 
 std::vector<SettingProbe> streamProbes() {
-  return {{"a machine that never answers",
-           "",
-           silentAt(Silence::FromTheStart, kTenMoves),
-           {{"stream.connect_timeout_s=4"}}},
-          {"a machine that falls silent",
-           "stream.temperature_interval_s=0",
-           silentAt(Silence::OnceBegun, kTenMoves),
-           {{"stream.window_bytes=100", "stream.window_lines=20"},
-            {"stream.window_lines=2"},
-            {"stream.link=lossy"},
-            {"stream.max_line_bytes=32"},
-            {"stream.probe_after_s=4"},
-            {"stream.silence_timeout_s=20"},
-            {"stream.temperature_interval_s=5"},
-            {"stream.position_interval_s=2"}}},
-          {"a machine that falls silent while it homes",
-           "stream.temperature_interval_s=0",
-           silentAt(Silence::OnceBegun, "G28\nG1 X1\n"),
-           {{"stream.blocking_timeout_s=600"}}},
-          {"a machine that confirms no safe stop",
-           "stream.temperature_interval_s=0",
-           silentAt(Silence::FromTheAbort, kTenMoves),
-           {{"stream.safe_stop_timeout_s=3"}, {"stream.keep_heaters_on=true"}}},
-          {"a machine that says no ok after a request",
-           "stream.temperature_interval_s=0",
-           sentAgainAt,
-           {{"stream.settle_s=0.5"}}},
-          {"a grbl that has locked itself", "stream.firmware=grbl", toldALocked, {{"stream.unlock=once"}}}};
+  return {
+      {"a machine that never answers",
+       "",
+       silentAt(Silence::FromTheStart, kTenMoves),
+       {{"stream.connect_timeout_s=4"}}},
+      {"a machine that falls silent",
+       "stream.temperature_interval_s=0",
+       silentAt(Silence::OnceBegun, kTenMoves),
+       {{"stream.window_bytes=100", "stream.window_lines=20"},
+        {"stream.window_lines=2"},
+        {"stream.link=lossy"},
+        {"stream.max_line_bytes=32"},
+        {"stream.probe_after_s=4"},
+        {"stream.silence_timeout_s=20"},
+        {"stream.temperature_interval_s=5"},
+        {"stream.position_interval_s=2"}}},
+      {"a machine that falls silent while it homes",
+       "stream.temperature_interval_s=0",
+       silentAt(Silence::OnceBegun, "G28\nG1 X1\n"),
+       {{"stream.blocking_timeout_s=600"}}},
+      {"a machine that confirms no safe stop",
+       "stream.temperature_interval_s=0",
+       silentAt(Silence::FromTheAbort, kTenMoves),
+       {{"stream.safe_stop_timeout_s=3"}, {"stream.keep_heaters_on=true"}}},
+      {"a machine that says no ok after a request",
+       "stream.temperature_interval_s=0",
+       sentAgainAt,
+       {{"stream.settle_s=0.5"}}},
+      {"a job whose progress is kept",
+       "stream.journal=/somewhere",
+       [](const SettingTexts& set) { return journalPath(settingsWith<StreamSettings>(set), "/dev/ttyUSB0"); },
+       {{"stream.journal=/elsewhere"},
+      {"a grbl that has locked itself", "stream.firmware=grbl", toldALocked, {{"stream.unlock=once"}}}};
 }
 
 }  // namespace lamina::test

@@ -58,5 +58,27 @@ TEST(LineGate, TakesLinesWithoutNumberAsMarlinDoes) {
   EXPECT_EQ(gate.lastNumber(), 0U);
 }
 
+TEST(LineGate, RefusesALineWhoseNumberWasCutOff) {
+  LineGate gate;
+  EXPECT_NE(gate.take("N").refusal, "");
+  EXPECT_NE(gate.take("N1 G2").refusal, "");
+  EXPECT_EQ(gate.lastNumber(), 0U);
+}
+
+TEST(LineGate, KnowsWhereLinesCountFrom) {
+  LineGate gate;
+  gate.take("N70 M110 N70*125");
+  EXPECT_EQ(gate.firstNumber(), 70U);
+  gate.take(frameLine(71, "G28"));
+  EXPECT_EQ(gate.lastNumber(), 71U);
+  EXPECT_EQ(gate.firstNumber(), 70U);
+}
+
+TEST(LineGate, TakesAwayWhatBackspacesReach) {
+  EXPECT_EQ(withoutErased("N1 G1 X\b2"), "N1 G1 2");
+  EXPECT_EQ(withoutErased("M1\b\b\b\bM115"), "M115");
+  EXPECT_EQ(withoutErased("\b"), "");
+}
+
 }  // namespace
 }  // namespace lamina

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
 
@@ -28,11 +29,12 @@ class StreamSession {
   /// Opens the port and starts to stream.
   /// @param heard  given every line of the machine, from the session's thread; may be empty. A print server
   ///               says none.
+  /// @param journal  where the progress is kept (`beginJournal`), and the job to go on with (`resumeJournal`)
   /// @throws Disconnected naming the port if there is no machine
   /// @throws FileError if the program is gone, or the password's file
   /// @throws InvalidProgram of a print server, if it would misread the program
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                Observer observer, ReplyListener heard = {});
+                Observer observer, ReplyListener heard = {}, StreamJournal journal = {});
   /// Aborts a job that is not over, and waits for the safe stop.
   ~StreamSession();
   StreamSession(const StreamSession&) = delete;

@@ -25,6 +25,10 @@ class Streamer final : public StreamJob {
   /// @param heard  may be empty
   /// @throws InvalidConfig as `validate` of the settings
   Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard = {});
+  /// @throws InvalidConfig also if a job is to go on that the protocol cannot go on with, or whose firmware
+  /// is
+  ///   not stated
+  explicit Streamer(StreamOrder order);
   ~Streamer() override;
   Streamer(const Streamer&) = delete;
   Streamer& operator=(const Streamer&) = delete;
@@ -41,6 +45,8 @@ class Streamer final : public StreamJob {
   std::string takeOutput() override;
   double nextDeadline() const override;
   const StreamStatus& status() const override;
+  /// What is spoken, in `firmwareProtocols`; `auto` until it is known.
+  const std::string& protocol() const { return order_.settings.firmware; }
   std::vector<PackmlState> takeStateChanges() override;
 
  private:

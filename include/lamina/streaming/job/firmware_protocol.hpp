@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,13 @@
 
 namespace lamina {
 
+/// What an earlier session left behind, whose job is gone on with. Lines of the program, from 1.
+struct UnfinishedLines {
+  std::uint64_t taken_through = 0;  ///< acknowledged
+  std::uint64_t sent_through = 0;   ///< no line beyond has ever left
+  std::string firmware_name;        ///< as the machine gave it, empty if it gave none
+};
+
 /// What is to be streamed, and what is known of the machine.
 struct StreamOrder {
   StreamableProgram program;
@@ -21,6 +29,9 @@ struct StreamOrder {
   ReplyListener heard;                       ///< may be empty
   std::optional<std::string> firmware_name;  ///< as the machine gave it, empty if it gave none; nothing if it
                                              ///< was not asked yet
+  std::uint64_t line_base =
+      0;  ///< firmware that counts lines counts from here, so that it knows the job again
+  std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins
 };
 
 /// How a family of firmware is spoken to: the port through which `Streamer` reaches it. Constant, and called
@@ -36,6 +47,9 @@ class FirmwareProtocol {
   /// "has a '*', which marks a checksum". Empty if it takes the command, be it that it does not know it.
   /// @param settings  `max_line_bytes` of 0 stands for the firmware's usual limit
   virtual std::string defectOf(std::string_view command, const StreamSettings& settings) const = 0;
+
+  /// Whether a job can go on where an earlier session left it, on a machine that has lived on.
+  virtual bool canResume() const { return false; }
 
   /// A job in Idle, which asks who is there before it sends anything else, unless the order says so.
   /// @throws InvalidConfig where the settings do not suit the firmware

@@ -44,6 +44,7 @@ struct StreamSettings {
   std::string password_file;       ///< of a print server's password or API key; empty for none
   int temperature_interval_s = 1;  ///< of the firmware's own reports (M155); 0 for none
   int position_interval_s = 0;     ///< of the firmware's own reports (M154); 0 for none
+  std::string journal = "auto";    ///< path of the progress file; empty for none (`journalPath`)
 };
 
 /// Adds the keys stream.*.

@@ -9,6 +9,7 @@
 
 #include "lamina/base/clock.hpp"
 #include "lamina/streaming/transport/transport.hpp"
+#include "streaming/client/session_journal.hpp"
 #include "streaming/client/session_kind.hpp"
 #include "streaming/transport/deadline_timer.hpp"
 #include "streaming/transport/http_client.hpp"
@@ -28,10 +29,11 @@ StreamSettings atPort(StreamSettings settings, const std::string& port) {
 class LinkSession final : public SessionKind {
  public:
   LinkSession(const StreamableProgram& program, const StreamSettings& settings, MachinePort port,
-              StreamSession::Observer observer, ReplyListener heard)
+              StreamSession::Observer observer, ReplyListener heard, StreamJournal journal)
       : port_(std::move(port)),
         record_(port_.name, std::move(observer)),
-        streamer_(program, atPort(settings, port_.name), std::move(heard)),
+        journal_(std::move(journal), program, port_.name),
+        streamer_(journal_.placed({program, atPort(settings, port_.name), std::move(heard), {}, 0, {}})),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
     transport_->open(events());
@@ -115,8 +117,11 @@ class LinkSession final : public SessionKind {
   void flush() {
     if (is_closed_) return;
     const std::string output = streamer_.takeOutput();
+    journal_.keep(streamer_, clock_.now());
     if (!output.empty()) transport_->send(output);
-    record_.publish(streamer_.status(), streamer_.takeStateChanges(), clock_.now());
+    StreamStatus status = streamer_.status();
+    if (!journal_.failure().empty()) status.message = journal_.failure();
+    record_.publish(std::move(status), streamer_.takeStateChanges(), clock_.now());
     if (isFinal(streamer_.status().state)) {
       finish();
     } else if (streamer_.isOffline()) {
@@ -138,6 +143,7 @@ class LinkSession final : public SessionKind {
   boost::asio::io_context context_;
   MachinePort port_;
   SessionRecord record_;
+  SessionJournal journal_;
   Streamer streamer_;
   std::unique_ptr<Transport> transport_;
   DeadlineTimer timer_;
@@ -148,11 +154,13 @@ class LinkSession final : public SessionKind {
 }  // namespace
 
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
-                             const MachinePort& port, Observer observer, ReplyListener heard) {
+                             const MachinePort& port, Observer observer, ReplyListener heard,
+                             StreamJournal journal) {
   if (isWebAddress(port.name)) {
     kind_ = beginUpload(program, settings, port, std::move(observer));
   } else {
-    kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(heard));
+    kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(heard),
+                                          std::move(journal));
   }
 }
 StreamSession::~StreamSession() = default;

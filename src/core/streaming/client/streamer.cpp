@@ -9,14 +9,21 @@
 namespace lamina {
 
 Streamer::Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard)
-    : order_{program, settings, std::move(heard), std::nullopt} {
-  validate(settings);
-  if (settings.firmware == kAnyFirmware) {
+    : Streamer(StreamOrder{program, settings, std::move(heard), {}, 0, {}}) {}
+
+Streamer::Streamer(StreamOrder order) : order_(std::move(order)) {
+  validate(order_.settings);
+  const std::string& firmware = order_.settings.firmware;
+  const bool is_any = firmware == kAnyFirmware;
+  if (order_.unfinished && (is_any || !firmwareProtocols().find(firmware)->canResume()))
+    throw InvalidConfig("stream.firmware is " + firmware +
+                        ", with which a job cannot go on on a live machine");
+  if (is_any) {
     identification_ = std::make_unique<Identification>(order_);
   } else {
-    const std::string defect = program.defectFor(settings.firmware);
+    const std::string defect = order_.program.defectFor(firmware);
     if (!defect.empty()) throw InvalidProgram(defect);
-    job_ = firmwareProtocols().find(settings.firmware)->begin(order_);
+    job_ = firmwareProtocols().find(firmware)->begin(order_);
   }
 }
 Streamer::~Streamer() = default;

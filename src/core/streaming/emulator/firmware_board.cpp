@@ -90,14 +90,16 @@ void EmulatedFirmware::Board::emergency(std::string_view line) {
 bool EmulatedFirmware::Board::takeLine() {
   const std::size_t end = rx_.find('\n');
   if (end == std::string::npos) return false;
-  std::string line = rx_.substr(0, std::min(end, static_cast<std::size_t>(settings_.max_line_bytes)));
+  std::string line = withoutErased(rx_.substr(0, end));
   rx_.erase(0, end + 1);
-  onLine(std::move(line));
+  onLine(line.substr(0, static_cast<std::size_t>(settings_.max_line_bytes)));
   return true;
 }
 
 void EmulatedFirmware::Board::onLine(std::string line) {
-  const auto number = lineNumberOf(line);
+  auto number = lineNumberOf(line);
+  // Faults strike the lines of a job, wherever it counts from.
+  if (number) *number -= std::min(*number, gate_.firstNumber());
   if (number && isLineEaten(*number)) return;
   if (number && strikes(FaultKind::CorruptedLine, *number)) line = faults_.corrupted(std::move(line));
   const GatedLine taken = gate_.take(line);

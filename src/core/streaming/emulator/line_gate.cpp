@@ -32,10 +32,24 @@ std::optional<std::uint64_t> lineNumberOf(std::string_view line) {
   return wholeNumber(line.substr(0, line.find_first_not_of("0123456789")));
 }
 
+std::string withoutErased(std::string_view line) {
+  std::string kept;
+  for (const char c : line) {
+    if (c != '\b') {
+      kept += c;
+    } else if (!kept.empty()) {
+      kept.pop_back();
+    }
+  }
+  return kept;
+}
+
 GatedLine LineGate::take(std::string_view line) {
   line = trimmed(line);
   const std::size_t star = line.rfind('*');
   const auto number = lineNumberOf(line);
+  if (!number && !line.empty() && line.front() == 'N')
+    return refused("Line Number is not Last Number+1, Last Line: ");
   // As Marlin does: the tail of a line is run, whatever checksum it ends with.
   if (!number) return {{}, std::string(trimmed(line.substr(0, star))), std::nullopt};
   if (star == std::string_view::npos) return refused("No Checksum with line number, Last Line: ");
@@ -47,7 +61,7 @@ GatedLine LineGate::take(std::string_view line) {
   if (isM110(command)) {
     const std::size_t n = command.find('N', 4);
     const auto set = n == std::string_view::npos ? number : wholeNumber(command.substr(n + 1));
-    last_number_ = set.value_or(*number);
+    last_number_ = first_number_ = set.value_or(*number);
   } else if (*number != last_number_ + 1) {
     return refused("Line Number is not Last Number+1, Last Line: ");
   } else {

@@ -12,6 +12,9 @@ namespace lamina {
 /// The number of a line "N<number> ...", whether the rest of it is right or not.
 std::optional<std::uint64_t> lineNumberOf(std::string_view line);
 
+/// A line as it was meant by who sent backspaces, each of which takes away the character before it.
+std::string withoutErased(std::string_view line);
+
 /// What firmware makes of a received line.
 struct GatedLine {
   std::string refusal;  ///< why it is not taken; empty if it is
@@ -26,10 +29,13 @@ class LineGate {
  public:
   GatedLine take(std::string_view line);
   std::uint64_t lastNumber() const { return last_number_; }
-  void reset() { last_number_ = 0; }
+  /// Where lines count from, as the last M110 has set it.
+  std::uint64_t firstNumber() const { return first_number_; }
+  void reset() { last_number_ = first_number_ = 0; }
 
  private:
   std::uint64_t last_number_ = 0;
+  std::uint64_t first_number_ = 0;
 };
 
 }  // namespace lamina

@@ -29,6 +29,14 @@ LineFeed::Source sourceOf(const StreamableProgram& program) {
   return [ahead = std::make_shared<ReadAhead>(program)] { return ahead->next(); };
 }
 
+LineFeed::Source restOf(const StreamableProgram& program, std::uint64_t lines_left_out,
+                        const std::function<void(const ProgramLine&)>& passed) {
+  LineFeed::Source source = sourceOf(program);
+  for (std::uint64_t i = 0; i < lines_left_out; ++i)
+    if (const auto line = source()) passed(*line);
+  return source;
+}
+
 LineFeed::Source sourceOf(std::vector<std::string> commands) {
   std::reverse(commands.begin(), commands.end());
   return [left = std::move(commands)]() mutable -> std::optional<ProgramLine> {
@@ -64,6 +72,7 @@ bool LineFeed::rewind(std::uint64_t number) {
 }
 
 std::int32_t LineFeed::layerOf(std::uint64_t number) const {
+  if (number == line_before_) return layer_before_;
   if (number < first_kept_ || number >= first_kept_ + kept_.size()) return -1;
   return kept_[number - first_kept_].layer;
 }

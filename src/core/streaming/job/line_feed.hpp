@@ -19,9 +19,14 @@ class LineFeed {
  public:
   using Source = std::function<std::optional<ProgramLine>()>;
 
-  /// @param first  number of the first line
-  LineFeed(Source source, std::uint64_t first)
-      : source_(std::move(source)), first_kept_(first), next_(first) {}
+  /// @param first         number of the first line
+  /// @param layer_before  of the line before; -1 if there is none
+  LineFeed(Source source, std::uint64_t first, std::int32_t layer_before = -1)
+      : source_(std::move(source)),
+        line_before_(first - 1),
+        layer_before_(layer_before),
+        first_kept_(first),
+        next_(first) {}
 
   /// The line to send next; null at the end of the program.
   const ProgramLine* peek();
@@ -35,11 +40,13 @@ class LineFeed {
   std::uint64_t next() const { return next_; }
   /// One more than the highest number sent.
   std::uint64_t end() const { return first_kept_ + kept_.size() - (has_unsent_ ? 1 : 0); }
-  /// Layer of a line that is remembered; -1 otherwise.
+  /// Layer of a line that is remembered, or of the one before the first; -1 otherwise.
   std::int32_t layerOf(std::uint64_t number) const;
 
  private:
   Source source_;
+  std::uint64_t line_before_;  ///< the first one
+  std::int32_t layer_before_;
   std::deque<ProgramLine> kept_;  ///< lines first_kept_ and following
   bool has_unsent_ = false;       ///< the last one kept was read and never sent
   std::uint64_t first_kept_;
@@ -48,6 +55,10 @@ class LineFeed {
 
 /// The lines of a program, which end early if its file is changed meanwhile.
 LineFeed::Source sourceOf(const StreamableProgram& program);
+
+/// The same without the first lines, each of which is shown to `passed`.
+LineFeed::Source restOf(const StreamableProgram& program, std::uint64_t lines_left_out,
+                        const std::function<void(const ProgramLine&)>& passed);
 
 /// Commands that are no program's, in order.
 LineFeed::Source sourceOf(std::vector<std::string> commands);

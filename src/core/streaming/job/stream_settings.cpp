@@ -54,6 +54,9 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
                  "Interval of the machine's temperature reports; 0 for none.");
   schema.integer("stream.position_interval_s", settings.position_interval_s, {0, 60},
                  "Interval of the machine's position reports; 0 for none.");
+  schema.text(
+      "stream.journal", settings.journal,
+      "File in which the progress of a job is kept; auto for one in the user's folder; empty for none.");
 }
 
 LinkKind linkOf(const std::string& port) {

@@ -102,12 +102,21 @@ void claim(serial_port& port) {
   throw std::system_error(EBUSY, std::generic_category());
 }
 
+/// Where closing lowers DTR, the next opening raises it, which resets many boards: a job could not go on.
+void keepLinesAtClose(int descriptor) {
+  termios options{};
+  if (::tcgetattr(descriptor, &options) != 0) return;
+  options.c_cflag &= ~static_cast<tcflag_t>(HUPCL);
+  ::tcsetattr(descriptor, TCSANOW, &options);
+}
+
 void configure(serial_port& port, int baud) {
   port.set_option(serial_port::character_size(8));
   port.set_option(serial_port::parity(serial_port::parity::none));
   port.set_option(serial_port::stop_bits(serial_port::stop_bits::one));
   port.set_option(serial_port::flow_control(serial_port::flow_control::none));
   setBaudRate(port.native_handle(), baud);
+  keepLinesAtClose(port.native_handle());
   ::ioctl(port.native_handle(), TIOCEXCL);
   // What was said before nobody listened to is of no use.
   ::tcflush(port.native_handle(), TCIFLUSH);

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kReportAttempts = 3;
-// Lines under way when a job is aborted must not be taken for those of the safe stop.
-constexpr std::uint64_t kSafeStopGap = 1000;
 
 std::vector<std::string> reportRequests(const StreamSettings& settings, const MarlinFirmware& firmware) {
   std::vector<std::string> requests;
@@ -41,7 +39,10 @@ MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> fi
     : settings_(order.settings),
       firmware_(std::move(firmware)),
       heard_(std::move(order.heard)),
-      feed_(sourceOf(order.program), 1),
+      program_(order.program),
+      line_base_(order.line_base),
+      enquiry_(order.unfinished ? std::make_unique<LineEnquiry>(order, firmware_) : nullptr),
+      feed_(sourceOf(order.program), line_base_ + 1),
       timer_(order.settings.probe_after_s),
       firmware_name_(std::move(order.firmware_name)) {
   settings_.window_lines = windowLines(settings_, settings_.link);
@@ -68,6 +69,7 @@ double MarlinJob::silenceLimit() const {
 double MarlinJob::nextDeadline() const {
   if (!isWaiting()) return kNever;
   if (phase_ == Phase::Offline) return safe_stop_by_;
+  if (phase_ == Phase::Enquiring) return enquiry_->nextDeadline();
   const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
   const double deadline = std::min(timer_.retryAt(), give_up);
   return isSettling() ? std::min(deadline, settle_until_) : deadline;
@@ -76,15 +78,48 @@ double MarlinJob::nextDeadline() const {
 void MarlinJob::start(double now) {
   if (record_.status.state != PackmlState::Idle) return;
   record_.enter(PackmlState::Starting);
+  if (enquiry_) {
+    beginPhase(Phase::Enquiring, now);
+    enquiry_->start(now);
+    return followEnquiry(now);
+  }
   if (!firmware_name_) return identify(now);
   record_.status.firmware_name = *firmware_name_;
-  beginNumbering(0, now);
+  beginNumbering(line_base_, now);
+}
+
+void MarlinJob::hearEnquiry(const FirmwareReply& reply, double now) {
+  enquiry_->hear(reply, now);
+  followEnquiry(now);
+}
+
+void MarlinJob::followEnquiry(double now) {
+  output_ += enquiry_->takeOutput();
+  if (enquiry_->failure().code != ErrorCode::Ok) {
+    abort(enquiry_->failure(), now);
+  } else if (enquiry_->taken()) {
+    goOnAfter(*enquiry_->taken(), now);
+  }
+}
+
+/// The firmware counts on from where it is: its number is what proves that no line is lost or run twice.
+void MarlinJob::goOnAfter(std::uint64_t number, double now) {
+  StreamStatus& status = record_.status;
+  status.lines_sent = status.lines_acknowledged = number - line_base_;
+  const auto pass = [&](const ProgramLine& line) {
+    outputs_.see(line.command);
+    status.layer = line.layer;
+  };
+  auto rest = restOf(program_, status.lines_acknowledged, pass);
+  feed_ = LineFeed(std::move(rest), number + 1, status.layer);
+  proof_.asked(number + 1);
+  nextReport(now);
 }
 
 /// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
 /// @return whether the request must not be followed
 bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
-  if (isStopping() || !proof_.contradicts(wanted, record_.status.lines_acknowledged)) {
+  if (isStopping() || !proof_.contradicts(wanted, line_base_ + record_.status.lines_acknowledged)) {
     is_asking_again_ = false;
     return false;
   }
@@ -160,7 +195,7 @@ void MarlinJob::pump(double now) {
     if (!isStopping()) noteSent(*line, now);
     feed_.advance();
   }
-  if (!isStopping()) record_.status.lines_sent = feed_.end() - 1;
+  if (!isStopping()) record_.status.lines_sent = feed_.end() - 1 - line_base_;
 }
 
 /// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
@@ -185,7 +220,7 @@ void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
 }
 
 void MarlinJob::onAllTaken(double now) {
-  const std::uint64_t lines_read = feed_.end() - 1;
+  const std::uint64_t lines_read = feed_.end() - 1 - line_base_;
   if (!isStopping() && lines_read < record_.status.lines_total) {
     abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
                                           std::to_string(lines_read) + " of " +
@@ -200,6 +235,10 @@ void MarlinJob::onAllTaken(double now) {
 
 void MarlinJob::elapse(double now) {
   if (!isWaiting()) return;
+  if (phase_ == Phase::Enquiring) {
+    enquiry_->elapse(now);
+    return followEnquiry(now);
+  }
   if (isStopping() && now >= safe_stop_by_) {
     finishAborted(
         phase_ == Phase::Offline
@@ -245,6 +284,7 @@ void MarlinJob::retry(double now) {
       askForRest();
       break;
     case Phase::Idle:
+    case Phase::Enquiring:
     case Phase::Offline:
       break;
   }
@@ -292,16 +332,6 @@ void MarlinJob::abort(const Failure& why, double now) {
   }
   prepareSafeStop(now);
   beginNumbering(base_, now);
-}
-
-void MarlinJob::prepareSafeStop(double now) {
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
-  base_ = feed_.end() + kSafeStopGap;
-  feed_ = LineFeed(sourceOf(safeStop(*firmware_, outputs_, settings_)), base_ + 1);
-  sent_.clear();
-  settle_until_ = 0.0;
-  must_send_one_ = false;
 }
 
 /// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
@@ -356,6 +386,7 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
   if (!reply.firmware_name.empty()) onIdentity(reply, now);
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
   if (reply.position) record_.status.position = reply.position;
+  if (phase_ == Phase::Enquiring) return hearEnquiry(reply, now);
   if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures)) {
     finishAborted("");
     return;
@@ -412,7 +443,7 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
 
 void MarlinJob::onOk(const FirmwareReply& reply, double now) {
   if (phase_ == Phase::Identifying) {
-    beginNumbering(0, now);
+    beginNumbering(line_base_, now);
   } else if (phase_ == Phase::Reporting) {
     reports_.pop_back();
     report_attempts_ = 0;
@@ -434,13 +465,13 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
 }
 
 void MarlinJob::acknowledgedUpTo(std::uint64_t line, const FirmwareReply& reply, double now) {
-  if (isStopping() || line <= record_.status.lines_acknowledged) return;
+  if (isStopping() || line <= line_base_ + record_.status.lines_acknowledged) return;
   starvation_.acknowledged(line, reply.free_planner_blocks, now);
   record_.status.starvation = starvation_.starvation();
   undone_.acknowledge(line);
   record_.status.commands_not_done = undone_.count();
   proof_.acknowledged();
-  record_.status.lines_acknowledged = line;
+  record_.status.lines_acknowledged = line - line_base_;
   record_.status.layer = feed_.layerOf(line);
 }
 
@@ -497,12 +528,6 @@ void MarlinJob::askForRest() {
   output_ += (isStopping() ? firmware_->harmless() : firmware_->endOfMotions()) + "\n";
 }
 
-bool MarlinJob::isSafe(const ReportedTemperatures& temperatures) const {
-  if (settings_.keep_heaters_on) return true;
-  const bool is_bed_off = !temperatures.bed_c || temperatures.bed_target_c == 0.0;
-  return temperatures.nozzle_target_c == 0.0 && is_bed_off && temperatures.highest_target_c == 0.0;
-}
-
 /// Goes on with `line`, which the firmware has asked for.
 bool MarlinJob::goTo(std::uint64_t line, double now) {
   if (!feed_.rewind(line)) {
@@ -521,7 +546,7 @@ bool MarlinJob::goTo(std::uint64_t line, double now) {
     undone_.rewind(line);
     starvation_.rewound(line);
     record_.status.commands_not_done = undone_.count();
-    record_.status.lines_acknowledged = line - 1;
+    record_.status.lines_acknowledged = line - 1 - line_base_;
     record_.status.layer = feed_.layerOf(line - 1);
   }
   if (refusals_in_a_row_ < kMostRefusals) return true;

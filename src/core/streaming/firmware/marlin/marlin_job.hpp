@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "streaming/firmware/marlin/line_enquiry.hpp"
 #include "streaming/firmware/marlin/line_proof.hpp"
 #include "streaming/firmware/marlin/sent_lines.hpp"
 #include "streaming/job/answer_timer.hpp"
@@ -45,6 +46,7 @@ class MarlinJob final : public StreamJob {
   /// What is being waited for.
   enum class Phase {
     Idle,         ///< nothing
+    Enquiring,    ///< which line of an unfinished job the firmware has
     Identifying,  ///< who is there
     Numbering,    ///< the firmware to count lines from base_ on, and to report so
     Reporting,    ///< the ok to each of reports_
@@ -78,6 +80,9 @@ class MarlinJob final : public StreamJob {
     retry(now);
   }
   bool isRefuted(std::uint64_t wanted, double now);
+  void hearEnquiry(const FirmwareReply& reply, double now);
+  void followEnquiry(double now);
+  void goOnAfter(std::uint64_t number, double now);
   void prepareSafeStop(double now);
   void beginNumbering(std::uint64_t base, double now);
   void nextReport(double now);
@@ -109,6 +114,9 @@ class MarlinJob final : public StreamJob {
   std::shared_ptr<const MarlinFirmware> firmware_;
   ReplyListener heard_;
   JobRecord record_;
+  StreamableProgram program_;
+  const std::uint64_t line_base_;         ///< number of the line before the program's first
+  std::unique_ptr<LineEnquiry> enquiry_;  ///< of a job that goes on
   LineFeed feed_;
   SentLines sent_;
   AnswerTimer timer_;

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/client/session_journal.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::uint64_t kFirstAhead = 256;  // lines
+
+/// Seven digits: other senders count from 1, and an earlier job is unlikely to have been there. Longer
+/// numbers would only slow down the line.
+std::uint64_t anyLineBase() {
+  std::random_device source;
+  return std::uniform_int_distribution<std::uint64_t>(1'000'000, 8'999'999)(source);
+}
+
+std::uint64_t bytesOf(const StreamableProgram& program) {
+  const auto text = program.openText();
+  text->seekg(0, std::ios::end);
+  return static_cast<std::uint64_t>(std::max<std::streamoff>(text->tellg(), 0));
+}
+
+}  // namespace
+
+SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
+    : where_(std::move(where)) {
+  if (where_.path.empty()) return;
+  if (where_.unfinished) {
+    job_ = where_.unfinished->job;
+    return;
+  }
+  std::error_code error;
+  const auto path = std::filesystem::canonical(program.name(), error);
+  job_.program = error ? program.name() : path.string();
+  job_.program_bytes = bytesOf(program);
+  job_.program_sha256 = sha256Of(program);
+  job_.port = port;
+  job_.lines_total = program.lines();
+  job_.line_base = anyLineBase();
+}
+
+StreamOrder SessionJournal::placed(StreamOrder order) const {
+  if (where_.path.empty()) return order;
+  order.line_base = job_.line_base;
+  if (!where_.unfinished) return order;
+  const JobProgress& known = where_.unfinished->progress;
+  order.unfinished = UnfinishedLines{known.taken_through, known.sent_through, job_.firmware_name};
+  if (order.settings.firmware == kAnyFirmware) order.settings.firmware = job_.protocol;
+  return order;
+}
+
+void SessionJournal::begin(const Streamer& streamer) {
+  const StreamStatus& status = streamer.status();
+  job_.protocol = streamer.protocol();
+  job_.firmware_name = status.firmware_name;
+  JobProgress known;
+  known.taken_through = status.lines_acknowledged;
+  known.sent_through = std::min(job_.lines_total, status.lines_sent + kFirstAhead);
+  known.layer = status.layer;
+  writer_ = std::make_unique<JournalWriter>(ProgressFile(where_.path, job_, known), known, job_.lines_total);
+}
+
+void SessionJournal::keep(const Streamer& streamer, double now) {
+  const PackmlState state = streamer.status().state;
+  if (where_.path.empty() || !failure_.empty() || state == PackmlState::Idle ||
+      state == PackmlState::Starting)
+    return;
+  try {
+    // What fails before a line was sent leaves what was known of the job before.
+    if (!std::exchange(has_begun_, has_begun_ || state == PackmlState::Execute)) {
+      if (!has_begun_) return;
+      begin(streamer);
+    }
+    writer_->record(streamer.status(), now);
+  } catch (const Error& error) {
+    failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
+    writer_.reset();
+  }
+}
+
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "lamina/streaming/client/streamer.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
+#include "streaming/journal/journal_writer.hpp"
+
+namespace lamina {
+
+/// The progress file of one session. A disk that fails does not stop the machine: the job goes on without.
+class SessionJournal {
+ public:
+  /// @throws FileError if the program is gone
+  SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port);
+
+  /// The order with what the journal adds to it: where lines count from, and what was left behind.
+  StreamOrder placed(StreamOrder order) const;
+  /// To be called before what the streamer has put out leaves.
+  void keep(const Streamer& streamer, double now);
+  /// Why nothing is kept any more; empty while all is well.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  void begin(const Streamer& streamer);
+
+  StreamJournal where_;
+  JournalledJob job_;
+  std::unique_ptr<JournalWriter> writer_;
+  bool has_begun_ = false;
+  std::string failure_;
+};
+
+}  // namespace lamina

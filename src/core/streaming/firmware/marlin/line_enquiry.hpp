@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_firmware.hpp"
+#include "streaming/job/answer_timer.hpp"
+
+namespace lamina {
+
+/// Finds out how many lines of an unfinished job the firmware has taken, and changes nothing in it.
+///
+/// What an earlier session was just sending may stand in the firmware's line buffer without its end. So the
+/// buffer is emptied first: backspaces take away what they reach, and an end of line makes the rest a line
+/// without a checksum, which is refused, or completes one that lacked only its end. Then the name is asked
+/// for: its answer comes after the oks of all lines that are still queued, which are nobody's any more. Last
+/// comes a number that must be wrong.
+class LineEnquiry {
+ public:
+  LineEnquiry(const StreamOrder& order, std::shared_ptr<const MarlinFirmware> firmware);
+
+  void start(double now);
+  void hear(const FirmwareReply& reply, double now);
+  void elapse(double now);
+  double nextDeadline() const;
+  std::string takeOutput() { return std::exchange(output_, {}); }
+
+  /// Number of the last line taken, once it is known.
+  const std::optional<std::uint64_t>& taken() const { return taken_; }
+  /// Why it cannot be known, or must not be gone on from; Ok while neither is so.
+  const Failure& failure() const { return failure_; }
+
+ private:
+  enum class Step {
+    Emptying,   ///< the line buffer; until nothing is heard any more
+    Naming,     ///< until the name was heard, and its ok
+    Quieting,   ///< until nothing is heard any more
+    Counting,   ///< until a line is asked for
+    Confirming  ///< until nothing is heard any more
+  };
+
+  void enter(Step step, double now);
+  void ask(double now);
+  void onCounted(std::uint64_t wanted, double now);
+  void conclude();
+  bool isOver() const { return taken_ || failure_.code != ErrorCode::Ok; }
+  bool waitsForQuiet() const {
+    return step_ == Step::Emptying || step_ == Step::Quieting || step_ == Step::Confirming;
+  }
+  void fail(ErrorCode code, const std::string& why);
+
+  StreamSettings settings_;
+  std::shared_ptr<const MarlinFirmware> firmware_;
+  UnfinishedLines unfinished_;
+  std::uint64_t base_;
+  std::uint64_t lines_total_;
+  std::uint64_t wrong_number_;
+  AnswerTimer timer_;
+  Step step_ = Step::Emptying;
+  double quiet_at_ = 0.0;
+  bool is_named_ = false;
+  std::optional<std::uint64_t> wanted_;  ///< line that the firmware asked for last
+  std::optional<std::uint64_t> taken_;
+  Failure failure_;
+  std::string output_;
+};
+
+}  // namespace lamina

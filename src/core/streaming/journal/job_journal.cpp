@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/journal/job_journal.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+
+#include "base/module.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "streaming/journal/sha256_module.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr const char* kAutoJournal = "auto";
+
+/// A variable of the environment that holds an absolute path; empty if it holds none.
+std::string folderFrom(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && value[0] == '/' ? value : "";
+}
+
+std::string stateFolder() {
+  const std::string state = folderFrom("XDG_STATE_HOME");
+  if (!state.empty()) return state + "/lamina";
+  const std::string home = folderFrom("HOME");
+  if (!home.empty()) return home + "/.local/state/lamina";
+  throw InvalidConfig(
+      "stream.journal is auto, but neither XDG_STATE_HOME nor HOME is set; expected one of them, the path of "
+      "a "
+      "file, or nothing for no journal");
+}
+
+/// A file name that no other port has: "/dev/ttyUSB0" becomes "dev+ttyUSB0".
+std::string fileNameOf(const std::string& port) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  const bool is_path = port.compare(0, 4, "tcp:") != 0;
+  const std::string whole =
+      is_path ? std::filesystem::absolute(port).lexically_normal().string().substr(1) : port;
+  std::string name;
+  for (const char c : whole) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '/') {
+      name += '+';
+    } else if (std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.') {
+      name += c;
+    } else {
+      name += {'%', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
+    }
+  }
+  return name + ".progress";
+}
+
+/// Makes a folder and those above it, for their owner alone.
+void makeFolder(const std::filesystem::path& folder) {
+  if (folder.empty() || std::filesystem::is_directory(folder)) return;
+  makeFolder(folder.parent_path());
+  if (::mkdir(folder.c_str(), 0700) == 0 || errno == EEXIST) return;
+  throw FileError("cannot make the folder " + folder.string() +
+                  " for the progress file: " + std::strerror(errno));
+}
+
+std::string timeText(std::int64_t time_ms) {
+  const std::time_t seconds = time_ms / 1000;
+  std::tm parts{};
+  ::gmtime_r(&seconds, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
+  return text;
+}
+
+}  // namespace
+
+std::string journalPath(const StreamSettings& settings, const std::string& port) {
+  if (settings.journal != kAutoJournal) return settings.journal;
+  return stateFolder() + "/" + fileNameOf(port);
+}
+
+StreamJournal beginJournal(const std::string& path) {
+  if (path.empty()) return {};
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  makeFolder(folder);
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    throw FileError("cannot keep the progress file " + path + ": " + std::strerror(errno));
+  return {path, {}};
+}
+
+JournalledProgress readJournal(const std::string& path) {
+  if (path.empty()) throw FileError("no progress file is kept: stream.journal is empty");
+  return decodeJournal(readFile(path), path);
+}
+
+StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,
+                            const std::string& port) {
+  const JournalledProgress known = readJournal(path);
+  const std::string what_is_known = "; known is: " + describeProgress(known);
+  if (known.progress.state == PackmlState::Complete)
+    throw InvalidInput("there is nothing to go on with" + what_is_known);
+  if (known.progress.state == PackmlState::Aborted || known.progress.state == PackmlState::Aborting)
+    throw InvalidInput(
+        "the job was stopped, and its machine with it, so that it cannot just go on; lamina resume makes a "
+        "program of the rest" +
+        what_is_known);
+  if (known.job.port != port)
+    throw InvalidInput("the port is " + port + "; the job to go on with was at " + known.job.port +
+                       what_is_known);
+  const std::string digest = sha256Of(program);
+  if (known.job.program_sha256 != digest || known.job.lines_total != program.lines())
+    throw InvalidProgram(program.name() + " has the SHA-256 " + digest.substr(0, 12) +
+                         "...; the job to go on with has " + known.job.program_sha256.substr(0, 12) +
+                         "...: it is another program, or was changed" + what_is_known);
+  return {path, known};
+}
+
+std::string sha256Of(const StreamableProgram& program) {
+  static const auto* const module = static_cast<const Sha256Module*>(moduleTable("sha256"));
+  return module->digestOf(*program.openText());
+}
+
+std::string describeProgress(const JournalledProgress& known) {
+  const JobProgress& progress = known.progress;
+  const std::string total = std::to_string(known.job.lines_total);
+  std::string text = known.job.program + " at " + known.job.port + ", " + toString(progress.state) + " at " +
+                     timeText(progress.time_ms) + ": line " + std::to_string(progress.taken_through) +
+                     " of " + total + " was certainly taken";
+  if (progress.layer >= 0) text += ", in layer " + std::to_string(progress.layer);
+  if (progress.sent_through > progress.taken_through && progress.state != PackmlState::Complete)
+    text += "; lines " + std::to_string(progress.taken_through + 1) + " to " +
+            std::to_string(progress.sent_through) + " are in doubt";
+  return text;
+}
+
+}  // namespace lamina

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/journal/journal_writer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::uint64_t kLeastAhead = 256;        // lines
+constexpr std::uint64_t kUncertainOks = 8;        // an ok does not say what it is for, and noise may make one
+constexpr double kAheadTime = 0.2;                // s
+constexpr double kAcknowledgementInterval = 0.1;  // s
+
+std::int64_t millisecondsSince1970() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+JournalWriter::JournalWriter(ProgressFile file, const JobProgress& known, std::uint64_t lines_total)
+    : file_(std::move(file)),
+      lines_total_(lines_total),
+      taken_before_(known.taken_through),
+      ahead_(kLeastAhead),
+      measured_from_(known.taken_through),
+      asked_(known),
+      wanted_(known),
+      kept_sent_(known.sent_through),
+      thread_([this] { run(); }) {}
+
+JournalWriter::~JournalWriter() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_over_ = true;
+  }
+  has_changed_.notify_all();
+  thread_.join();
+}
+
+void JournalWriter::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    has_changed_.wait(lock, [this] { return is_outdated_ || is_over_; });
+    if (!is_outdated_) return;
+    is_outdated_ = false;
+    JobProgress progress = wanted_;
+    lock.unlock();
+    std::string failure;
+    try {
+      progress.time_ms = millisecondsSince1970();
+      file_.write(progress);
+    } catch (const Error& error) {
+      failure = error.what();
+    }
+    lock.lock();
+    failure_ = failure;
+    if (failure.empty()) kept_sent_ = progress.sent_through;
+    has_changed_.notify_all();
+    if (!failure.empty()) return;
+  }
+}
+
+/// How many lines leave in the time that the file is ahead.
+void JournalWriter::measureRate(std::uint64_t sent, double now) {
+  const double passed = now - measured_since_;
+  if (measured_since_ >= 0.0 && passed < kAheadTime) return;
+  if (measured_since_ >= 0.0) {
+    const double lines = static_cast<double>(sent - std::min(sent, measured_from_));
+    ahead_ = std::max(kLeastAhead, static_cast<std::uint64_t>(lines * kAheadTime / passed));
+  }
+  measured_since_ = now;
+  measured_from_ = sent;
+}
+
+void JournalWriter::record(const StreamStatus& status, double now) {
+  if (has_failed_) return;
+  measureRate(status.lines_sent, now);
+  JobProgress progress = asked_;
+  // Announced anew when half of what was announced has left.
+  if (status.lines_sent + ahead_ / 2 > progress.sent_through)
+    progress.sent_through =
+        std::max(progress.sent_through, std::min(lines_total_, status.lines_sent + ahead_));
+  const std::uint64_t uncertain = status.state == PackmlState::Complete ? 0 : kUncertainOks;
+  const std::uint64_t acknowledged = std::min(status.lines_acknowledged, progress.sent_through);
+  progress.taken_through = std::max(taken_before_, acknowledged - std::min(acknowledged, uncertain));
+  progress.layer = status.layer;
+  progress.state = status.state;
+  const bool is_due = progress.taken_through != asked_.taken_through && now >= next_acknowledgement_;
+  if (is_due || progress.sent_through != asked_.sent_through || progress.layer != asked_.layer ||
+      progress.state != asked_.state) {
+    next_acknowledgement_ = now + kAcknowledgementInterval;
+    asked_ = progress;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      wanted_ = progress;
+      is_outdated_ = true;
+    }
+    has_changed_.notify_all();
+  }
+  require(status.lines_sent);
+}
+
+void JournalWriter::require(std::uint64_t sent) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  has_changed_.wait(lock, [&] { return kept_sent_ >= sent || !failure_.empty(); });
+  if (failure_.empty()) return;
+  has_failed_ = true;
+  throw FileError(failure_);
+}
+
+}  // namespace lamina

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/journal/sha256_module.hpp"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+struct FreeContext {
+  void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
+};
+
+std::string digestOfStream(std::istream& text) {
+  constexpr std::size_t kPiece = 1 << 16;
+  constexpr const char* kDigits = "0123456789abcdef";
+  const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
+  bool is_good = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
+  std::vector<char> piece(kPiece);
+  while (is_good && text) {
+    text.read(piece.data(), static_cast<std::streamsize>(kPiece));
+    is_good = EVP_DigestUpdate(context.get(), piece.data(), static_cast<std::size_t>(text.gcount())) == 1;
+  }
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned length = 0;
+  if (!is_good || EVP_DigestFinal_ex(context.get(), digest.data(), &length) != 1)
+    throw FileError("cannot compute the SHA-256 of the program: OpenSSL refuses");
+  std::string digits;
+  for (unsigned i = 0; i < length; ++i) {
+    digits += kDigits[digest[i] >> 4U];
+    digits += kDigits[digest[i] & 0xFU];
+  }
+  return digits;
+}
+
+}  // namespace
+}  // namespace lamina
+
+// A name of C.
+extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
+extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
+  static constexpr lamina::Sha256Module kTable{&lamina::digestOfStream};
+  return &kTable;
+}

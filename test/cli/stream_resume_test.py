@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Kills `lamina stream` at the emulated machine, and goes on with its job.
+
+    stream_resume_test.py LAMINA
+"""
+import json
+import os
+import random
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from lamina_command import LAMINA, lamina, told
+
+LINES = 3000
+KILLS = 8
+PATIENCE_S = 60
+
+
+class StreamResume(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.program, self.port, self.record, self.journal = map(self.path, ("part.gcode", "port", "record", "state/job.progress"))
+        self.lines = ["G90", "M83"] + ["G1 X%d.%d Y%d F6000" % (i % 97, i % 10, i % 89) for i in range(LINES - 2)]
+        with open(self.program, "w", encoding="utf-8") as program:
+            for i, line in enumerate(self.lines):
+                program.write((f";LAYER:{i // 100}\n" if i % 100 == 0 else "") + line + "\n")
+        self.machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--speed-up", "200", "--record", self.record],
+                                        stdout=subprocess.DEVNULL)
+        self.addCleanup(self.machine.wait)
+        self.addCleanup(self.machine.kill)
+        self.wait_for(lambda: os.path.exists(self.port))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def wait_for(self, condition):
+        end = time.monotonic() + PATIENCE_S
+        while not condition():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+
+    def options(self):
+        return ("--port", self.port, "--set", f"stream.journal={self.journal}")
+
+    def stream(self, *more):
+        return subprocess.Popen([LAMINA, "stream", self.program, *self.options(), *more], stdout=subprocess.DEVNULL,
+                                stderr=subprocess.DEVNULL)
+
+    def known(self):
+        return told("stream", self.program, "--progress", *self.options())
+
+    def kill_at(self, streaming, line):
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= line)
+        streaming.kill()
+        streaming.wait()
+
+    def ran(self):
+        """The lines that the machine has run, once it has ended."""
+        self.machine.send_signal(signal.SIGINT)
+        self.machine.wait(PATIENCE_S)
+        with open(self.record, encoding="utf-8") as record:
+            return [line.rstrip("\n") for line in record if not line.startswith(";")]
+
+    def test_a_killed_job_goes_on_where_it_was(self):
+        places = random.Random(1)
+        streaming = self.stream()
+        for line in sorted(places.sample(range(1, 2400), KILLS)):
+            self.kill_at(streaming, line)
+            known = self.known()
+            self.assertEqual(known["state"], "Execute")
+            self.assertIn(known["layer"], ((known["taken_through"] - 1) // 100, (known["taken_through"] + 7) // 100))
+            self.assertLess(known["taken_through"], known["sent_through"])
+            streaming = self.stream("--resume")
+        self.assertEqual(streaming.wait(PATIENCE_S), 0)
+        self.assertEqual(self.known()["state"], "Complete")
+        self.assertEqual(self.known()["taken_through"], LINES)
+        self.assertEqual(self.ran(), self.lines)
+        self.assertEqual(os.stat(os.path.dirname(self.journal)).st_mode & 0o777, 0o700)
+        self.assertEqual(os.stat(self.journal).st_mode & 0o777, 0o600)
+
+    def test_a_machine_that_has_done_something_else_is_left_alone(self):
+        streaming = self.stream()
+        self.kill_at(streaming, 200)
+        with open(self.port, "wb", buffering=0) as port:
+            port.write(b"N0 M110 N0*125\n")
+        done = lamina("stream", self.program, *self.options(), "--resume")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("waits for line number 1;", done.stderr)
+        self.assertIn("was certainly taken", done.stderr)
+        ran = self.ran()
+        self.assertLess(len(ran), LINES)
+        self.assertEqual(ran, self.lines[:len(ran)])
+
+    def test_another_program_or_port_is_refused_before_anything_is_sent(self):
+        streaming = self.stream()
+        self.kill_at(streaming, 200)
+        with open(self.program, "a", encoding="utf-8") as program:
+            program.write("G1 X1\n")
+        done = lamina("stream", self.program, *self.options(), "--resume")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("another program", done.stderr)
+        done = lamina("stream", self.program, "--port", "/dev/null", "--set", f"stream.journal={self.journal}", "--resume")
+        self.assertIn("the job to go on with was at " + self.port, done.stderr)
+
+    def test_a_job_that_was_stopped_does_not_just_go_on(self):
+        streaming = self.stream()
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= 200)
+        streaming.send_signal(signal.SIGTERM)
+        self.assertNotEqual(streaming.wait(PATIENCE_S), 0)
+        self.assertEqual(self.known()["state"], "Aborted")
+        done = lamina("stream", self.program, *self.options(), "--resume", "--json")
+        self.assertEqual(json.loads(done.stdout)["error"]["code"], "InvalidInput")
+
+    def test_without_a_journal_nothing_is_kept(self):
+        done = lamina("stream", self.program, "--port", self.port, "--set", "stream.journal=")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertFalse(os.path.exists(os.path.dirname(self.journal)))
+        done = lamina("stream", self.program, "--port", self.port, "--set", "stream.journal=", "--resume")
+        self.assertIn("no progress file is kept", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/journal/job_journal.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include "lamina/base/error.hpp"
+#include "streaming/journal/journal_writer.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+using test::ScratchFolder;
+
+StreamableProgram journalled(const std::string& text) { return StreamableProgram::fromText("part", text); }
+
+JournalledJob jobOf(const StreamableProgram& program) {
+  JournalledJob job;
+  job.program = program.name();
+  job.program_sha256 = sha256Of(program);
+  job.port = "/dev/printer";
+  job.protocol = "marlin";
+  job.lines_total = program.lines();
+  job.line_base = 2'000'000;
+  return job;
+}
+
+StreamStatus statusAt(std::uint64_t sent, std::uint64_t taken) {
+  StreamStatus status;
+  status.state = PackmlState::Execute;
+  status.lines_sent = sent;
+  status.lines_acknowledged = taken;
+  return status;
+}
+
+TEST(JobJournal, DigestsTheBytesOfAProgram) {
+  // The digest of "G28" by sha256sum of GNU coreutils.
+  EXPECT_EQ(sha256Of(journalled("G28")), "f3bfcb90d1ca0282a1cb6d92840f62cf518698cac0fa47cce82950da1b566b3a");
+}
+
+TEST(JobJournal, LiesInTheUsersFolderUnderTheNameOfThePort) {
+  ::setenv("XDG_STATE_HOME", "/state", 1);
+  EXPECT_EQ(journalPath({}, "/dev/ttyUSB0"), "/state/lamina/dev+ttyUSB0.progress");
+  EXPECT_EQ(journalPath({}, "tcp:printer.local:23"), "/state/lamina/tcp%3Aprinter.local%3A23.progress");
+  EXPECT_NE(journalPath({}, "/dev/a/b"), journalPath({}, "/dev/a+b"));
+  ::unsetenv("XDG_STATE_HOME");
+  StreamSettings settings;
+  settings.journal = "";
+  EXPECT_EQ(journalPath(settings, "/dev/ttyUSB0"), "");
+  settings.journal = "/some/where";
+  EXPECT_EQ(journalPath(settings, "/dev/ttyUSB0"), "/some/where");
+}
+
+TEST(JobJournal, MakesAFolderForItsOwnerAlone) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("state/lamina/port.progress");
+  EXPECT_EQ(beginJournal(path).path, path);
+  struct stat about {};
+  ASSERT_EQ(::stat((folder.file("state/lamina")).c_str(), &about), 0);
+  EXPECT_EQ(about.st_mode & 07777U, 0700U);
+  EXPECT_EQ(beginJournal("").path, "");
+  EXPECT_THROW(beginJournal("/proc/nowhere/port.progress"), FileError);
+}
+
+TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  std::string text;
+  for (int i = 0; i < 10000; ++i) text += "G28\n";
+  const auto program = journalled(text);
+  JobProgress start;
+  start.sent_through = 256;
+  JournalWriter writer(ProgressFile(path, jobOf(program), start), start, program.lines());
+  double now = 0.0;
+  for (std::uint64_t sent = 1; sent <= 10000; sent += 97) {
+    writer.record(statusAt(sent, sent - 1), now += 0.001);
+    const JobProgress known = readJournal(path).progress;
+    EXPECT_GE(known.sent_through, sent);
+    EXPECT_LE(known.taken_through + 8, std::max<std::uint64_t>(sent - 1, 8)) << "eight oks may be others'";
+    EXPECT_LE(known.sent_through, 10000U);
+  }
+}
+
+TEST(JobJournal, KeepsTheEndOfAJob) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto program = journalled("G28\nG1 X1\n");
+  {
+    JobProgress start;
+    start.sent_through = 2;
+    JournalWriter writer(ProgressFile(path, jobOf(program), start), start, program.lines());
+    StreamStatus status = statusAt(2, 2);
+    status.state = PackmlState::Complete;
+    status.layer = 3;
+    writer.record(status, 1.0);
+  }
+  const JobProgress known = readJournal(path).progress;
+  EXPECT_EQ(known.state, PackmlState::Complete);
+  EXPECT_EQ(known.taken_through, 2U);
+  EXPECT_EQ(known.layer, 3);
+  EXPECT_GT(known.time_ms, 1'600'000'000'000);
+  EXPECT_THROW(resumeJournal(path, program, "/dev/printer"), InvalidInput) << "there is nothing left";
+}
+
+TEST(JobJournal, GoesOnWithTheSameProgramAtTheSamePortOnly) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto program = journalled("G28\nG1 X1\n");
+  JobProgress start;
+  start.sent_through = 2;
+  { const ProgressFile file(path, jobOf(program), start); }
+  EXPECT_EQ(resumeJournal(path, program, "/dev/printer").unfinished->job.line_base, 2'000'000U);
+  EXPECT_THROW(resumeJournal(path, program, "/dev/other"), InvalidInput);
+  EXPECT_THROW(resumeJournal(path, journalled("G28\nG1 X2\n"), "/dev/printer"), InvalidProgram);
+  EXPECT_THROW(resumeJournal(folder.file("none"), program, "/dev/printer"), FileError);
+  EXPECT_THROW(readJournal(""), FileError);
+  for (const PackmlState stopped : {PackmlState::Aborting, PackmlState::Aborted}) {
+    start.state = stopped;
+    { const ProgressFile file(path, jobOf(program), start); }
+    EXPECT_THROW(resumeJournal(path, program, "/dev/printer"), InvalidInput);
+  }
+}
+
+TEST(JobJournal, TellsWhatIsKnown) {
+  JournalledProgress known;
+  known.job.program = "/part.gcode";
+  known.job.port = "/dev/printer";
+  known.job.lines_total = 900;
+  known.progress = {1, 300, 41, 2, PackmlState::Execute, 1'700'000'000'000};
+  EXPECT_EQ(describeProgress(known),
+            "/part.gcode at /dev/printer, Execute at 2023-11-14 22:13:20 UTC: line 41 of 900 was certainly "
+            "taken, in layer 2; lines 42 to 300 are in doubt");
+}
+
+}  // namespace
+}  // namespace lamina
