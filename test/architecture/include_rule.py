@@ -29,6 +29,7 @@ ARROWS = {
     "streaming/upload": ["streaming/job"],
     "streaming/job": ["base", "program"],
     "streaming/journal": ["streaming/job"],
+    "streaming/resume": ["streaming/job"],
     "streaming/firmware": ["streaming/job"],
     "streaming/client": ["streaming/transport", "streaming/firmware", "streaming/journal"],
     "streaming/emulator": ["streaming/transport", "streaming/firmware"],

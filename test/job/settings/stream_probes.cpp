@@ -69,7 +69,7 @@ std::vector<SettingProbe> streamProbes() {
       {"a job whose progress is kept",
        "stream.journal=/somewhere",
        [](const SettingTexts& set) { return journalPath(settingsWith<StreamSettings>(set), "/dev/ttyUSB0"); },
-       {{"stream.journal=/elsewhere"},
+       {{"stream.journal=/elsewhere"}}},
       {"a grbl that has locked itself", "stream.firmware=grbl", toldALocked, {{"stream.unlock=once"}}}};
 }
 

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "arguments/setting_options.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/resume/rest_program.hpp"
+#include "subcommand.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina resume` as it was typed.
+struct ResumeArguments {
+  std::string program;
+  std::string output;
+  std::optional<std::uint64_t> line;
+  std::optional<std::int32_t> layer;
+  std::optional<double> height_mm;
+  std::optional<double> nozzle_height_mm;
+  std::vector<std::string> settings;
+};
+
+std::uint64_t lineFrom(const ResumeArguments& arguments, const StreamableProgram& program) {
+  if (arguments.line) return *arguments.line;
+  if (arguments.layer) return firstLineOfLayer(program, *arguments.layer);
+  if (arguments.height_mm) return firstLineAtHeight(program, *arguments.height_mm);
+  throw InvalidInput(
+      "where to go on is not given; expected --from-line, --from-layer or --from-height (lamina stream "
+      "--progress tells what is known)");
+}
+
+void runResume(const ResumeArguments& arguments, OutputFormat format) {
+  if (!arguments.nozzle_height_mm)
+    throw InvalidInput(
+        "--nozzle-height is not given: z is not homed onto a part, so that the nozzle's height must be "
+        "measured; expected its z [mm] above the bed when the rest begins");
+  ResumeSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
+  const auto program = StreamableProgram::fromFile(arguments.program);
+  const std::uint64_t line = lineFrom(arguments, program);
+  AtomicFile file(arguments.output);
+  const RestProgramNotes notes = writeRest(program, line, *arguments.nozzle_height_mm, settings,
+                                           [&](std::string_view piece) { file.write(piece); });
+  file.commit();
+  if (format == OutputFormat::Json) {
+    const nlohmann::ordered_json json = {
+        {"from_line", line}, {"lines", program.lines()}, {"to_check", notes.to_check}};
+    std::printf("%s\n", json.dump().c_str());
+    return;
+  }
+  std::printf("%s: from line %llu of %llu. Run it only if:\n", arguments.output.c_str(),
+              static_cast<unsigned long long>(line), static_cast<unsigned long long>(program.lines()));
+  for (const std::string& note : notes.to_check) std::printf("- %s\n", note.c_str());
+}
+
+}  // namespace
+
+void addResume(CLI::App& app, Chosen& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "resume", "Write the rest of a program, for a machine that has lost its position; sends nothing");
+  auto arguments = std::make_shared<ResumeArguments>();
+  command->add_option("program", arguments->program, "G-code file")->required();
+  command->add_option("-o,--output", arguments->output, "file for the rest")->required();
+  auto* const line = command->add_option("--from-line", arguments->line, "command to go on from, from 1");
+  auto* const layer =
+      command->add_option("--from-layer", arguments->layer, "layer to go on from, as comments number them");
+  auto* const height =
+      command->add_option("--from-height", arguments->height_mm, "height to go on from [mm]");
+  line->excludes(layer)->excludes(height);
+  layer->excludes(height);
+  command->add_option("--nozzle-height", arguments->nozzle_height_mm,
+                      "z of the nozzle when the rest begins, as measured [mm]");
+  command->add_option("--set", arguments->settings, "key=value, one of resume.*; may be repeated");
+  addJsonFlag(*command, chosen);
+  command->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { runResume(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli
