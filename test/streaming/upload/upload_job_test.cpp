@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "lamina/base/scratch_folder.hpp"
 #include "streaming/upload/upload_fixture.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -149,8 +149,8 @@ TEST_P(UploadJobTest, StartsNothingThatWasDamagedOnTheWay) {
 }
 
 TEST_P(UploadJobTest, RefusesAProgramThatWasChanged) {
-  const ScratchFolder folder;
-  const std::string path = folder.path() + "/part.gcode";
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("part.gcode");
   std::ofstream(path) << "G1 X1\n";
   SimulatedHttp link(orderOf(StreamableProgram::fromFile(path)), {}, GetParam().make());
   std::ofstream(path) << "G1 X1\nG1 X2\n";

@@ -11,10 +11,9 @@
 #include <ctime>
 #include <filesystem>
 
-#include "base/module.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "streaming/journal/sha256_module.hpp"
+#include "streaming/job/sha256_module.hpp"
 
 namespace lamina {
 namespace {
@@ -120,8 +119,11 @@ StreamJournal resumeJournal(const std::string& path, const StreamableProgram& pr
 }
 
 std::string sha256Of(const StreamableProgram& program) {
-  static const auto* const module = static_cast<const Sha256Module*>(moduleTable("sha256"));
-  return module->digestOf(*program.openText());
+  const auto text = program.openText();
+  return sha256Of([&text](char* buffer, std::size_t size) {
+    text->read(buffer, static_cast<std::streamsize>(size));
+    return static_cast<std::size_t>(text->gcount());
+  });
 }
 
 std::string describeProgress(const JournalledProgress& known) {

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/upload/program_body.hpp"
 
-#include <openssl/evp.h>
-
-#include <array>
 #include <boost/crc.hpp>
 #include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "streaming/job/sha256_module.hpp"
 
 namespace lamina {
 namespace {
@@ -38,16 +36,6 @@ bool isUtf8(std::string_view text) {
     i += length;
   }
   return true;
-}
-
-std::string hexDigits(const unsigned char* bytes, std::size_t size) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i) {
-    text += kDigits[bytes[i] / 16U];
-    text += kDigits[bytes[i] % 16U];
-  }
-  return text;
 }
 
 }  // namespace
@@ -98,20 +86,14 @@ void ProgramBody::checkLines() {
 }
 
 void ProgramBody::digest() {
-  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> sha(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
-  EVP_DigestInit_ex(sha.get(), EVP_sha256(), nullptr);
   boost::crc_32_type crc;
-  std::array<char, 65536> buffer{};
   Reader reader = open();
-  while (const std::size_t count = reader.read(buffer.data(), buffer.size())) {
-    EVP_DigestUpdate(sha.get(), buffer.data(), count);
-    crc.process_bytes(buffer.data(), count);
+  sha256_ = sha256Of([&](char* buffer, std::size_t size) {
+    const std::size_t count = reader.read(buffer, size);
+    crc.process_bytes(buffer, count);
     bytes_ += count;
-  }
-  std::array<unsigned char, EVP_MAX_MD_SIZE> sum{};
-  unsigned int size = 0;
-  EVP_DigestFinal_ex(sha.get(), sum.data(), &size);
-  sha256_ = hexDigits(sum.data(), size);
+    return count;
+  });
   crc32_ = crc.checksum();
 }
 

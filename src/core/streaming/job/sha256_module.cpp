@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/journal/sha256_module.hpp"
+#include "streaming/job/sha256_module.hpp"
 
 #include <openssl/evp.h>
 
@@ -17,15 +17,16 @@ struct FreeContext {
   void operator()(EVP_MD_CTX* context) const { EVP_MD_CTX_free(context); }
 };
 
-std::string digestOfStream(std::istream& text) {
+std::string digestOfBytes(const ByteSource& source) {
   constexpr std::size_t kPiece = 1 << 16;
   constexpr const char* kDigits = "0123456789abcdef";
   const std::unique_ptr<EVP_MD_CTX, FreeContext> context(EVP_MD_CTX_new());
   bool is_good = context && EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr) == 1;
   std::vector<char> piece(kPiece);
-  while (is_good && text) {
-    text.read(piece.data(), static_cast<std::streamsize>(kPiece));
-    is_good = EVP_DigestUpdate(context.get(), piece.data(), static_cast<std::size_t>(text.gcount())) == 1;
+  while (is_good) {
+    const std::size_t count = source(piece.data(), kPiece);
+    if (count == 0) break;
+    is_good = EVP_DigestUpdate(context.get(), piece.data(), count) == 1;
   }
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned length = 0;
@@ -45,6 +46,6 @@ std::string digestOfStream(std::istream& text) {
 // A name of C.
 extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
 extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
-  static constexpr lamina::Sha256Module kTable{&lamina::digestOfStream};
+  static constexpr lamina::Sha256Module kTable{&lamina::digestOfBytes};
   return &kTable;
 }
