@@ -11,7 +11,7 @@ add_message_files(FILES
   MachineState.msg Measuring.msg ProcessPoint.msg ProcessState.msg ProfileCounts.msg
   ProcessTrajectory.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
-add_service_files(FILES FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv RunStartup.srv SliceMesh.srv)
+add_service_files(FILES ChangeJob.srv FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv RunStartup.srv SliceMesh.srv)
 add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action Optimise.action SimulateDeposition.action Slice.action
   StreamProgram.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)

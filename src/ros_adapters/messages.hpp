@@ -8,6 +8,7 @@
 
 #define lamina lamina_msgs
 #include <lamina/Bead.h>
+#include <lamina/ChangeJob.h>
 #include <lamina/ComputeStiffnessAction.h>
 #include <lamina/DepositionState.h>
 #include <lamina/DepositionSummary.h>

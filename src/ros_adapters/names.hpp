@@ -51,6 +51,7 @@ inline constexpr char kInclineGcode[] =
 inline constexpr char kPause[] = "pause";             ///< std_srvs/Trigger
 inline constexpr char kResume[] = "resume";           ///< std_srvs/Trigger
 inline constexpr char kAbort[] = "abort";             ///< std_srvs/Trigger
+inline constexpr char kChangeJob[] = "change_job";    ///< lamina/ChangeJob
 inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
 inline constexpr char kSaveHeightMap[] = "save_height_map";     ///< std_srvs/Trigger
 inline constexpr char kMachineRest[] = "machine_rest";          ///< lamina/MachineRest

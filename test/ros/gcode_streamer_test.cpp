@@ -121,6 +121,13 @@ class GcodeStreamer : public testing::Test {
     EXPECT_TRUE(ros::service::call(service, trigger)) << "the node does not answer";
     return trigger.response;
   }
+  std::int32_t change(const std::string& setting, double value) {
+    lamina_msgs::ChangeJob asked;
+    asked.request.setting = setting;
+    asked.request.value = value;
+    EXPECT_TRUE(ros::service::call(lamina::names::kChangeJob, asked)) << "the node does not answer";
+    return asked.response.status.code;
+  }
   bool waitForState(std::uint8_t state) {
     return waitUntil([&] { return state_ && state_->state == state; });
   }
@@ -159,12 +166,17 @@ TEST_F(GcodeStreamer, HoldsOnPauseAndGoesOnOnResume) {
   ASSERT_TRUE(waitForState(MachineState::HELD));
   const auto held_at = machine.commands().size();
   EXPECT_FALSE(call(lamina::names::kPause).success);
+  EXPECT_EQ(change("babystep", 0.00005), Status::OK);
+  EXPECT_EQ(change("feed", 2.0), Status::OK);
+  EXPECT_EQ(change("feed", 30.0), Status::INVALID_INPUT);
+  EXPECT_EQ(change("colour", 1.0), Status::INVALID_INPUT);
   EXPECT_TRUE(waitUntil([&] { return machine->isIdle(); }));
   EXPECT_EQ(machine.commands().size(), held_at);
   EXPECT_LT(held_at, program.size());
   EXPECT_TRUE(call(lamina::names::kResume).success);
   EXPECT_EQ(result().status.code, Status::OK);
   EXPECT_EQ(machine.commands(), program);
+  EXPECT_EQ(change("feed", 1.0), Status::REJECTED) << "the job is over";
   EXPECT_TRUE(waitUntil([&] { return state_->nozzle_temperature > 190.0; })) << state_->nozzle_temperature;
   EXPECT_NEAR(state_->bed_temperature, 25.0, 0.1) << "nobody heats it";
 }

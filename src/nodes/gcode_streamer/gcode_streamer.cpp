@@ -42,6 +42,7 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
       pause_(node.advertiseService(names::kPause, &GcodeStreamer::onPause, this)),
       resume_(node.advertiseService(names::kResume, &GcodeStreamer::onResume, this)),
       abort_(node.advertiseService(names::kAbort, &GcodeStreamer::onAbort, this)),
+      change_(node.advertiseService(names::kChangeJob, &GcodeStreamer::onChange, this)),
       startup_(settings.startup, settings.stream, settings.port,
                [this](const auto& steps) { onSteps(steps); }),
       startup_service_(node, startup_),
@@ -224,6 +225,23 @@ bool GcodeStreamer::onAbort(Trigger::Request&, Trigger::Response& response) {
   } catch (const Error& error) {
     response.success = false;
     response.message = error.what();
+  }
+  return true;
+}
+
+bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
+                             lamina_msgs::ChangeJob::Response& response) {
+  try {
+    const LiveChange change = liveChangeOf(request.setting, request.value);
+    const auto job = session();
+    if (!job) throw Rejected("no job is under way");
+    if (!job->change(change))
+      throw Rejected("the machine takes no " + request.setting +
+                     " now; expected a job in Execute or held, of " + "firmware that can change it");
+  } catch (const Error&) {
+    const Failure failure = currentFailure();
+    ROS_ERROR_STREAM(refusalText({"change", request.setting, ""}, failure));
+    response.status = toMessage(failure);
   }
   return true;
 }

@@ -46,6 +46,7 @@ class GcodeStreamer {
   bool onPause(Trigger::Request& request, Trigger::Response& response);
   bool onResume(Trigger::Request& request, Trigger::Response& response);
   bool onAbort(Trigger::Request& request, Trigger::Response& response);
+  bool onChange(lamina_msgs::ChangeJob::Request& request, lamina_msgs::ChangeJob::Response& response);
   /// The job under way; null if there is none.
   std::shared_ptr<StreamSession> session() const;
 
@@ -65,6 +66,7 @@ class GcodeStreamer {
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
+  ros::ServiceServer change_;
   diagnostic_updater::Updater updater_;
   ros::Timer diagnostics_timer_;
 

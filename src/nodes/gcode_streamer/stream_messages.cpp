@@ -12,6 +12,13 @@ std::uint32_t count(std::uint64_t value) { return static_cast<std::uint32_t>(val
 
 }  // namespace
 
+LiveChange liveChangeOf(const std::string& setting, double value) {
+  constexpr double kPercent = 100.0;
+  if (setting == "feed" || setting == "flow") return liveChange(setting, kPercent * value);
+  if (setting == "babystep") return liveChange(setting, 1000.0 * value);
+  return liveChange(setting, value);
+}
+
 lamina_msgs::MachineState toMachineState(const StreamStatus& status, const std::string& job) {
   lamina_msgs::MachineState message;
   message.state = static_cast<std::uint8_t>(status.state);

@@ -19,6 +19,10 @@ lamina_msgs::StreamProgramFeedback toFeedback(const StreamStatus& status);
 
 lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double duration_s);
 
+/// A change as the service asks for it.
+/// @throws InvalidInput as `liveChange`
+LiveChange liveChangeOf(const std::string& setting, double value);
+
 /// OK, or a warning if lines had to be sent again or the firmware complained, or an error if the job failed.
 void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 

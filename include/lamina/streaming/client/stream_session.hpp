@@ -44,6 +44,9 @@ class StreamSession {
   void pause();
   /// Asks to go on; without effect unless in Holding or Held.
   void resume();
+  /// Changes how the job runs; waits until the session's thread has taken it.
+  /// @return false if the machine has no such change, or the job is neither in Execute nor held
+  bool change(const LiveChange& change);
   /// Asks for a safe stop; the job ends in Aborted.
   void abort(const Failure& why);
 

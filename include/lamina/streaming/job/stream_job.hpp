@@ -12,6 +12,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/job/firmware_reply.hpp"
+#include "lamina/streaming/job/live_change.hpp"
 #include "lamina/streaming/job/packml.hpp"
 
 namespace lamina {
@@ -69,6 +70,9 @@ class StreamJob {
   virtual bool pause(double now) = 0;
   /// @return false if the job is not in Holding or Held
   virtual bool resume(double now) = 0;
+  /// Changes how the job runs, between two of its lines.
+  /// @return false if the firmware has no such change, or the job is neither in Execute nor held
+  virtual bool change(const LiveChange& /*change*/, double /*now*/) { return false; }
   /// Safe stop. Without effect once the job is over or is being aborted.
   virtual void abort(const Failure& why, double now) = 0;
 

@@ -21,6 +21,7 @@ class SessionKind {
 
   virtual void pause() = 0;
   virtual void resume() = 0;
+  virtual bool change(const LiveChange& /*change*/) { return false; }
   virtual void abort(const Failure& why) = 0;
   virtual StreamStatus status() const = 0;
   virtual bool isOver() const = 0;

@@ -4,6 +4,8 @@
 
 #include <boost/asio/post.hpp>
 #include <chrono>
+#include <future>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -54,6 +56,13 @@ class LinkSession final : public SessionKind {
   }
   void resume() override {
     command([this](double now) { streamer_.resume(now); });
+  }
+  bool change(const LiveChange& change) override {
+    constexpr std::chrono::seconds kPatience{2};
+    const auto is_taken = std::make_shared<std::promise<bool>>();
+    command([this, change, is_taken](double now) { is_taken->set_value(streamer_.change(change, now)); });
+    auto answer = is_taken->get_future();
+    return answer.wait_for(kPatience) == std::future_status::ready && answer.get();
   }
   void abort(const Failure& why) override {
     command([this, why](double now) { streamer_.abort(why, now); });
@@ -167,6 +176,7 @@ StreamSession::~StreamSession() = default;
 
 void StreamSession::pause() { kind_->pause(); }
 void StreamSession::resume() { kind_->resume(); }
+bool StreamSession::change(const LiveChange& change) { return kind_->change(change); }
 void StreamSession::abort(const Failure& why) { kind_->abort(why); }
 StreamStatus StreamSession::status() const { return kind_->status(); }
 bool StreamSession::isOver() const { return kind_->isOver(); }

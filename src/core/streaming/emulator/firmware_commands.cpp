@@ -24,9 +24,9 @@ std::optional<int> codeOf(std::string_view command, char letter) {
 
 /// Commands that are right and change nothing an emulated machine shows.
 bool changesNothing(int m_code) {
-  constexpr std::array<int, 34> kCodes = {5,   17,  42,  73,  75,  76,  77,  80,  81,  85,  92,  106,
+  constexpr std::array<int, 36> kCodes = {5,   17,  42,  73,  75,  76,  77,  80,  81,  85,  92,  106,
                                           107, 108, 110, 111, 113, 117, 118, 119, 145, 200, 201, 203,
-                                          204, 205, 206, 207, 208, 211, 300, 500, 780, 900};
+                                          204, 205, 206, 207, 208, 211, 290, 300, 486, 500, 780, 900};
   return std::find(kCodes.begin(), kCodes.end(), m_code) != kCodes.end();
 }
 

@@ -9,6 +9,7 @@
 #include "streaming/emulator/ok_paced/emulated_klipper.hpp"
 #include "streaming/emulator/ok_paced/emulated_reprap.hpp"
 #include "streaming/firmware/klipper/klipper_protocol.hpp"
+#include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
 #include "streaming/firmware/ok_paced/paced_link.hpp"
 #include "streaming/firmware/reprapfirmware/reprap_protocol.hpp"
 
@@ -310,6 +311,20 @@ TEST(KlipperProtocol, NamesWhatTheFirmwareWouldMisread) {
     EXPECT_EQ(klipperDefectOf(taken, 0), "") << taken;
   for (const char* misread : {"SET_DISPLAY_TEXT MSG=a#b", "M117 \"a;b\"", "SAY MSG=\"open", "M117 \xc3\xa4"})
     EXPECT_NE(klipperDefectOf(misread, 0), "") << misread;
+}
+
+TEST(OkPacedFirmware, SaysAChangeInItsOwnWords) {
+  const auto klipper = firmwareProtocols().find("klipper");
+  const auto reprap = firmwareProtocols().find("reprapfirmware");
+  const auto changed = [](const auto& protocol, const LiveChange& change) {
+    return dynamic_cast<const OkPacedFirmware&>(*protocol).changed(change);
+  };
+  EXPECT_EQ(changed(klipper, {LiveSetting::Feed, 90.0}), "M220 S90");
+  EXPECT_EQ(changed(klipper, {LiveSetting::Babystep, -0.05}), "SET_GCODE_OFFSET Z_ADJUST=-0.05 MOVE=1");
+  EXPECT_EQ(changed(klipper, {LiveSetting::CancelPart, 1.0}), std::nullopt);
+  EXPECT_EQ(changed(reprap, {LiveSetting::Flow, 102.5}), "M221 S102.5");
+  EXPECT_EQ(changed(reprap, {LiveSetting::Babystep, 0.02}), "M290 R1 S0.02");
+  EXPECT_EQ(changed(reprap, {LiveSetting::CancelPart, 1.0}), "M486 P1");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ class MarlinFirmware : public FirmwareProtocol, public std::enable_shared_from_t
   virtual std::string reportTemperatures(int interval_s) const;
   /// Whether the firmware may say nothing for long while it runs a command.
   virtual bool isBlocking(std::string_view command) const;
+
+  /// Changes how it prints; nothing if it cannot.
+  virtual std::optional<std::string> changed(const LiveChange& change) const;
 
   /// Ends waiting at once, without a number, in front of a safe stop.
   virtual std::vector<std::string> interruption() const;

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "streaming/firmware/klipper/klipper_protocol.hpp"
+#include "streaming/job/decimal.hpp"
 
 namespace lamina {
 namespace {
@@ -66,6 +67,22 @@ OpeningVerdict KlipperFirmware::judge(const std::string& question,
 
 std::string KlipperFirmware::question(std::uint64_t number, LinkKind) const {
   return klipperQuestion(number);
+}
+
+/// Parts are cancelled by name there, not by index.
+std::optional<std::string> KlipperFirmware::changed(const LiveChange& change) const {
+  switch (change.setting) {
+    case LiveSetting::Feed:
+      return "M220 S" + decimal(change.value);
+    case LiveSetting::Flow:
+      return "M221 S" + decimal(change.value);
+    case LiveSetting::Babystep:
+      return "SET_GCODE_OFFSET Z_ADJUST=" + decimal(change.value) + " MOVE=1";
+    case LiveSetting::CancelPart:
+    case LiveSetting::PauseAtLayer:
+      break;
+  }
+  return std::nullopt;
 }
 
 bool KlipperFirmware::isBlocking(std::string_view command) const {

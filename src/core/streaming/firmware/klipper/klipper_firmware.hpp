@@ -21,6 +21,7 @@ class KlipperFirmware final : public OkPacedFirmware {
   std::vector<std::string> opening(LinkKind link) const override;
   OpeningVerdict judge(const std::string& question, const std::vector<std::string>& lines) const override;
   std::string question(std::uint64_t number, LinkKind link) const override;
+  std::optional<std::string> changed(const LiveChange& change) const override;
   bool isBlocking(std::string_view command) const override;
   bool detectsDamage() const override { return false; }
   std::vector<std::string> switchOff(const std::string& temperatures) const override;

@@ -9,6 +9,7 @@
 
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "streaming/firmware/marlin/marlin_job.hpp"
+#include "streaming/job/decimal.hpp"
 
 namespace lamina {
 namespace {
@@ -108,6 +109,22 @@ bool MarlinFirmware::isBlocking(std::string_view command) const {
            (command.size() == name.size() ||
             std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
   });
+}
+
+std::optional<std::string> MarlinFirmware::changed(const LiveChange& change) const {
+  switch (change.setting) {
+    case LiveSetting::Feed:
+      return "M220 S" + decimal(change.value);
+    case LiveSetting::Flow:
+      return "M221 S" + decimal(change.value);
+    case LiveSetting::Babystep:
+      return "M290 Z" + decimal(change.value);
+    case LiveSetting::CancelPart:
+      return "M486 P" + decimal(change.value);
+    case LiveSetting::PauseAtLayer:
+      break;
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> MarlinFirmware::interruption() const { return {"M108"}; }

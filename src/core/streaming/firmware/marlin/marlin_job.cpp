@@ -88,34 +88,6 @@ void MarlinJob::start(double now) {
   beginNumbering(line_base_, now);
 }
 
-void MarlinJob::hearEnquiry(const FirmwareReply& reply, double now) {
-  enquiry_->hear(reply, now);
-  followEnquiry(now);
-}
-
-void MarlinJob::followEnquiry(double now) {
-  output_ += enquiry_->takeOutput();
-  if (enquiry_->failure().code != ErrorCode::Ok) {
-    abort(enquiry_->failure(), now);
-  } else if (enquiry_->taken()) {
-    goOnAfter(*enquiry_->taken(), now);
-  }
-}
-
-/// The firmware counts on from where it is: its number is what proves that no line is lost or run twice.
-void MarlinJob::goOnAfter(std::uint64_t number, double now) {
-  StreamStatus& status = record_.status;
-  status.lines_sent = status.lines_acknowledged = number - line_base_;
-  const auto pass = [&](const ProgramLine& line) {
-    outputs_.see(line.command);
-    status.layer = line.layer;
-  };
-  auto rest = restOf(program_, status.lines_acknowledged, pass);
-  feed_ = LineFeed(std::move(rest), number + 1, status.layer);
-  proof_.asked(number + 1);
-  nextReport(now);
-}
-
 /// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
 /// @return whether the request must not be followed
 bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
@@ -159,7 +131,7 @@ void MarlinJob::nextReport(double now) {
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
 void MarlinJob::proceed(double now) {
   settle(now);
-  if (isSettling()) return;
+  if (isSettling() || beginChange(now)) return;
   if (record_.status.state == PackmlState::Execute || isStopping()) pump(now);
   if (!sent_.empty()) return;
   if (record_.status.state == PackmlState::Holding) {
@@ -185,6 +157,10 @@ void MarlinJob::noteSent(const ProgramLine& line, double now) {
 
 void MarlinJob::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
+    if (!isStopping() && layer_pause_.isDueAt(line->layer)) {
+      pause(now);
+      break;
+    }
     const std::string framed = firmware_->framed(feed_.next(), line->command);
     if (!hasRoom(framed.size())) break;
     if (sent_.empty()) timer_.restart(now);
@@ -275,6 +251,12 @@ void MarlinJob::retry(double now) {
     case Phase::Feeding:
       phase_ = Phase::Probing;
       settle_until_ = 0.0;
+      probe(now);
+      break;
+    case Phase::Changing:
+      record_.status.message = "no answer to " + changes_.front() + ", which may not have been done";
+      changes_.clear();
+      beginPhase(Phase::Probing, now);
       probe(now);
       break;
     case Phase::Probing:
@@ -448,6 +430,10 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
     reports_.pop_back();
     report_attempts_ = 0;
     nextReport(now);
+  } else if (phase_ == Phase::Changing) {
+    changes_.pop_front();
+    beginPhase(Phase::Feeding, now);
+    proceed(now);
   } else if (phase_ == Phase::Draining && !isStopping()) {
     reports_ = reportsOff(*firmware_, settings_);
     report_attempts_ = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "streaming/firmware/marlin/sent_lines.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
+#include "streaming/job/layer_pause.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
 #include "streaming/job/starvation_watch.hpp"
@@ -35,6 +37,7 @@ class MarlinJob final : public StreamJob {
   bool isOffline() const override { return phase_ == Phase::Offline; }
   bool pause(double now) override;
   bool resume(double now) override;
+  bool change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;
@@ -51,6 +54,7 @@ class MarlinJob final : public StreamJob {
     Numbering,    ///< the firmware to count lines from base_ on, and to report so
     Reporting,    ///< the ok to each of reports_
     Feeding,      ///< answers to the lines under way
+    Changing,     ///< the ok to the first of changes_
     Probing,      ///< which line the firmware has
     Draining,     ///< the end of all motions, or of all heating
     Offline,      ///< the link to come back, for the safe stop
@@ -87,6 +91,7 @@ class MarlinJob final : public StreamJob {
   void beginNumbering(std::uint64_t base, double now);
   void nextReport(double now);
   void proceed(double now);
+  bool beginChange(double now);
   void pump(double now);
   void noteSent(const ProgramLine& line, double now);
   bool hasRoom(std::size_t bytes) const;
@@ -130,6 +135,8 @@ class MarlinJob final : public StreamJob {
   bool is_paused_by_machine_ = false;
   UndoneCommands undone_;
   UsedOutputs outputs_;
+  std::deque<std::string> changes_;  ///< asked for by a person
+  LayerPause layer_pause_;
   StarvationWatch starvation_;
   LineProof proof_;
   bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified

@@ -61,6 +61,9 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   /// Whether the firmware refuses damaged lines, so that it may be spoken to over a lossy link.
   virtual bool detectsDamage() const = 0;
 
+  /// Changes how it prints; nothing if it cannot.
+  virtual std::optional<std::string> changed(const LiveChange& change) const = 0;
+
   /// Turns off what heats or turns.
   /// @param temperatures  the last report of these, which names the tools; may be empty
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;

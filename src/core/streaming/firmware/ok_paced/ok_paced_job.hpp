@@ -13,6 +13,7 @@
 #include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
+#include "streaming/job/layer_pause.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
 #include "streaming/job/starvation_watch.hpp"
@@ -38,6 +39,7 @@ class OkPacedJob final : public StreamJob {
   bool isOffline() const override { return phase_ == Phase::Offline; }
   bool pause(double now) override;
   bool resume(double now) override;
+  bool change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;
@@ -114,6 +116,7 @@ class OkPacedJob final : public StreamJob {
   LineFeed feed_;
   LinesUnderWay under_way_;
   UsedOutputs outputs_;
+  LayerPause layer_pause_;
   StarvationWatch starvation_;
   MotionTracker tracker_;
   AnswerTimer timer_;

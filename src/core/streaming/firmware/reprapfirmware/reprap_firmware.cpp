@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "streaming/firmware/reprapfirmware/reprap_protocol.hpp"
+#include "streaming/job/decimal.hpp"
 
 namespace lamina {
 namespace {
@@ -92,6 +93,22 @@ OpeningVerdict RepRapFirmware::judge(const std::string& question,
 
 std::string RepRapFirmware::question(std::uint64_t number, LinkKind link) const {
   return reprapQuestion(number, link);
+}
+
+std::optional<std::string> RepRapFirmware::changed(const LiveChange& change) const {
+  switch (change.setting) {
+    case LiveSetting::Feed:
+      return "M220 S" + decimal(change.value);
+    case LiveSetting::Flow:
+      return "M221 S" + decimal(change.value);
+    case LiveSetting::Babystep:
+      return "M290 R1 S" + decimal(change.value);
+    case LiveSetting::CancelPart:
+      return "M486 P" + decimal(change.value);
+    case LiveSetting::PauseAtLayer:
+      break;
+  }
+  return std::nullopt;
 }
 
 /// Whatever may run a macro, wait, or home.

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/firmware/ok_paced/ok_paced_job.hpp"
+
+namespace lamina {
+
+bool OkPacedJob::change(const LiveChange& change, double) {
+  const PackmlState state = record_.status.state;
+  const bool is_running =
+      state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
+  if (!is_running || phase_ != Phase::Feeding) return false;
+  if (change.setting == LiveSetting::PauseAtLayer) {
+    layer_pause_.set(change.value);
+    return true;
+  }
+  const auto command = firmware_->changed(change);
+  if (!command) return false;
+  send(*command, {});
+  return true;
+}
+
+}  // namespace lamina

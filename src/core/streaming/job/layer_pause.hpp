@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace lamina {
+
+/// A layer in front of which a person wants the job to hold.
+class LayerPause {
+ public:
+  void set(double layer) { layer_ = static_cast<std::int32_t>(layer); }
+
+  /// Whether a line of this layer must wait. True once for each setting.
+  bool isDueAt(std::int32_t layer) {
+    if (!layer_ || layer < *layer_) return false;
+    layer_.reset();
+    return true;
+  }
+
+ private:
+  std::optional<std::int32_t> layer_;
+};
+
+}  // namespace lamina

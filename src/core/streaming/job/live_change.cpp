@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/job/live_change.hpp"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "lamina/base/error.hpp"
+#include "streaming/job/decimal.hpp"
+
+namespace lamina {
+namespace {
+
+struct KindOfChange {
+  std::string_view name;
+  LiveSetting setting;
+  double least;
+  double most;
+  std::string_view unit;
+  bool is_whole;
+};
+
+constexpr std::array<KindOfChange, 5> kKinds = {
+    {{"feed", LiveSetting::Feed, 10.0, 300.0, " %", false},
+     {"flow", LiveSetting::Flow, 10.0, 300.0, " %", false},
+     {"babystep", LiveSetting::Babystep, -0.5, 0.5, " mm", false},
+     {"cancel_part", LiveSetting::CancelPart, 0.0, 9999.0, "", true},
+     {"pause_at_layer", LiveSetting::PauseAtLayer, 0.0, 1e6, "", true}}};
+
+}  // namespace
+
+LiveChange liveChange(const std::string& name, double value) {
+  std::string names;
+  for (const KindOfChange& kind : kKinds) {
+    if (kind.name != name) {
+      names += (names.empty() ? "" : ", ") + std::string(kind.name);
+      continue;
+    }
+    const bool is_good =
+        value >= kind.least && value <= kind.most && (!kind.is_whole || value == std::round(value));
+    if (is_good) return {kind.setting, value};
+    throw InvalidInput(name + " is " + decimal(value) + std::string(kind.unit) + "; must be " +
+                       (kind.is_whole ? "a whole number " : "") + "from " + decimal(kind.least) + " to " +
+                       decimal(kind.most) + std::string(kind.unit));
+  }
+  throw InvalidInput("'" + name + "' cannot be changed while a job runs; expected one of " + names);
+}
+
+}  // namespace lamina

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/streaming/job/live_change.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+std::string refusalOf(const std::string& name, double value) {
+  try {
+    liveChange(name, value);
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(LiveChange, IsNamedAndBounded) {
+  EXPECT_EQ(liveChange("feed", 95.0).setting, LiveSetting::Feed);
+  EXPECT_EQ(liveChange("flow", 105.5).setting, LiveSetting::Flow);
+  EXPECT_DOUBLE_EQ(liveChange("babystep", -0.05).value, -0.05);
+  EXPECT_EQ(liveChange("cancel_part", 3.0).setting, LiveSetting::CancelPart);
+  EXPECT_EQ(liveChange("pause_at_layer", 12.0).setting, LiveSetting::PauseAtLayer);
+  EXPECT_EQ(refusalOf("feed", 500.0), "feed is 500 %; must be from 10 to 300 %");
+  EXPECT_EQ(refusalOf("babystep", 0.6), "babystep is 0.6 mm; must be from -0.5 to 0.5 mm");
+  EXPECT_EQ(refusalOf("cancel_part", 1.5), "cancel_part is 1.5; must be a whole number from 0 to 9999");
+  EXPECT_NE(refusalOf("feed", std::nan("")), "nothing was thrown");
+  EXPECT_EQ(refusalOf("colour", 1.0),
+            "'colour' cannot be changed while a job runs; expected one of feed, flow, babystep, cancel_part, "
+            "pause_at_layer");
+}
+
+}  // namespace
+}  // namespace lamina
