@@ -12,6 +12,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <thread>
@@ -92,7 +93,12 @@ class InstantPeer {
 
   std::string answerTo(const std::string& line) {
     if (line.find("M105") != std::string::npos) return "Resend: " + std::to_string(taken_ + 1) + "\nok\n";
-    if (line.front() == 'N' && line.find("M110") == std::string::npos) ++taken_;
+    const std::size_t base = line.find("M110 N");
+    if (base != std::string::npos) {
+      taken_ = std::strtoull(line.c_str() + base + 6, nullptr, 10);
+    } else if (line.front() == 'N') {
+      ++taken_;
+    }
     return "ok\n";
   }
 
@@ -107,12 +113,15 @@ class InstantPeer {
   std::thread thread_;
 };
 
+/// A progress file beside where the benchmark runs, on a disk and not in memory.
+constexpr const char* kJournal = "streaming_bench.progress";
+
 void stream(const StreamableProgram& program, const std::string& port, int window_lines,
-            benchmark::State& state) {
+            benchmark::State& state, const StreamJournal& journal = {}) {
   StreamSettings settings;
   settings.temperature_interval_s = 0;
   settings.window_lines = window_lines;
-  const StreamSession session(program, settings, {port, 115200}, {});
+  const StreamSession session(program, settings, {port, 115200}, {}, {}, journal);
   session.waitFor(600.0);
   if (session.status().state != PackmlState::Complete)
     state.SkipWithError(session.status().failure.message.c_str());
@@ -138,12 +147,23 @@ void linesToInstantPeer(benchmark::State& state) {
 }
 BENCHMARK(linesToInstantPeer)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void okToNextLine(benchmark::State& state) {
+void linesToInstantPeerWithJournal(benchmark::State& state) {
+  const StreamableProgram program = zigzag();
+  for (auto _ : state) {
+    const InstantPeer peer;
+    stream(program, peer.path(), 4, state, beginJournal(kJournal));
+  }
+  std::remove(kJournal);
+  state.SetItemsProcessed(state.iterations() * kLines);
+}
+BENCHMARK(linesToInstantPeerWithJournal)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void measureOkToNextLine(benchmark::State& state, const StreamJournal& journal) {
   const StreamableProgram program = zigzag();
   std::vector<double> waits;
   for (auto _ : state) {
     const InstantPeer peer;
-    stream(program, peer.path(), 1, state);
+    stream(program, peer.path(), 1, state, journal);
     waits = peer.waits();
   }
   std::sort(waits.begin(), waits.end());
@@ -152,7 +172,15 @@ void okToNextLine(benchmark::State& state) {
   state.counters["worst_us"] = 1e6 * waits.back();
   state.SetItemsProcessed(state.iterations() * kLines);
 }
+
+void okToNextLine(benchmark::State& state) { measureOkToNextLine(state, {}); }
 BENCHMARK(okToNextLine)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void okToNextLineWithJournal(benchmark::State& state) {
+  measureOkToNextLine(state, beginJournal(kJournal));
+  std::remove(kJournal);
+}
+BENCHMARK(okToNextLineWithJournal)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace lamina

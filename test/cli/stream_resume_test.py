@@ -126,5 +126,33 @@ class StreamResume(unittest.TestCase):
         self.assertIn("no progress file is kept", done.stderr)
 
 
+class Rest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.program, self.rest = (os.path.join(folder.name, name) for name in ("part.gcode", "rest.gcode"))
+        with open(self.program, "w", encoding="utf-8") as program:
+            program.write("M140 S60\nG28\nM109 S200\nG1 X20 Y20 Z0.2\n;LAYER:0\nG1 X40 E1\n;LAYER:1\nG1 Z0.4\nG1 X20 E2\n")
+
+    def test_line_layer_and_height_lead_to_the_same_rest(self):
+        for where, line in (("--from-line=7", 7), ("--from-layer=1", 6), ("--from-height=0.4", 7)):
+            made = told("resume", self.program, where, "--nozzle-height=50", "-o", self.rest)
+            self.assertEqual(made["from_line"], line)
+            self.assertIn("z = 50 mm", " ".join(made["to_check"]))
+            with open(self.rest, encoding="utf-8") as rest:
+                text = rest.read()
+            self.assertIn("G28 X Y\n", text)
+            self.assertIn("G1 X20 E2\n", text)
+            self.assertNotIn("G1 X40 E1\n", text)
+
+    def test_the_height_of_the_nozzle_must_be_told(self):
+        done = lamina("resume", self.program, "--from-line=7", "-o", self.rest)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--nozzle-height", done.stderr)
+        done = lamina("resume", self.program, "--nozzle-height=50", "-o", self.rest)
+        self.assertIn("--from-line, --from-layer or --from-height", done.stderr)
+        self.assertFalse(os.path.exists(self.rest))
+
+
 if __name__ == "__main__":
     unittest.main()

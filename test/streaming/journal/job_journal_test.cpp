@@ -16,8 +16,6 @@
 namespace lamina {
 namespace {
 
-using test::ScratchFolder;
-
 StreamableProgram journalled(const std::string& text) { return StreamableProgram::fromText("part", text); }
 
 JournalledJob jobOf(const StreamableProgram& program) {
@@ -58,7 +56,7 @@ TEST(JobJournal, LiesInTheUsersFolderUnderTheNameOfThePort) {
 }
 
 TEST(JobJournal, MakesAFolderForItsOwnerAlone) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string path = folder.file("state/lamina/port.progress");
   EXPECT_EQ(beginJournal(path).path, path);
   struct stat about {};
@@ -69,7 +67,7 @@ TEST(JobJournal, MakesAFolderForItsOwnerAlone) {
 }
 
 TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");
   std::string text;
   for (int i = 0; i < 10000; ++i) text += "G28\n";
@@ -88,7 +86,7 @@ TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
 }
 
 TEST(JobJournal, KeepsTheEndOfAJob) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");
   const auto program = journalled("G28\nG1 X1\n");
   {
@@ -109,7 +107,7 @@ TEST(JobJournal, KeepsTheEndOfAJob) {
 }
 
 TEST(JobJournal, GoesOnWithTheSameProgramAtTheSamePortOnly) {
-  const ScratchFolder folder;
+  const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");
   const auto program = journalled("G28\nG1 X1\n");
   JobProgress start;

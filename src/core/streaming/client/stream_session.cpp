@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/streaming/transport/transport.hpp"
 #include "streaming/client/session_journal.hpp"
 #include "streaming/client/session_kind.hpp"
@@ -166,6 +167,9 @@ StreamSession::StreamSession(const StreamableProgram& program, const StreamSetti
                              const MachinePort& port, Observer observer, ReplyListener heard,
                              StreamJournal journal) {
   if (isWebAddress(port.name)) {
+    if (journal.unfinished)
+      throw InvalidConfig(port.name +
+                          " prints by itself what it was sent: there is no job to go on with here");
     kind_ = beginUpload(program, settings, port, std::move(observer));
   } else {
     kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(heard),

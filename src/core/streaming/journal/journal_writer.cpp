@@ -11,9 +11,10 @@
 namespace lamina {
 namespace {
 
-constexpr std::uint64_t kLeastAhead = 256;        // lines
-constexpr std::uint64_t kUncertainOks = 8;        // an ok does not say what it is for, and noise may make one
-constexpr double kAheadTime = 0.2;                // s
+constexpr std::uint64_t kLeastAhead = 256;  // lines
+constexpr std::uint64_t kUncertainOks = 8;  // an ok does not say what it is for, and noise may make one
+constexpr double kAheadTime = 0.2;          // s
+constexpr double kMeasuringTime = 0.02;     // s: the faster the rate is known, the fewer waits at the start
 constexpr double kAcknowledgementInterval = 0.1;  // s
 
 std::int64_t millisecondsSince1970() {
@@ -70,7 +71,7 @@ void JournalWriter::run() {
 /// How many lines leave in the time that the file is ahead.
 void JournalWriter::measureRate(std::uint64_t sent, double now) {
   const double passed = now - measured_since_;
-  if (measured_since_ >= 0.0 && passed < kAheadTime) return;
+  if (measured_since_ >= 0.0 && passed < kMeasuringTime) return;
   if (measured_since_ >= 0.0) {
     const double lines = static_cast<double>(sent - std::min(sent, measured_from_));
     ahead_ = std::max(kLeastAhead, static_cast<std::uint64_t>(lines * kAheadTime / passed));
