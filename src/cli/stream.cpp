@@ -9,6 +9,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
+#include "output/live_input.hpp"
 #include "output/terminal_progress.hpp"
 #include "subcommand.hpp"
 
@@ -23,6 +24,7 @@ struct StreamArguments {
   MachinePort port;
   std::vector<std::string> settings;
   StreamMode mode = StreamMode::Begin;
+  bool is_live = false;
 };
 
 StreamSettings settingsFrom(const StreamArguments& arguments) {
@@ -36,15 +38,17 @@ StreamSettings settingsFrom(const StreamArguments& arguments) {
 
 /// Streams to the end, or to the safe stop after Ctrl-C.
 StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings& settings,
-                         const MachinePort& port, const StreamJournal& journal) {
+                         const StreamArguments& arguments, const StreamJournal& journal) {
   constexpr double kPollInterval = 0.1;  // s
   TerminalProgress progress;
   const auto report = [&](const StreamStatus& status) {
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
   };
-  StreamSession session(program, settings, port, report, {}, journal);
+  StreamSession session(program, settings, arguments.port, report, {}, journal);
+  LiveInput input;
   while (!session.waitFor(kPollInterval)) {
+    if (arguments.is_live) input.follow(session);
     if (progress.isCancelled()) session.abort({ErrorCode::Cancelled, "stopped by the user"});
   }
   return session.status();
@@ -121,7 +125,7 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamJournal journal = arguments.mode == StreamMode::Resume
                                     ? resumeJournal(journal_path, program, arguments.port.name)
                                     : beginJournal(journal_path);
-  const StreamStatus status = streamWhole(program, settings, arguments.port, journal);
+  const StreamStatus status = streamWhole(program, settings, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);
   print(status, clock.now() - start, chosen.format);
@@ -139,6 +143,9 @@ void addStream(CLI::App& app, Chosen& chosen) {
       ->required();
   command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
   command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
+  command->add_flag("--live", arguments->is_live,
+                    "follow commands on the standard input, a line each: feed 90, flow 105, babystep -0.05, "
+                    "cancel_part 2, pause_at_layer 12, pause, resume");
   auto* const resume = command->add_flag_callback(
       "--resume", [arguments] { arguments->mode = StreamMode::Resume; },
       "go on with the job whose streaming was cut off, on a machine that has lived on");

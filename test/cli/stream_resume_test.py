@@ -118,6 +118,21 @@ class StreamResume(unittest.TestCase):
         done = lamina("stream", self.program, *self.options(), "--resume", "--json")
         self.assertEqual(json.loads(done.stdout)["error"]["code"], "InvalidInput")
 
+    def test_a_job_follows_what_is_typed_while_it_runs(self):
+        streaming = subprocess.Popen([LAMINA, "stream", self.program, "--live", *self.options()], stdout=subprocess.DEVNULL,
+                                     stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] > 0)
+        streaming.stdin.write("pause_at_layer 20\nfeed 200\nfeed 900\nhurry\n")
+        streaming.stdin.flush()
+        self.wait_for(lambda: self.known()["state"] == "Held")
+        streaming.stdin.write("resume\n")
+        said = streaming.communicate(timeout=PATIENCE_S)[1]
+        self.assertEqual(streaming.returncode, 0, said)
+        for answer in ("pause_at_layer 20: taken", "feed 200: taken", "feed 900: feed is 900 %; must be from 10 to 300 %",
+                       "hurry: no number; expected such as feed 90", "resume: asked for"):
+            self.assertIn(answer, said)
+        self.assertEqual(self.ran(), self.lines)
+
     def test_without_a_journal_nothing_is_kept(self):
         done = lamina("stream", self.program, "--port", self.port, "--set", "stream.journal=")
         self.assertEqual(done.returncode, 0, done.stderr)

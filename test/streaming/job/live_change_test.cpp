@@ -11,7 +11,7 @@
 namespace lamina {
 namespace {
 
-std::string refusalOf(const std::string& name, double value) {
+std::string refusedAs(const std::string& name, double value) {
   try {
     liveChange(name, value);
   } catch (const InvalidInput& refused) {
@@ -26,11 +26,11 @@ TEST(LiveChange, IsNamedAndBounded) {
   EXPECT_DOUBLE_EQ(liveChange("babystep", -0.05).value, -0.05);
   EXPECT_EQ(liveChange("cancel_part", 3.0).setting, LiveSetting::CancelPart);
   EXPECT_EQ(liveChange("pause_at_layer", 12.0).setting, LiveSetting::PauseAtLayer);
-  EXPECT_EQ(refusalOf("feed", 500.0), "feed is 500 %; must be from 10 to 300 %");
-  EXPECT_EQ(refusalOf("babystep", 0.6), "babystep is 0.6 mm; must be from -0.5 to 0.5 mm");
-  EXPECT_EQ(refusalOf("cancel_part", 1.5), "cancel_part is 1.5; must be a whole number from 0 to 9999");
-  EXPECT_NE(refusalOf("feed", std::nan("")), "nothing was thrown");
-  EXPECT_EQ(refusalOf("colour", 1.0),
+  EXPECT_EQ(refusedAs("feed", 500.0), "feed is 500 %; must be from 10 to 300 %");
+  EXPECT_EQ(refusedAs("babystep", 0.6), "babystep is 0.6 mm; must be from -0.5 to 0.5 mm");
+  EXPECT_EQ(refusedAs("cancel_part", 1.5), "cancel_part is 1.5; must be a whole number from 0 to 9999");
+  EXPECT_NE(refusedAs("feed", std::nan("")), "nothing was thrown");
+  EXPECT_EQ(refusedAs("colour", 1.0),
             "'colour' cannot be changed while a job runs; expected one of feed, flow, babystep, cancel_part, "
             "pause_at_layer");
 }

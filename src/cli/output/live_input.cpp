@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "live_input.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <sstream>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina::cli {
+
+void LiveInput::follow(StreamSession& session) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  while (!is_over_ && ::poll(&input, 1, 0) > 0) {
+    std::array<char, 256> bytes{};
+    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    is_over_ = count <= 0;
+    if (count > 0) typed_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+  for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n')) {
+    const std::string line = typed_.substr(0, end);
+    typed_.erase(0, end + 1);
+    if (!line.empty()) std::fprintf(stderr, "%s: %s\n", line.c_str(), follow(session, line).c_str());
+  }
+}
+
+std::string LiveInput::follow(StreamSession& session, const std::string& line) {
+  std::istringstream words(line);
+  std::string name;
+  double value = 0.0;
+  words >> name;
+  if (name == "pause" || name == "resume") {
+    name == "pause" ? session.pause() : session.resume();
+    return "asked for";
+  }
+  if (!(words >> value)) return "no number; expected such as feed 90";
+  try {
+    return session.change(liveChange(name, value)) ? "taken" : "not now, or not by this firmware";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+}  // namespace lamina::cli

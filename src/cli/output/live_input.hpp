@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/streaming/client/stream_session.hpp"
+
+namespace lamina::cli {
+
+/// Commands to a job that runs, a line each on the standard input: "feed 90", "pause", "resume".
+class LiveInput {
+ public:
+  /// Follows what has been typed since the last call, and says of each line whether it was taken. Does not
+  /// wait.
+  void follow(StreamSession& session);
+
+ private:
+  static std::string follow(StreamSession& session, const std::string& line);
+
+  std::string typed_;
+  bool is_over_ = false;
+};
+
+}  // namespace lamina::cli
