@@ -39,7 +39,7 @@ TEST(Identification, TakesFirmwareOfAnyOtherNameForMarlin) {
 
 TEST(Identification, PassesOnWhatComesBehindTheAnswer) {
   Asking asking;
-  asking.streamer.receive("FIRMWARE_NAME:Marlin\nok\nResend: 1\nok\n", 0.1);
+  asking.streamer.receive("FIRMWARE_NAME:Marlin\nok\nok\nResend: 1\nok\n", 0.1);
   EXPECT_NE(asking.streamer.takeOutput().find("M155 S1\n"), std::string::npos)
       << "the request for line 1 confirms the numbering";
 }

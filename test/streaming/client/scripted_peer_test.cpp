@@ -147,6 +147,41 @@ TEST_F(ScriptedPeer, StopsSafelyWhenTheMachineFallsSilent) {
   EXPECT_NE(streamer.status().failure.message.find("did not confirm the safe stop"), std::string::npos);
 }
 
+TEST_F(ScriptedPeer, TakesNoLateOkForThatOfALine) {
+  StreamSettings lossy = settings();
+  lossy.link = LinkKind::Lossy;
+  lossy.temperature_interval_s = 1;
+  Streamer streamer(program_, lossy);
+  streamer.start(0.0);
+  streamer.elapse(5.0);  // the question is put again
+  streamer.takeOutput();
+  streamer.receive(kMarlin, 5.1);
+  EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
+  streamer.receive("Resend: 1\nok\n", 5.2);  // a wrong number is refused before what is queued is done
+  EXPECT_EQ(streamer.takeOutput(), "") << "two oks are still due";
+  streamer.receive("ok\n", 5.21);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  streamer.receive("ok\n", 5.22);
+  EXPECT_EQ(streamer.takeOutput(), "M155 S1\n");
+  streamer.receive("ok\n", 5.23);
+  EXPECT_EQ(streamer.takeOutput(), line(1));
+  streamer.receive("ok\n", 5.24);
+  EXPECT_EQ(streamer.takeOutput(), line(2));
+  EXPECT_EQ(streamer.status().lines_acknowledged, 1U);
+}
+
+TEST_F(ScriptedPeer, GoesOnWithoutAnOkThatWasLost) {
+  Streamer streamer(program_, settings());
+  streamer.start(0.0);
+  streamer.receive(kMarlin, 0.0);
+  streamer.takeOutput();
+  streamer.receive("Resend: 1\nok\n", 0.1);
+  EXPECT_EQ(streamer.takeOutput(), "") << "the ok to M110 is due";
+  EXPECT_NEAR(streamer.nextDeadline(), 0.15, 1e-9);
+  streamer.elapse(0.151);
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+}
+
 TEST_F(ScriptedPeer, ChangesTheJobBetweenTwoLinesWithoutANumber) {
   Streamer streamer(program_, settings());
   EXPECT_FALSE(streamer.change({LiveSetting::Feed, 50.0}, 0.0)) << "no job is under way";
@@ -210,7 +245,7 @@ TEST_F(ScriptedPeer, TurnsOffAllThatTheProgramHasTurnedOn) {
   settings.window_lines = 8;
   Streamer streamer(program, settings);
   streamer.start(0.0);
-  streamer.receive("ok\nResend: 1\nok\nok\n", 0.1);
+  streamer.receive("ok\nok\nResend: 1\nok\nok\n", 0.1);
   streamer.takeOutput();
   streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
   EXPECT_EQ(streamer.takeOutput(),

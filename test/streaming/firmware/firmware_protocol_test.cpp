@@ -44,7 +44,7 @@ TEST(FirmwareProtocol, ThatWasAddedIsSpokenToAProgramsEnd) {
   EXPECT_EQ(streamer.takeOutput(), "WHO?\n");
   streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
   EXPECT_EQ(streamer.takeOutput(), "[0] COUNT 0\n[2] HEAT?\n");
-  streamer.receive("Resend: 1\ndone\n", 0.1);
+  streamer.receive("done\nResend: 1\ndone\n", 0.1);
   EXPECT_EQ(streamer.takeOutput(), "[1] G1 X1\n");
   streamer.receive("done\n", 0.2);
   EXPECT_EQ(streamer.takeOutput(), "[3] HEAT?\n");
@@ -60,7 +60,7 @@ TEST(FirmwareProtocol, ThatWasAddedStopsSafely) {
   Streamer streamer(StreamableProgram::fromText("one line", "G1 X1\n"), bracketSettings());
   streamer.start(0.0);
   streamer.receive("FIRMWARE_NAME:Brackets\ndone\n", 0.05);
-  streamer.receive("Resend: 1\ndone\n", 0.1);
+  streamer.receive("done\nResend: 1\ndone\n", 0.1);
   streamer.takeOutput();
   streamer.abort({ErrorCode::Cancelled, "stopped"}, 0.2);
   EXPECT_EQ(streamer.takeOutput(), "M108\nHALT\nCOLD\n[1002] COUNT 1002\n[1004] HEAT?\n");

@@ -32,6 +32,7 @@ struct StreamOrder {
   std::uint64_t line_base =
       0;  ///< firmware that counts lines counts from here, so that it knows the job again
   std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins
+  int answers_due = 0;                        ///< to questions put more than once, which may still come
 };
 
 /// How a family of firmware is spoken to: the port through which `Streamer` reaches it. Constant, and called

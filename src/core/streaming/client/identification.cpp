@@ -56,6 +56,7 @@ void Identification::start(double now) {
 
 void Identification::ask(double now) {
   timer_.asked(now);
+  ++questions_;
   output_ += "M115\n";
 }
 

@@ -34,6 +34,8 @@ class Identification {
   double nextDeadline() const;
 
   const std::optional<FoundFirmware>& found() const { return found_; }
+  /// How often the question was put beyond the one that was answered.
+  int answersDue() const { return questions_ - 1; }
   /// What came behind the answer.
   std::string takeUnread() { return replies_.takeRest(); }
   std::string takeOutput() { return std::exchange(output_, {}); }
@@ -54,7 +56,7 @@ class Identification {
   std::string firmware_name_;
   ReplyLines replies_;
   std::string output_;
-  bool has_answered_ = false;
+  int questions_ = 0;
 };
 
 }  // namespace lamina

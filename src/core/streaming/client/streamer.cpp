@@ -35,6 +35,7 @@ void Streamer::adopt(double now) {
   if (!defect.empty()) return identification_->abort({ErrorCode::InvalidProgram, defect});
   order_.settings.firmware = identification_->found()->protocol;
   order_.firmware_name = identification_->found()->firmware_name;
+  order_.answers_due = identification_->answersDue();
   job_ = firmwareProtocols().find(order_.settings.firmware)->begin(order_);
   job_->start(now);
   job_->takeStateChanges();  // Starting, which the job is in already

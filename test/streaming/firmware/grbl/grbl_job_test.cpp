@@ -69,6 +69,16 @@ class GrblPeer : public testing::Test {
   StreamableProgram two_ = program("G1 X1 F100\nX2\n");
 };
 
+TEST_F(GrblPeer, ChangesItsFeedAmidTheLines) {
+  Streamer streamer(two_, settings());
+  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 80.0}, 0.0));
+  begin(streamer);
+  EXPECT_TRUE(streamer.change({LiveSetting::Feed, 122.0}, 0.3));
+  EXPECT_EQ(streamer.takeOutput(), "\x90\x91\x91\x93\x93") << "as programmed, then 10 % twice and 1 % twice";
+  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 250.0}, 0.3)) << "grbl goes up to 200 %";
+  EXPECT_FALSE(streamer.change({LiveSetting::Flow, 90.0}, 0.3));
+}
+
 TEST_F(GrblPeer, IsAskedWhoItIsBeforeTheFirstLine) {
   Streamer streamer(two_, settings());
   EXPECT_EQ(begin(streamer), "G1 X1 F100\nX2\n");

@@ -3,6 +3,7 @@
 #include "streaming/firmware/grbl/grbl_job.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,6 +17,7 @@ constexpr double kJobPoll = 0.2;     // s; grbl's own recommendation is 5 to 10 
 constexpr double kIdleApart = 0.05;  // s, between two reports that were asked for apart
 constexpr int kUsualReceiveBytes = 128;
 constexpr const char* kQuestion = "$G";
+constexpr const char* kFeedAsProgrammed = "\x90";
 constexpr std::size_t kQuestionBytes = 3;
 constexpr double kMillimetresPerInch = 25.4;
 
@@ -496,6 +498,17 @@ bool GrblJob::resume(double now) {
   record_.enter(PackmlState::Unholding);
   release(now);
   poll(now);
+  return true;
+}
+
+/// The override of the feed is made of bytes that need no room in the buffer.
+bool GrblJob::change(const LiveChange& change, double) {
+  constexpr int kAsProgrammed = 100;
+  constexpr double kMostPercent = 200.0;
+  const bool is_running =
+      state() == PackmlState::Execute || state() == PackmlState::Holding || state() == PackmlState::Held;
+  if (!is_running || change.setting != LiveSetting::Feed || change.value > kMostPercent) return false;
+  output_ += kFeedAsProgrammed + grblFeedOverride(kAsProgrammed, static_cast<int>(std::lround(change.value)));
   return true;
 }
 

@@ -6,22 +6,13 @@
 #include <limits>
 #include <utility>
 
-#include "streaming/firmware/marlin/safe_stop.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 
 namespace lamina {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kReportAttempts = 3;
-
-std::vector<std::string> reportRequests(const StreamSettings& settings, const MarlinFirmware& firmware) {
-  std::vector<std::string> requests;
-  if (settings.position_interval_s > 0)
-    requests.push_back(firmware.reportPosition(settings.position_interval_s));
-  if (settings.temperature_interval_s > 0)
-    requests.push_back(firmware.reportTemperatures(settings.temperature_interval_s));
-  return requests;
-}
 
 std::string seconds(double value) {
   std::string text = std::to_string(value);
@@ -44,10 +35,11 @@ MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> fi
       enquiry_(order.unfinished ? std::make_unique<LineEnquiry>(order, firmware_) : nullptr),
       feed_(sourceOf(order.program), line_base_ + 1),
       timer_(order.settings.probe_after_s),
-      firmware_name_(std::move(order.firmware_name)) {
+      firmware_name_(std::move(order.firmware_name)),
+      answers_due_(order.answers_due) {
   settings_.window_lines = windowLines(settings_, settings_.link);
   record_.status.lines_total = order.program.lines();
-  reports_ = reportRequests(settings_, *firmware_);
+  reports_ = reportsOn(*firmware_, settings_);
 }
 
 void MarlinJob::beginPhase(Phase phase, double now) {
@@ -75,19 +67,6 @@ double MarlinJob::nextDeadline() const {
   return isSettling() ? std::min(deadline, settle_until_) : deadline;
 }
 
-void MarlinJob::start(double now) {
-  if (record_.status.state != PackmlState::Idle) return;
-  record_.enter(PackmlState::Starting);
-  if (enquiry_) {
-    beginPhase(Phase::Enquiring, now);
-    enquiry_->start(now);
-    return followEnquiry(now);
-  }
-  if (!firmware_name_) return identify(now);
-  record_.status.firmware_name = *firmware_name_;
-  beginNumbering(line_base_, now);
-}
-
 /// Asks once more where a request contradicts what is known, and ends the job if it is repeated.
 /// @return whether the request must not be followed
 bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
@@ -106,26 +85,6 @@ bool MarlinJob::isRefuted(std::uint64_t wanted, double now) {
                                      ", which it has taken before: it was reset" + record_.whereItStands()},
         now);
   return true;
-}
-
-void MarlinJob::beginNumbering(std::uint64_t base, double now) {
-  base_ = base;
-  beginPhase(Phase::Numbering, now);
-  retry(now);
-}
-
-void MarlinJob::nextReport(double now) {
-  if (!reports_.empty()) {
-    beginPhase(Phase::Reporting, now);
-    output_ += reports_.back() + "\n";
-    return;
-  }
-  if (isAtRest()) return finishComplete();
-  has_begun_ = true;
-  record_.enter(PackmlState::Execute);
-  beginPhase(Phase::Feeding, now);
-  awaitProbes(now);
-  proceed(now);
 }
 
 /// Sends what may be sent, and takes the step that is due when nothing is under way any more.
@@ -226,7 +185,9 @@ void MarlinJob::elapse(double now) {
     proof_.doubt(settings_.window_lines + 2);  // answers to what was sent may be late, not lost
     retry(now);
   } else if (isSettling() && now >= settle_until_) {
-    proceed(now);
+    if (phase_ != Phase::Confirming) return proceed(now);
+    answers_due_ = 0;  // they were lost
+    confirm(now);
   }
 }
 
@@ -234,18 +195,21 @@ void MarlinJob::retry(double now) {
   timer_.asked(now);
   switch (phase_) {
     case Phase::Identifying:
+      ++answers_due_;
       output_ += firmware_->identification() + "\n";
       break;
     case Phase::Numbering:
       if (isStopping()) output_ += urgentStop(*firmware_, outputs_, settings_);
+      ++answers_due_;
       output_ += firmware_->framed(base_, firmware_->numberedFrom(base_));
       probe(now);
       break;
     case Phase::Reporting:
       if (++report_attempts_ < kReportAttempts) {
+        ++answers_due_;
         output_ += reports_.back() + "\n";
       } else {
-        onOk({}, now);  // a machine without reports prints all the same
+        onReportDone(now);  // a machine without reports prints all the same
       }
       break;
     case Phase::Feeding:
@@ -267,6 +231,7 @@ void MarlinJob::retry(double now) {
       break;
     case Phase::Idle:
     case Phase::Enquiring:
+    case Phase::Confirming:
     case Phase::Offline:
       break;
   }
@@ -425,11 +390,14 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
 
 void MarlinJob::onOk(const FirmwareReply& reply, double now) {
   if (phase_ == Phase::Identifying) {
+    --answers_due_;
     beginNumbering(line_base_, now);
+  } else if (phase_ == Phase::Numbering || phase_ == Phase::Confirming) {
+    --answers_due_;
+    if (phase_ == Phase::Confirming) confirm(now);
   } else if (phase_ == Phase::Reporting) {
-    reports_.pop_back();
-    report_attempts_ = 0;
-    nextReport(now);
+    --answers_due_;
+    onReportDone(now);
   } else if (phase_ == Phase::Changing) {
     changes_.pop_front();
     beginPhase(Phase::Feeding, now);
@@ -475,7 +443,7 @@ void MarlinJob::onResend(const FirmwareReply& reply, double now) {
       beginPhase(Phase::Feeding, now);
       proceed(now);
     } else {
-      nextReport(now);
+      confirm(now);
     }
   } else if (phase_ == Phase::Probing) {
     if (!isRefuted(*reply.line, now)) onProbeAnswer(*reply.line, now);

@@ -52,6 +52,7 @@ class MarlinJob final : public StreamJob {
     Enquiring,    ///< which line of an unfinished job the firmware has
     Identifying,  ///< who is there
     Numbering,    ///< the firmware to count lines from base_ on, and to report so
+    Confirming,   ///< the answers due from before, so that none is taken for that of a line
     Reporting,    ///< the ok to each of reports_
     Feeding,      ///< answers to the lines under way
     Changing,     ///< the ok to the first of changes_
@@ -95,6 +96,8 @@ class MarlinJob final : public StreamJob {
   void pump(double now);
   void noteSent(const ProgramLine& line, double now);
   bool hasRoom(std::size_t bytes) const;
+  void confirm(double now);
+  void onReportDone(double now);
   void probe(double now);
   void onProbeAnswer(std::uint64_t wanted, double now);
   void onAllTaken(double now);
@@ -145,6 +148,7 @@ class MarlinJob final : public StreamJob {
   bool must_send_one_ = false;  ///< whatever the window, or a full one of discarded lines would wait for ever
   std::uint64_t rewound_to_ = 0;
   int unanswered_probes_ = 0;
+  int answers_due_ = 0;  ///< oks to what has no number and was sent before the first line
   int refusals_in_a_row_ = 0;
   int odd_requests_ = 0;
   double safe_stop_by_ = 0.0;

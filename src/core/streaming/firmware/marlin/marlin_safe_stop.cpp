@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "streaming/firmware/marlin/marlin_job.hpp"
-#include "streaming/firmware/marlin/safe_stop.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 
 namespace lamina {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "streaming/firmware/marlin/safe_stop.hpp"
+#include "streaming/firmware/marlin/stop_commands.hpp"
 
 namespace lamina {
 
@@ -31,6 +31,15 @@ std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutp
   add(outputs.airOff());
   add(reportsOff(firmware, settings));
   return commands;
+}
+
+std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings) {
+  std::vector<std::string> requests;
+  if (settings.position_interval_s > 0)
+    requests.push_back(firmware.reportPosition(settings.position_interval_s));
+  if (settings.temperature_interval_s > 0)
+    requests.push_back(firmware.reportTemperatures(settings.temperature_interval_s));
+  return requests;
 }
 
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings) {

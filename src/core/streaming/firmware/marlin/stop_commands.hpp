@@ -20,6 +20,9 @@ std::string urgentStop(const MarlinFirmware& firmware, const UsedOutputs& output
 std::vector<std::string> safeStop(const MarlinFirmware& firmware, const UsedOutputs& outputs,
                                   const StreamSettings& settings);
 
+/// Turns on the reports that the settings ask for; the last one first.
+std::vector<std::string> reportsOn(const MarlinFirmware& firmware, const StreamSettings& settings);
+
 /// Turns the reports off that the job has turned on: whoever talks to the machine next shall not find it
 /// talking by itself.
 std::vector<std::string> reportsOff(const MarlinFirmware& firmware, const StreamSettings& settings);

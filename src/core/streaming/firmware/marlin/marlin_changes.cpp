@@ -1,39 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a job is gone on with, and changed, from outside.
-#include <utility>
-
+// What a person changes while a job runs.
 #include "streaming/firmware/marlin/marlin_job.hpp"
 
 namespace lamina {
-
-void MarlinJob::hearEnquiry(const FirmwareReply& reply, double now) {
-  enquiry_->hear(reply, now);
-  followEnquiry(now);
-}
-
-void MarlinJob::followEnquiry(double now) {
-  output_ += enquiry_->takeOutput();
-  if (enquiry_->failure().code != ErrorCode::Ok) {
-    abort(enquiry_->failure(), now);
-  } else if (enquiry_->taken()) {
-    goOnAfter(*enquiry_->taken(), now);
-  }
-}
-
-/// The firmware counts on from where it is: its number is what proves that no line is lost or run twice.
-void MarlinJob::goOnAfter(std::uint64_t number, double now) {
-  StreamStatus& status = record_.status;
-  status.lines_sent = status.lines_acknowledged = number - line_base_;
-  const auto pass = [&](const ProgramLine& line) {
-    outputs_.see(line.command);
-    status.layer = line.layer;
-  };
-  auto rest = restOf(program_, status.lines_acknowledged, pass);
-  feed_ = LineFeed(std::move(rest), number + 1, status.layer);
-  proof_.asked(number + 1);
-  nextReport(now);
-}
 
 bool MarlinJob::change(const LiveChange& change, double now) {
   const PackmlState state = record_.status.state;
