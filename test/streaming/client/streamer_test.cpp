@@ -53,7 +53,8 @@ TEST_P(StreamerUnderFault, RunsEveryLineOnceInOrder) {
     link.run();
     EXPECT_EQ(link.streamer.status().state, PackmlState::Complete) << link.streamer.status().failure.message;
     EXPECT_EQ(link.numberedCommands(), test::commandsOf(spiral));
-    // A line that is asked for without cause is refused when it comes again, and with it the head of the next.
+    // A line that is asked for without cause is refused when it comes again, and with it the head of the
+    // next.
     const std::size_t tails = GetParam() == FaultKind::SpuriousResend ? 2 : 0;
     EXPECT_LE(link.fragments().size(), tails);
     EXPECT_EQ(link.streamer.status().lines_acknowledged, 2000U);
