@@ -49,6 +49,8 @@ CALLS = [
     ("incline OWN -o OUT.gcode --begin-code FILE", (PROGRAM,)),
     ("incline OWN -o OUT.gcode --end-code FILE", (PROGRAM,)),
     ("stream FILE --port none", ("", PROGRAM)),
+    ("stream FILE --port none --set stream.firmware=marlin", ("", PROGRAM)),
+    ("resume FILE --from-line 2 --nozzle-height 1 -o OUT.gcode", ("", PROGRAM)),
     ("track FILE", (TABLE,)),
     ("track OWN --urdf FILE", (URDF,)),
     ("statistics FILE --response a --factors b", ("", TABLE)),
@@ -99,7 +101,7 @@ class ForeignFiles(unittest.TestCase):
         self.assertEqual({line.split()[0].rstrip(",") for line in listed.splitlines() if re.match(r"  \w", line)} - tried, set())
 
     def test_a_file_of_the_kind_expected_is_quoted(self):
-        cases = [("stream FILE --port none", "a.gcode", "G28\nG1 X1 *5\n", "'G1 X1 *5'"),
+        cases = [("stream FILE --port none --set stream.firmware=marlin", "a.gcode", "G28\nG1 X1 *5\n", "'G1 X1 *5'"),
                  ("incline FILE -o OUT.gcode", "a.gcode", "G28\nG1 X1 #5\n", "'#5'"),
                  ("preview FILE -o OUT.png", "a.gcode", "G28\nG1 X1.2.3\n", "'.3'"),
                  ("preview FILE -o OUT.png", "a.mod", "MODULE a\nPROC main()\n%surprise\n", "'surprise'"),

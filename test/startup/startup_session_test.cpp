@@ -193,6 +193,7 @@ TEST_F(StartupSessionTest, LosesEverythingWhenTheMachineIsGone) {
 
 TEST_F(StartupSessionTest, RefusesCodesThatCannotBeStreamed) {
   settings_.abort_code = "M104 S0*12";
+  stream_.firmware = "marlin";
   EXPECT_EQ(codeOf([&] { startSession(); }), ErrorCode::InvalidConfig);
 }
 

@@ -40,6 +40,18 @@ TEST(StarvationWatch, TakesALateAnswerForAFullPlanner) {
   EXPECT_NEAR(watch.starvation().longest_s, 31.001 - 30.79, 1e-9);
 }
 
+TEST(StarvationWatch, SeesAHostThatWasHeldUpLongerThanAnyPlannerLasts) {
+  StarvationWatch watch;
+  for (int i = 0; i < 50; ++i) run(watch, static_cast<std::uint64_t>(i + 1), 0.1, 0.1 * i, 0.09);
+  run(watch, 51, 0.1, 5.0, 10.0);  // 24 motions of 0.1 s last 3.6 s at most
+  EXPECT_EQ(watch.starvation().count, 1U);
+  EXPECT_NEAR(watch.starvation().longest_s, 15.0 - 4.99 - 3.6, 1e-9);
+  watch.sent(52, 0.1, 15.0);
+  watch.busy(24.0);
+  watch.acknowledged(52, std::nullopt, 25.0);
+  EXPECT_EQ(watch.starvation().count, 1U) << "the machine itself was busy";
+}
+
 TEST(StarvationWatch, ExpectsNoMotionWhereTheProgramWaitsOrIsPaused) {
   StarvationWatch watch;
   run(watch, 1, 0.1, 0.0, 0.001);

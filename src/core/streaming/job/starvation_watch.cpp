@@ -11,8 +11,11 @@ namespace {
 constexpr double kShortestTold = 0.05;  // s
 // An answer that takes longer than this waited for room in the planner.
 constexpr double kPrompt = 0.02;  // s
-// Fewer than any planner holds.
-constexpr std::size_t kPlannerMotions = 8;
+// Fewer than any planner holds, and more than planner, queue and window together.
+constexpr std::size_t kFewestMotions = 8;
+constexpr std::size_t kMostMotions = 24;
+// Acceleration makes motions longer, hardly ever more than so.
+constexpr double kSlowest = 1.5;
 
 }  // namespace
 
@@ -30,32 +33,41 @@ void StarvationWatch::acknowledged(std::uint64_t line, std::optional<int> free_b
 
 void StarvationWatch::take(const Line& line, std::optional<int> free_blocks, double now) {
   if (line.waits) standStill();
-  if (line.seconds <= 0.0) return;
-  recent_.push_back(line.seconds);
-  if (recent_.size() > kPlannerMotions) recent_.pop_front();
-  const bool has_waited = now - line.sent_at > kPrompt;
-  if (is_moving_ && isEmpty(free_blocks, now) && !(has_waited && !free_blocks)) {
-    const double pause_s = now - runs_dry_at_;
-    ++starvation_.count;
-    if (pause_s > starvation_.longest_s) {
-      starvation_.longest_s = pause_s;
-      starvation_.line = line.number;
+  if (line.seconds > 0.0) {
+    const double pause_s = is_moving_ ? pauseBefore(line, free_blocks, now) : 0.0;
+    if (pause_s > kShortestTold) {
+      ++starvation_.count;
+      if (pause_s > starvation_.longest_s) {
+        starvation_.longest_s = pause_s;
+        starvation_.line = line.number;
+      }
     }
+    recent_.push_back(line.seconds);
+    if (recent_.size() > kMostMotions) recent_.pop_front();
+    runs_dry_at_ = std::max(runs_dry_at_, now) + line.seconds;
+    const bool has_waited = now - line.sent_at > kPrompt;
+    if (has_waited) runs_dry_at_ = std::max(runs_dry_at_, now + contentOf(kFewestMotions));
+    is_moving_ = true;
   }
-  runs_dry_at_ = std::max(runs_dry_at_, now) + line.seconds;
-  if (has_waited) runs_dry_at_ = std::max(runs_dry_at_, now + shortestContent());
-  is_moving_ = true;
+  taken_at_ = now;
 }
 
-/// Whether the planner was empty for long when the line came.
-bool StarvationWatch::isEmpty(std::optional<int> free_blocks, double now) {
-  if (now - runs_dry_at_ < kShortestTold) return false;
+/// How long the planner had been empty when the line came [s].
+double StarvationWatch::pauseBefore(const Line& line, std::optional<int> free_blocks, double now) const {
   // The line itself may be in the planner already.
-  return !free_blocks || *free_blocks >= most_free_ - 1;
+  const bool was_empty = free_blocks && *free_blocks >= most_free_ - 1;
+  if (free_blocks && !was_empty) return 0.0;
+  const bool has_content = recent_.size() == kMostMotions;
+  const double held_up_s = has_content ? now - taken_at_ - kSlowest * contentOf(kMostMotions) : 0.0;
+  const bool has_waited = now - line.sent_at > kPrompt;
+  if (has_waited && !was_empty) return held_up_s;
+  return std::max(now - runs_dry_at_, held_up_s);
 }
 
-double StarvationWatch::shortestContent() const {
-  return std::accumulate(recent_.begin(), recent_.end(), 0.0);
+/// Of the motions taken last [s].
+double StarvationWatch::contentOf(std::size_t motions) const {
+  const std::size_t count = std::min(motions, recent_.size());
+  return std::accumulate(recent_.end() - static_cast<std::ptrdiff_t>(count), recent_.end(), 0.0);
 }
 
 }  // namespace lamina

@@ -13,7 +13,9 @@ namespace lamina {
 /// Finds the places where the machine stood still because it had no further motion. What the firmware reports
 /// of its planner decides where it does so; elsewhere it is reckoned from the answers: firmware whose answer
 /// is late waits for room, so that its planner is full, and what it has taken since lasts as long as the
-/// motions take at their feeds. Pauses below 50 ms are not told: acceleration makes motions longer than that.
+/// motions take at their feeds. A host that was held up reads an answer late itself: so an answer that comes
+/// later than all that a planner can hold lasts is starvation too. Pauses below 50 ms are not told:
+/// acceleration makes motions longer than that.
 class StarvationWatch {
  public:
   /// @param seconds  of its motions; 0 for a command without
@@ -26,6 +28,8 @@ class StarvationWatch {
   void acknowledged(std::uint64_t line, std::optional<int> free_blocks, double now);
   /// The lines from this one on were not taken, and will be sent again.
   void rewound(std::uint64_t line);
+  /// The machine says that it works on what it has.
+  void busy(double now) { taken_at_ = now; }
   /// The machine stands still for a reason, such as a pause.
   void standStill() { is_moving_ = false; }
 
@@ -40,13 +44,14 @@ class StarvationWatch {
   };
 
   void take(const Line& line, std::optional<int> free_blocks, double now);
-  bool isEmpty(std::optional<int> free_blocks, double now);
-  double shortestContent() const;
+  double pauseBefore(const Line& line, std::optional<int> free_blocks, double now) const;
+  double contentOf(std::size_t motions) const;
 
   Starvation starvation_;
   std::deque<Line> under_way_;
   std::deque<double> recent_;  ///< durations of the motions taken last [s]
   double runs_dry_at_ = 0.0;
+  double taken_at_ = 0.0;  ///< of the last line that was
   int most_free_ = 0;
   bool is_moving_ = false;
 };

@@ -379,6 +379,7 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
             now);
       break;
     case ReplyKind::Busy:
+      starvation_.busy(now);
       safe_stop_by_ = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
       break;
     case ReplyKind::LineError:
