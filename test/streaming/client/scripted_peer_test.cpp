@@ -1,45 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The streamer against firmware played by hand, line by line, at times that are set.
-#include <gtest/gtest.h>
-
-#include "lamina/streaming/client/streamer.hpp"
-#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "streaming/client/scripted_peer.hpp"
 
 namespace lamina {
 namespace {
 
-std::string tenLines() {
-  std::string text;
-  for (int i = 1; i <= 10; ++i) text += "G1 X" + std::to_string(i) + "\n";
-  return text;
-}
-
-constexpr char kMarlin[] =
-    "FIRMWARE_NAME:Marlin 2.1.2 (Nov 22 2026) SOURCE_CODE_URL:github.com/MarlinFirmware/Marlin "
-    "PROTOCOL_VERSION:1.0\nCap:AUTOREPORT_TEMP:1\nok\n";
-
-class ScriptedPeer : public testing::Test {
- protected:
-  static StreamSettings settings() {
-    StreamSettings settings;
-    settings.temperature_interval_s = 0;
-    return settings;
-  }
-
-  /// Begins a job and answers until its first lines are under way.
-  void begin(Streamer& streamer) {
-    streamer.start(0.0);
-    EXPECT_EQ(streamer.takeOutput(), "M115\n");
-    streamer.receive(kMarlin, 0.0);
-    EXPECT_EQ(streamer.takeOutput(), "N0 M110 N0*125\nN2 M105*37\n");
-    streamer.receive("ok\nError:Line Number is not Last Number+1, Last Line: 0\nResend: 1\nok\n", 0.0);
-    EXPECT_EQ(streamer.status().state, PackmlState::Execute);
-  }
-  static std::string line(std::uint64_t number) { return frameLine(number, "G1 X" + std::to_string(number)); }
-
-  StreamableProgram program_ = StreamableProgram::fromText("ten lines", tenLines());
-};
+using test::kMarlin;
+using test::ScriptedPeer;
 
 TEST_F(ScriptedPeer, NeverHasMoreUnderWayThanTheWindow) {
   Streamer streamer(program_, settings());
@@ -180,61 +148,6 @@ TEST_F(ScriptedPeer, GoesOnWithoutAnOkThatWasLost) {
   EXPECT_NEAR(streamer.nextDeadline(), 0.15, 1e-9);
   streamer.elapse(0.151);
   EXPECT_EQ(streamer.status().state, PackmlState::Execute);
-}
-
-TEST_F(ScriptedPeer, ChangesTheJobBetweenTwoLinesWithoutANumber) {
-  Streamer streamer(program_, settings());
-  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 50.0}, 0.0)) << "no job is under way";
-  begin(streamer);
-  streamer.takeOutput();
-  EXPECT_TRUE(streamer.change({LiveSetting::Feed, 50.0}, 0.1));
-  EXPECT_TRUE(streamer.change({LiveSetting::Babystep, -0.05}, 0.1));
-  streamer.receive("ok\nok\nok\n", 0.2);
-  EXPECT_EQ(streamer.takeOutput(), "") << "one line is still under way";
-  streamer.receive("ok\n", 0.3);
-  EXPECT_EQ(streamer.takeOutput(), "M220 S50\n");
-  streamer.receive("ok\n", 0.4);
-  EXPECT_EQ(streamer.takeOutput(), "M290 Z-0.05\n");
-  EXPECT_EQ(streamer.status().lines_acknowledged, 4U);
-  streamer.receive("ok\n", 0.5);
-  EXPECT_EQ(streamer.takeOutput(), line(5) + line(6) + line(7) + line(8));
-  EXPECT_EQ(streamer.status().lines_acknowledged, 4U) << "a change is no line of the program";
-}
-
-TEST_F(ScriptedPeer, AsksWhichLineTheMachineHasWhereAChangeIsNotAnswered) {
-  Streamer streamer(program_, settings());
-  begin(streamer);
-  streamer.takeOutput();
-  streamer.receive("ok\nok\nok\nok\n", 0.1);
-  streamer.takeOutput();
-  EXPECT_TRUE(streamer.change({LiveSetting::CancelPart, 2.0}, 0.2));
-  streamer.receive("ok\nok\nok\nok\n", 0.3);
-  EXPECT_EQ(streamer.takeOutput(), "M486 P2\n");
-  streamer.elapse(2.9);
-  EXPECT_EQ(streamer.takeOutput(), frameLine(10, "M105"));
-  EXPECT_EQ(streamer.status().message, "no answer to M486 P2, which may not have been done");
-  streamer.receive("Resend: 9\nok\n", 3.0);
-  EXPECT_EQ(streamer.takeOutput(), line(9) + line(10));
-}
-
-TEST_F(ScriptedPeer, PausesOnceInFrontOfALayer) {
-  const auto program =
-      StreamableProgram::fromText("layers", ";LAYER:0\nG1 X1\nG1 X2\n;LAYER:1\nG1 X3\nG1 X4\n");
-  StreamSettings one = settings();
-  one.window_lines = 1;
-  Streamer streamer(program, one);
-  begin(streamer);
-  EXPECT_EQ(streamer.takeOutput(), line(1));
-  EXPECT_TRUE(streamer.change({LiveSetting::PauseAtLayer, 1.0}, 0.1));
-  streamer.receive("ok\n", 0.2);
-  EXPECT_EQ(streamer.takeOutput(), line(2));
-  streamer.receive("ok\n", 0.3);
-  EXPECT_EQ(streamer.takeOutput(), "");
-  EXPECT_EQ(streamer.status().state, PackmlState::Held);
-  EXPECT_TRUE(streamer.resume(9.0));
-  EXPECT_EQ(streamer.takeOutput(), line(3));
-  streamer.receive("ok\n", 9.1);
-  EXPECT_EQ(streamer.takeOutput(), line(4));
 }
 
 TEST_F(ScriptedPeer, TurnsOffAllThatTheProgramHasTurnedOn) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -53,15 +54,17 @@ void StarvationWatch::take(const Line& line, std::optional<int> free_blocks, dou
 }
 
 /// How long the planner had been empty when the line came [s].
-double StarvationWatch::pauseBefore(const Line& line, std::optional<int> free_blocks, double now) const {
+double StarvationWatch::pauseBefore(const Line& line, std::optional<int> free_blocks, double now) {
   // The line itself may be in the planner already.
   const bool was_empty = free_blocks && *free_blocks >= most_free_ - 1;
-  if (free_blocks && !was_empty) return 0.0;
   const bool has_content = recent_.size() == kMostMotions;
   const double held_up_s = has_content ? now - taken_at_ - kSlowest * contentOf(kMostMotions) : 0.0;
+  // An answer that was read late tells of the time before: the next one shows whether the planner ran dry.
+  const double held_up_before_s = std::exchange(held_up_s_, held_up_s);
+  if (was_empty) return std::max({now - runs_dry_at_, held_up_s, held_up_before_s});
+  if (free_blocks) return 0.0;
   const bool has_waited = now - line.sent_at > kPrompt;
-  if (has_waited && !was_empty) return held_up_s;
-  return std::max(now - runs_dry_at_, held_up_s);
+  return has_waited ? held_up_s : std::max(now - runs_dry_at_, held_up_s);
 }
 
 /// Of the motions taken last [s].

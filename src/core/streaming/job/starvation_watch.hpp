@@ -44,14 +44,15 @@ class StarvationWatch {
   };
 
   void take(const Line& line, std::optional<int> free_blocks, double now);
-  double pauseBefore(const Line& line, std::optional<int> free_blocks, double now) const;
+  double pauseBefore(const Line& line, std::optional<int> free_blocks, double now);
   double contentOf(std::size_t motions) const;
 
   Starvation starvation_;
   std::deque<Line> under_way_;
   std::deque<double> recent_;  ///< durations of the motions taken last [s]
   double runs_dry_at_ = 0.0;
-  double taken_at_ = 0.0;  ///< of the last line that was
+  double held_up_s_ = 0.0;  ///< what the last line came later than all that a planner holds lasts
+  double taken_at_ = 0.0;   ///< of the last line that was
   int most_free_ = 0;
   bool is_moving_ = false;
 };

@@ -334,10 +334,8 @@ void MarlinJob::onReply(const FirmwareReply& reply, double now) {
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
   if (reply.position) record_.status.position = reply.position;
   if (phase_ == Phase::Enquiring) return hearEnquiry(reply, now);
-  if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures)) {
-    finishAborted("");
-    return;
-  }
+  if (phase_ == Phase::Draining && isStopping() && reply.temperatures && isSafe(*reply.temperatures))
+    return finishAborted("");
   const bool is_ok_of_resend = std::exchange(expects_ok_of_resend_, false) && reply.kind == ReplyKind::Ok;
   if (reply.kind != ReplyKind::Information && reply.kind != ReplyKind::Warning) {
     has_answered_ = true;
