@@ -121,7 +121,7 @@ void stream(const StreamableProgram& program, const std::string& port, int windo
   StreamSettings settings;
   settings.temperature_interval_s = 0;
   settings.window_lines = window_lines;
-  const StreamSession session(program, settings, {port, 115200}, {}, {}, journal);
+  const StreamSession session(program, settings, {port, 115200}, {}, {{}, journal});
   session.waitFor(600.0);
   if (session.status().state != PackmlState::Complete)
     state.SkipWithError(session.status().failure.message.c_str());

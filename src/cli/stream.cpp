@@ -45,7 +45,7 @@ StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings&
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
   };
-  StreamSession session(program, settings, arguments.port, report, {}, journal);
+  StreamSession session(program, settings, arguments.port, report, {{}, journal});
   LiveInput input;
   while (!session.waitFor(kPollInterval)) {
     if (arguments.is_live) input.follow(session);

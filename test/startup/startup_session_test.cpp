@@ -94,7 +94,7 @@ class StartupSessionTest : public testing::Test {
     const auto program = StreamableProgram::fromText("part", text);
     session_->beginJob({program.name(), 0, 0});
     StreamSession job(program, stream_, {port(), 115200}, {},
-                      [this](const FirmwareReply& reply) { session_->heard(reply); });
+                      {[this](const FirmwareReply& reply) { session_->heard(reply); }, {}});
     EXPECT_TRUE(job.waitFor(60.0));
     session_->endJob(program, job.status());
     return job.status();

@@ -382,7 +382,8 @@ void StartupSession::Impl::stream(Lock& lock, const std::string& code, const May
 }
 
 StreamStatus StartupSession::Impl::runSession(const StreamableProgram& program, const MayGoOn& mayGoOn) {
-  StreamSession session(program, stream_, port_, {}, [this](const FirmwareReply& reply) { heard(reply); });
+  StreamSession session(program, stream_, port_, {},
+                        {[this](const FirmwareReply& reply) { heard(reply); }, {}});
   while (!session.waitFor(kPoll)) {
     if (changed_) changed_(steps());
     if (!mayGoOn()) session.abort({ErrorCode::Cancelled, "the start-up was aborted"});

@@ -124,7 +124,7 @@ StreamJournal GcodeStreamer::journalFor(const lamina_msgs::StreamProgramGoal& go
 StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, const StreamJournal& journal) {
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
-      [this](const FirmwareReply& reply) { startup_.heard(reply); }, journal);
+      SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;

@@ -42,8 +42,7 @@ class ListeningServer {
     boost::asio::io_context context;
     tcp::socket knock(context);
     boost::system::error_code ignored;
-    knock.connect(acceptor_.local_endpoint(), ignored);
-    knock.close(ignored);
+    knock.connect(acceptor_.local_endpoint(ignored), ignored);
     thread_.join();
   }
   std::string address() const {

@@ -15,7 +15,7 @@ void run(StarvationWatch& watch, std::uint64_t line, double seconds, double now,
 
 TEST(StarvationWatch, SaysNothingOfAMachineThatIsFedInTime) {
   StarvationWatch watch;
-  for (int i = 0; i < 100; ++i) run(watch, static_cast<std::uint64_t>(i + 1), 0.2, 0.1 * i, 0.001);
+  for (int i = 0; i < 100; ++i) run(watch, static_cast<std::uint64_t>(i) + 1, 0.2, 0.1 * i, 0.001);
   EXPECT_EQ(watch.starvation().count, 0U);
 }
 
@@ -33,7 +33,7 @@ TEST(StarvationWatch, TellsWhereALineCameTooLateAndByHowMuch) {
 TEST(StarvationWatch, TakesALateAnswerForAFullPlanner) {
   StarvationWatch watch;
   // Each answer comes when a motion has ended that acceleration makes three times as long as its feed says.
-  for (int i = 0; i < 100; ++i) run(watch, static_cast<std::uint64_t>(i + 1), 0.1, 0.3 * i, 0.29);
+  for (int i = 0; i < 100; ++i) run(watch, static_cast<std::uint64_t>(i) + 1, 0.1, 0.3 * i, 0.29);
   EXPECT_EQ(watch.starvation().count, 0U);
   run(watch, 101, 0.1, 31.0, 0.001);  // eight motions of 0.1 s were in it at 29.99
   EXPECT_EQ(watch.starvation().count, 1U);
@@ -42,7 +42,7 @@ TEST(StarvationWatch, TakesALateAnswerForAFullPlanner) {
 
 TEST(StarvationWatch, SeesAHostThatWasHeldUpLongerThanAnyPlannerLasts) {
   StarvationWatch watch;
-  for (int i = 0; i < 50; ++i) run(watch, static_cast<std::uint64_t>(i + 1), 0.1, 0.1 * i, 0.09);
+  for (int i = 0; i < 50; ++i) run(watch, static_cast<std::uint64_t>(i) + 1, 0.1, 0.1 * i, 0.09);
   run(watch, 51, 0.1, 5.0, 10.0);  // 24 motions of 0.1 s last 3.6 s at most
   EXPECT_EQ(watch.starvation().count, 1U);
   EXPECT_NEAR(watch.starvation().longest_s, 15.0 - 4.99 - 3.6, 1e-9);

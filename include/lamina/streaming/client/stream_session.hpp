@@ -18,6 +18,14 @@ struct MachinePort {
   int baud = 115200;
 };
 
+/// What a session may do besides.
+struct SessionOptions {
+  ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
+                          ///< none
+  StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
+                          ///< (`resumeJournal`)
+};
+
 /// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
 /// prints by itself. All calls may come from any thread.
 class StreamSession {
@@ -27,14 +35,11 @@ class StreamSession {
   using Observer = std::function<void(const StreamStatus&)>;
 
   /// Opens the port and starts to stream.
-  /// @param heard  given every line of the machine, from the session's thread; may be empty. A print server
-  ///               says none.
-  /// @param journal  where the progress is kept (`beginJournal`), and the job to go on with (`resumeJournal`)
   /// @throws Disconnected naming the port if there is no machine
   /// @throws FileError if the program is gone, or the password's file
   /// @throws InvalidProgram of a print server, if it would misread the program
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                Observer observer, ReplyListener heard = {}, StreamJournal journal = {});
+                Observer observer, SessionOptions options = {});
   /// Aborts a job that is not over, and waits for the safe stop.
   ~StreamSession();
   StreamSession(const StreamSession&) = delete;

@@ -32,11 +32,12 @@ StreamSettings atPort(StreamSettings settings, const std::string& port) {
 class LinkSession final : public SessionKind {
  public:
   LinkSession(const StreamableProgram& program, const StreamSettings& settings, MachinePort port,
-              StreamSession::Observer observer, ReplyListener heard, StreamJournal journal)
+              StreamSession::Observer observer, SessionOptions options)
       : port_(std::move(port)),
         record_(port_.name, std::move(observer)),
-        journal_(std::move(journal), program, port_.name),
-        streamer_(journal_.placed({program, atPort(settings, port_.name), std::move(heard), {}, 0, {}})),
+        journal_(std::move(options.journal), program, port_.name),
+        streamer_(
+            journal_.placed({program, atPort(settings, port_.name), std::move(options.heard), {}, 0, {}})),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
     transport_->open(events());
@@ -164,16 +165,14 @@ class LinkSession final : public SessionKind {
 }  // namespace
 
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
-                             const MachinePort& port, Observer observer, ReplyListener heard,
-                             StreamJournal journal) {
+                             const MachinePort& port, Observer observer, SessionOptions options) {
   if (isWebAddress(port.name)) {
-    if (journal.unfinished)
+    if (options.journal.unfinished)
       throw InvalidConfig(port.name +
                           " prints by itself what it was sent: there is no job to go on with here");
     kind_ = beginUpload(program, settings, port, std::move(observer));
   } else {
-    kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(heard),
-                                          std::move(journal));
+    kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(options));
   }
 }
 StreamSession::~StreamSession() = default;

@@ -7,7 +7,7 @@ namespace lamina {
 
 std::string sha256Of(const ByteSource& source) {
   static const auto* const module = static_cast<const Sha256Module*>(moduleTable("sha256"));
-  return module->digestOf(source);
+  return module->digest_of(source);
 }
 
 }  // namespace lamina

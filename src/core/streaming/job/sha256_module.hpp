@@ -13,7 +13,7 @@ using ByteSource = std::function<std::size_t(char* buffer, std::size_t size)>;
 
 /// What the module `sha256` offers: OpenSSL's digest, which only kept or uploaded programs need.
 struct Sha256Module {
-  std::string (*digestOf)(const ByteSource& source) = nullptr;
+  std::string (*digest_of)(const ByteSource& source) = nullptr;
 };
 
 /// 64 hexadecimal digits of all bytes.

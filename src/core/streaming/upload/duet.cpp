@@ -69,7 +69,7 @@ std::optional<HttpRequest> Duet::request(UploadStep step) {
     case UploadStep::Resume:
       return code("M24");
     case UploadStep::Cancel:
-      return code(cancelCommand(report_.state));
+      return code(cancelCommand(last_report.state));
     case UploadStep::HeatersOff:
       return code(heatersOffCommands(tools_));
     case UploadStep::Remove:
@@ -153,7 +153,7 @@ ServerAnswer Duet::readConnect(const HttpResponse& response) {
   }
   const auto key = valueAt<std::uint64_t>(*tree, "/sessionKey", 0);
   session_key_ = key == 0 ? "" : std::to_string(key);
-  name_ = "RepRapFirmware (" + valueAt<std::string>(*tree, "/boardType", "Duet") + ")";
+  server_name = "RepRapFirmware (" + valueAt<std::string>(*tree, "/boardType", "Duet") + ")";
   part_ = Part::Tools;
   return answered(AnswerKind::More);
 }
@@ -181,9 +181,9 @@ ServerAnswer Duet::readModel(const HttpResponse& response) {
     key_ = key + 1;
     return answered(AnswerKind::More);
   }
-  report_ = reportOf(model_);
+  last_report = reportOf(model_);
   // A print of less than a second has no duration: what the board has said of it is asked.
-  if (report_.state == PrintState::Stopped && isOurs() && !has_finished_) {
+  if (last_report.state == PrintState::Stopped && isOurs() && !has_finished_) {
     part_ = Part::Reply;
     return answered(AnswerKind::More);
   }
@@ -200,7 +200,8 @@ ServerAnswer Duet::readReply(const HttpResponse& response) {
 }
 
 void Duet::conclude() {
-  if (has_finished_ && report_.state == PrintState::Stopped && isOurs()) report_.state = PrintState::Complete;
+  if (has_finished_ && last_report.state == PrintState::Stopped && isOurs())
+    last_report.state = PrintState::Complete;
 }
 
 ServerAnswer Duet::readResult(UploadStep step, const HttpResponse& response) const {

@@ -56,7 +56,7 @@ std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
     case UploadStep::Resume:
       return code("M24");
     case UploadStep::Cancel:
-      return code(cancelCommand(report_.state));
+      return code(cancelCommand(last_report.state));
     case UploadStep::HeatersOff:
       return code(heatersOffCommands(tools_));
     case UploadStep::Remove:
@@ -119,7 +119,7 @@ ServerAnswer DuetWithComputer::readConnect(const HttpResponse& response) {
   const auto tree = jsonOf(response);
   session_key_ = tree ? valueAt<std::string>(*tree, "/sessionKey", "") : "";
   if (session_key_.empty()) return answered(AnswerKind::NotMine);
-  name_ = "RepRapFirmware (DuetSoftwareFramework)";
+  server_name = "RepRapFirmware (DuetSoftwareFramework)";
   return answered(AnswerKind::Done);
 }
 
@@ -129,7 +129,7 @@ ServerAnswer DuetWithComputer::readModel(const HttpResponse& response) {
   if (!tree || !tree->contains("state") || !tree->contains("job"))
     return {AnswerKind::Later,
             {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
-  report_ = reportOf(*tree);
+  last_report = reportOf(*tree);
   if (tree->contains("tools") && tree->at("tools").is_array()) tools_ = tree->at("tools");
   return answered(AnswerKind::Done);
 }

@@ -116,7 +116,7 @@ HttpRequest Moonraker::upload() const {
 /// CANCEL_PRINT ends only what PAUSE has paused. A print that was paused otherwise, as by an error in the
 /// middle of a command, is ended by closing its file.
 HttpRequest Moonraker::cancel() {
-  const bool is_stuck = has_asked_to_cancel_ && report_.state == PrintState::Paused;
+  const bool is_stuck = has_asked_to_cancel_ && last_report.state == PrintState::Paused;
   HttpRequest request =
       post(is_stuck ? "/printer/gcode/script?script=SDCARD_RESET_FILE" : "/printer/print/cancel");
   if (gives_key_) request.headers.emplace_back("X-Api-Key", order().credential);
@@ -164,7 +164,7 @@ ServerAnswer Moonraker::readConnect(const HttpResponse& response) {
             {ErrorCode::InvalidProgram, order().body.program().name() + " line " + std::to_string(line) +
                                             " is not UTF-8, at which Klipper stops reading a file"}};
   }
-  name_ = "Klipper (Moonraker " + valueAt<std::string>(*tree, "/result/moonraker_version", "?") + ")";
+  server_name = "Klipper (Moonraker " + valueAt<std::string>(*tree, "/result/moonraker_version", "?") + ")";
   return answered(AnswerKind::Done);
 }
 
@@ -176,36 +176,36 @@ ServerAnswer Moonraker::readReport(const HttpResponse& response) {
     return {AnswerKind::Later,
             {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
   const nlohmann::json& status = tree->at(place);
-  report_ = {};
+  last_report = {};
   const std::string host = valueAt<std::string>(status, "/webhooks/state", "startup");
-  report_.is_ready = host == "ready";
-  report_.is_halted = host == "shutdown" || host == "error";
-  report_.condition =
+  last_report.is_ready = host == "ready";
+  last_report.is_halted = host == "shutdown" || host == "error";
+  last_report.condition =
       valueAt<std::string>(status, "/webhooks/state_message", "Klipper is in the state " + host);
-  report_.condition = report_.condition.substr(0, report_.condition.find('\n'));
+  last_report.condition = last_report.condition.substr(0, last_report.condition.find('\n'));
   const std::string print = valueAt<std::string>(status, "/print_stats/state", "standby");
-  report_.file = valueAt<std::string>(status, "/print_stats/filename", "");
-  if (print == "printing") report_.state = PrintState::Printing;
-  if (print == "paused") report_.state = PrintState::Paused;
-  if (print == "complete") report_.state = PrintState::Complete;
-  if (print == "cancelled") report_.state = PrintState::Stopped;
+  last_report.file = valueAt<std::string>(status, "/print_stats/filename", "");
+  if (print == "printing") last_report.state = PrintState::Printing;
+  if (print == "paused") last_report.state = PrintState::Paused;
+  if (print == "complete") last_report.state = PrintState::Complete;
+  if (print == "cancelled") last_report.state = PrintState::Stopped;
   if (print == "error") {
-    report_.state = PrintState::Failed;
-    report_.condition = valueAt<std::string>(status, "/print_stats/message", "");
+    last_report.state = PrintState::Failed;
+    last_report.condition = valueAt<std::string>(status, "/print_stats/message", "");
   }
   readMachine(status);
   return answered(AnswerKind::Done);
 }
 
 void Moonraker::readMachine(const nlohmann::json& status) {
-  report_.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
-  report_.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
+  last_report.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
+  last_report.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
   const auto position = nlohmann::json::json_pointer("/gcode_move/gcode_position");
   if (status.contains(position) && status.at(position).is_array() && status.at(position).size() >= 4)
-    report_.position = ReportedPosition{valueAt(status, "/gcode_move/gcode_position/0", 0.0),
-                                        valueAt(status, "/gcode_move/gcode_position/1", 0.0),
-                                        valueAt(status, "/gcode_move/gcode_position/2", 0.0),
-                                        valueAt(status, "/gcode_move/gcode_position/3", 0.0)};
+    last_report.position = ReportedPosition{valueAt(status, "/gcode_move/gcode_position/0", 0.0),
+                                            valueAt(status, "/gcode_move/gcode_position/1", 0.0),
+                                            valueAt(status, "/gcode_move/gcode_position/2", 0.0),
+                                            valueAt(status, "/gcode_move/gcode_position/3", 0.0)};
   ReportedTemperatures now;
   now.nozzle_c = valueAt(status, "/extruder/temperature", 0.0);
   now.nozzle_target_c = valueAt(status, "/extruder/target", 0.0);
@@ -213,13 +213,13 @@ void Moonraker::readMachine(const nlohmann::json& status) {
     now.bed_c = valueAt(status, "/heater_bed/temperature", 0.0);
     now.bed_target_c = valueAt(status, "/heater_bed/target", 0.0);
   }
-  if (status.contains("extruder")) report_.temperatures = now;
+  if (status.contains("extruder")) last_report.temperatures = now;
   const auto listed = nlohmann::json::json_pointer("/heaters/available_heaters");
   heaters_.clear();
   if (status.contains(listed) && status.at(listed).is_array())
     for (const auto& heater : status.at(listed))
       if (heater.is_string()) heaters_.push_back(heater.get<std::string>());
-  report_.has_targets = std::any_of(heaters_.begin(), heaters_.end(), [&](const std::string& heater) {
+  last_report.has_targets = std::any_of(heaters_.begin(), heaters_.end(), [&](const std::string& heater) {
     return !status.contains(heater) || valueAt(status.at(heater), "/target", 1.0) > 0.0;
   });
 }
@@ -235,7 +235,7 @@ ServerAnswer Moonraker::readVerify(const HttpResponse& response) {
   const auto tree = jsonOf(response);
   if (!tree)
     return {AnswerKind::Later, {ErrorCode::DeviceError, "the answer of what was stored cannot be read"}};
-  const ServerAnswer size = comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/result/size", 0));
+  ServerAnswer size = comparedSize(order().body, valueAt<std::uint64_t>(*tree, "/result/size", 0));
   if (size.kind != AnswerKind::Done) return size;
   knows_size_ = true;
   return answered(AnswerKind::More);

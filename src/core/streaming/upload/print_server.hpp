@@ -71,16 +71,16 @@ class PrintServer {
   /// What the response to the last request means.
   virtual ServerAnswer read(UploadStep step, const HttpResponse& response) = 0;
 
-  const std::string& name() const { return name_; }  ///< as it gives it, once connected
-  const MachineReport& report() const { return report_; }
+  const std::string& name() const { return server_name; }  ///< as it gives it, once connected
+  const MachineReport& report() const { return last_report; }
   /// The last report is of the print that was ordered.
-  bool isOurs() const { return report_.file == order_->file; }
+  bool isOurs() const { return last_report.file == order_->file; }
 
  protected:
   const UploadOrder& order() const { return *order_; }
 
-  std::string name_;
-  MachineReport report_;
+  std::string server_name;
+  MachineReport last_report;
 
  private:
   std::shared_ptr<const UploadOrder> order_;
@@ -93,6 +93,6 @@ std::unique_ptr<PrintServer> makeDuetWithComputer(std::shared_ptr<const UploadOr
 /// The kinds of servers that `stream.firmware` admits, in the order in which they are tried.
 /// @throws InvalidConfig if none speaks for that firmware
 std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
-                                                       std::shared_ptr<const UploadOrder> order);
+                                                       const std::shared_ptr<const UploadOrder>& order);
 
 }  // namespace lamina

@@ -7,7 +7,7 @@
 namespace lamina {
 
 std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
-                                                       std::shared_ptr<const UploadOrder> order) {
+                                                       const std::shared_ptr<const UploadOrder>& order) {
   std::vector<std::unique_ptr<PrintServer>> servers;
   for (const auto make : {makeMoonraker, makeDuetWithComputer, makeDuet}) {
     auto server = make(order);

@@ -41,7 +41,7 @@ std::optional<nlohmann::json> jsonOf(const HttpResponse& response) {
 
 std::string errorTextOf(const HttpResponse& response) {
   constexpr std::size_t kLongest = 200;
-  const std::string status = "HTTP status " + std::to_string(response.status);
+  std::string status = "HTTP status " + std::to_string(response.status);
   if (const auto tree = jsonOf(response)) {
     const std::string message = valueAt<std::string>(*tree, "/error/message", "");
     if (!message.empty()) return message.substr(0, kLongest) + " (" + status + ")";

@@ -49,9 +49,7 @@ bool isInOrder(const std::vector<std::string>& executed, const std::vector<std::
   return true;
 }
 
-void runOne(const StreamableProgram& program, const std::vector<std::string>& commands, LinkKind link,
-            const EmulatedGrblSettings& machine, const std::vector<GrblFault>& faults, Tally& tally) {
-  GrblLink wire(program, grblWire(link), machine, faults);
+void tell(GrblLink& wire, const std::vector<std::string>& commands, Tally& tally) {
   wire.run(1e5);
   ++tally.jobs;
   tally.lines += wire.executed.size();
@@ -77,7 +75,8 @@ Tally runMany(GrblFaultKind kind, LinkKind link, std::uint64_t lines) {
   for (std::uint64_t seed = 1; tally.lines < lines; ++seed) {
     EmulatedGrblSettings machine;
     machine.seed = seed;
-    runOne(program, commands, link, machine, {{kind, kRate, {}}}, tally);
+    GrblLink wire(program, grblWire(link), machine, {{kind, kRate, {}}});
+    tell(wire, commands, tally);
     if (tally.jobs > lines) break;  // of a job that is refused no line is run
   }
   std::printf(

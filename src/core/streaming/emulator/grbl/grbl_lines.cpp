@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 
 #include "streaming/emulator/grbl/grbl_board.hpp"
@@ -164,7 +165,7 @@ int EmulatedGrbl::Board::parse(const std::string& line, Wish& wish) {
       if (std::exchange(wish.has_axis[axis], true)) return kRepeated;
       wish.axes[static_cast<int>(axis)] = value;
     } else if (letter == 'G') {
-      code = parseG(static_cast<int>(10.0 * value + 0.5), wish);
+      code = parseG(static_cast<int>(std::lround(10.0 * value)), wish);
     } else if (letter == 'M') {
       code = parseM(static_cast<int>(value), wish);
     } else if (letter == 'F') {

@@ -119,7 +119,7 @@ EmulatedPacedFirmware::Answer EmulatedRepRap::obey(const std::string& command) {
   if (name == "M4242") return {"Warning: " + name + ": Command is not supported\n"};
   const char letter = command[0];
   if (letter != 'G' && letter != 'M' && letter != 'T') return {"Error: Bad command: " + command + "\n"};
-  const Answer answer = run(command);
+  Answer answer = run(command);
   const bool was_run = answer.lines.empty() && !answer.is_silent;
   if (was_run) follow(command);
   return answer;

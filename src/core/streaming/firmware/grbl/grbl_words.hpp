@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -15,7 +16,7 @@ struct GrblWord {
   double value = 0.0;
 
   /// Ten times the number of a command: 382 for G38.2.
-  int tenfold() const { return static_cast<int>(10.0 * value + 0.5); }
+  int tenfold() const { return static_cast<int>(std::lround(10.0 * value)); }
 };
 
 /// The words of a line of G-code, read as grbl reads them: blanks do not count, letters may be small.

@@ -77,10 +77,10 @@ PacedReply readKlipperReply(std::string_view line) {
     const char* const end = text.data() + text.size();
     const auto number = std::from_chars(begin, end, answer.question);
     if (number.ec == std::errc() && number.ptr == end) read.sync_answer = answer;
-  } else if (reply.kind == ReplyKind::Ok && !startsAs(line, "ok")) {
-    reply.kind = ReplyKind::Information;  // a message of its user's, which has a prefix
-  } else if (reply.kind == ReplyKind::Start || reply.kind == ReplyKind::Fatal) {
-    reply.kind = ReplyKind::Information;  // Klipper greets and halts in words of its own
+  } else if ((reply.kind == ReplyKind::Ok && !startsAs(line, "ok")) || reply.kind == ReplyKind::Start ||
+             reply.kind == ReplyKind::Fatal) {
+    // A message of its user's, which has a prefix; and Klipper greets and halts in words of its own.
+    reply.kind = ReplyKind::Information;
   }
   if (looksLikeHeaters(text)) readHeaters(text, read);
   return read;

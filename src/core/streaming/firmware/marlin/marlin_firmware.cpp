@@ -41,7 +41,7 @@ std::string defectOfLength(std::string_view command, int max_line_bytes) {
 }  // namespace
 
 std::string MarlinFirmware::defectOf(std::string_view command, const StreamSettings& settings) const {
-  const std::string too_long = defectOfLength(command, settings.max_line_bytes);
+  std::string too_long = defectOfLength(command, settings.max_line_bytes);
   if (!too_long.empty()) return too_long;
   const bool is_message = isCommand(command, "M117") || isCommand(command, "M118");
   if (!std::all_of(command.begin(), command.end(), [&](char c) { return isTaken(c, is_message); }))
