@@ -98,6 +98,7 @@ std::vector<OpenSocket> openSockets() {
 
 std::vector<std::uint16_t> portsOf(const std::vector<OpenSocket>& sockets) {
   std::vector<std::uint16_t> ports;
+  ports.reserve(sockets.size());
   for (const OpenSocket& socket : sockets) ports.push_back(socket.port);
   return ports;
 }

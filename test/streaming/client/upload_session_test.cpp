@@ -39,10 +39,7 @@ class ListeningServer {
   }
   ~ListeningServer() {
     is_over_ = true;
-    boost::asio::io_context context;
-    tcp::socket knock(context);
-    boost::system::error_code ignored;
-    knock.connect(acceptor_.local_endpoint(ignored), ignored);
+    knock();
     thread_.join();
   }
   std::string address() const {
@@ -55,6 +52,13 @@ class ListeningServer {
   }
 
  private:
+  /// Wakes the server up.
+  void knock() {
+    boost::asio::io_context context;
+    tcp::socket socket(context);
+    boost::system::error_code ignored;
+    socket.connect(acceptor_.local_endpoint(ignored), ignored);
+  }
   void serve() {
     tcp::socket socket(context_);
     acceptor_.accept(socket);

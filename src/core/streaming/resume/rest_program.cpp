@@ -211,7 +211,7 @@ RestProgramNotes writeRest(const StreamableProgram& program, std::uint64_t from_
   requireClear(state, nozzle_height_mm + state.shift.z(), safe_mm, settings);
   const std::string begin = preparation(state, nozzle_height_mm + state.shift.z()) +
                             purgeAndApproach(state, safe_mm, settings) + modes(state);
-  const RestProgramNotes notes = notesOf(state, nozzle_height_mm);
+  RestProgramNotes notes = notesOf(state, nozzle_height_mm);
   sink("; The rest of " + program.name() + ", from line " + std::to_string(from_line) + " of " +
        std::to_string(program.lines()) + ".\n; Run it only if:\n");
   for (const std::string& note : notes.to_check) sink("; - " + note + "\n");

@@ -102,7 +102,7 @@ void HttpExchange::compose(const HttpAddress& address) {
 void HttpExchange::begin(const boost::asio::ip::tcp::resolver::results_type& endpoints,
                          const HttpAddress& address) {
   constexpr std::uint32_t kLongestHeader = 32 * 1024;
-  constexpr std::uint64_t kLongestBody = 4 * 1024 * 1024;
+  constexpr std::uint64_t kLongestBody = std::uint64_t{4} << 20U;
   compose(address);
   parser_.header_limit(kLongestHeader);
   parser_.body_limit(request_.digests_answer ? program_.bytes() + kLongestBody : kLongestBody);
