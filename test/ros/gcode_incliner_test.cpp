@@ -6,6 +6,7 @@
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -192,12 +193,15 @@ TEST_F(GcodeIncliner, ReportsProgressServesOneAtATimeAndLeavesNoOutputWhenCancel
   goal.program = large;
   goal.output = file("never.gcode");
   std::vector<std::string> stages;
+  std::atomic<bool> has_begun{false};
   client.sendGoal(goal, {}, {}, [&](const lamina_msgs::InclineFeedbackConstPtr& feedback) {
     stages.push_back(feedback->stage);
+    has_begun = true;
   });
   ASSERT_TRUE(
       lamina::test::waitUntil([&] { return client.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
   EXPECT_EQ(call(large).status.code, Status::REJECTED + 0) << "one program at a time";
+  ASSERT_TRUE(lamina::test::waitUntil([&] { return has_begun.load(); }));
   client.cancelGoal();
   ASSERT_TRUE(client.waitForResult(ros::Duration(kPatience)));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::PREEMPTED);

@@ -3,6 +3,7 @@
 #include "streaming/emulator/print_server/emulated_duet.hpp"
 
 #include <boost/crc.hpp>
+#include <cmath>
 #include <sstream>
 
 #include "streaming/emulator/print_server/emulated_print_server.hpp"
@@ -192,7 +193,7 @@ json objectModelOf(const EmulatedPrinter& printer, bool knows_how_prints_end) {
   } else if (!printer.file().empty()) {
     const bool is_complete = printer.outcome() == Outcome::Complete;
     job["lastFileName"] = "0:/gcodes/" + printer.file();
-    job["lastDuration"] = is_complete ? static_cast<int>(printer.printTime() + 0.5) : 0;
+    job["lastDuration"] = is_complete ? static_cast<int>(std::lround(printer.printTime())) : 0;
   }
   if (knows_how_prints_end) {
     job["lastFileCancelled"] = printer.outcome() == Outcome::Stopped;
