@@ -11,6 +11,9 @@
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -39,8 +42,13 @@ class ListeningServer {
   }
   ~ListeningServer() {
     is_over_ = true;
-    knock();
-    thread_.join();
+    try {
+      knock();
+      thread_.join();
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "the server does not end: %s\n", error.what());
+      std::abort();
+    }
   }
   std::string address() const {
     return "http://127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port());
