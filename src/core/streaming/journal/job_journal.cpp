@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/journal/job_journal.hpp"
 
+#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
@@ -31,10 +33,12 @@ std::string stateFolder() {
   if (!state.empty()) return state + "/lamina";
   const std::string home = folderFrom("HOME");
   if (!home.empty()) return home + "/.local/state/lamina";
+  const passwd* const user = ::getpwuid(::getuid());
+  if (user != nullptr && user->pw_dir != nullptr) return std::string(user->pw_dir) + "/.local/state/lamina";
   throw InvalidConfig(
-      "stream.journal is auto, but neither XDG_STATE_HOME nor HOME is set; expected one of them, the path of "
-      "a "
-      "file, or nothing for no journal");
+      "stream.journal is auto, but neither XDG_STATE_HOME nor HOME is set, and the user has no folder; "
+      "expected "
+      "one of them, the path of a file, or nothing for no journal");
 }
 
 /// A file name that no other port has: "/dev/ttyUSB0" becomes "dev+ttyUSB0".
