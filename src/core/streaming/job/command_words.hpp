@@ -2,12 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
 #include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace lamina {
+
+/// Whether a command has that letter and number, whatever follows: isCommand("M104 S200", "M104").
+inline bool isCommand(std::string_view command, std::string_view code) {
+  return command.substr(0, code.size()) == code &&
+         (command.size() == code.size() ||
+          std::isdigit(static_cast<unsigned char>(command[code.size()])) == 0);
+}
+
+template <std::size_t count>
+bool isAnyCommand(std::string_view command, const std::array<std::string_view, count>& codes) {
+  return std::any_of(codes.begin(), codes.end(),
+                     [command](std::string_view code) { return isCommand(command, code); });
+}
 
 /// The number after a letter that stands after a space: wordValue("M104 S200", 'S').
 inline std::optional<double> wordValue(std::string_view command, char letter) {

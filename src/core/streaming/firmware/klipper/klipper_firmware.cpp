@@ -7,7 +7,8 @@
 #include <cctype>
 
 #include "streaming/firmware/klipper/klipper_protocol.hpp"
-#include "streaming/job/decimal.hpp"
+#include "streaming/firmware/ok_paced/quick_commands.hpp"
+#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 namespace {
@@ -71,30 +72,13 @@ std::string KlipperFirmware::question(std::uint64_t number, LinkKind) const {
 
 /// Parts are cancelled by name there, not by index.
 std::optional<std::string> KlipperFirmware::changed(const LiveChange& change) const {
-  switch (change.setting) {
-    case LiveSetting::Feed:
-      return "M220 S" + decimal(change.value);
-    case LiveSetting::Flow:
-      return "M221 S" + decimal(change.value);
-    case LiveSetting::Babystep:
-      return "SET_GCODE_OFFSET Z_ADJUST=" + decimal(change.value) + " MOVE=1";
-    case LiveSetting::CancelPart:
-    case LiveSetting::PauseAtLayer:
-      break;
-  }
-  return std::nullopt;
+  if (change.setting == LiveSetting::Babystep)
+    return "SET_GCODE_OFFSET Z_ADJUST=" + decimal(change.value) + " MOVE=1";
+  return overrideCommand(change);
 }
 
 bool KlipperFirmware::isBlocking(std::string_view command) const {
-  constexpr std::array<std::string_view, 16> kShort = {"G0",   "G1",   "G2",   "G3",  "G90", "G91",
-                                                       "G92",  "G20",  "G21",  "M82", "M83", "M104",
-                                                       "M106", "M107", "M140", "M117"};
-  if (isExtendedCommand(command)) return true;
-  return std::none_of(kShort.begin(), kShort.end(), [command](std::string_view code) {
-    return command.substr(0, code.size()) == code &&
-           (command.size() == code.size() ||
-            std::isdigit(static_cast<unsigned char>(command[code.size()])) == 0);
-  });
+  return isExtendedCommand(command) || !isQuickCommand(command);
 }
 
 std::vector<std::string> KlipperFirmware::switchOff(const std::string&) const { return {"TURN_OFF_HEATERS"}; }

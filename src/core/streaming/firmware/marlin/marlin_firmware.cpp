@@ -9,18 +9,13 @@
 
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "streaming/firmware/marlin/marlin_job.hpp"
-#include "streaming/job/decimal.hpp"
+#include "streaming/job/change_commands.hpp"
+#include "streaming/job/command_words.hpp"
 
 namespace lamina {
 namespace {
 
 bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-
-bool isCommand(std::string_view line, std::string_view command) {
-  return line.substr(0, command.size()) == command &&
-         (line.size() == command.size() ||
-          std::isdigit(static_cast<unsigned char>(line[command.size()])) == 0);
-}
 
 /// Whether a byte comes through: printable ASCII, and beyond it in a message.
 bool isTaken(char c, bool is_message) {
@@ -104,27 +99,13 @@ bool MarlinFirmware::isBlocking(std::string_view command) const {
   constexpr std::array<std::string_view, 16> kCommands = {"G28",  "G29",  "G30",  "G34",  "G4",   "M0",
                                                           "M1",   "M48",  "M109", "M190", "M191", "M226",
                                                           "M303", "M400", "M600", "M701"};
-  return std::any_of(kCommands.begin(), kCommands.end(), [&](std::string_view name) {
-    return command.compare(0, name.size(), name) == 0 &&
-           (command.size() == name.size() ||
-            std::isdigit(static_cast<unsigned char>(command[name.size()])) == 0);
-  });
+  return isAnyCommand(command, kCommands);
 }
 
 std::optional<std::string> MarlinFirmware::changed(const LiveChange& change) const {
-  switch (change.setting) {
-    case LiveSetting::Feed:
-      return "M220 S" + decimal(change.value);
-    case LiveSetting::Flow:
-      return "M221 S" + decimal(change.value);
-    case LiveSetting::Babystep:
-      return "M290 Z" + decimal(change.value);
-    case LiveSetting::CancelPart:
-      return "M486 P" + decimal(change.value);
-    case LiveSetting::PauseAtLayer:
-      break;
-  }
-  return std::nullopt;
+  if (change.setting == LiveSetting::Babystep) return "M290 Z" + decimal(change.value);
+  const auto command = overrideCommand(change);
+  return command ? command : cancelCommand(change);
 }
 
 std::vector<std::string> MarlinFirmware::interruption() const { return {"M108"}; }

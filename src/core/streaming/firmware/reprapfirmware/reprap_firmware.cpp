@@ -7,8 +7,9 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "streaming/firmware/ok_paced/quick_commands.hpp"
 #include "streaming/firmware/reprapfirmware/reprap_protocol.hpp"
-#include "streaming/job/decimal.hpp"
+#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 namespace {
@@ -96,32 +97,12 @@ std::string RepRapFirmware::question(std::uint64_t number, LinkKind link) const 
 }
 
 std::optional<std::string> RepRapFirmware::changed(const LiveChange& change) const {
-  switch (change.setting) {
-    case LiveSetting::Feed:
-      return "M220 S" + decimal(change.value);
-    case LiveSetting::Flow:
-      return "M221 S" + decimal(change.value);
-    case LiveSetting::Babystep:
-      return "M290 R1 S" + decimal(change.value);
-    case LiveSetting::CancelPart:
-      return "M486 P" + decimal(change.value);
-    case LiveSetting::PauseAtLayer:
-      break;
-  }
-  return std::nullopt;
+  if (change.setting == LiveSetting::Babystep) return "M290 R1 S" + decimal(change.value);
+  const auto command = overrideCommand(change);
+  return command ? command : cancelCommand(change);
 }
 
-/// Whatever may run a macro, wait, or home.
-bool RepRapFirmware::isBlocking(std::string_view command) const {
-  constexpr std::array<std::string_view, 16> kQuick = {"G0",   "G1",   "G2",   "G3",  "G90", "G91",
-                                                       "G92",  "G20",  "G21",  "M82", "M83", "M104",
-                                                       "M106", "M107", "M140", "M117"};
-  return std::none_of(kQuick.begin(), kQuick.end(), [command](std::string_view code) {
-    return command.substr(0, code.size()) == code &&
-           (command.size() == code.size() ||
-            std::isdigit(static_cast<unsigned char>(command[code.size()])) == 0);
-  });
-}
+bool RepRapFirmware::isBlocking(std::string_view command) const { return !isQuickCommand(command); }
 
 /// All tools that the last report names: M104 reaches the one in use only.
 std::vector<std::string> RepRapFirmware::switchOff(const std::string& temperatures) const {

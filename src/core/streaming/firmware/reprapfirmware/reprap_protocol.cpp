@@ -10,6 +10,7 @@
 
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "streaming/job/command_words.hpp"
 
 namespace lamina {
 namespace {
@@ -91,10 +92,7 @@ OuterText outerTextOf(std::string_view command) {
 
 /// Commands that make the firmware answer in another way, or not at all.
 std::string changeOfTalk(std::string_view command) {
-  const auto is = [command](std::string_view code) {
-    return beginsWith(command, code) && (command.size() == code.size() ||
-                                         std::isdigit(static_cast<unsigned char>(command[code.size()])) == 0);
-  };
+  const auto is = [command](std::string_view code) { return isCommand(command, code); };
   if (is("M555")) return "changes how RepRapFirmware answers";
   if (is("M575")) return "changes the settings of the link";
   if (is("M28") || is("M559") || is("M560"))
