@@ -7,57 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "lamina/base/random.hpp"
-#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/emulator/emulated_firmware.hpp"
+#include "streaming/emulator/simulated_wire.hpp"
 
 namespace lamina::test {
 
-/// A streamer and an emulated firmware joined by a wire, in simulated time: nothing sleeps, and the same seed
-/// gives the same run. The wire delivers pieces of random length, so that lines arrive cut anywhere.
-class SimulatedLink {
+/// A streamer and an emulated Marlin joined by a wire.
+class SimulatedLink : public SimulatedWire<EmulatedFirmware> {
  public:
   SimulatedLink(const StreamableProgram& program, const StreamSettings& stream,
                 const EmulatedSettings& machine, std::vector<Fault> faults, std::uint64_t seed = 1)
-      : streamer(program, stream), firmware(machine, std::move(faults), observer()), random_(seed) {}
-
-  void start() {
-    streamer.start(now);
-    collect();
-  }
-
-  /// Runs until the job is over or the simulated time is up.
-  void runUntil(double end_s) {
-    while (now < end_s && !isFinal(streamer.status().state)) step();
-  }
-  void run(double most_s = 1e6) {
-    start();
-    runUntil(most_s);
-  }
-
-  /// Delivers what is on the wire, or lets time pass to the next deadline.
-  void step() {
-    if (to_machine_.empty() && to_host_.empty()) {
-      now = std::min(std::max(now, std::min(streamer.nextDeadline(), firmware.nextDeadline())), now + 3600.0);
-      streamer.elapse(now);
-      firmware.elapse(now);
-    } else {
-      now += kPieceTime;
-      if (!to_machine_.empty()) firmware.receive(takePiece(to_machine_), now);
-      if (!to_host_.empty()) streamer.receive(takePiece(to_host_), now);
-    }
-    collect();
-  }
-
-  void collect() {
-    to_machine_ += streamer.takeOutput();
-    to_host_ += firmware.takeOutput();
-    for (const PackmlState state : streamer.takeStateChanges()) states.push_back(state);
-    if (!firmware.takeDisconnect()) return;
-    to_machine_.clear();
-    to_host_.clear();
-    streamer.disconnect("the cable was pulled", now);
-    for (const PackmlState state : streamer.takeStateChanges()) states.push_back(state);
+      : SimulatedWire(program, stream, seed, machine, std::move(faults),
+                      EmulatedObserver{[this](const ExecutedLine& line) { executed.push_back(line); },
+                                       [this](const ExecutedMotion& motion) { motions.push_back(motion); }}) {
   }
 
   /// Commands of the numbered lines that were run.
@@ -78,31 +40,8 @@ class SimulatedLink {
     return commands;
   }
 
-  double now = 0.0;
   std::vector<ExecutedLine> executed;
   std::vector<ExecutedMotion> motions;
-  std::vector<PackmlState> states;
-  Streamer streamer;
-  EmulatedFirmware firmware;
-
- private:
-  static constexpr double kPieceTime = 1e-4;  // s
-
-  EmulatedObserver observer() {
-    return {[this](const ExecutedLine& line) { executed.push_back(line); },
-            [this](const ExecutedMotion& motion) { motions.push_back(motion); }};
-  }
-
-  std::string takePiece(std::string& wire) {
-    const std::size_t size = std::min<std::size_t>(wire.size(), 1 + random_.below(60));
-    std::string piece = wire.substr(0, size);
-    wire.erase(0, size);
-    return piece;
-  }
-
-  Random random_;
-  std::string to_machine_;
-  std::string to_host_;
 };
 
 /// A program of `lines` motions on a spiral, each different from every other, extruding.

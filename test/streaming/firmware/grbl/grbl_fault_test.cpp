@@ -53,17 +53,18 @@ void tell(GrblLink& wire, const std::vector<std::string>& commands, Tally& tally
   wire.run(1e5);
   ++tally.jobs;
   tally.lines += wire.executed.size();
-  if (wire.grbl.faults() > 0) ++tally.struck;
+  if (wire.firmware.faults() > 0) ++tally.struck;
   if (!isInOrder(wire.executed, commands)) ++tally.wrong;
   if (wire.isComplete()) ++tally.complete;
   if (wire.isComplete() && wire.executed != commands) ++tally.false_ends;
-  const bool is_safe = !wire.isComplete() && !wire.grbl.isInMotion() && wire.grbl.spindleSpeed() == 0.0 &&
+  const bool is_safe = !wire.isComplete() && !wire.firmware.isInMotion() &&
+                       wire.firmware.spindleSpeed() == 0.0 &&
                        wire.message().find("did not confirm") == std::string::npos;
   if (is_safe) ++tally.confirmed;
   // A byte that damage has made a '!' holds the machine until a person goes on.
   const PackmlState state = wire.streamer.status().state;
   EXPECT_TRUE(isFinal(state) || state == PackmlState::Held) << toString(state);
-  EXPECT_EQ(wire.grbl.bytesLost(), 0U);
+  EXPECT_EQ(wire.firmware.bytesLost(), 0U);
 }
 
 Tally runMany(GrblFaultKind kind, LinkKind link, std::uint64_t lines) {
