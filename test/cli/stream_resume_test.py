@@ -5,12 +5,15 @@
 
     stream_resume_test.py LAMINA
 """
+import contextlib
 import json
 import os
 import random
 import signal
+import socket
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 
@@ -19,6 +22,41 @@ from lamina_command import LAMINA, lamina, told
 LINES = 3000
 KILLS = 8
 PATIENCE_S = 60
+
+
+class Cable:
+    """A TCP connection to a machine, which can be unplugged: what is on the way is lost, and nobody is reached."""
+
+    def __init__(self, machine_port):
+        self.machine_port, self.port, self.sockets = machine_port, 0, []
+        self.plug_in()
+
+    def plug_in(self):
+        listener = socket.create_server(("127.0.0.1", self.port))
+        self.port = listener.getsockname()[1]
+        self.sockets = [listener]
+        threading.Thread(target=self.accept, args=(listener,), daemon=True).start()
+
+    def accept(self, listener):
+        with contextlib.suppress(OSError):
+            near, _ = listener.accept()
+            far = socket.create_connection(("127.0.0.1", self.machine_port))
+            self.sockets += [near, far]
+            for source, sink in ((near, far), (far, near)):
+                threading.Thread(target=self.carry, args=(source, sink), daemon=True).start()
+
+    @staticmethod
+    def carry(source, sink):
+        with contextlib.suppress(OSError):
+            while received := source.recv(4096):
+                sink.sendall(received)
+
+    def unplug(self):
+        for end in self.sockets:
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+            end.close()
+        self.sockets = []
 
 
 class StreamResume(unittest.TestCase):
@@ -31,14 +69,19 @@ class StreamResume(unittest.TestCase):
         with open(self.program, "w", encoding="utf-8") as program:
             for i, line in enumerate(self.lines):
                 program.write((f";LAYER:{i // 100}\n" if i % 100 == 0 else "") + line + "\n")
-        self.machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--speed-up", "200", "--record", self.record],
-                                        stdout=subprocess.DEVNULL)
+        self.machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--tcp", "0", "--speed-up", "200", "--record", self.record],
+                                        stdout=subprocess.PIPE, text=True)
+        self.addCleanup(self.machine.stdout.close)
         self.addCleanup(self.machine.wait)
         self.addCleanup(self.machine.kill)
         self.wait_for(lambda: os.path.exists(self.port))
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+    def machine_port(self):
+        """The TCP port that the machine has printed."""
+        return next(int(line.rsplit(":", 1)[1]) for line in self.machine.stdout if line.startswith("tcp:"))
 
     def wait_for(self, condition):
         end = time.monotonic() + PATIENCE_S
@@ -84,6 +127,20 @@ class StreamResume(unittest.TestCase):
         self.assertEqual(self.ran(), self.lines)
         self.assertEqual(os.stat(os.path.dirname(self.journal)).st_mode & 0o777, 0o700)
         self.assertEqual(os.stat(self.journal).st_mode & 0o777, 0o600)
+
+    def test_a_job_whose_link_was_lost_for_good_goes_on_where_it_was(self):
+        cable = Cable(self.machine_port())
+        self.addCleanup(cable.unplug)
+        options = ("--port", f"tcp:127.0.0.1:{cable.port}", "--set", f"stream.journal={self.journal}", "--set", "stream.safe_stop_timeout_s=1")
+        streaming = subprocess.Popen([LAMINA, "stream", self.program, *options], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= 300)
+        cable.unplug()
+        self.assertIn("once it is reached again the job can be resumed", streaming.communicate(timeout=PATIENCE_S)[1])
+        self.assertEqual(streaming.returncode, 1)
+        self.assertEqual(self.known()["state"], "Execute")
+        cable.plug_in()
+        told("stream", self.program, "--resume", *options)
+        self.assertEqual(self.ran(), self.lines)
 
     def test_a_machine_that_has_done_something_else_is_left_alone(self):
         streaming = self.stream()

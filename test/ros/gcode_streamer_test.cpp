@@ -19,6 +19,7 @@
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "messages.hpp"
 #include "names.hpp"
+#include "node_process.hpp"
 #include "ros_home.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
@@ -309,6 +310,33 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+}
+
+TEST_F(GcodeStreamer, GoesOnWithTheJobOfANodeThatWasKilled) {
+  const std::string port = kPort + "_killed";
+  const TestMachine machine(20.0, {}, port);
+  const std::vector<std::string> commands = zigzag(1000);
+  lamina_msgs::StreamProgramGoal goal;
+  goal.program = write(commands);
+  const std::vector<std::string> arguments = {"__ns:=/killed", "_port:=" + port,
+                                              "_stream/journal:=" + folder_.file("job.progress")};
+  Client client("/killed/stream_program", true);
+  {
+    lamina::test::NodeProcess node(LAMINA_NODE, arguments);
+    ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+    client.sendGoal(goal);
+    EXPECT_TRUE(waitUntil([&] { return machine->counts().lines_run > 100; }));
+    EXPECT_EQ(node.end(SIGKILL), -1);
+  }
+  EXPECT_LT(machine.commands().size(), commands.size());
+  lamina::test::NodeProcess node(LAMINA_NODE, arguments);
+  goal.resume = true;
+  Client again("/killed/stream_program", true);
+  ASSERT_TRUE(again.waitForServer(ros::Duration(kPatience)));
+  again.sendGoal(goal);
+  EXPECT_TRUE(waitUntil([&] { return again.getState().isDone(); }));
+  EXPECT_EQ(again.getState().toString(), "SUCCEEDED") << again.getState().getText();
+  EXPECT_EQ(machine.commands(), commands);
 }
 
 }  // namespace

@@ -151,6 +151,21 @@ TEST(HttpAddress, IsReadFromAPort) {
     EXPECT_THROW(httpAddressOf(wrong), InvalidInput) << wrong;
 }
 
+std::string bodyRefusal(const std::string& text) {
+  try {
+    const ProgramBody body(StreamableProgram::fromText("part", text));
+  } catch (const InvalidProgram& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(ProgramBody, QuotesNothingOfAFileThatIsNoProgram) {
+  EXPECT_EQ(bodyRefusal("root SECRET (a)\n").find("SECRET"), std::string::npos);
+  EXPECT_NE(bodyRefusal("G28\nFAST (a)\n").find("part line 2: 'FAST (a)' is read otherwise"),
+            std::string::npos);
+}
+
 TEST(ProgramBody, RefusesWhatAPrinterReadsOtherwise) {
   for (const char* text : {"G1 X1 (a comment)\n", "N1 G1 X1\n", "%\nG1 X1\n", "M117 \"a;b\"\n"})
     EXPECT_THROW(ProgramBody(StreamableProgram::fromText("part", text)), InvalidProgram) << text;

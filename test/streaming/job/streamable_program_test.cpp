@@ -50,6 +50,16 @@ TEST(StreamableProgram, LeavesOutCommentsAndEmptyLines) {
   EXPECT_EQ(lines[3].command, "G4 P1");
 }
 
+TEST(StreamableProgram, KeepsParenthesesOfExpressionsAndQuotes) {
+  const auto lines = linesOf(
+      "G1 X{(1 + 2) / 3} (aside) F{600}\nM291 P\"a (b)\" S2 (c)\nG1 X1 (a { b) Y2\nG1 (5\" nozzle) X3\n");
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0].command, "G1 X{(1 + 2) / 3}  F{600}");
+  EXPECT_EQ(lines[1].command, "M291 P\"a (b)\" S2");
+  EXPECT_EQ(lines[2].command, "G1 X1  Y2");
+  EXPECT_EQ(lines[3].command, "G1  X3");
+}
+
 TEST(StreamableProgram, ReportsTheLayerOfEachLine) {
   const auto lines = linesOf("G28\n;LAYER:0\nG1 X1\n;LAYER:7\nG1 X2\n;LAYER_CHANGE\nG1 X3\n");
   ASSERT_EQ(lines.size(), 4U);
@@ -101,6 +111,17 @@ TEST(StreamableProgram, TakesASemicolonInQuotesForText) {
   const auto lines = linesOf("M117 5\" nozzle ; brass\n");
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_EQ(lines[0].command, "M117 5\" nozzle");
+}
+
+TEST(StreamableProgram, RefusesPrintingWhatReadsAsAnAnswer) {
+  for (const char* text :
+       {"M118 ok", "M118 start", "M118 P0 start", "M118 Resend: 3", "M118 !! done",
+        "M118 Error:Heating failed", "M118 E1 busy: processing", "M118 FIRMWARE_NAME:X Y:1"})
+    EXPECT_NE(refusalOf(std::string("G28\n") + text).find("read as its own answer"), std::string::npos)
+        << text;
+  for (const char* text :
+       {"M118 ready to start", "M118 E1 Layer 3", "M118 A1 action:pause", "M118", "M118 okay"})
+    EXPECT_EQ(program(text).lines(), 1U) << text;
 }
 
 TEST(StreamableProgram, TakesMessagesInAnyLanguage) {

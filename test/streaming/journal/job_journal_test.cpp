@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "streaming/journal/journal_writer.hpp"
 #include "support/scratch_folder.hpp"
@@ -83,6 +84,28 @@ TEST(JobJournal, KnowsOfEveryLineBeforeItLeaves) {
     EXPECT_LE(known.taken_through + 8, std::max<std::uint64_t>(sent - 1, 8)) << "eight oks may be others'";
     EXPECT_LE(known.sent_through, 10000U);
   }
+}
+
+TEST(JobJournal, KeepsWhatWasKnownOfAJobThatDidNotComplete) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const StreamableProgram program = journalled("G28\nG1 X1\nG1 X2\n");
+  const auto write = [&](PackmlState state, std::uint64_t taken) {
+    JobProgress known;
+    known.taken_through = known.sent_through = taken;
+    known.state = state;
+    ProgressFile(path, jobOf(program), known);
+    keepUnfinished(path);
+  };
+  keepUnfinished(path);
+  EXPECT_THROW(readFile(path + ".before"), FileError) << "there was no job";
+  write(PackmlState::Execute, 2);
+  EXPECT_EQ(readJournal(path + ".before").progress.taken_through, 2U);
+  write(PackmlState::Complete, 3);
+  EXPECT_EQ(readJournal(path + ".before").progress.taken_through, 2U);
+  writeFile(path, "no progress file");
+  keepUnfinished(path);
+  EXPECT_EQ(readJournal(path + ".before").progress.taken_through, 2U);
 }
 
 TEST(JobJournal, KeepsTheEndOfAJob) {

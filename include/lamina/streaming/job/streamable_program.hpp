@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/base/quotation.hpp"
 #include "lamina/streaming/job/stream_settings.hpp"
 
 namespace lamina {
@@ -22,8 +23,8 @@ struct ProgramLine {
 };
 
 /// The commands of a G-code text one by one, in constant memory. Comments (from ';' on outside quotes, and in
-/// parentheses where the command is not one that carries text), tape marks ('%'), empty lines, and line
-/// numbers with their right checksums are left out.
+/// parentheses where the command is not one that carries text, and neither quotes nor braces enclose them),
+/// tape marks ('%'), empty lines, and line numbers with their right checksums are left out.
 class ProgramCursor {
  public:
   explicit ProgramCursor(std::unique_ptr<std::istream> text) : text_(std::move(text)) {}
@@ -63,6 +64,8 @@ class StreamableProgram {
   /// The first line that firmware of this protocol would misread, in words; empty if there is none.
   /// @param protocol  one that the program was checked for
   std::string defectFor(const std::string& protocol) const;
+  /// What messages may quote of it.
+  const Quotation& quotation() const { return quotation_; }
   /// @throws FileError if the file is gone
   ProgramCursor open() const;
   /// Whether its text lies in memory; else it is a file.
@@ -93,6 +96,7 @@ class StreamableProgram {
   std::optional<FileState> checked_;
   std::shared_ptr<const std::string> text_;
   std::uint64_t lines_ = 0;
+  Quotation quotation_;
   std::map<std::string, std::string> defects_;  ///< by protocol
 };
 

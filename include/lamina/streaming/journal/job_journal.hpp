@@ -27,6 +27,11 @@ std::string journalPath(const StreamSettings& settings, const std::string& port)
 /// @throws FileError if nothing can be written there
 StreamJournal beginJournal(const std::string& path);
 
+/// Copies the progress file of a job that did not complete to `path` + ".before", so that what is known of it
+/// outlives the next job. Nothing is done where there is no progress file, or one that cannot be read.
+/// @throws FileError if nothing can be written there
+void keepUnfinished(const std::string& path);
+
 /// Reads what is known of the last job at a port.
 /// @throws FileError if there is no progress file, or it is damaged
 JournalledProgress readJournal(const std::string& path);

@@ -64,7 +64,15 @@ void SessionJournal::begin(const Streamer& streamer) {
   known.taken_through = status.lines_acknowledged;
   known.sent_through = std::min(job_.lines_total, status.lines_sent + kFirstAhead);
   known.layer = status.layer;
+  if (!where_.unfinished) keepUnfinished(where_.path);
   writer_ = std::make_unique<JournalWriter>(ProgressFile(where_.path, job_, known), known, job_.lines_total);
+}
+
+void SessionJournal::followLink(const Streamer& streamer) {
+  const PackmlState state = streamer.status().state;
+  if (isFinal(state)) return;
+  is_cut_off_ = streamer.isOffline();
+  if (state == PackmlState::Aborting && !is_cut_off_) is_stop_sent_ = true;
 }
 
 void SessionJournal::keep(const Streamer& streamer, double now) {
@@ -78,7 +86,10 @@ void SessionJournal::keep(const Streamer& streamer, double now) {
       if (!has_begun_) return;
       begin(streamer);
     }
-    writer_->record(streamer.status(), now);
+    followLink(streamer);
+    StreamStatus status = streamer.status();
+    if (isCutOff()) status.state = PackmlState::Execute;
+    writer_->record(status, now);
   } catch (const Error& error) {
     failure_ = std::string(error.what()) + "; the job goes on, but could not be gone on with after a fault";
     writer_.reset();

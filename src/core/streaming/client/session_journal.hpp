@@ -22,16 +22,22 @@ class SessionJournal {
   StreamOrder placed(StreamOrder order) const;
   /// To be called before what the streamer has put out leaves.
   void keep(const Streamer& streamer, double now);
+  /// Whether the link was lost and never came back for the safe stop: the machine has lived on, so that the
+  /// file says nothing of an abort, and the job can be gone on with.
+  bool isCutOff() const { return writer_ && is_cut_off_ && !is_stop_sent_; }
   /// Why nothing is kept any more; empty while all is well.
   const std::string& failure() const { return failure_; }
 
  private:
   void begin(const Streamer& streamer);
+  void followLink(const Streamer& streamer);
 
   StreamJournal where_;
   JournalledJob job_;
   std::unique_ptr<JournalWriter> writer_;
   bool has_begun_ = false;
+  bool is_cut_off_ = false;    ///< the link is lost
+  bool is_stop_sent_ = false;  ///< a safe stop may have reached the machine
   std::string failure_;
 };
 

@@ -132,6 +132,7 @@ class LinkSession final : public SessionKind {
     if (!output.empty()) transport_->send(output);
     StreamStatus status = streamer_.status();
     if (!journal_.failure().empty()) status.message = journal_.failure();
+    if (isFinal(status.state) && journal_.isCutOff()) status.failure.message += remarkOnTheMachine();
     record_.publish(std::move(status), streamer_.takeStateChanges(), clock_.now());
     if (isFinal(streamer_.status().state)) {
       finish();
@@ -141,6 +142,13 @@ class LinkSession final : public SessionKind {
     } else {
       timer_.set(streamer_.nextDeadline());
     }
+  }
+
+  /// Of a machine that could not be reached for the safe stop.
+  std::string remarkOnTheMachine() const {
+    const bool can_resume = firmwareProtocols().find(streamer_.protocol())->canResume();
+    return can_resume ? "; it was not stopped, and once it is reached again the job can be resumed"
+                      : "; it was not stopped";
   }
 
   void finish() {

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "lamina/base/error.hpp"
-#include "lamina/base/quotation.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/job/firmware_protocol.hpp"
 #include "program/gcode/plain_command.hpp"
@@ -29,11 +28,18 @@ bool carriesText(std::string_view command) {
                      [&](std::string_view name) { return command.substr(0, name.size()) == name; });
 }
 
+/// In quotes and in braces, which hold expressions of RepRapFirmware, parentheses are no comment.
 std::string withoutParentheses(std::string_view command) {
+  const bool has_quotes = std::count(command.begin(), command.end(), '"') % 2 == 0;
   std::string kept;
   int depth = 0;
+  int braces = 0;
+  bool is_quoted = false;
   for (const char c : command) {
-    if (c == '(') ++depth;
+    if (depth == 0 && c == '"' && has_quotes) is_quoted = !is_quoted;
+    if (depth == 0 && !is_quoted) braces = std::max(0, braces + (c == '{' ? 1 : 0) - (c == '}' ? 1 : 0));
+    const bool is_plain = !is_quoted && braces == 0;
+    if (is_plain && c == '(') ++depth;
     if (depth == 0) kept += c;
     if (c == ')' && depth > 0) --depth;
   }
@@ -166,16 +172,15 @@ void StreamableProgram::check(const StreamSettings& settings) {
   std::vector<Checker> checkers = checkersOf(settings.firmware);
   std::string last_defect;
   ProgramCursor cursor = open();
-  Quotation quotation;
   while (const auto line = cursor.next()) {
     // A line that is plain G-code may be shown itself.
-    if (!quotation.isRecognised() && isPlainCommand(line->command)) quotation.recognise();
+    if (!quotation_.isRecognised() && isPlainCommand(line->command)) quotation_.recognise();
     ++lines_;
     const auto isMisread = [&](const Checker& checker) {
       const std::string defect = checker.protocol->defectOf(line->command, settings);
       if (defect.empty()) return false;
       last_defect = name_ + " line " + std::to_string(cursor.textLine()) + ": " +
-                    quotation.of(line->command) + " " + defect;
+                    quotation_.of(line->command) + " " + defect;
       defects_[checker.name] = last_defect;
       return true;
     };

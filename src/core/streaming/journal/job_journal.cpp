@@ -95,6 +95,15 @@ StreamJournal beginJournal(const std::string& path) {
   return {path, {}};
 }
 
+void keepUnfinished(const std::string& path) {
+  try {
+    if (!std::filesystem::exists(path) || readJournal(path).progress.state == PackmlState::Complete) return;
+  } catch (const FileError&) {
+    return;
+  }
+  writeFile(path + ".before", readFile(path));
+}
+
 JournalledProgress readJournal(const std::string& path) {
   if (path.empty()) throw FileError("no progress file is kept: stream.journal is empty");
   return decodeJournal(readFile(path), path);

@@ -72,8 +72,8 @@ void ProgramBody::checkLines() {
     const bool has_command = next && cursor.textLine() == number;
     if (read != (has_command ? std::string_view(next->command) : std::string_view())) {
       throw InvalidProgram(
-          program_.name() + " line " + std::to_string(number) + ": \"" + std::string(read.substr(0, 40)) +
-          "\" is read otherwise by a printer that reads the file itself; expected comments behind "
+          program_.name() + " line " + std::to_string(number) + ": " + program_.quotation().of(read) +
+          " is read otherwise by a printer that reads the file itself; expected comments behind "
           "';', and no line numbers or tape marks");
     }
     if (!has_command) continue;

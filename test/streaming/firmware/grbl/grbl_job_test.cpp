@@ -146,7 +146,7 @@ TEST_F(GrblPeer, ThatRefusesALineIsHeldAndResetAtOnce) {
   Streamer streamer(two_, settings());
   begin(streamer);
   streamer.receive("error:22\r\n", 0.3);
-  expectIn("line 1 \"G1 X1 F100\" (error:22, no feed rate is set)", messageOf(streamer));
+  expectIn("line 1 'G1 X1 F100' (error:22, no feed rate is set)", messageOf(streamer));
   streamer.elapse(0.3);
   stopSafely(streamer, 0.35);
 }

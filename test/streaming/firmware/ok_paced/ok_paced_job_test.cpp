@@ -214,7 +214,7 @@ TEST_F(PlayedByHand, KlipperThatIsNotReadyIsLeftAlone) {
 TEST_F(PlayedByHand, AnErrorOfKlipperEndsTheJobByASafeStop) {
   beginKlipper();
   EXPECT_EQ(answer("!! Must home axis first\nok\n", 1.0), "TURN_OFF_HEATERS\nM105\nECHO LAMINA=2\n");
-  EXPECT_NE(status().failure.message.find("line 1, \"G28\": \"!! Must home axis first\""), std::string::npos);
+  EXPECT_NE(status().failure.message.find("line 1, 'G28': \"!! Must home axis first\""), std::string::npos);
   EXPECT_EQ(answer("ok\nok B:60.0 /0.0 T0:210.0 /0.0\n// ECHO LAMINA=2\nok\n", 1.1), "M400\nECHO LAMINA=3\n");
   answer("ok\n// ECHO LAMINA=3\nok\n", 2.0);
   EXPECT_EQ(status().state, PackmlState::Aborted);

@@ -87,8 +87,8 @@ void GrblJob::check(double now) {
     const std::string defect = defectForGrbl(line->command, start_.machine());
     if (defect.empty()) continue;
     abort({ErrorCode::InvalidProgram, order_.program.name() + " line " +
-                                          std::to_string(unchecked_->textLine()) + ": \"" +
-                                          line->command.substr(0, 40) + "\" " + defect},
+                                          std::to_string(unchecked_->textLine()) + ": " +
+                                          order_.program.quotation().of(line->command) + " " + defect},
           now);
     return;
   }
@@ -331,8 +331,8 @@ void GrblJob::onError(int code, double now) {
       "error:" + std::to_string(code) + ", " + meaningOfGrblError(code, start_.machine().dialect);
   const std::string what = window_.empty() || window_.front().number == 0
                                ? std::string("something that is no line of the program")
-                               : "line " + std::to_string(window_.front().number) + " \"" +
-                                     window_.front().command.substr(0, 40) + "\"";
+                               : "line " + std::to_string(window_.front().number) + " " +
+                                     order_.program.quotation().of(window_.front().command);
   abort({ErrorCode::Rejected, "the machine refused " + what + " (" + why + ")" + record_.whereItStands()},
         now);
 }

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "streaming/firmware/marlin/marlin_job.hpp"
 #include "streaming/job/change_commands.hpp"
@@ -33,6 +34,37 @@ std::string defectOfLength(std::string_view command, int max_line_bytes) {
          std::to_string(limit);
 }
 
+/// What `M118` makes the machine print: its text behind A1, E1 and P<port>, in any order.
+std::string printedBy(std::string_view command) {
+  std::string_view text = trimmed(command.substr(4));
+  std::string prefix;
+  for (int i = 0; i < 3 && text.size() > 1; ++i) {
+    const bool is_action = text[0] == 'A' && text[1] == '1';
+    const bool is_echo = text[0] == 'E' && text[1] == '1';
+    if (!is_action && !is_echo && !(text[0] == 'P' && text[1] >= '0' && text[1] <= '9')) break;
+    if (is_action) prefix += "//";
+    if (is_echo) prefix = "echo:" + prefix;
+    text = trimmed(text.substr(2));
+  }
+  return prefix + std::string(text);
+}
+
+/// Whether a line that the machine prints would be taken for its own: an answer, a reset, a halt.
+bool isReadAsAnswer(std::string_view printed) {
+  const FirmwareReply reply = parseReply(printed);
+  switch (reply.kind) {
+    case ReplyKind::Ok:
+    case ReplyKind::Resend:
+    case ReplyKind::LineError:
+    case ReplyKind::Fatal:
+    case ReplyKind::Busy:
+    case ReplyKind::Start:
+      return true;
+    default:
+      return !reply.firmware_name.empty();
+  }
+}
+
 }  // namespace
 
 std::string MarlinFirmware::defectOf(std::string_view command, const StreamSettings& settings) const {
@@ -53,6 +85,8 @@ std::string MarlinFirmware::defectOf(std::string_view command, const StreamSetti
     return "has a ';' within quotes, behind which Marlin looks for no checksum";
   if (command.find('\\') != std::string_view::npos)
     return "has a '\\', which Marlin leaves out of a line before it looks at the checksum";
+  if (isCommand(command, "M118") && isReadAsAnswer(printedBy(command)))
+    return "makes the machine print what is read as its own answer; expected another text";
   return {};
 }
 

@@ -28,6 +28,7 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
       firmware_(std::move(firmware)),
       heard_(std::move(order.heard)),
       program_(sourceOf(order.program)),
+      quotation_(order.program.quotation()),
       feed_([this] { return nextLine(); }, 1),
       timer_(order.settings.probe_after_s),
       opening_(firmware_->opening(order.settings.link)) {
@@ -160,10 +161,10 @@ void OkPacedJob::decide(double now) {
   beginPhase(Phase::Feeding, now);
   if (evidence == RunEvidence::None) {
     feed_.rewind(line->line);
-    abort({ErrorCode::DeviceError, "it cannot be told whether the machine ran line " +
-                                       std::to_string(line->line) + ", \"" + feed_.peek()->command +
-                                       "\", whose ok did not come; it was not sent again" +
-                                       record_.whereItStands()},
+    abort({ErrorCode::DeviceError,
+           "it cannot be told whether the machine ran line " + std::to_string(line->line) + ", " +
+               quotation_.of(feed_.peek()->command) + ", whose ok did not come; it was not sent again" +
+               record_.whereItStands()},
           now);
     return;
   }
@@ -532,8 +533,8 @@ void OkPacedJob::onRefusal(const FirmwareReply& reply, double now) {
           now);
     return;
   }
-  abort({ErrorCode::Rejected, "the machine did not run line " + std::to_string(line) + ", \"" +
-                                  feed_.peek()->command + "\": \"" + reply.text + "\"" +
+  abort({ErrorCode::Rejected, "the machine did not run line " + std::to_string(line) + ", " +
+                                  quotation_.of(feed_.peek()->command) + ": \"" + reply.text + "\"" +
                                   record_.whereItStands()},
         now);
 }

@@ -112,6 +112,7 @@ class OkPacedJob final : public StreamJob {
   ReplyListener heard_;
   JobRecord record_;
   LineFeed::Source program_;
+  Quotation quotation_;  ///< of the program
   std::uint64_t lines_read_ = 0;
   LineFeed feed_;
   LinesUnderWay under_way_;
