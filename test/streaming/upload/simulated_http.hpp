@@ -36,9 +36,10 @@ struct HttpFaults {
   double server_error = 0.0;   ///< 500 instead of an answer
   double lost_request = 0.0;   ///< the connection breaks before the server has the request
   double lost_response = 0.0;  ///< it breaks after the server has done what was asked
-  double late = 0.0;           ///< no answer, and the server does it 12 s after it was asked
-  double damaged = 0.0;        ///< a byte of an upload is changed on the way
-  double slow = 0.0;           ///< 4 s until the answer
+  double late = 0.0;           ///< no answer, and the server does it `late_s` after it was asked
+  double late_s = 12.0;
+  double damaged = 0.0;  ///< a byte of an upload is changed on the way
+  double slow = 0.0;     ///< 4 s until the answer
 };
 
 /// What happens at the machine, and when [s].
@@ -61,6 +62,10 @@ class SimulatedHttp {
   void runUntil(double end_s) {
     while (now < end_s && !isFinal(job.status().state)) step(end_s);
   }
+  /// What the machine does when the job is over, too.
+  void runOn(double end_s) {
+    while (now < end_s) step(end_s);
+  }
   void run(double most_s = 1e5) {
     start();
     runUntil(most_s);
@@ -75,7 +80,8 @@ class SimulatedHttp {
   std::vector<MachineEvent> events;  ///< in order of time
   double unreachable_from_s = std::numeric_limits<double>::infinity();
   double unreachable_until_s = std::numeric_limits<double>::infinity();
-  std::vector<std::string> targets;  ///< of all requests
+  std::vector<const char*> late_words;  ///< what has one of them is as late as `faults` tells
+  std::vector<std::string> targets;     ///< of all requests
   std::vector<PackmlState> states;
   double now = 0.0;
 
@@ -121,6 +127,11 @@ class SimulatedHttp {
     for (const PackmlState state : job.takeStateChanges()) states.push_back(state);
   }
 
+  bool isLate(const HttpRequest& request) {
+    for (const char* words : late_words)
+      if ((request.target + request.head).find(words) != std::string::npos) return true;
+    return strikes(faults.late);
+  }
   bool strikes(double rate) { return rate > 0.0 && random_.uniform(0.0, 1.0) < rate; }
 
   void issue(const HttpRequest& request) {
@@ -133,8 +144,8 @@ class SimulatedHttp {
     } else if (strikes(faults.lost_request)) {
       if (request.sends_program) job.sent(order_->body.bytes() / 2);
       outcome_ = Outcome{now + kLatency, {}, {"connection reset by peer", true}};
-    } else if (strikes(faults.late)) {
-      late_.push_back({now + 12.0, request});
+    } else if (isLate(request)) {
+      late_.push_back({now + faults.late_s, request});
       outcome_ = Outcome{now + request.timeout_s, {}, {"no answer within 10 s", true}};
     } else {
       deliver(request, kLatency);

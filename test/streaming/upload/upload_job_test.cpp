@@ -312,6 +312,19 @@ TEST_P(UploadJobTest, NeverStartsTwice) {
   }
 }
 
+TEST_P(UploadJobTest, AStartThatComesTooLateComesToNothing) {
+  SimulatedHttp link = this->link("G1 X1\nG1 X2\n");
+  link.late_words = {"print/start", "M32"};
+  link.faults.late_s = 60.0;
+  link.run();
+  EXPECT_EQ(link.job.status().failure.code, ErrorCode::TimedOut) << link.job.status().failure.message;
+  EXPECT_TRUE(contains(link.job.status().failure.message, "its heaters are off"))
+      << link.job.status().failure.message;
+  EXPECT_LT(link.now, 40.0);
+  link.runOn(100.0);
+  EXPECT_TRUE(link.server->printer.executed().empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Servers, UploadJobTest,
                          testing::Values(test::ServerKind{"moonraker", makeEmulatedMoonraker, "klipper"},
                                          test::ServerKind{"duet", makeEmulatedDuet, "reprapfirmware"},

@@ -46,6 +46,8 @@ RandomRun randomRun(const test::ServerKind& kind, std::uint64_t seed) {
   RandomRun run{SimulatedHttp(test::orderOf(text), {}, kind.make(), seed), test::commandsOf(text)};
   run.link.server->printer.files["other.gcode"] = "G4 S1\n";
   run.link.server->printer.lines_per_s = random.uniform(20.0, 1000.0);
+  const double queue_s = random.uniform(0.0, 4.0);  // a Duet ends a print when its motions have ended
+  if (std::string(kind.firmware) == "klipper") run.link.server->printer.queue_s = queue_s;
   const double rate = random.below(2) == 0 ? 0.0 : 0.1;
   for (double* fault : {&run.link.faults.server_error, &run.link.faults.lost_request,
                         &run.link.faults.lost_response, &run.link.faults.late, &run.link.faults.slow})
@@ -87,12 +89,16 @@ TEST_P(UploadProperty, CompleteMeansPrintedOnce) {
     if (status.state == PackmlState::Complete) {
       ++complete;
       ASSERT_EQ(executed, run.commands) << "seed " << seed;
+      ASSERT_FALSE(run.link.server->printer.is_halted && run.link.server->printer.isMoving())
+          << "seed " << seed;
     } else {
       ASSERT_NE(status.failure.code, ErrorCode::Ok) << "seed " << seed;
     }
     if (status.failure.message.find("its heaters are off") != std::string::npos) {
       ASSERT_EQ(run.link.server->printer.state(), EmulatedPrinter::State::Idle) << "seed " << seed;
       ASSERT_EQ(run.link.server->printer.nozzle_target_c, 0.0) << "seed " << seed;
+      run.link.runOn(run.link.now + 30.0);
+      ASSERT_EQ(ours(run.link), executed) << "seed " << seed;
     }
   }
   RecordProperty("runs", std::to_string(runs));

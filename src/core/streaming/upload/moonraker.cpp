@@ -192,6 +192,7 @@ ServerAnswer Moonraker::readReport(const HttpResponse& response) {
   if (print == "error") {
     last_report.state = PrintState::Failed;
     last_report.condition = valueAt<std::string>(status, "/print_stats/message", "");
+    std::replace(last_report.condition.begin(), last_report.condition.end(), '\n', ' ');
   }
   readMachine(status);
   return answered(AnswerKind::Done);

@@ -9,6 +9,7 @@ namespace lamina {
 namespace {
 
 constexpr double kRepeatCommand = 5.0;  // s
+constexpr double kLastLook = 2.0;       // s before a stop is given up; longer than reports are apart
 
 std::string named(const MachineReport& report) { return "\"" + report.file + "\""; }
 
@@ -36,7 +37,7 @@ void UploadJob::takeTelemetry() {
   StreamStatus& status = record_.status;
   if (report.temperatures) status.temperatures = report.temperatures;
   if (report.position) status.position = report.position;
-  if (!may_be_started_ || !server().isOurs() || !report.isPrintUnderWay()) return;
+  if (!may_be_started_ || !server().isOurs() || report.state == PrintState::None) return;
   status.lines_acknowledged = std::max(status.lines_acknowledged, read_line_.linesBefore(report.bytes_read));
   status.layer = read_line_.layer();
 }
@@ -50,8 +51,20 @@ void UploadJob::check(double now) {
                   "the printer has another print under way, " + named(report) + "; expected it to have none"},
                  now);
   }
+  if (report.is_moving) return awaitIdleness(now);
+  busy_since_.reset();
   phase_ = is_stored_ ? Phase::Start : Phase::Upload;
   next_at_ = now;
+}
+
+/// A print that is asked for while another's command is under way, such as to wait for heat, would begin when
+/// that has ended, whenever this is.
+void UploadJob::awaitIdleness(double now) {
+  if (!busy_since_) busy_since_ = now;
+  if (now < *busy_since_ + settings_.connect_timeout_s) return;
+  abort({ErrorCode::Rejected, "the printer has been busy for " + seconds(now - *busy_since_) +
+                                  " with motions or commands of somebody else; expected it to stand still"},
+        now);
 }
 
 void UploadJob::awaitStart(double now) {
@@ -66,8 +79,8 @@ void UploadJob::awaitStart(double now) {
   } else if (report.isPrintUnderWay()) {
     abort({ErrorCode::Rejected, "another print, " + named(report) + ", was started before this one"}, now);
   } else if (now >= started_at_ + settings_.connect_timeout_s) {
-    abort({ErrorCode::TimedOut, "the machine has not begun the print within " +
-                                    std::to_string(static_cast<int>(settings_.connect_timeout_s)) + " s"},
+    abort({ErrorCode::TimedOut,
+           "the machine has not begun the print within " + seconds(settings_.connect_timeout_s)},
           now);
   }
 }
@@ -144,11 +157,18 @@ void UploadJob::complete() {
   phase_ = Phase::Finish;
 }
 
-/// It has to say so twice: a Duet's computer may learn that a print has ended before it learns how.
+/// It has to say so twice: a Duet's computer may learn that a print has ended before it learns how. Klipper
+/// calls a print complete when its last line was read, and may shut down in the motions that are still to
+/// come.
 void UploadJob::finish(double now) {
   const MachineReport& report = server().report();
-  if (!server().isOurs() || report.state != PrintState::Complete) return follow(now);
-  if (report.is_moving && now < completed_at_ + settings_.blocking_timeout_s) return;
+  if (report.is_halted || !server().isOurs() || report.state != PrintState::Complete) return follow(now);
+  if (report.is_moving) {
+    if (now < completed_at_ + settings_.blocking_timeout_s) return;
+    return abort({ErrorCode::TimedOut, "the machine has reported the print complete, and was still moving " +
+                                           seconds(settings_.blocking_timeout_s) + " later"},
+                 now);
+  }
   record_.status.lines_acknowledged = record_.status.lines_total;
   phase_ = Phase::Remove;
   next_at_ = now;
@@ -158,18 +178,38 @@ void UploadJob::finish(double now) {
 
 void UploadJob::stop(double now) {
   const MachineReport& report = server().report();
-  if (report.is_halted) return confirmStop("; the printer has shut itself down: " + report.condition);
+  if (report.is_halted) {
+    const std::string halt = "the printer has shut itself down: " + report.condition;
+    const bool is_told = record_.status.failure.message.find(halt) != std::string::npos;
+    return confirmStop(is_told ? "" : "; " + halt);
+  }
   if (!report.is_ready) return;
   if (report.isPrintUnderWay()) {
+    was_seen_ = was_seen_ || server().isOurs();
     if (server().isOurs()) return askToCancel(now);
     return confirmStop("; the print that is under way now, " + named(report) + ", was left alone");
   }
-  if (settings_.keep_heaters_on) return confirmStop("; the machine has ended the print");
-  if (!report.has_targets) return confirmStop("; the machine has ended the print, and its heaters are off");
+  if (!was_seen_ && !is_removed_) {
+    // The start may still be waiting in the machine: without the file it comes to nothing.
+    command_ = UploadStep::Remove;
+    next_at_ = now;
+    return;
+  }
+  if (settings_.keep_heaters_on) return awaitStandstill("; the machine has ended the print", now);
+  if (!report.has_targets)
+    return awaitStandstill("; the machine has ended the print, and its heaters are off", now);
   if (!asked_heaters_off_ || now >= asked_at_ + kRepeatCommand) {
     command_ = UploadStep::HeatersOff;
     next_at_ = now;
   }
+}
+
+/// Motions that the machine has already planned are run to their end, which may take longer than the stop.
+void UploadJob::awaitStandstill(const std::string& how, double now) {
+  if (!server().report().is_moving) return confirmStop(how);
+  if (now >= stop_until_ - kLastLook)
+    confirmStop(how + "; it was still moving " + seconds(settings_.safe_stop_timeout_s - kLastLook) +
+                " later: look after it");
 }
 
 /// Once in each state in which the print can be, twice where it stays paused: a request that was not answered
@@ -190,17 +230,17 @@ void UploadJob::askToCancel(double now) {
 
 void UploadJob::confirmStop(const std::string& how) {
   record_.status.failure.message += how;
-  phase_ = Phase::Remove;
+  phase_ = is_removed_ ? Phase::Leave : Phase::Remove;
   next_at_ = heard_at_;
 }
 
 void UploadJob::giveUpStop() {
   if (under_way_) is_to_break_ = true;
   under_way_.reset();
-  record_.status.failure.message +=
-      "; the machine has not confirmed within " +
-      std::to_string(static_cast<int>(settings_.safe_stop_timeout_s)) + " s that it has ended the print" +
-      (settings_.keep_heaters_on ? "" : " and turned its heaters off") + ": look after it";
+  record_.status.failure.message += "; the machine has not confirmed within " +
+                                    seconds(settings_.safe_stop_timeout_s) + " that it has ended the print" +
+                                    (settings_.keep_heaters_on ? "" : " and turned its heaters off") +
+                                    ": look after it";
   close();
 }
 

@@ -13,8 +13,6 @@ constexpr double kReportInterval = 1.0;  // s; below the 8 s in which a Duet for
 constexpr double kRetryInterval = 2.0;   // s; Moonraker's temporary files are named by the second
 constexpr int kAttempts = 3;
 
-std::string seconds(double time_s) { return std::to_string(static_cast<int>(time_s)) + " s"; }
-
 }  // namespace
 
 UploadJob::UploadJob(const StreamSettings& settings, std::shared_ptr<const UploadOrder> order)
@@ -31,6 +29,8 @@ void UploadJob::start(double now) {
   record_.enter(PackmlState::Starting);
   next_at_ = heard_at_ = now;
 }
+
+std::string UploadJob::seconds(double time_s) { return std::to_string(static_cast<int>(time_s)) + " s"; }
 
 // Asking
 
@@ -172,14 +172,19 @@ void UploadJob::onDone(UploadStep step, double now) {
       heard_at_ = now;
       return;
     case UploadStep::Remove:
-      phase_ = Phase::Leave;
-      return;
+      return onRemoved();
     case UploadStep::Disconnect:
       return close();
     default:
       command_.reset();
       return;
   }
+}
+
+void UploadJob::onRemoved() {
+  command_.reset();
+  is_removed_ = true;
+  if (phase_ == Phase::Remove) phase_ = Phase::Leave;
 }
 
 void UploadJob::onTrouble(UploadStep step, const Failure& why, bool reached_server, double now) {
@@ -226,8 +231,7 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
       next_at_ = now + kReportInterval;
       return;
     case UploadStep::Remove:
-      phase_ = Phase::Leave;
-      return;
+      return onRemoved();  // or it is in use: the next report tells
     case UploadStep::Disconnect:
       return close();
     default:

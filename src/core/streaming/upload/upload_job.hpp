@@ -70,16 +70,19 @@ class UploadJob {
     Over
   };
 
+  static std::string seconds(double time_s);
   UploadStep nextStep() const;
   PrintServer& server() const { return *servers_.front(); }
   void beforeAsking(UploadStep step, double now);
   void onDone(UploadStep step, double now);
+  void onRemoved();
   void onTrouble(UploadStep step, const Failure& why, bool reached_server, double now);
   void onRefused(UploadStep step, const Failure& why, double now);
   void tryNextServer(double now);
   void onReport(double now);
   void takeTelemetry();
   void check(double now);
+  void awaitIdleness(double now);
   void awaitStart(double now);
   void follow(double now);
   void followHold(double now);
@@ -87,6 +90,7 @@ class UploadJob {
   void complete();
   void stop(double now);
   void askToCancel(double now);
+  void awaitStandstill(const std::string& how, double now);
   void confirmStop(const std::string& how);
   void giveUpStop();
   void lose(double now);
@@ -108,10 +112,12 @@ class UploadJob {
   bool may_be_stored_ = false;
   bool may_be_started_ = false;
   bool was_seen_ = false;      ///< the machine has said that it prints it
+  bool is_removed_ = false;    ///< the file was, or is refused to be
   bool is_to_resume_ = false;  ///< once it is paused
   std::string trouble_;        ///< the last one
   int attempts_ = 0;           ///< of this step that brought no answer
   double next_at_ = 0.0;
+  std::optional<double> busy_since_;
   double started_at_ = 0.0;  ///< when the start was asked for
   double heard_at_ = 0.0;    ///< the last report
   double asked_at_ = 0.0;    ///< to pause, to resume, or to turn heaters off

@@ -112,14 +112,14 @@ json EmulatedMoonraker::status() const {
   if (printer.outcome() == Outcome::Failed) print = "error";
   if (printer.state() == EmulatedPrinter::State::Printing) print = "printing";
   if (printer.state() == EmulatedPrinter::State::Paused) print = "paused";
-  const std::string message = print == "error" ? "Move out of range: 400.000" : "";
+  const std::string message = print == "error" ? "Move out of range: 400.000\n0.000 0.000" : "";
   return {{"webhooks",
            {{"state", printer.is_halted ? "shutdown" : "ready"},
             {"state_message",
              printer.is_halted ? "Lost communication with MCU 'mcu'\nOnce the" : "Printer is ready"}}},
           {"print_stats", {{"state", print}, {"filename", printer.file()}, {"message", message}}},
           {"virtual_sdcard", {{"file_position", printer.position()}}},
-          {"idle_timeout", {{"state", print == "printing" ? "Printing" : "Ready"}}},
+          {"idle_timeout", {{"state", printer.isMoving() ? "Printing" : "Ready"}}},
           {"gcode_move", {{"gcode_position", {1.0, 2.0, 3.0, 4.0}}}},
           {"heaters", {{"available_heaters", {"heater_bed", "extruder"}}}},
           {"extruder", {{"temperature", 24.5}, {"target", printer.nozzle_target_c}}},

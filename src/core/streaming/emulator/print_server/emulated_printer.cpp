@@ -3,6 +3,7 @@
 #include "streaming/emulator/print_server/emulated_printer.hpp"
 
 #include <cstdlib>
+#include <limits>
 
 #include "lamina/base/text.hpp"
 
@@ -43,6 +44,7 @@ void EmulatedPrinter::restart() {
   state_ = State::Idle;
   outcome_ = Outcome::None;
   file_.clear();
+  moving_until_ = 0.0;
   position_ = 0;
   nozzle_target_c = bed_target_c = 0.0;
   is_halted = false;
@@ -50,6 +52,7 @@ void EmulatedPrinter::restart() {
 
 void EmulatedPrinter::halt() {
   is_halted = true;
+  if (isMoving()) moving_until_ = std::numeric_limits<double>::infinity();
   breakDown();
   nozzle_target_c = bed_target_c = 0.0;
 }
@@ -74,6 +77,7 @@ void EmulatedPrinter::runLine(const std::string& text) {
   const std::string command(trimmed(std::string_view(text).substr(0, text.find(';'))));
   if (command.empty()) return;
   executed_.push_back(command);
+  moving_until_ = now_ + queue_s;
   const std::size_t s = command.find('S');
   const double target = s == std::string::npos ? 0.0 : std::atof(command.c_str() + s + 1);
   if (command.compare(0, 4, "M104") == 0) nozzle_target_c = target;

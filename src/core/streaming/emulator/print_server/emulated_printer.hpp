@@ -18,6 +18,7 @@ class EmulatedPrinter {
 
   std::map<std::string, std::string> files = {};  ///< by name below the folder of programs
   double lines_per_s = 100.0;
+  double queue_s = 0.0;  ///< how long motions go on after the last line that was run
   double nozzle_target_c = 0.0;
   double bed_target_c = 0.0;
   bool is_halted = false;
@@ -31,12 +32,17 @@ class EmulatedPrinter {
   void breakDown();
   /// Forgets everything but the files.
   void restart();
+  /// Motions of somebody else.
+  void moveFor(double duration_s) { moving_until_ = now_ + duration_s; }
   /// Shuts itself down.
   void halt();
   void elapse(double now);
 
   State state() const { return state_; }
   Outcome outcome() const { return outcome_; }
+  /// As Klipper's idle timer tells it: for ever once the machine has shut itself down in the middle of a
+  /// motion.
+  bool isMoving() const { return state_ == State::Printing || now_ < moving_until_; }
   const std::string& file() const { return file_; }     ///< printed now or last
   std::uint64_t position() const { return position_; }  ///< bytes of it that were run
   double printTime() const { return print_time_s_; }    ///< of that print [s]
@@ -55,6 +61,7 @@ class EmulatedPrinter {
   double now_ = 0.0;
   double print_time_s_ = 0.0;
   double line_debt_ = 0.0;  ///< lines that are due
+  double moving_until_ = 0.0;
   std::vector<std::string> executed_;
 };
 
