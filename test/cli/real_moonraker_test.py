@@ -1,0 +1,380 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Prints by upload to a real Moonraker before a real Klipper, whose microcontroller runs as a program of this computer.
+
+    real_moonraker_test.py LAMINA
+
+LAMINA_MOONRAKER_RUNNER names a program `RUNNER FOLDER` that runs all three until it is ended, and prints `ready`. By then it has put into FOLDER:
+url (http://host:port), moonraker.pid, klippy.pid and record, to which Klipper adds each line of a file when it has run it. From its environment it
+takes NOZZLE_C, the temperature that the nozzle shows all the time, and LOGINS=1: a person has an account and must log in; the API key is then in
+FOLDER/key (docs/firmware/upload.md). Without a runner nothing is tested, and the exit code is 77.
+"""
+import contextlib
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import urllib.request
+
+LAMINA = os.path.abspath(sys.argv.pop())
+RUNNER = os.environ.get("LAMINA_MOONRAKER_RUNNER", "")
+PATIENCE_S = 120
+QUERY = "/printer/objects/query?webhooks&print_stats&toolhead&extruder&heater_bed&idle_timeout"
+
+
+def spiral(lines):
+    """A program of short motions, none like another; 50 lines take a second."""
+    text = ["G90", "M83", "G28"]
+    for i in range(lines - len(text)):
+        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
+    return text
+
+
+class RealMoonraker(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.program = self.path("part.gcode")
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def text_of(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return file.read().strip()
+
+    def run_moonraker(self, **environment):
+        with open(self.path("told"), "w", encoding="utf-8") as told:
+            runner = subprocess.Popen([RUNNER, self.folder], env={**os.environ, **environment}, stdout=subprocess.PIPE, stderr=told, text=True,
+                                      start_new_session=True)
+        self.addCleanup(runner.stdout.close)
+        self.addCleanup(runner.wait)
+        self.addCleanup(os.killpg, runner.pid, signal.SIGTERM)
+        self.assertEqual(runner.stdout.readline().strip(), "ready", self.text_of("told"))
+        self.url = self.text_of("url")
+
+    def kill(self, name):
+        os.kill(int(self.text_of(name + ".pid")), signal.SIGKILL)
+
+    def ask(self, target, method="GET"):
+        """Another client, behind the back of ours."""
+        key = {"X-Api-Key": self.text_of("key")} if os.path.exists(self.path("key")) else {}
+        with urllib.request.urlopen(urllib.request.Request(self.url + target, method=method, headers=key), timeout=30) as answer:
+            return json.load(answer)["result"]
+
+    def ask_in_vain(self, target):
+        with contextlib.suppress(OSError):
+            self.ask(target, "POST")
+
+    def machine(self):
+        return self.ask(QUERY)["status"]
+
+    def files(self):
+        return [file["path"] for file in self.ask("/server/files/list?root=gcodes")]
+
+    def begin(self, lines, *settings, live=False, text=None):
+        with open(self.program, "wb") as program:
+            program.write(text if text is not None else "".join(line + "\n" for line in lines).encode())
+        command = [LAMINA, "stream", self.program, "--port", self.url] + [word for setting in settings for word in ("--set", setting)]
+        job = subprocess.Popen(command + ["--live"] * live, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (job.kill(), job.communicate()) if job.poll() is None else None)
+        return job
+
+    def end_of(self, job):
+        out, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
+        return job.returncode, out, told
+
+    def print(self, lines, *settings, **how):
+        return self.end_of(self.begin(lines, *settings, **how))
+
+    def skip_if_stalled(self, told):
+        """A microcontroller that is a program of a busy computer comes too late, and Klipper shuts down."""
+        if re.search("Timer too close|Stepper too far in past|Rescheduled timer in the past|Lost communication with MCU", told):
+            self.skipTest("the computer is too busy for Klipper: " + told.strip())
+
+    def ran(self):
+        return self.text_of("record").splitlines()
+
+    def await_lines(self, count):
+        for _ in range(PATIENCE_S * 10):
+            if len(self.ran()) >= count:
+                return
+            time.sleep(0.1)
+        self.skip_if_stalled(self.machine()["webhooks"]["state_message"])
+        self.fail("%d lines were run, not %d" % (len(self.ran()), count))
+
+    def expect_stopped(self, told, lines):
+        """What was run is the beginning of the program, each line once; the machine has ended the print and is cold."""
+        machine = self.machine()
+        self.assertIn("its heaters are off", told)
+        self.assertEqual(self.ran(), lines[:len(self.ran())])
+        self.assertLess(len(self.ran()), len(lines))
+        self.assertEqual(machine["extruder"]["target"], 0)
+        self.assertEqual(machine["heater_bed"]["target"], 0)
+        self.assertNotIn(machine["print_stats"]["state"], ("printing", "paused"))
+        self.assertEqual(self.files(), [])
+
+    def test_every_line_is_run_once_and_complete_is_told_when_motions_have_ended(self):
+        self.run_moonraker()
+        lines = spiral(300)
+        code, out, told = self.print(lines, "stream.firmware=klipper")
+        toolhead = self.machine()["toolhead"]
+        self.assertEqual(code, 0, told)
+        self.assertIn("Complete: 300 lines", out)
+        self.assertIn("Klipper (Moonraker", out)
+        self.assertEqual(self.ran(), lines)
+        self.assertGreater(toolhead["estimated_print_time"], toolhead["print_time"])
+        self.assertEqual(self.files(), [])
+
+    def test_it_is_found_by_itself_and_prints_again(self):
+        self.run_moonraker()
+        lines = spiral(100)
+        for _ in range(2):
+            code, out, told = self.print(lines)
+            self.assertEqual(code, 0, told)
+            self.assertIn("Klipper (Moonraker", out)
+        self.assertEqual(self.ran(), lines + lines)
+
+    def test_files_of_all_kinds_are_read_as_they_are_meant(self):
+        self.run_moonraker()
+        self.program = self.path('Teil 1 "ä" (100%) #2;a&b=c+d.gcode')
+        code, _, told = self.print([], text="G90 ; nach außen\r\nM83\r\n\r\n; Öse\r\nG28\r\nG1 X10 F6000 ; 90°\r\nG1 X20".encode())
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), ["G90", "M83", "G28", "G1 X10 F6000", "G1 X20"])
+        self.assertEqual(self.files(), [])
+
+    def test_a_program_without_motion_is_complete(self):
+        self.run_moonraker()
+        code, _, told = self.print(["G90"])
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), ["G90"])
+
+    def test_an_interrupted_print_is_cancelled(self):
+        self.run_moonraker()
+        lines = ["M104 S180", "M140 S50"] + spiral(2000)
+        job = self.begin(lines)
+        self.await_lines(200)
+        job.send_signal(signal.SIGINT)
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("stopped by the user", told)
+        self.expect_stopped(told, lines)
+        self.assertEqual(self.machine()["print_stats"]["state"], "cancelled")
+
+    def test_a_print_that_its_file_has_paused_is_ended(self):
+        self.run_moonraker()
+        lines = ["M104 S180"] + spiral(100) + ["M25"] + spiral(100)
+        job = self.begin(lines)
+        self.await_lines(102)
+        time.sleep(3.0)
+        self.assertEqual(self.machine()["print_stats"]["state"], "paused")
+        job.send_signal(signal.SIGINT)
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.expect_stopped(told, lines)
+
+    def test_a_stop_that_waits_for_heat_is_not_called_confirmed(self):
+        self.run_moonraker()
+        job = self.begin(spiral(10) + ["M109 S250"] + spiral(10), "stream.safe_stop_timeout_s=5")
+        self.await_lines(10)
+        time.sleep(3.0)
+        job.send_signal(signal.SIGINT)
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("has not confirmed within 5 s", told)
+
+    def test_it_pauses_and_goes_on(self):
+        self.run_moonraker()
+        lines = spiral(500)
+        job = self.begin(lines, live=True)
+        self.await_lines(150)
+        job.stdin.write("pause\n")
+        job.stdin.flush()
+        time.sleep(4.0)
+        held = self.ran()
+        self.assertEqual(self.machine()["print_stats"]["state"], "paused")
+        time.sleep(3.0)
+        self.assertEqual(self.ran(), held)
+        job.stdin.write("resume\n")
+        job.stdin.flush()
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), lines)
+
+    def test_it_follows_what_another_does(self):
+        self.run_moonraker()
+        lines = spiral(400)
+        job = self.begin(lines)
+        self.await_lines(150)
+        self.ask("/printer/print/pause", "POST")
+        time.sleep(3.0)
+        self.ask("/printer/print/resume", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), lines)
+
+        job = self.begin(lines)
+        self.await_lines(550)
+        self.ask("/printer/print/cancel", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("was cancelled at the machine", told)
+        self.assertEqual(self.files(), [])
+
+    def test_an_error_ends_the_print_and_nothing_behind_it_is_run(self):
+        self.run_moonraker(NOZZLE_C="25")
+        lines = ["G90", "M140 S50", "G28", "M83", "G1 X20 E5 F6000", "G1 X30"]
+        code, _, told = self.print(lines)
+        self.assertEqual(code, 1)
+        self.assertIn("the print has ended with an error: Extrude below minimum temp", told)
+        self.assertIn("line 4 of 6 was the last acknowledged", told)
+        self.assertEqual(told.count("\n"), 1, told)
+        self.assertEqual(self.ran(), lines[:4])
+        self.expect_stopped(told, lines)
+
+    def test_another_print_is_left_alone(self):
+        self.run_moonraker()
+        theirs = spiral(1200)
+        job = self.begin(theirs)
+        self.await_lines(100)
+        code, _, told = self.print(["G91"])
+        self.assertEqual(code, 1)
+        self.assertIn("another print under way", told)
+        self.ask("/printer/print/pause", "POST")
+        code, _, told = self.print(["G91"])
+        self.assertEqual(code, 1)
+        self.assertIn("another print under way", told)
+        self.assertEqual(len(self.files()), 1)
+        self.ask("/printer/print/resume", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), theirs)
+
+    def test_nothing_is_started_behind_anothers_command(self):
+        self.run_moonraker()
+        other = threading.Thread(target=self.ask_in_vain, args=("/printer/gcode/script?script=M109%20S250",), daemon=True)
+        other.start()
+        time.sleep(2.0)
+        code, _, told = self.print(spiral(10))
+        self.assertEqual(code, 1)
+        self.assertIn("has been busy for 10 s", told)
+        machine = self.machine()
+        self.assertEqual(machine["extruder"]["target"], 250)
+        self.assertEqual(machine["print_stats"]["state"], "standby")
+        self.assertEqual(self.files(), [])
+        self.assertEqual(self.ran(), [])
+
+    def test_the_key_is_asked_for(self):
+        self.run_moonraker(LOGINS="1")
+        code, _, told = self.print(["G90"])
+        self.assertEqual(code, 1)
+        self.assertIn("Moonraker asks for an API key", told)
+        with open(self.path("wrong"), "w", encoding="utf-8") as key:
+            key.write("0123456789abcdef0123456789abcdef\n")
+        code, _, told = self.print(["G90"], "stream.password_file=" + self.path("wrong"))
+        self.assertEqual(code, 1)
+        self.assertIn("does not take the key", told)
+        self.assertNotIn("0123456789abcdef", told)
+        self.assertEqual(self.ran(), [])
+        code, _, told = self.print(["G90", "M83"], "stream.password_file=" + self.path("key"))
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), ["G90", "M83"])
+        self.assertEqual(self.files(), [])
+
+    def test_a_shutdown_under_way_is_told_with_its_reason(self):
+        self.run_moonraker()
+        job = self.begin(spiral(1000))
+        self.await_lines(150)
+        self.ask("/printer/emergency_stop", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("Shutdown due to", told)
+        self.assertLess(len(self.ran()), 1000)
+
+        before = self.ran()
+        code, _, told = self.print(["G90"])
+        self.assertEqual(code, 1)
+        self.assertIn("the printer is not ready: Shutdown due to", told)
+        self.assertEqual(self.ran(), before)
+
+    def test_a_shutdown_in_the_last_motion_is_not_complete(self):
+        self.run_moonraker()
+        job = self.begin(["G90", "G28", "G1 X100 F6000", "G1 X500 F600"])
+        self.await_lines(4)
+        time.sleep(4.0)
+        self.assertEqual(self.machine()["print_stats"]["state"], "complete")
+        self.ask("/printer/emergency_stop", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("Shutdown due to", told)
+
+    def test_a_stop_in_the_last_motion_waits_for_it(self):
+        self.run_moonraker()
+        job = self.begin(["G90", "M104 S180", "G28", "G1 X100 F6000", "G1 X500 F3000"])
+        self.await_lines(5)
+        time.sleep(4.0)
+        job.send_signal(signal.SIGINT)
+        code, _, told = self.end_of(job)
+        machine = self.machine()
+        self.assertEqual(code, 1)
+        self.assertIn("its heaters are off", told)
+        self.assertNotIn("still moving", told)
+        self.assertEqual(machine["extruder"]["target"], 0)
+        self.assertGreater(machine["toolhead"]["estimated_print_time"], machine["toolhead"]["print_time"])
+
+    def test_a_restart_under_way_ends_the_job(self):
+        for way in ("restart", "firmware_restart"):
+            with self.subTest(way):
+                self.run_moonraker()
+                job = self.begin(spiral(1000))
+                self.await_lines(150)
+                self.ask("/printer/" + way, "POST")
+                code, _, told = self.end_of(job)
+                self.assertEqual(code, 1)
+                self.assertRegex(told, "restarted|shut itself down")
+
+    def test_a_server_that_restarts_is_waited_for(self):
+        self.run_moonraker()
+        lines = spiral(500)
+        job = self.begin(lines)
+        self.await_lines(150)
+        self.ask("/server/restart", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), lines)
+
+    def test_a_server_that_is_gone_is_told(self):
+        self.run_moonraker()
+        job = self.begin(spiral(1000), "stream.silence_timeout_s=5")
+        self.await_lines(150)
+        self.kill("moonraker")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("nothing was heard of the machine for", told)
+        self.assertIn("it may still be printing", told)
+
+    def test_klipper_that_is_gone_is_told(self):
+        self.run_moonraker()
+        job = self.begin(spiral(1000), "stream.silence_timeout_s=5")
+        self.await_lines(150)
+        self.kill("klippy")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("Klippy", told)
+
+
+if __name__ == "__main__":
+    if not RUNNER:
+        print("no real Moonraker is there: LAMINA_MOONRAKER_RUNNER is not set")
+        sys.exit(77)
+    unittest.main()
