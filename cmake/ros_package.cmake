@@ -9,7 +9,8 @@ find_package(catkin REQUIRED COMPONENTS
 add_message_files(FILES
   Bead.msg DepositionState.msg DepositionSummary.msg FilledVoid.msg InclineSummary.msg JointTolerance.msg LayerHeight.msg
   MachineState.msg Measuring.msg ProcessPoint.msg ProcessState.msg ProfileCounts.msg
-  ProcessTrajectory.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathLayer.msg ToolpathPath.msg
+  ProcessTrajectory.msg ProcessValue.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathEvent.msg
+  ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
 add_service_files(FILES ChangeJob.srv FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv RunStartup.srv SliceMesh.srv)
 add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action Optimise.action SimulateDeposition.action Slice.action

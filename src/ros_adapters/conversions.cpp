@@ -29,6 +29,56 @@ std::vector<Value> fromMessages(const std::vector<Message>& messages) {
   return values;
 }
 
+lamina_msgs::ToolpathEvent eventMessage(const PathEvent& placed) {
+  using Message = lamina_msgs::ToolpathEvent;
+  Message message;
+  message.motion = static_cast<std::uint32_t>(placed.motion);
+  if (const auto* const dwell = std::get_if<Dwell>(&placed.event)) {
+    message.kind = Message::DWELL;
+    message.value = dwell->duration_s;
+  } else if (const auto* const fan = std::get_if<FanShare>(&placed.event)) {
+    message.kind = Message::FAN;
+    message.value = fan->share;
+  } else if (const auto* const pause = std::get_if<OperatorPause>(&placed.event)) {
+    message.kind = Message::PAUSE;
+    message.text = pause->message;
+  } else {
+    const auto& code = std::get<MachineCode>(placed.event);
+    message.kind = code.moves_axes ? Message::MOVING_CODE : Message::CODE;
+    message.text = code.text;
+  }
+  return message;
+}
+
+ToolpathEvent fromMessage(const lamina_msgs::ToolpathEvent& message) {
+  using Message = lamina_msgs::ToolpathEvent;
+  switch (message.kind) {
+    case Message::DWELL:
+      return Dwell{message.value};
+    case Message::FAN:
+      return FanShare{message.value};
+    case Message::PAUSE:
+      return OperatorPause{message.text};
+    case Message::CODE:
+      return MachineCode{message.text, false};
+    case Message::MOVING_CODE:
+      return MachineCode{message.text, true};
+    default:
+      throw InvalidInput("kind of an event is " + std::to_string(message.kind) +
+                         "; must be one of lamina/ToolpathEvent");
+  }
+}
+
+void addProcess(const Path& path, lamina_msgs::ToolpathPath& message) {
+  message.tool = path.tool;
+  for (const PathEvent& placed : path.events) message.events.push_back(eventMessage(placed));
+  for (const ProcessValue& each : path.values) {
+    message.values.emplace_back();
+    message.values.back().name = each.name;
+    message.values.back().value = each.value.values();
+  }
+}
+
 lamina_msgs::ToolpathPath pathMessage(const Path& path) {
   lamina_msgs::ToolpathPath message;
   message.role = static_cast<std::uint8_t>(path.role);
@@ -39,11 +89,12 @@ lamina_msgs::ToolpathPath pathMessage(const Path& path) {
   message.orientation = toMessages<geometry_msgs::Quaternion>(path.orientation.values());
   message.bead = toMessages<lamina_msgs::Bead>(path.bead.values());
   for (const double feed : path.feed_mm_s.values()) message.feed.push_back(toMetres(feed));
+  addProcess(path, message);
   return message;
 }
 
 PathRole roleFromMessage(std::uint8_t role) {
-  if (role > lamina_msgs::ToolpathPath::TRAVEL)
+  if (role >= kPathRoles)
     throw InvalidInput("path role is " + std::to_string(role) + "; must be one of lamina/ToolpathPath");
   return static_cast<PathRole>(role);
 }
@@ -67,6 +118,9 @@ Path fromMessage(const lamina_msgs::ToolpathPath& message) {
   std::vector<double> feed;
   for (const double metres_per_second : message.feed) feed.push_back(toMillimetres(metres_per_second));
   path.feed_mm_s = AlongPath<double>(std::move(feed));
+  path.tool = message.tool;
+  for (const auto& event : message.events) path.events.push_back({event.motion, fromMessage(event)});
+  for (const auto& each : message.values) path.values.push_back({each.name, AlongPath<double>(each.value)});
   return path;
 }
 
@@ -196,6 +250,8 @@ lamina_msgs::Toolpath toMessage(const MachineToolpath& placed) {
   message.machine = placed.machine;
   message.layers.reserve(placed.toolpath.layers.size());
   for (const ToolpathLayer& layer : placed.toolpath.layers) message.layers.push_back(layerMessage(layer));
+  for (const ToolpathEvent& event : placed.toolpath.events_at_end)
+    message.events_at_end.push_back(eventMessage({0, event}));
   return message;
 }
 
@@ -225,6 +281,7 @@ MachineToolpath fromMessage(const lamina_msgs::Toolpath& message) {
   placed.toolpath.part_from_layers = fromMessage(message.part_from_layers);
   placed.toolpath.layers.reserve(message.layers.size());
   for (const auto& layer : message.layers) placed.toolpath.layers.push_back(fromMessage(layer));
+  for (const auto& event : message.events_at_end) placed.toolpath.events_at_end.push_back(fromMessage(event));
   validate(placed.toolpath);
   return placed;
 }

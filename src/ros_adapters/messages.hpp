@@ -28,6 +28,7 @@
 #include <lamina/OptimiseAction.h>
 #include <lamina/ProcessState.h>
 #include <lamina/ProcessTrajectory.h>
+#include <lamina/ProcessValue.h>
 #include <lamina/ProfileCounts.h>
 #include <lamina/RunStartup.h>
 #include <lamina/Setting.h>
@@ -39,6 +40,7 @@
 #include <lamina/Status.h>
 #include <lamina/StreamProgramAction.h>
 #include <lamina/Toolpath.h>
+#include <lamina/ToolpathEvent.h>
 #include <lamina/ToolpathLayer.h>
 #include <lamina/ToolpathPath.h>
 #include <lamina/TrackingError.h>

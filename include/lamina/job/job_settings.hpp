@@ -16,6 +16,7 @@
 #include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/parameterization/flattening_settings.hpp"
 #include "lamina/picture/frame_settings.hpp"
+#include "lamina/planning/cooling/cooling_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
@@ -60,6 +61,8 @@ struct JobSettings {
   LiftSettings lifting;
   OrientationSettings orientation;
   PlanSettings planning;
+  CoolingSettings cooling;
+  FanSettings fan;
   DropVoidSettings drop_voids;
   OverhangSettings overhang;
   ClearanceSettings clearance;

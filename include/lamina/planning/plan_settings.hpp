@@ -40,6 +40,25 @@ struct InfillSettings {
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
 };
 
+/// Solid layers where the part is seen from above or below, over a sparse infill of level or inclined layers.
+struct SkinSettings {
+  int top_layers = 0;     ///< 0 with `top_mm` 0: none
+  int bottom_layers = 0;  ///< the same
+  double top_mm = 0.0;    ///< least thickness, in whole layers
+  double bottom_mm = 0.0;
+  std::string strategy = "zigzag";
+  double angle_deg = 45.0;  ///< of the first layer; turned by 90 deg from layer to layer
+  double narrowest = 1.0;   ///< bead widths; narrower places are no skin
+  double anchor_mm = -1.0;  ///< by which skins grow into the infill; -1 takes the thickness of the walls
+  double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
+};
+
+/// Whether there is a skin at all.
+inline bool hasSkins(const SkinSettings& settings) {
+  return settings.top_layers > 0 || settings.bottom_layers > 0 || settings.top_mm > 0.0 ||
+         settings.bottom_mm > 0.0;
+}
+
 /// Whether the density is 1, but for rounding.
 inline bool isSolid(const InfillSettings& settings) { return settings.density > 1.0 - 1e-6; }
 
@@ -83,6 +102,8 @@ struct FeedSettings {
   double outer_wall_mm_s = 30.0;
   double inner_wall_mm_s = 45.0;
   double infill_mm_s = 60.0;
+  double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
+  double top_skin_mm_s = 30.0;  ///< skins seen from above
   double skirt_mm_s = 40.0;
   double first_layer_mm_s = 20.0;  ///< an upper bound for all roles in the first layer
 };
@@ -92,6 +113,7 @@ struct PlanSettings {
   BeadSettings bead;
   WallSettings walls;
   InfillSettings infill;
+  SkinSettings skins;
   FillSettings fill;
   VoidSettings voids;
   SkirtSettings skirt;  ///< of level layers
@@ -108,8 +130,8 @@ inline bool isLoneWall(const PlanSettings& settings) {
   return settings.walls.count == 1 && !isFilled(settings.infill);
 }
 
-/// Adds the keys bead.*, walls.*, infill.*, those of the fill strategies, voids.*, skirt.*, anchoring.*,
-/// seam.*, travel.*, feed.* and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, skins.*, those of the fill strategies, voids.*, skirt.*,
+/// anchoring.*, seam.*, travel.*, feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -20,7 +20,8 @@ struct ToolpathTime {
 };
 
 /// The time the nozzle tip needs from rest at the first waypoint to rest at the last, within the limits.
-/// Retractions, heating and turning of the nozzle are not counted. Linear time; memory for the layers only.
+/// Dwells are counted; retractions, heating, turning of the nozzle and pauses are not. Linear time; memory
+/// for the layers only.
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits);
 

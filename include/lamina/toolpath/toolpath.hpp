@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "lamina/geometry/vector.hpp"
+#include "lamina/toolpath/toolpath_event.hpp"
 
 namespace lamina {
 
@@ -18,8 +20,29 @@ enum class PathRole : std::uint8_t {
   InnerWall = 2,
   Infill = 3,
   GapFill = 4,
-  Travel = 5
+  Travel = 5,
+  TopSkin = 6,            ///< solid, seen from above
+  Skin = 7,               ///< solid, hidden
+  BottomSkin = 8,         ///< solid, seen from below
+  Bridge = 9,             ///< spans what is open below
+  Support = 10,           ///< holds up the part, and is taken away
+  SupportInterface = 11,  ///< between support and part
+  Brim = 12,
+  Raft = 13,
+  Prime = 14,   ///< fills the nozzle, or a prime tower
+  Ironing = 15  ///< passes over a top skin again
 };
+
+/// Kinds of roles, by what becomes of the material.
+enum class RoleKind : std::uint8_t {
+  Travel,   ///< none
+  Wall,     ///< stays, along the part's surface
+  Infill,   ///< stays, within walls: skins and bridges too
+  BuildAid  ///< is no part of the part: skirt, brim, raft, supports, priming
+};
+RoleKind kindOf(PathRole role);
+
+inline constexpr std::size_t kPathRoles = 16;
 
 /// The role as written in files and shown to people: "outer_wall".
 const char* toString(PathRole role);
@@ -70,6 +93,12 @@ struct ProcessFlags {
   bool is_retracted = false;
 };
 
+/// A quantity of the process by name, such as "laser_power_w", besides bead and feed.
+struct ProcessValue {
+  std::string name;
+  AlongPath<double> value{0.0};
+};
+
 /// One run of the nozzle. Waypoint i is a pose of the nozzle in the part frame, and what is deposited at what
 /// feed on the way to it from waypoint i-1; what stands at waypoint 0 of an open path is not used. A closed
 /// path returns from its last waypoint to its first, which is not repeated: waypoint 0 then describes that
@@ -83,6 +112,9 @@ struct Path {
   AlongPath<Eigen::Quaterniond> orientation{Eigen::Quaterniond(0, 1, 0, 0)};  ///< part_from_nozzle
   AlongPath<Bead> bead;                                                       ///< width 0 on travel
   AlongPath<double> feed_mm_s{0.0};  ///< speed of the nozzle tip [mm/s]
+  std::uint32_t tool = 0;            ///< that runs the path, from 0
+  std::vector<PathEvent> events;     ///< in the order of their motions
+  std::vector<ProcessValue> values;  ///< no name twice
 
   /// Number of motions: points.size(), less one if open.
   std::size_t motionCount() const;
@@ -109,6 +141,7 @@ struct Toolpath {
   /// Turn of the layers about the part's origin: a layer is where the z of this frame is its `z_mm`.
   /// Waypoints are in the part frame all the same.
   Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
+  std::vector<ToolpathEvent> events_at_end = {};  ///< once all paths are run
 };
 
 /// Nozzle pointing straight down: its z (the tool axis) along -z of the part, its x along x of the part.
@@ -148,7 +181,7 @@ Box3 depositionBox(const Toolpath& toolpath);
 std::string toolpathId(const Toolpath& toolpath);
 
 /// Checks the promises above: finite numbers, two points at least, quantities of one value or one per
-/// waypoint, positive feeds, consecutive paths that join within 1e-6 mm.
+/// waypoint, positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
 /// @throws InvalidInput naming layer, path and waypoint
 void validate(const Toolpath& toolpath);
 

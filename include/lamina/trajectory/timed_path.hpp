@@ -35,7 +35,8 @@ class TimedPath final : public JointTrajectory {
   /// @throws InvalidConfig as `validate`
   /// @throws Unreachable if the joint path has faults, or a bead cannot be followed between its waypoints
   /// @throws InvalidInput if path, toolpath and kinematic model do not fit each other, nothing moves, a feed
-  ///   is not positive, drops are deposited, or a bead is too short for the leads of its process
+  ///   is not positive, drops are deposited, a path has events other than the fan's, another tool or process
+  ///   values, or a bead is too short for the leads of its process
   TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
             const TimingSettings& settings);
   /// A motion that was planned otherwise.

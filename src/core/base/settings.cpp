@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/base/edit_distance.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 
@@ -67,21 +68,6 @@ std::vector<double> parseList(const std::string& key, const std::string& text, c
     begin = comma + 1;
   }
   return values;
-}
-
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
 }
 
 /// "; did you mean ...?" with the key that is nearest; empty if there are none.

@@ -65,7 +65,8 @@ SectionMark SectionMarks::read(std::string_view comment) {
 }
 
 bool SectionMarks::isBuildAid() const {
-  return context_.role == PathRole::Skirt || context_.layer.value_or(0) < 0;
+  const bool is_aid = context_.role && kindOf(*context_.role) == RoleKind::BuildAid;
+  return is_aid || context_.layer.value_or(0) < 0;
 }
 
 void SectionMarks::readHead(std::string_view comment) {

@@ -94,6 +94,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);
   describe(schema, settings.planning);
+  describe(schema, settings.cooling);
+  describe(schema, settings.fan);
   describe(schema, settings.drop_voids);
   describe(schema, settings.overhang);
   describe(schema, settings.clearance);
@@ -126,6 +128,7 @@ void validate(const JobSettings& settings) {
   describe(schema, checked);
   schema.validate();
   requireConsistent(settings.planning);
+  requireConsistent(settings.fan);
   validate(settings.orientation);
   validate(settings.joints);
   requireConsistentPlane(settings);

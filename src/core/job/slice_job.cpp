@@ -4,7 +4,9 @@
 
 #include <sys/resource.h>
 
+#include <cstdio>
 #include <optional>
+#include <string>
 
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
@@ -12,6 +14,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
+#include "lamina/planning/cooling/cooling.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -36,6 +39,20 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
               program);
 }
 
+/// Least layer times and fan, with a note of what was changed.
+void coolPart(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
+  const CoolingSummary summary = cool(sliced.toolpath, settings.cooling, settings.motion, progress);
+  const auto note = [&sliced](std::size_t count, const std::string& what) {
+    if (count > 0) sliced.summary.notes.push_back(std::to_string(count) + " layers " + what);
+  };
+  note(summary.slowed_layers, "are slowed down to take their least time");
+  char waiting[64];
+  std::snprintf(waiting, sizeof waiting, "are waited for, %.1f s in all", summary.dwell_s);
+  note(summary.dwells, waiting);
+  note(summary.too_fast_layers, "take less than their least time, even at the least feed");
+  addFan(sliced.toolpath, settings.fan, settings.motion);
+}
+
 /// In the build space, whatever head the settings' machine has.
 SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progress) {
   Laps whole;
@@ -50,6 +67,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progres
   const double read_s = laps.lap();
   SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
   sliced.summary.read_s = read_s;
+  coolPart(sliced, job.settings, progress);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);

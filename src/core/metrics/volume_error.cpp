@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpath/deposited_segment.hpp"
+
 namespace lamina {
 namespace {
 
@@ -35,7 +37,7 @@ double estimatedVolume(const Toolpath& toolpath, const VolumeErrorSettings& sett
   double sum = 0.0;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
-      if (path.role != PathRole::Travel && path.role != PathRole::Skirt)
+      if (isPartOfPart(path))
         sum += path.deposit == Deposit::Drops ? depositedVolume(path) : volumeOf(path, settings);
   return sum;
 }

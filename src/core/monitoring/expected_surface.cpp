@@ -26,13 +26,13 @@ void ExpectedSurface::addMotion(const Point3& start, const Point3& end, const Be
   const HeightGrid& grid = heights_.grid();
   const double flat = std::max(0.5 * (bead.width_mm - bead.height_mm), 0.5 * grid.cell_mm);
   const double reach = std::max(flat, 0.5 * bead.width_mm);
+  const bool is_aid = kindOf(role) == RoleKind::BuildAid;
   forCellsNearSegment(grid, start.head<2>(), end.head<2>(), reach,
                       [&](std::size_t cell, double distance, double along) {
                         const double z = start.z() + along * (end.z() - start.z());
                         const double before = heights_.at(cell);
                         if (!(before >= z)) heights_.set(cell, z);
-                        if (role == PathRole::Skirt || distance > flat || top_in_layer_[cell] == layers_)
-                          return;
+                        if (is_aid || distance > flat || top_in_layer_[cell] == layers_) return;
                         top_in_layer_[cell] = layers_;
                         top_cells_.push_back(cell);
                       });

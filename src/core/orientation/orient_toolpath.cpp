@@ -144,7 +144,7 @@ constexpr double kChangedDeg = 1e-6;  // a tool axis that a limit moved by less 
 /// One tool axis per waypoint, or a single one for all of them.
 using ToolAxes = std::vector<Point3>;
 
-bool isWall(PathRole role) { return role == PathRole::OuterWall || role == PathRole::InnerWall; }
+bool isWall(PathRole role) { return kindOf(role) == RoleKind::Wall; }
 
 ToolAxes givenToolAxes(const Path& run) {
   ToolAxes tool_axes;

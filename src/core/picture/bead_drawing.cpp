@@ -100,7 +100,7 @@ double Projection::lightOn(const Point3& normal) const {
 void drawBeads(Canvas& canvas, const Projection& projection, const Path& path, const Colour& colour) {
   if (path.deposit == Deposit::Drops) return drawDrops(canvas, projection, path, colour);
   // Of a wall its side is seen, of a fill its top, which is lit the same in every direction.
-  const bool shows_side = path.role == PathRole::OuterWall || path.role == PathRole::InnerWall;
+  const bool shows_side = kindOf(path.role) == RoleKind::Wall;
   StrokePen pen(canvas);
   Point3 start = path.firstPoint();
   Point2 from = canvas.toPixels(projection(start));

@@ -28,8 +28,12 @@ constexpr Colour kVoid{0.86, 0.08, 0.14};
 constexpr Colour kOverfill{0.20, 0.10, 0.45, 0.8};
 
 /// Walls last: they are what is seen where beads touch.
-constexpr std::array<PathRole, 5> kDrawingOrder = {PathRole::Infill, PathRole::GapFill, PathRole::InnerWall,
-                                                   PathRole::OuterWall, PathRole::Skirt};
+constexpr std::array<PathRole, 15> kDrawingOrder = {
+    PathRole::Raft,       PathRole::Support,   PathRole::SupportInterface,
+    PathRole::Infill,     PathRole::Skin,      PathRole::Bridge,
+    PathRole::BottomSkin, PathRole::TopSkin,   PathRole::Ironing,
+    PathRole::GapFill,    PathRole::InnerWall, PathRole::OuterWall,
+    PathRole::Brim,       PathRole::Prime,     PathRole::Skirt};
 
 template <class... Values>
 std::string formattedLength(const char* format, Values... values) {
@@ -283,8 +287,28 @@ Colour roleColour(PathRole role) {
       return {0.27, 0.56, 0.78};
     case PathRole::GapFill:
       return {0.70, 0.38, 0.68};
+    case PathRole::TopSkin:
+      return {0.84, 0.27, 0.30};
+    case PathRole::Skin:
+      return {0.55, 0.43, 0.75};
+    case PathRole::BottomSkin:
+      return {0.33, 0.67, 0.62};
+    case PathRole::Bridge:
+      return {0.16, 0.38, 0.66};
+    case PathRole::Support:
+      return {0.55, 0.75, 0.45};
+    case PathRole::SupportInterface:
+      return {0.30, 0.58, 0.27};
+    case PathRole::Brim:
+      return {0.72, 0.70, 0.58};
+    case PathRole::Raft:
+      return {0.60, 0.52, 0.43};
+    case PathRole::Prime:
+      return {0.45, 0.47, 0.50};
+    case PathRole::Ironing:
+      return {0.93, 0.62, 0.66};
     case PathRole::Travel:
-      return kTravel;
+      break;
   }
   return kTravel;
 }

@@ -84,6 +84,13 @@ void requireConsistentVase(const PlanSettings& settings) {
         "voids.refill is 'beads' with infill.strategy 'vase', which is hollow; expected 'none'");
 }
 
+void requireConsistentSkins(const SkinSettings& skins) {
+  const InfillStrategy strategy = infillStrategy(skins.strategy);
+  if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
+  throw InvalidConfig("skins.strategy is '" + skins.strategy +
+                      "'; must be one that fills each layer with beads, such as zigzag");
+}
+
 void requireConsistentHybrid(const PlanSettings& settings) {
   const HybridSettings& hybrid = settings.fill.hybrid;
   if (hybrid.lines != HybridLines::Documented) return;
@@ -105,6 +112,7 @@ void requireConsistent(const PlanSettings& settings) {
   if (strategy.deposit == Deposit::Drops) requireConsistentDrops(settings);
   if (strategy.link == LayerLink::Rising) requireConsistentVase(settings);
   if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
+  if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

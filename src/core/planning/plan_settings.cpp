@@ -44,6 +44,25 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
                 "Part of the bead width by which infill runs into the innermost wall.");
 }
 
+void describe(SettingsSchema& schema, SkinSettings& skins) {
+  schema.integer("skins.top_layers", skins.top_layers, {0, 1000, false},
+                 "Least number of solid layers below what is seen from above; 0 for none.");
+  schema.integer("skins.bottom_layers", skins.bottom_layers, {0, 1000, false},
+                 "Least number of solid layers over what is seen from below; 0 for none.");
+  schema.number("skins.top_mm", skins.top_mm, {0.0, 100.0, false}, "Least thickness of these top layers.");
+  schema.number("skins.bottom_mm", skins.bottom_mm, {0.0, 100.0, false},
+                "Least thickness of these bottom layers.");
+  schema.choice("skins.strategy", skins.strategy, infillStrategyNames(), "How skins are filled.");
+  schema.number("skins.angle_deg", skins.angle_deg, {-180.0, 180.0, false},
+                "Direction of the first layer's skins, from x; each layer is turned by 90 deg.");
+  schema.number("skins.narrowest", skins.narrowest, {0.0, 10.0, false},
+                "Narrower places are no skin, in bead widths.");
+  schema.number("skins.anchor_mm", skins.anchor_mm, {-1.0, 50.0, false},
+                "By how much skins grow into the infill; -1 takes the thickness of the walls.");
+  schema.number("skins.least_infill_mm2", skins.least_infill_mm2, {0.0, 1e6, false},
+                "Smaller areas of sparse infill become skin.");
+}
+
 void describe(SettingsSchema& schema, VoidSettings& voids) {
   schema.choice<VoidRefill>("voids.refill", voids.refill,
                             {{"none", VoidRefill::None}, {"beads", VoidRefill::Beads}},
@@ -85,6 +104,8 @@ void describe(SettingsSchema& schema, FeedSettings& feed) {
   schema.number("feed.outer_wall_mm_s", feed.outer_wall_mm_s, kFeed, "Speed of outer walls.");
   schema.number("feed.inner_wall_mm_s", feed.inner_wall_mm_s, kFeed, "Speed of inner walls.");
   schema.number("feed.infill_mm_s", feed.infill_mm_s, kFeed, "Speed of infill.");
+  schema.number("feed.skin_mm_s", feed.skin_mm_s, kFeed, "Speed of hidden and bottom skins.");
+  schema.number("feed.top_skin_mm_s", feed.top_skin_mm_s, kFeed, "Speed of skins seen from above.");
   schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of the skirt.");
   schema.number("feed.first_layer_mm_s", feed.first_layer_mm_s, kFeed,
                 "Upper bound of these in the first layer.");
@@ -97,6 +118,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.walls);
   describe(schema, settings.adapted);
   describe(schema, settings.infill);
+  describe(schema, settings.skins);
   describe(schema, settings.fill);
   describe(schema, settings.voids);
   describe(schema, settings.skirt);

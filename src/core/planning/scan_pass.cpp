@@ -22,20 +22,20 @@ bool deposits(const ToolpathLayer& layer) {
                      [](const Path& path) { return path.role != PathRole::Travel; });
 }
 
-/// What the layer deposits, to the edges of the beads; with the skirt only where there is nothing else.
+/// What the layer deposits, to the edges of the beads; build aids only where there is nothing else.
 Box2 boxToScan(const ToolpathLayer& layer) {
   Box2 part;
-  Box2 skirt;
+  Box2 aids;
   for (const Path& path : layer.paths) {
     if (path.role == PathRole::Travel) continue;
-    Box2& box = path.role == PathRole::Skirt ? skirt : part;
+    Box2& box = kindOf(path.role) == RoleKind::BuildAid ? aids : part;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
       const double half = 0.5 * path.bead.at(i).width_mm;
       box.include(path.points[i].head<2>() - Point2(half, half));
       box.include(path.points[i].head<2>() + Point2(half, half));
     }
   }
-  return part.isEmpty() ? skirt : part;
+  return part.isEmpty() ? aids : part;
 }
 
 /// Places of the middle of the sensor's line, start and end of each swath.

@@ -8,9 +8,10 @@
 
 namespace lamina {
 
-/// Whether a path is part of the part: it deposits and is no skirt.
+/// Whether a path is part of the part: it deposits, and what it deposits stays.
 inline bool isPartOfPart(const Path& path) {
-  return path.role != PathRole::Travel && path.role != PathRole::Skirt;
+  const RoleKind kind = kindOf(path.role);
+  return kind == RoleKind::Wall || kind == RoleKind::Infill;
 }
 
 /// What is laid in one go: a bead along a motion, or a drop, which ends where it starts. The path must

@@ -9,18 +9,25 @@ constexpr double kShortest = 1e-9;  // mm
 
 }  // namespace
 
+double MotionCursor::dwellHere() const {
+  return path().events.empty() ? 0.0 : dwellBefore(path().events, motion_);
+}
+
 bool MotionCursor::stepAny() {
   if (is_started_) ++motion_;
   is_started_ = true;
   for (; layer_ < toolpath_->layers.size(); ++layer_, path_ = 0) {
     const auto& paths = toolpath_->layers[layer_].paths;
-    for (; path_ < paths.size(); ++path_, motion_ = 0)
+    for (; path_ < paths.size(); ++path_, motion_ = 0) {
+      dwell_s_ += dwellHere();
       if (motion_ < paths[path_].motionCount()) return true;
+    }
   }
   return false;
 }
 
 bool MotionCursor::step() {
+  dwell_s_ = 0.0;
   while (stepAny()) {
     length_mm_ = (end() - start()).norm();
     if (!(length_mm_ < kShortest)) return true;

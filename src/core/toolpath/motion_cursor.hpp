@@ -23,9 +23,12 @@ class MotionCursor {
   std::size_t startWaypoint() const { return motion_; }
   WaypointIndex endWaypoint() const { return {layer_, path_, path().motionEnd(motion_)}; }
   MotionSegment segment(const MotionLimits& limits) const;
+  /// How long the nozzle waits before this motion [s].
+  double dwell() const { return dwell_s_; }
 
  private:
   bool stepAny();
+  double dwellHere() const;
 
   const Toolpath* toolpath_;
   std::size_t layer_ = 0;
@@ -33,6 +36,7 @@ class MotionCursor {
   std::size_t motion_ = 0;
   bool is_started_ = false;
   double length_mm_ = 0.0;
+  double dwell_s_ = 0.0;
 };
 
 }  // namespace lamina

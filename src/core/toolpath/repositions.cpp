@@ -10,7 +10,7 @@ namespace {
 /// Runs that end and start this near to each other join [mm].
 constexpr double kJoined = 1e-6;
 
-bool isWall(const Path& path) { return path.role == PathRole::OuterWall || path.role == PathRole::InnerWall; }
+bool isWall(const Path& path) { return kindOf(path.role) == RoleKind::Wall; }
 
 void count(Repositions& repositions, const Path& from, const Path& to) {
   if ((to.firstPoint() - from.lastPoint()).norm() <= kJoined) return;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 #include "lamina/base/error.hpp"
 #include "toolpath/motion_cursor.hpp"
@@ -22,10 +23,9 @@ class TimedMotions {
     std::optional<SpeedProfile> next = planner_.next();
     while (!next && !is_planned_) {
       is_planned_ = !ahead_.step();
-      if (is_planned_)
-        planner_.finish();
-      else
-        planner_.add(ahead_.segment(limits_));
+      // The nozzle rests where it waits.
+      if (is_planned_ || ahead_.dwell() > 0.0) planner_.finish();
+      if (!is_planned_) planner_.add(ahead_.segment(limits_));
       next = planner_.next();
     }
     if (!next) return false;
@@ -35,6 +35,8 @@ class TimedMotions {
 
   const MotionCursor& motion() const { return motion_; }
   const SpeedProfile& profile() const { return profile_; }
+  /// Waiting behind the last motion [s], once there is none left.
+  double lastDwell() const { return ahead_.dwell(); }
 
  private:
   MotionLimits limits_;
@@ -44,6 +46,13 @@ class TimedMotions {
   SpeedProfile profile_;
   bool is_planned_ = false;
 };
+
+double dwellAtEnd(const Toolpath& toolpath) {
+  double sum_s = 0.0;
+  for (const ToolpathEvent& event : toolpath.events_at_end)
+    if (const auto* const dwell = std::get_if<Dwell>(&event)) sum_s += dwell->duration_s;
+  return sum_s;
+}
 
 }  // namespace
 
@@ -67,9 +76,11 @@ ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits) 
   TimedMotions motions(toolpath, limits);
   while (motions.step()) {
     const std::size_t layer = motions.motion().endWaypoint().layer;
+    time.total_s += motions.motion().dwell();
     if (time.layer_start_s.size() <= layer) time.layer_start_s.resize(layer + 1, time.total_s);
     time.total_s += motions.profile().duration_s;
   }
+  time.total_s += motions.lastDwell() + dwellAtEnd(toolpath);
   time.layer_start_s.resize(toolpath.layers.size(), time.total_s);
   return time;
 }
@@ -80,11 +91,11 @@ class ToolpathPlayer::State {
       : toolpath_(toolpath), limits_(limits), motions_(toolpath, limits) {}
 
   NozzleSample at(double time_s) {
-    if (!is_started_ || time_s < start_s_) rewind();
+    if (!is_started_ || time_s < wait_s_) rewind();
     while (!is_finished_ && time_s >= start_s_ + motions_.profile().duration_s) {
       const double end_s = start_s_ + motions_.profile().duration_s;
       is_finished_ = !motions_.step();
-      if (!is_finished_) start_s_ = end_s;
+      if (!is_finished_) beginAt(end_s);
     }
     return sample(time_s);
   }
@@ -97,11 +108,17 @@ class ToolpathPlayer::State {
  private:
   void rewind() {
     motions_ = TimedMotions(toolpath_, limits_);
-    start_s_ = 0.0;
     is_finished_ = false;
     is_started_ = motions_.step();
     if (!is_started_)
       throw InvalidInput("the toolpath of '" + toolpath_.part_name + "' has no motion to play");
+    beginAt(0.0);
+  }
+
+  /// The motion it stands at begins, after its waiting.
+  void beginAt(double time_s) {
+    wait_s_ = time_s;
+    start_s_ = time_s + motions_.motion().dwell();
   }
 
   NozzleSample sample(double time_s) const {
@@ -125,7 +142,8 @@ class ToolpathPlayer::State {
   const Toolpath& toolpath_;
   MotionLimits limits_;
   TimedMotions motions_;
-  double start_s_ = 0.0;
+  double wait_s_ = 0.0;   ///< when the waiting before the motion begins
+  double start_s_ = 0.0;  ///< when the motion begins
   bool is_started_ = false;
   bool is_finished_ = false;
 };

@@ -11,8 +11,10 @@
 namespace lamina {
 namespace {
 
-constexpr std::array<const char*, 6> kRoleNames = {"skirt",  "outer_wall", "inner_wall",
-                                                   "infill", "gap_fill",   "travel"};
+constexpr std::array<const char*, kPathRoles> kRoleNames = {
+    "skirt",    "outer_wall", "inner_wall",  "infill", "gap_fill", "travel",
+    "top_skin", "skin",       "bottom_skin", "bridge", "support",  "support_interface",
+    "brim",     "raft",       "prime",       "ironing"};
 
 double discVolume(const Bead& drop) { return 0.25 * M_PI * drop.width_mm * drop.width_mm * drop.height_mm; }
 
@@ -32,8 +34,35 @@ const char* toString(Deposit deposit) { return deposit == Deposit::Drops ? "drop
 PathRole pathRoleFromString(const std::string& name) {
   for (std::size_t i = 0; i < kRoleNames.size(); ++i)
     if (name == kRoleNames[i]) return static_cast<PathRole>(i);
-  throw InvalidInput("path role is '" + name +
-                     "'; must be skirt, outer_wall, inner_wall, infill, gap_fill or travel");
+  std::string known;
+  for (const char* const role : kRoleNames) known += (known.empty() ? "" : ", ") + std::string(role);
+  throw InvalidInput("path role is '" + name + "'; must be one of " + known);
+}
+
+RoleKind kindOf(PathRole role) {
+  switch (role) {
+    case PathRole::Travel:
+      return RoleKind::Travel;
+    case PathRole::OuterWall:
+    case PathRole::InnerWall:
+      return RoleKind::Wall;
+    case PathRole::Skirt:
+    case PathRole::Support:
+    case PathRole::SupportInterface:
+    case PathRole::Brim:
+    case PathRole::Raft:
+    case PathRole::Prime:
+      return RoleKind::BuildAid;
+    case PathRole::Infill:
+    case PathRole::GapFill:
+    case PathRole::TopSkin:
+    case PathRole::Skin:
+    case PathRole::BottomSkin:
+    case PathRole::Bridge:
+    case PathRole::Ironing:
+      break;
+  }
+  return RoleKind::Infill;
 }
 
 std::size_t Path::motionCount() const {

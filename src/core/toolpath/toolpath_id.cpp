@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <variant>
 
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -42,10 +44,39 @@ class Fingerprint {
     add(path.orientation);
     add(path.bead);
     add(path.feed_mm_s);
+    if (path.tool != 0 || !path.events.empty() || !path.values.empty()) addProcess(path);
+  }
+  void add(const std::string& text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  void add(const ToolpathEvent& event) {
+    add(static_cast<std::uint64_t>(event.index()));
+    std::visit([this](const auto& kind) { addEvent(kind); }, event);
   }
   std::uint64_t value() const { return hash_; }
 
  private:
+  void addProcess(const Path& path) {
+    add(static_cast<std::uint64_t>(path.tool));
+    add(static_cast<std::uint64_t>(path.events.size()));
+    for (const PathEvent& placed : path.events) {
+      add(static_cast<std::uint64_t>(placed.motion));
+      add(placed.event);
+    }
+    for (const ProcessValue& each : path.values) {
+      add(each.name);
+      add(each.value);
+    }
+  }
+  void addEvent(const Dwell& dwell) { add(dwell.duration_s); }
+  void addEvent(const FanShare& fan) { add(fan.share); }
+  void addEvent(const OperatorPause& pause) { add(pause.message); }
+  void addEvent(const MachineCode& code) {
+    add(code.text);
+    add(static_cast<std::uint64_t>(code.moves_axes));
+  }
+
   std::uint64_t hash_ = 0xCBF29CE484222325ULL;
 };
 
@@ -53,9 +84,7 @@ class Fingerprint {
 
 std::string toolpathId(const Toolpath& toolpath) {
   Fingerprint fingerprint;
-  fingerprint.add(static_cast<std::uint64_t>(toolpath.part_name.size()));
-  for (const char c : toolpath.part_name)
-    fingerprint.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  fingerprint.add(toolpath.part_name);
   if (isInclined(toolpath)) fingerprint.add(toolpath.part_from_layers);
   for (const ToolpathLayer& layer : toolpath.layers) {
     fingerprint.add(layer.z_mm);
@@ -63,6 +92,7 @@ std::string toolpathId(const Toolpath& toolpath) {
     fingerprint.add(static_cast<std::uint64_t>(layer.paths.size()));
     for (const Path& path : layer.paths) fingerprint.add(path);
   }
+  for (const ToolpathEvent& event : toolpath.events_at_end) fingerprint.add(event);
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint.value()));
   return text;

@@ -20,6 +20,34 @@ bool fits(const AlongPath<Value>& along, std::size_t waypoints) {
                      what);
 }
 
+std::string faultOfEvents(const Path& path) {
+  std::size_t last = 0;
+  for (const PathEvent& placed : path.events) {
+    if (placed.motion < last || placed.motion > path.motionCount())
+      return std::string(nameOf(placed.event)) + " stands before motion " + std::to_string(placed.motion) +
+             "; must be " + std::to_string(last) + " to " + std::to_string(path.motionCount());
+    last = placed.motion;
+    std::string defect = defectOf(placed.event);
+    if (!defect.empty()) return defect;
+  }
+  return {};
+}
+
+std::string faultOfValues(const Path& path) {
+  for (std::size_t c = 0; c < path.values.size(); ++c) {
+    const ProcessValue& each = path.values[c];
+    const std::string which = "process value '" + each.name + "' ";
+    if (each.name.empty()) return "a process value has no name";
+    if (!fits(each.value, path.points.size()))
+      return which + "needs one value or " + std::to_string(path.points.size()) + ", one per waypoint";
+    for (const double value : each.value.values())
+      if (!std::isfinite(value)) return which + "has a value that is not finite";
+    for (std::size_t other = 0; other < c; ++other)
+      if (path.values[other].name == each.name) return which + "stands twice";
+  }
+  return {};
+}
+
 std::string firstFault(const Path& path) {
   const std::size_t count = path.points.size();
   const std::size_t least = path.deposit == Deposit::Drops ? 1 : 2;
@@ -37,7 +65,8 @@ std::string firstFault(const Path& path) {
       return "bead is " + std::to_string(bead.width_mm) + " x " + std::to_string(bead.height_mm) + " mm";
   for (const Eigen::Quaterniond& q : path.orientation.values())
     if (!(std::abs(q.norm() - 1.0) < 1e-6)) return "orientation is no unit quaternion";
-  return {};
+  const std::string fault = faultOfEvents(path);
+  return fault.empty() ? faultOfValues(path) : fault;
 }
 
 }  // namespace
@@ -55,6 +84,10 @@ void validate(const Toolpath& toolpath) {
         refuse(l, p, "does not start where the path before it ends");
       previous = &paths[p];
     }
+  }
+  for (const ToolpathEvent& event : toolpath.events_at_end) {
+    const std::string defect = defectOf(event);
+    if (!defect.empty()) throw InvalidInput("end of the toolpath: " + defect);
   }
 }
 

@@ -40,9 +40,11 @@ ToolpathTime restToRestTime(const Toolpath& toolpath, const MotionLimits& limits
   MotionCursor cursor(toolpath);
   while (cursor.step()) {
     const std::size_t layer = cursor.endWaypoint().layer;
+    time.total_s += cursor.dwell();
     if (time.layer_start_s.size() <= layer) time.layer_start_s.resize(layer + 1, time.total_s);
     time.total_s += timeOf(cursor.segment(limits));
   }
+  time.total_s += cursor.dwell();
   time.layer_start_s.resize(toolpath.layers.size(), time.total_s);
   return time;
 }
@@ -50,6 +52,7 @@ ToolpathTime restToRestTime(const Toolpath& toolpath, const MotionLimits& limits
 RestToRestPlayer::RestToRestPlayer(const Toolpath& toolpath, const MotionLimits& limits) : start_s_(1, 0.0) {
   MotionCursor cursor(toolpath);
   while (cursor.step()) {
+    start_s_.back() += cursor.dwell();
     motions_.push_back({cursor.start(), cursor.segment(limits), cursor.endWaypoint()});
     start_s_.push_back(start_s_.back() + timeOf(motions_.back().segment));
   }

@@ -13,7 +13,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr int kGrownRoles = 6;
+constexpr int kGrownRoles = static_cast<int>(kPathRoles);
 
 Marker emptyMarker(const std::string& frame, std::size_t layer, PathRole role) {
   const Colour drawn = roleColour(role);

@@ -13,7 +13,7 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-constexpr std::size_t kRoles = 6;
+constexpr std::size_t kRoles = kPathRoles;
 constexpr std::size_t kPointsPerMarker = 40000;
 constexpr double kTravelWidth = 0.05;  // mm: a hair beside any bead
 constexpr double kLineShare = 0.25;    // of the bead: what is deposited and measured shows between the lines

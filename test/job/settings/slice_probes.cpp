@@ -77,6 +77,42 @@ SettingProbe planningProbe() {
            {"scan.margin_mm=3", "scan.every_layers=2"}}};
 }
 
+SettingProbe skinProbe() {
+  return {"a pyramid has skins",
+          std::string(kCoarse) +
+              ";skirt.count=0;skins.top_layers=2;skins.bottom_layers=1;skins.least_infill_mm2=2",
+          toolpathOf("pyramid width_mm=24 depth_mm=24 height_mm=2"),
+          {{"skins.top_layers=1"},
+           {"skins.bottom_layers=2"},
+           {"skins.top_mm=1.2"},
+           {"skins.bottom_mm=1.2"},
+           {"skins.strategy=hilbert"},
+           {"skins.angle_deg=10"},
+           {"skins.narrowest=2"},
+           {"skins.anchor_mm=0.2"},
+           {"skins.least_infill_mm2=100"},
+           {"feed.skin_mm_s=31"},
+           {"feed.top_skin_mm_s=21"}}};
+}
+
+SettingProbe coolingProbe() {
+  return {"a tower cools",
+          std::string(kCoarse) + ";skirt.count=0;infill.density=0;cooling.least_layer_time_s=5;fan.use=on",
+          toolpathOf("box x_mm=10 y_mm=10 z_mm=2"),
+          {{"cooling.least_layer_time_s=8"},
+           {"cooling.by=dwell"},
+           {"cooling.least_feed_mm_s=14"},
+           {"cooling.lift_mm=3", "cooling.by=dwell"},
+           {"cooling.park=corner", "cooling.by=dwell"},
+           {"fan.use=off"},
+           {"fan.off_layers=2"},
+           {"fan.least=0.2", "fan.full_below_s=1"},
+           {"fan.greatest=0.8"},
+           {"fan.full_below_s=1"},
+           {"fan.off_above_s=20", "fan.full_below_s=1"},
+           {"fan.beyond=off", "fan.full_below_s=1;fan.off_above_s=2"}}};
+}
+
 SettingProbe narrowProbe() {
   return {"narrow places are filled",
           std::string(kCoarse) + ";skirt.count=0",
@@ -102,7 +138,8 @@ SettingProbe curvedOutlineProbe() {
 
 std::vector<SettingProbe> sliceProbes() {
   return {readingProbe(),  {"an open box is read", kCoarse, openBox, {{"input.repair=strict"}}},
-          planningProbe(), narrowProbe(),
+          planningProbe(), skinProbe(),
+          coolingProbe(),  narrowProbe(),
           refillProbe(),   curvedOutlineProbe()};
 }
 

@@ -17,9 +17,61 @@ std::string written(const Toolpath& toolpath) {
   return text;
 }
 
+ToolpathEvent randomEvent(Random& random) {
+  const std::string text = "100%, a|b;\t\xc3\xa9=";
+  switch (random.below(5)) {
+    case 0:
+      return Dwell{random.uniform(0.0, 100.0)};
+    case 1:
+      return FanShare{random.uniform(0.0, 1.0)};
+    case 2:
+      return OperatorPause{"100%, a|b"};
+    case 3:
+      return MachineCode{text + "\nM5", false};
+    default:
+      return MachineCode{text, true};
+  }
+}
+
+void addProcess(Path& path, Random& random) {
+  path.tool = static_cast<std::uint32_t>(random.below(3));
+  for (std::size_t m = 0; m <= path.motionCount(); ++m)
+    for (std::size_t i = random.below(3); i > 0; --i) path.events.push_back({m, randomEvent(random)});
+  std::vector<double> powers;
+  for (std::size_t i = 0; i < path.points.size(); ++i) powers.push_back(random.uniform(0.0, 1e3));
+  if (random.below(2) == 0) path.values.push_back({"power_w", AlongPath<double>(powers)});
+  if (random.below(2) == 0) path.values.push_back({"wire_mm_s", powers[0]});
+}
+
+bool isSameEvent(const Dwell& a, const Dwell& b) { return a.duration_s == b.duration_s; }
+bool isSameEvent(const FanShare& a, const FanShare& b) { return a.share == b.share; }
+bool isSameEvent(const OperatorPause& a, const OperatorPause& b) { return a.message == b.message; }
+bool isSameEvent(const MachineCode& a, const MachineCode& b) {
+  return a.text == b.text && a.moves_axes == b.moves_axes;
+}
+
+bool isSameProcess(const Path& a, const Path& b) {
+  if (a.tool != b.tool || a.events.size() != b.events.size() || a.values.size() != b.values.size())
+    return false;
+  for (std::size_t i = 0; i < a.events.size(); ++i) {
+    const ToolpathEvent& event = a.events[i].event;
+    const ToolpathEvent& other = b.events[i].event;
+    if (a.events[i].motion != b.events[i].motion || event.index() != other.index()) return false;
+    const auto isSame = [&](const auto& kind) {
+      return isSameEvent(kind, std::get<std::decay_t<decltype(kind)>>(other));
+    };
+    if (!std::visit(isSame, event)) return false;
+  }
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    for (std::size_t w = 0; w < a.points.size(); ++w)
+      if (a.values[i].name != b.values[i].name || a.values[i].value.at(w) != b.values[i].value.at(w))
+        return false;
+  return true;
+}
+
 Path randomPath(Random& random, const Point3& start) {
   Path path;
-  path.role = static_cast<PathRole>(random.below(6));
+  path.role = static_cast<PathRole>(random.below(kPathRoles));
   path.is_closed = path.role != PathRole::Travel && random.below(2) == 0;
   path.points.push_back(start);
   const std::size_t more = 1 + random.below(6);
@@ -31,6 +83,7 @@ Path randomPath(Random& random, const Point3& start) {
   if (!path.is_closed) feeds[0] = feeds[1];
   path.feed_mm_s = random.below(2) == 0 ? AlongPath<double>(feeds[0]) : AlongPath<double>(feeds);
   path.bead = Bead{path.role == PathRole::Travel ? 0.0 : random.uniform(0.1, 1.0), random.uniform(0.1, 1.0)};
+  if (random.below(2) == 0) addProcess(path, random);
   return path;
 }
 
@@ -50,7 +103,8 @@ Toolpath randomToolpath(std::uint64_t seed) {
 }
 
 bool areSame(const Path& a, const Path& b) {
-  bool is_same = a.role == b.role && a.is_closed == b.is_closed && a.points == b.points;
+  bool is_same =
+      a.role == b.role && a.is_closed == b.is_closed && a.points == b.points && isSameProcess(a, b);
   for (std::size_t i = 0; is_same && i < a.points.size(); ++i)
     is_same = a.bead.at(i) == b.bead.at(i) && a.feed_mm_s.at(i) == b.feed_mm_s.at(i) &&
               a.orientation.at(i).coeffs() == b.orientation.at(i).coeffs();
@@ -116,7 +170,7 @@ TEST(Csv, ReportsDropsFromBeadsInAColumnOfTheirOwn) {
 }
 
 TEST(Csv, RefusesADepositItDoesNotKnow) {
-  const std::string header = std::string(kDropCsvHeader) + "\n";
+  const std::string header = std::string(kCsvHeader) + ",deposit\n";
   const std::string row = "0,0,infill,0,0,0,0,0,1,0,0,1,1,1,drops\n";
   EXPECT_NO_THROW(readCsv(header + row, ""));
   for (const char* bad : {"0,0,infill,0,0,0,0,0,1,0,0,1,1,1,foam\n", "0,0,infill,0,0,0,0,0,1,0,0,1,1,1\n",

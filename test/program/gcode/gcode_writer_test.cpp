@@ -73,6 +73,35 @@ TEST(GcodeWriter, WritesALineWithOnlyTheWordsThatChange) {
   EXPECT_EQ(text, expected);
 }
 
+TEST(GcodeWriter, WritesEventsAndToolsWhereTheyStand) {
+  Toolpath toolpath = line();
+  Path& wall = toolpath.layers[0].paths[1];
+  wall.tool = 1;
+  wall.events = {{0, FanShare{0.5}}, {0, Dwell{0.25}}, {1, OperatorPause{"nuts"}}};
+  toolpath.events_at_end = {MachineCode{"M300\nM117 done"}, FanShare{0.0}};
+  const std::string text = gcodeWriterWritten(toolpath, plainSettings());
+  EXPECT_NE(text.find("F9000\nT1\n;TYPE:outer_wall\nM106 S128\nG4 P250\nG1 X15 E0.29691 F1800\nM0 nuts\n"
+                      "M300\nM117 done\nM107\n; end of the part\n"),
+            std::string::npos)
+      << text;
+}
+
+TEST(GcodeWriter, StatesEverythingAgainBehindCodeThatMovesAxes) {
+  Toolpath toolpath = line();
+  toolpath.layers[0].paths[1].events = {{0, MachineCode{"G28 X", true}}};
+  const std::string text = gcodeWriterWritten(toolpath, plainSettings());
+  EXPECT_NE(text.find("G28 X\nG21\nG90\nM83\nG0 X5 Y0 Z0.2 F1800\nG1 X15 E0.29691\n"), std::string::npos)
+      << text;
+}
+
+TEST(GcodeWriter, RefusesProcessValuesBeforeWritingAnything) {
+  Toolpath toolpath = line();
+  toolpath.layers[0].paths[1].values = {{"laser_power_w", 900.0}};
+  EXPECT_THROW(
+      writeGcode(toolpath, Eigen::Isometry3d::Identity(), plainSettings(), [](std::string_view) { FAIL(); }),
+      InvalidInput);
+}
+
 TEST(GcodeWriter, ReturnsToTheStartOfAClosedPath) {
   Toolpath toolpath;
   toolpath.layers.push_back(

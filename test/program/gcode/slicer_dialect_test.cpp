@@ -92,8 +92,8 @@ TEST(SlicerDialect, Simplify3dReportsRolesAndLayers) {
   ASSERT_EQ(toolpath.layers.size(), 2U);
   EXPECT_DOUBLE_EQ(toolpath.layers[1].z_mm, 0.6);
   EXPECT_DOUBLE_EQ(toolpath.layers[1].height_mm, 0.3);
-  const std::vector<PathRole> expected = {PathRole::Skirt,     PathRole::OuterWall, PathRole::Skirt,
-                                          PathRole::InnerWall, PathRole::Infill,    PathRole::GapFill};
+  const std::vector<PathRole> expected = {PathRole::Skirt,     PathRole::OuterWall, PathRole::Support,
+                                          PathRole::InnerWall, PathRole::Skin,      PathRole::GapFill};
   EXPECT_EQ(depositingRoles(toolpath), expected);
 }
 

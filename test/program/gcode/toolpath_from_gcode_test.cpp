@@ -64,6 +64,28 @@ TEST(ToolpathFromGcode, ReadsBackWhatWasWritten) {
       }));
 }
 
+TEST(ToolpathFromGcode, ReadsEventsAndToolsOfThePart) {
+  const Toolpath read = toolpathFromGcode(
+      "M106 S10\nG4 S9\nM83\n;LAYER:0\nM106 S51\nG0 X1 Y1 Z0.2 F600\nT2\n;TYPE:SKIN\nG1 X2 E1\nG4 P1500\nG1 "
+      "X3 E1\n"
+      "M106 P1 S255\nM0 insert nuts\nG1 X4 E1\nM107\n; end of the part\nM106 S255\nG4 S7\nT0\n",
+      {}, "part");
+  const auto& paths = read.layers.at(0).paths;
+  ASSERT_EQ(paths.size(), 2U);
+  ASSERT_EQ(paths[0].events.size(), 1U);
+  EXPECT_EQ(paths[0].tool, 0U);
+  EXPECT_DOUBLE_EQ(std::get<FanShare>(paths[0].events[0].event).share, 0.2);
+  EXPECT_EQ(paths[1].role, PathRole::Skin);
+  EXPECT_EQ(paths[1].tool, 2U);
+  ASSERT_EQ(paths[1].events.size(), 2U);
+  EXPECT_EQ(paths[1].events[0].motion, 1U);
+  EXPECT_DOUBLE_EQ(std::get<Dwell>(paths[1].events[0].event).duration_s, 1.5);
+  EXPECT_EQ(paths[1].events[1].motion, 2U);
+  EXPECT_EQ(std::get<OperatorPause>(paths[1].events[1].event).message, "insert nuts");
+  ASSERT_EQ(read.events_at_end.size(), 1U);
+  EXPECT_DOUBLE_EQ(std::get<FanShare>(read.events_at_end[0]).share, 0.0);
+}
+
 TEST(ToolpathFromGcode, FindsTheWidthOfABead) {
   for (const Bead bead : {Bead{0.4, 0.2}, Bead{0.2, 0.2}, Bead{0.1, 0.2}, Bead{6.0, 3.0}})
     EXPECT_NEAR(beadWidth(crossSection(bead), bead.height_mm), bead.width_mm, 1e-12);

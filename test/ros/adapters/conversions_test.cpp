@@ -114,6 +114,44 @@ TEST(Conversions, CarryAToolpathThereAndBack) {
   }
 }
 
+TEST(Conversions, CarryEventsToolsAndProcessValues) {
+  using lamina::Dwell;
+  using lamina::FanShare;
+  using lamina::MachineCode;
+  using lamina::OperatorPause;
+  using lamina::PathRole;
+  MachineToolpath there = machineToolpath();
+  Path& path = there.toolpath.layers[0].paths[0];
+  path.role = PathRole::SupportInterface;
+  path.tool = 3;
+  path.events = {
+      {0, Dwell{1.5}}, {0, FanShare{0.25}}, {1, OperatorPause{"nuts"}}, {1, MachineCode{"M5", true}}};
+  path.values = {{"power_w", 900.0}};
+  there.toolpath.events_at_end = {MachineCode{"M300", false}};
+  const MachineToolpath back = lamina::fromMessage(lamina::toMessage(there));
+  const Path& carried = back.toolpath.layers[0].paths[0];
+  EXPECT_EQ(carried.role, PathRole::SupportInterface);
+  EXPECT_EQ(carried.tool, 3U);
+  ASSERT_EQ(carried.events.size(), 4U);
+  EXPECT_EQ(carried.events[2].motion, 1U);
+  EXPECT_EQ(std::get<Dwell>(carried.events[0].event).duration_s, 1.5);
+  EXPECT_EQ(std::get<FanShare>(carried.events[1].event).share, 0.25);
+  EXPECT_EQ(std::get<OperatorPause>(carried.events[2].event).message, "nuts");
+  EXPECT_EQ(std::get<MachineCode>(carried.events[3].event).text, "M5");
+  EXPECT_TRUE(std::get<MachineCode>(carried.events[3].event).moves_axes);
+  ASSERT_EQ(carried.values.size(), 1U);
+  EXPECT_EQ(carried.values[0].name, "power_w");
+  EXPECT_EQ(carried.values[0].value.at(0), 900.0);
+  ASSERT_EQ(back.toolpath.events_at_end.size(), 1U);
+  EXPECT_FALSE(std::get<MachineCode>(back.toolpath.events_at_end[0]).moves_axes);
+  auto message = lamina::toMessage(there);
+  message.layers[0].paths[0].events[0].kind = 9;
+  EXPECT_THROW(lamina::fromMessage(message), lamina::InvalidInput);
+  message = lamina::toMessage(there);
+  message.layers[0].paths[0].role = 16;
+  EXPECT_THROW(lamina::fromMessage(message), lamina::InvalidInput);
+}
+
 TEST(Conversions, CarryAnyPointThereAndBack) {
   EXPECT_TRUE(rc::check("a point survives the way through metres", [] {
     const auto coordinate = [] { return *rc::gen::inRange(-2000000, 2000000) / 997.0; };

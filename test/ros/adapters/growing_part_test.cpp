@@ -79,7 +79,7 @@ TEST(GrowingPart, LiesHalfABeadBelowTheTipAndGoesWithTheTable) {
     EXPECT_TRUE(marker.frame_locked);
     EXPECT_EQ(marker.header.frame_id, "part");
     const double height = toolpath.layers[0].paths[0].bead.at(0).height_mm;
-    const double z = toolpath.layers[static_cast<std::size_t>(marker.id) / 6].z_mm;
+    const double z = toolpath.layers[static_cast<std::size_t>(marker.id) / kPathRoles].z_mm;
     for (const auto& point : marker.points) EXPECT_NEAR(point.z, 1e-3 * (z - 0.5 * height), 1e-9);
   }
 }

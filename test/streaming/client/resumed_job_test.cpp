@@ -210,6 +210,19 @@ TEST(ResumedJob, IsRefusedWhereMoreOrLessWasTakenThanIsKnown) {
   expectRefused(*machine, "no line beyond 90 was sent");
 }
 
+TEST(ResumedJob, GoesOnWhereANameWasDamagedOnItsWay) {
+  const StreamableProgram program = resumedProgram(300);
+  const auto machine = killedJob(program);
+  std::string& name = machine->known.firmware_name;
+  ASSERT_GT(name.size(), 16U);
+  name[5] = name[5] == 'x' ? 'y' : 'x';
+  name.erase(9, 1);
+  machine->resume();
+  machine->runSteps(100'000);
+  EXPECT_EQ(machine->streamer->status().state, PackmlState::Complete)
+      << machine->streamer->status().failure.message;
+}
+
 TEST(ResumedJob, IsRefusedOnOtherFirmware) {
   const auto machine = killedJob(resumedProgram(300));
   machine->known.firmware_name = "Marlin of another printer";

@@ -24,7 +24,8 @@ namespace lamina {
 /// that of the comments, motion by motion, or of the layer. Between FullControl's marks everything is of the
 /// part, outside them nothing. Bead width is that of the stadium which holds the volume deposited per length.
 /// Where one width explains a path within the rounding of a program (1e-5 mm of filament, 1e-3 mm of length)
-/// the path has one width. A filament diameter that the comments report goes before that of the settings.
+/// the path has one width. Dwells, the first fan and pauses within the part are events; other codes are left
+/// out. A filament diameter that the comments report goes before that of the settings.
 class ToolpathBuilder {
  public:
   /// Of the settings, filament diameter and flow are used.
@@ -35,6 +36,10 @@ class ToolpathBuilder {
   /// motions, the filament, or where the start code ends and the end code begins.
   void readComment(std::string_view comment);
   void add(const GcodeMotion& motion);
+  /// Happens before the next motion; after the last one it is an event at the end.
+  void add(ToolpathEvent event);
+  /// Runs the motions that follow.
+  void changeTool(std::uint32_t tool);
   /// The toolpath so far; the builder is empty afterwards.
   Toolpath finish(const std::string& part_name);
 

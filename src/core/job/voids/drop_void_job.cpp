@@ -15,7 +15,7 @@ constexpr double kJump = 2.0;  // diameters, and steps: drops so far apart do no
 
 DropRole dropRole(PathRole role) {
   if (role == PathRole::GapFill) return DropRole::VoidFill;
-  return role == PathRole::Infill ? DropRole::Infill : DropRole::Contour;
+  return kindOf(role) == RoleKind::Infill ? DropRole::Infill : DropRole::Contour;
 }
 
 /// Programs may state one role for several contours: one that is back at its start ends where the

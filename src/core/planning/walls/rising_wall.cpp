@@ -151,7 +151,7 @@ class WallRaiser {
     for (Path& path : layer.paths) {
       if (isLoop(path))
         loop = std::move(path);
-      else if (path.role == PathRole::Skirt)
+      else if (kindOf(path.role) == RoleKind::BuildAid)
         add(std::move(path), paths);
     }
     const Point2 start = nozzle_ ? Point2(nozzle_->head<2>()) : Point2(loop.firstPoint().head<2>());

@@ -159,6 +159,14 @@ class WallMaker {
 
 }  // namespace
 
+FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm) {
+  Walls around;
+  around.infill = std::move(area);
+  const Regions none;
+  WallMaker(none, settings, pitch_mm, 0.0).takeNarrowInfill(around);
+  return {std::move(around.infill), std::move(around.narrow_infill)};
+}
+
 Walls makeWalls(const Regions& material, const PlanSettings& settings, double pitch_mm, WallContact contact) {
   const bool fits = contact == WallContact::Fitted;
   const bool overlaps = contact == WallContact::Overlapping;

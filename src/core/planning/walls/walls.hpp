@@ -33,6 +33,15 @@ struct Walls {
   double unprinted_mm2 = 0.0;
 };
 
+/// An area for a solid fill of lines that fit, and beads along the middle of what is too narrow for them.
+struct FittedArea {
+  Regions wide;
+  std::vector<FillPath> narrow;
+};
+
+/// Shares out an area that a solid fill covers from border to border.
+FittedArea fitted(Regions area, const PlanSettings& settings, double pitch_mm);
+
 /// @param material  what is to be filled [mm]
 /// @param pitch_mm  between neighbouring beads
 /// @param contact   `Fitted` is for a solid infill only

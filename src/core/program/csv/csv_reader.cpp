@@ -6,17 +6,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/csv/csv_writer.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "program/csv/event_field.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::size_t kFields = 14;
-constexpr std::size_t kDropFields = 15;
+constexpr std::size_t kFields = 14;  // that every toolpath has
 constexpr std::size_t kMostLayers = 10'000'000;
 
 struct Row {
@@ -26,13 +30,18 @@ struct Row {
   bool is_closed = false;
   Deposit deposit = Deposit::Bead;
   std::array<double, 10> numbers{};  // x y z, qw qx qy qz, bead width and height, feed
+  std::uint32_t tool = 0;
+  std::vector<ToolpathEvent> events_before;  // the motion to it
+  std::vector<ToolpathEvent> events_after;
+  std::vector<std::optional<double>> values;  // in the order of the columns
 
   Point3 point() const { return {numbers[0], numbers[1], numbers[2]}; }
   Eigen::Quaterniond orientation() const { return {numbers[3], numbers[4], numbers[5], numbers[6]}; }
   Bead bead() const { return {numbers[7], numbers[8]}; }
   double feed() const { return numbers[9]; }
   bool isLikePathOf(const Row& other) const {
-    return role == other.role && is_closed == other.is_closed && deposit == other.deposit;
+    return role == other.role && is_closed == other.is_closed && deposit == other.deposit &&
+           tool == other.tool;
   }
   bool isOfSamePathAs(const Row& other) const { return layer == other.layer && path == other.path; }
 };
@@ -52,24 +61,30 @@ class Rows {
     for (; !header.empty() && header.front() == '#'; header = nextLine()) {
       if (!readFrameComment(header.substr(1), frame)) refuse("a comment states no frame");
     }
-    if (header == kDropCsvHeader) fields_ = kDropFields;
-    if (header != kCsvHeader && header != kDropCsvHeader)
-      refuse(std::string("the header must be ") + kCsvHeader + ", or end in ,deposit");
+    const std::string_view common = kCsvHeader;
+    const bool begins_well = header.substr(0, common.size()) == common &&
+                             (header.size() == common.size() || header[common.size()] == ',');
+    if (!begins_well) refuse("the header must be " + std::string(common) + ", or begin so");
+    readColumns(header.substr(common.size()));
     return frame;
   }
+
+  /// Names of the columns of process values.
+  const std::vector<std::string>& valueNames() const { return value_names_; }
 
   bool isAtEnd() const { return rest_.empty(); }
 
   Row next() {
-    std::string_view line = nextLine();
-    std::array<std::string_view, kDropFields> fields;
-    std::size_t count = 0;
-    for (; count < fields_ && !line.empty(); ++count) {
-      const std::size_t comma = std::min(line.find(','), line.size());
-      fields[count] = line.substr(0, comma);
-      line.remove_prefix(std::min(comma + 1, line.size()));
+    const std::string_view line = nextLine();
+    const std::size_t count = kFields + columns_.size();
+    fields_.clear();
+    for (std::size_t begin = 0; begin <= line.size() && fields_.size() <= count;) {
+      const std::size_t comma = std::min(line.find(',', begin), line.size());
+      fields_.push_back(line.substr(begin, comma - begin));
+      begin = comma + 1;
     }
-    if (count != fields_ || !line.empty()) refuse("a row needs " + std::to_string(fields_) + " fields");
+    if (fields_.size() != count) refuse("a row needs " + std::to_string(count) + " fields");
+    const auto& fields = fields_;
     Row row;
     row.layer = number<std::size_t>(fields[0]);
     row.path = number<std::size_t>(fields[1]);
@@ -78,11 +93,56 @@ class Rows {
       refuse("closed is '" + std::string(fields[3]) + "'; must be 0 or 1");
     row.is_closed = fields[3] == "1";
     for (std::size_t i = 0; i < row.numbers.size(); ++i) row.numbers[i] = number<double>(fields[i + 4]);
-    if (fields_ == kDropFields) row.deposit = deposit(fields[kFields]);
+    for (std::size_t i = 0; i < columns_.size(); ++i) readFurther(columns_[i], fields[kFields + i], row);
     return row;
   }
 
  private:
+  void readColumns(std::string_view names) {
+    while (!names.empty()) {
+      names.remove_prefix(1);
+      const std::size_t comma = std::min(names.find(','), names.size());
+      std::string name(names.substr(0, comma));
+      if (name.empty() || std::find(columns_.begin(), columns_.end(), name) != columns_.end())
+        refuse("a column has no name, or that of another");
+      if (!isProcessColumn(name)) value_names_.push_back(name);
+      columns_.push_back(std::move(name));
+      names.remove_prefix(comma);
+    }
+  }
+
+  static bool isProcessColumn(const std::string& name) {
+    return name == "deposit" || name == "tool" || name == "events";
+  }
+
+  void readFurther(const std::string& column, std::string_view field, Row& row) const {
+    if (column == "deposit") {
+      row.deposit = deposit(field);
+    } else if (column == "tool") {
+      row.tool = number<std::uint32_t>(field);
+    } else if (column == "events") {
+      readEvents(field, row);
+    } else {
+      row.values.push_back(field.empty() ? std::nullopt : std::optional(number<double>(field)));
+    }
+  }
+
+  void readEvents(std::string_view field, Row& row) const {
+    constexpr std::string_view kAfter = "after:";
+    while (!field.empty()) {
+      const std::size_t bar = std::min(field.find('|'), field.size());
+      std::string_view text = field.substr(0, bar);
+      field.remove_prefix(std::min(bar + 1, field.size()));
+      const bool is_after = text.substr(0, kAfter.size()) == kAfter;
+      if (is_after) text.remove_prefix(kAfter.size());
+      try {
+        (is_after ? row.events_after : row.events_before).push_back(eventFromField(text));
+      } catch (const InvalidInput& error) {
+        refuse(error.what());
+      }
+    }
+  }
+
   std::string_view nextLine() {
     ++line_;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
@@ -117,7 +177,9 @@ class Rows {
 
   std::string_view rest_;
   std::size_t line_ = 0;
-  std::size_t fields_ = kFields;  ///< of a row
+  std::vector<std::string> columns_;      ///< beyond those that every toolpath has
+  std::vector<std::string> value_names_;  ///< of these, the process values
+  std::vector<std::string_view> fields_;
 };
 
 /// One value if all are the same, otherwise each.
@@ -129,8 +191,32 @@ AlongPath<Value> along(std::vector<Value> each, Same are_same) {
   return AlongPath<Value>(std::move(each));
 }
 
+std::vector<PathEvent> eventsOf(const std::vector<Row>& rows) {
+  std::vector<PathEvent> events;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const ToolpathEvent& event : rows[i].events_before) events.push_back({i > 0 ? i - 1 : 0, event});
+    for (const ToolpathEvent& event : rows[i].events_after) events.push_back({i, event});
+  }
+  return events;
+}
+
+/// A process value that a path has in some rows only is refused: it has one value for each waypoint, or none.
+void addValues(Path& path, const std::vector<Row>& rows, const Rows& source) {
+  for (std::size_t c = 0; c < source.valueNames().size(); ++c) {
+    std::vector<double> values;
+    for (const Row& row : rows)
+      if (row.values[c]) values.push_back(*row.values[c]);
+    if (values.empty()) continue;
+    if (values.size() != rows.size())
+      source.refuse("the path before has no value of " + source.valueNames()[c] + " in some of its rows");
+    path.values.push_back({source.valueNames()[c], along(std::move(values), std::equal_to<>())});
+  }
+}
+
 Path pathOf(std::vector<Row> rows, const Rows& source) {
   Path path;
+  path.tool = rows.front().tool;
+  path.events = eventsOf(rows);
   path.role = rows.front().role;
   path.is_closed = rows.front().is_closed;
   path.deposit = rows.front().deposit;
@@ -155,6 +241,7 @@ Path pathOf(std::vector<Row> rows, const Rows& source) {
       [](const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs() == b.coeffs(); });
   path.bead = along(std::move(beads), std::equal_to<>());
   path.feed_mm_s = along(std::move(feeds), std::equal_to<>());
+  addValues(path, rows, source);
   return path;
 }
 
@@ -193,7 +280,7 @@ Toolpath readCsv(std::string_view text, const std::string& part_name) {
       rows.clear();
     }
     if (!rows.empty() && !row.isLikePathOf(rows.front()))
-      source.refuse("role, closed or deposit differ from the row before, which is of the same path");
+      source.refuse("role, closed, deposit or tool differ from the row before, which is of the same path");
     rows.push_back(row);
   }
   if (!rows.empty()) addPath(toolpath, rows.front(), pathOf(rows, source), source);

@@ -3,10 +3,15 @@
 #include "lamina/program/csv/csv_writer.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <set>
 #include <string>
+#include <vector>
 
+#include "lamina/base/error.hpp"
 #include "lamina/program/program_frame.hpp"
+#include "program/csv/event_field.hpp"
 #include "program/gcode/layer_batches.hpp"
 
 namespace lamina {
@@ -31,20 +36,52 @@ void appendOrientation(std::string& text, const Eigen::Quaterniond& q) {
   }
 }
 
-enum class DepositColumn { No, Yes };
+/// Columns beyond those that every toolpath has.
+struct Columns {
+  bool deposit = false;
+  bool tool = false;
+  bool events = false;
+  std::set<std::string> values;
 
-bool laysDrops(const Toolpath& toolpath) {
-  return std::any_of(toolpath.layers.begin(), toolpath.layers.end(), [](const ToolpathLayer& layer) {
-    return std::any_of(layer.paths.begin(), layer.paths.end(),
-                       [](const Path& path) { return path.deposit == Deposit::Drops; });
-  });
+  std::string header() const {
+    std::string text = kCsvHeader;
+    if (deposit) text += ",deposit";
+    if (tool) text += ",tool";
+    if (events) text += ",events";
+    for (const std::string& name : values) text += "," + name;
+    return text + "\n";
+  }
+};
+
+void requireColumnName(const std::string& name) {
+  const auto isPlain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  if (!std::all_of(name.begin(), name.end(), isPlain) || name == "deposit" || name == "tool" ||
+      name == "events")
+    throw InvalidInput("process value '" + name +
+                       "' cannot be a column of CSV; expected letters, digits and '_'");
+}
+
+Columns columnsOf(const Toolpath& toolpath) {
+  Columns columns;
+  columns.events = !toolpath.events_at_end.empty();
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      columns.deposit |= path.deposit == Deposit::Drops;
+      columns.tool |= path.tool != 0;
+      columns.events |= !path.events.empty();
+      for (const ProcessValue& value : path.values) columns.values.insert(value.name);
+    }
+  for (const std::string& name : columns.values) requireColumnName(name);
+  return columns;
 }
 
 /// The rows of one path. What is the same in all of them is formatted once.
 class PathRows {
  public:
-  PathRows(std::size_t layer, std::size_t index, const Path& path, DepositColumn column)
-      : path_(path), column_(column) {
+  /// @param events_behind  the path, besides its own
+  PathRows(std::size_t layer, std::size_t index, const Path& path, const Columns& columns,
+           const std::vector<ToolpathEvent>& events_behind)
+      : path_(path), columns_(columns), events_behind_(events_behind) {
     appendNumber(begin_, layer);
     begin_ += ',';
     appendNumber(begin_, index);
@@ -55,8 +92,8 @@ class PathRows {
   }
 
   void append(std::string& text) const {
-    for (std::size_t i = 0; i < path_.points.size(); ++i) appendRow(text, i);
-    if (path_.is_closed) appendRow(text, 0);
+    for (std::size_t i = 0; i < path_.points.size(); ++i) appendRow(text, i, i);
+    if (path_.is_closed) appendRow(text, 0, path_.points.size());
   }
 
  private:
@@ -64,7 +101,8 @@ class PathRows {
     return path_.orientation.isCommon() && path_.bead.isCommon() && path_.feed_mm_s.isCommon();
   }
 
-  void appendRow(std::string& text, std::size_t waypoint) const {
+  /// @param row  from 0; its motion is the one before it
+  void appendRow(std::string& text, std::size_t waypoint, std::size_t row) const {
     const Point3& point = path_.points[waypoint];
     text += begin_;
     appendNumber(text, point.x());
@@ -76,6 +114,30 @@ class PathRows {
       text += end_;
     else
       appendEnd(text, waypoint);
+    if (columns_.events) appendEvents(text, row);
+    for (const std::string& name : columns_.values) appendValue(text, name, waypoint);
+    text += '\n';
+  }
+
+  void appendEvents(std::string& text, std::size_t row) const {
+    std::string field;
+    const auto append = [&field](const char* place, const ToolpathEvent& event) {
+      field += (field.empty() ? "" : "|") + std::string(place) + toField(event);
+    };
+    const bool is_last = row == path_.motionCount();
+    for (const PathEvent& placed : path_.events) {
+      if (row > 0 && placed.motion == row - 1) append("", placed.event);
+      if (is_last && placed.motion == row) append("after:", placed.event);
+    }
+    if (is_last)
+      for (const ToolpathEvent& event : events_behind_) append("after:", event);
+    text.append(",").append(field);
+  }
+
+  void appendValue(std::string& text, const std::string& name, std::size_t waypoint) const {
+    text += ',';
+    for (const ProcessValue& value : path_.values)
+      if (value.name == name) appendNumber(text, value.value.at(waypoint));
   }
 
   void appendEnd(std::string& text, std::size_t waypoint) const {
@@ -87,15 +149,23 @@ class PathRows {
     appendNumber(text, bead.height_mm);
     text += ',';
     appendNumber(text, path_.feed_mm_s.at(waypoint));
-    if (column_ == DepositColumn::Yes) text.append(",").append(toString(path_.deposit));
-    text += '\n';
+    if (columns_.deposit) text.append(",").append(toString(path_.deposit));
+    if (columns_.tool) text.append(",").append(std::to_string(path_.tool));
   }
 
   const Path& path_;
-  DepositColumn column_;
+  const Columns& columns_;
+  const std::vector<ToolpathEvent>& events_behind_;
   std::string begin_;
   std::string end_;
 };
+
+/// Null if there is none.
+const Path* lastPath(const Toolpath& toolpath) {
+  for (auto layer = toolpath.layers.rbegin(); layer != toolpath.layers.rend(); ++layer)
+    if (!layer->paths.empty()) return &layer->paths.back();
+  return nullptr;
+}
 
 /// Empty for level layers.
 std::string frameComment(const Toolpath& toolpath) {
@@ -110,12 +180,15 @@ std::string frameComment(const Toolpath& toolpath) {
 
 void writeCsv(const Toolpath& toolpath, const TextSink& sink) {
   validate(toolpath);
-  const DepositColumn column = laysDrops(toolpath) ? DepositColumn::Yes : DepositColumn::No;
+  const Columns columns = columnsOf(toolpath);
   sink(frameComment(toolpath));
-  sink(std::string(column == DepositColumn::Yes ? kDropCsvHeader : kCsvHeader) + "\n");
-  const auto append = [&toolpath, column](std::size_t l, std::string& text) {
+  sink(columns.header());
+  const std::vector<ToolpathEvent> none;
+  const Path* const last = lastPath(toolpath);
+  const auto append = [&](std::size_t l, std::string& text) {
     const auto& paths = toolpath.layers[l].paths;
-    for (std::size_t p = 0; p < paths.size(); ++p) PathRows(l, p, paths[p], column).append(text);
+    for (std::size_t p = 0; p < paths.size(); ++p)
+      PathRows(l, p, paths[p], columns, &paths[p] == last ? toolpath.events_at_end : none).append(text);
   };
   writeLayers(toolpath, append, sink);
 }

@@ -19,9 +19,11 @@
 #include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "lamina/toolpath/process_support.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
+#include "program/gcode/process_words.hpp"
 #include "program/gcode/start_code.hpp"
 #include "program/listed_paths.hpp"
 #include "program/program_stations.hpp"
@@ -302,6 +304,10 @@ class FiveAxisProgram {
                      .dot(motion.bed_from_part.translation())) {
     for (const ListedPath& path : paths_) requireWritable(path);
     validate(motion.toolpath);
+    requireSupported(
+        motion.toolpath,
+        {ProcessElement::Dwell, ProcessElement::Fan, ProcessElement::Pause, ProcessElement::Code},
+        "five-axis programs");
     stations_.emplace(motion.toolpath, motion.bed_from_part, motion.machine, motion.joints);
     if (settings.coordinates == FiveAxisCoordinates::Joints) findChords();
     start_code_ = expandCode("program.start_code", program.start_code, program, motion.bed_from_part);
@@ -323,6 +329,7 @@ class FiveAxisProgram {
       sink(text);
       text.clear();
     }
+    for (const ToolpathEvent& event : motion_.toolpath.events_at_end) writeEvent(event, text);
     text += "; end of the part\n";
     if (has_joints) text += "G94\n";
     if (!has_joints && !tipControlOff(settings_).empty()) text += tipControlOff(settings_) + "\n";
@@ -385,6 +392,7 @@ class FiveAxisProgram {
     double height_mm = motion_.toolpath.layers[paths_[p].layer].height_mm;
     bool is_told = false;  // that of the layer may have been left by the path before
     for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      writeEvents(path, m, text);
       const std::size_t end = path.motionEnd(m);
       const double bead_mm = path.bead.at(end).height_mm;
       if (path.role != PathRole::Travel && (!is_told || bead_mm != height_mm)) {
@@ -394,6 +402,12 @@ class FiveAxisProgram {
       }
       writeMotion(p, m, extrusion, lines, text);
     }
+    writeEvents(path, path.motionCount(), text);
+  }
+
+  static void writeEvents(const Path& path, std::size_t motion, std::string& text) {
+    for (const PathEvent& placed : path.events)
+      if (placed.motion == motion) writeEvent(placed.event, text);
   }
 
   void writeMotion(std::size_t p, std::size_t m, const PathExtrusion& extrusion, FiveAxisLines& lines,

@@ -9,10 +9,12 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "lamina/toolpath/process_support.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/layer_batches.hpp"
 #include "program/gcode/layer_writer.hpp"
+#include "program/gcode/process_words.hpp"
 #include "program/gcode/start_code.hpp"
 
 namespace lamina {
@@ -104,7 +106,8 @@ std::vector<LayerStart> checkLayers(const Toolpath& toolpath, const Point3& tool
   return starts;
 }
 
-/// Lets layers know whether material is pulled back where they meet. Layers without paths pass it on.
+/// Lets layers know whether material is pulled back where they meet, and with which tool. Layers without
+/// paths pass it on.
 void connectRetractions(const Toolpath& toolpath, std::vector<LayerStart>& starts) {
   bool next_is_retracted = false;
   for (std::size_t l = starts.size(); l-- > 0;) {
@@ -113,9 +116,12 @@ void connectRetractions(const Toolpath& toolpath, std::vector<LayerStart>& start
     if (!paths.empty()) next_is_retracted = paths.front().process.is_retracted;
   }
   bool is_retracted = false;
+  std::uint32_t tool = 0;
   for (std::size_t l = 0; l < starts.size(); ++l) {
     const auto& paths = toolpath.layers[l].paths;
+    starts[l].tool = tool;
     if (paths.empty()) continue;
+    tool = paths.back().tool;
     starts[l].is_retracted = is_retracted && paths.front().process.is_retracted;
     is_retracted = paths.back().process.is_retracted;
   }
@@ -150,6 +156,15 @@ const Path* requireDropsAlike(const Toolpath& toolpath) {
     throw InvalidInput("the toolpath of '" + toolpath.part_name +
                        "' lays both beads and drops; expected one of them");
   return first;
+}
+
+void requireCarried(const Toolpath& toolpath, Deposit deposit) {
+  using Element = ProcessElement;
+  if (deposit == Deposit::Drops) return requireSupported(toolpath, {}, "programs of drops");
+  requireSupported(
+      toolpath,
+      {Element::Dwell, Element::Fan, Element::Pause, Element::Code, Element::MovingCode, Element::Tool},
+      "G-code of flavour marlin");
 }
 
 std::string oneLine(std::string text) {
@@ -212,6 +227,7 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
+  requireCarried(toolpath, drops != nullptr ? Deposit::Drops : Deposit::Bead);
   std::vector<LayerStart> starts = checkLayers(toolpath, toolAxisOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);
@@ -230,7 +246,9 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
   writeLayers(
       toolpath, [&](std::size_t l, std::string& text) { writer.write(toolpath.layers[l], starts[l], text); },
       sink);
-  sink("; end of the part\n" + end_code);
+  std::string events_at_end;
+  for (const ToolpathEvent& event : toolpath.events_at_end) writeEvent(event, events_at_end);
+  sink(events_at_end + "; end of the part\n" + end_code);
 }
 
 }  // namespace lamina

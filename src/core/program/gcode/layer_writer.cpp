@@ -3,9 +3,12 @@
 #include "program/gcode/layer_writer.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
+#include "program/gcode/process_words.hpp"
 
 namespace lamina {
 namespace {
@@ -61,6 +64,7 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
   bool is_retracted = start.is_retracted;
   const Path* previous = nullptr;  // deposition path that ends where the next one starts
   PathRole role = PathRole::Travel;
+  std::uint32_t tool = start.tool;
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     const bool next_is_retracted =
@@ -70,6 +74,8 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
       writeDrops(path, modal, text);
       continue;
     }
+    if (std::exchange(tool, path.tool) != path.tool)
+      text.append("T").append(std::to_string(path.tool)).append("\n");
     if (path.role != PathRole::Travel) {
       if (path.role != role || previous != nullptr)
         text.append(";TYPE:").append(toString(path.role)).append("\n");
@@ -95,6 +101,7 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
   const PathExtrusion extrusion(path, filament_per_volume_);
   const std::size_t motions = path.motionCount();
   for (std::size_t m = 0; m < motions; ++m) {
+    if (!path.events.empty()) writeEvents(path, m, modal, text);
     const std::size_t end = path.motionEnd(m);
     const double length_mm = (path.points[end] - path.points[m]).norm();
     const double deposited_mm = extrusion.along(length_mm, end);
@@ -104,6 +111,21 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
     if (path.role != PathRole::Travel) writeHeight(path.bead.at(end).height_mm, modal, text);
     writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
                 modal, text);
+  }
+  if (!path.events.empty()) writeEvents(path, motions, modal, text);
+}
+
+void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const {
+  for (const PathEvent& placed : path.events) {
+    if (placed.motion != motion) continue;
+    writeEvent(placed.event, text);
+    const auto* const code = std::get_if<MachineCode>(&placed.event);
+    if (code == nullptr || !code->moves_axes) continue;
+    text += "G21\nG90\nM83\n";
+    modal.x = modal.y = modal.z = modal.feed = kUnknown;
+    const Point3& here = motion < path.points.size() ? path.points[motion] : path.lastPoint();
+    writeMotion(here, path.feed_mm_s.at(path.motionEnd(std::min(motion, path.motionCount() - 1))), modal,
+                text);
   }
 }
 

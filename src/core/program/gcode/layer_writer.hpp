@@ -19,6 +19,7 @@ struct LayerStart {
   double filament_mm = 0.0;        ///< deposited by the layers before, without retractions
   bool is_retracted = false;       ///< by the path before
   bool next_is_retracted = false;  ///< the path after the layer's last one is a retracted one
+  std::uint32_t tool = 0;          ///< of the path before
 };
 
 /// Writes the layers of a toolpath as G-code; each layer by itself, so that layers can be written in any
@@ -44,6 +45,7 @@ class LayerWriter {
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
   void writePath(const Path& path, Modal& modal, std::string& text) const;
+  void writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const;
   static void writeHeight(double height_mm, Modal& modal, std::string& text);
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;

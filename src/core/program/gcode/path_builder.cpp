@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "program/motion_values.hpp"
@@ -51,6 +52,10 @@ void PathBuilder::add(const GcodeMotion& motion) {
   height_mm_.push_back(motion.height_mm);
 }
 
+void PathBuilder::addEvents(std::vector<ToolpathEvent> events) {
+  for (ToolpathEvent& event : events) events_.push_back({feed_mm_s_.size() - 1, std::move(event)});
+}
+
 bool PathBuilder::isClosed() const {
   return deposits_ && points_.size() > 2 && (points_.back() - points_.front()).norm() < kSamePoint;
 }
@@ -79,6 +84,8 @@ Path PathBuilder::build(double layer_height_mm, double volume_per_filament) cons
   path.role = deposits_ ? role_.value_or(PathRole::Infill) : PathRole::Travel;
   path.is_closed = isClosed();
   path.process.is_retracted = is_retracted_;
+  path.tool = tool_;
+  path.events = events_;
   path.points = points_;
   if (path.is_closed) path.points.pop_back();
   path.feed_mm_s = perWaypoint(feed_mm_s_, path.is_closed ? PathEnds::Closed : PathEnds::Open);

@@ -20,6 +20,9 @@ class PathBuilder {
   /// Whether the motion continues the run.
   bool accepts(const GcodeMotion& motion, bool is_retracted) const;
   void add(const GcodeMotion& motion);
+  /// Before the motion added last.
+  void addEvents(std::vector<ToolpathEvent> events);
+  void setTool(std::uint32_t tool) { tool_ = tool; }
 
   /// Layer height the comments reported where the run begins, if they did.
   std::optional<double> layerHeight() const { return layer_height_mm_; }
@@ -42,6 +45,8 @@ class PathBuilder {
   std::vector<double> filament_mm_;               ///< of each motion
   std::vector<double> feed_mm_s_;                 ///< of each motion
   std::vector<std::optional<double>> height_mm_;  ///< of each motion
+  std::uint32_t tool_ = 0;
+  std::vector<PathEvent> events_;
 };
 
 }  // namespace lamina

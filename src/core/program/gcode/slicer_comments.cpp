@@ -14,44 +14,55 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
     {"inner_wall", PathRole::InnerWall},
     {"infill", PathRole::Infill},
     {"gap_fill", PathRole::GapFill},
+    {"top_skin", PathRole::TopSkin},
+    {"skin", PathRole::Skin},
+    {"bottom_skin", PathRole::BottomSkin},
+    {"bridge", PathRole::Bridge},
+    {"support", PathRole::Support},
+    {"support_interface", PathRole::SupportInterface},
+    {"brim", PathRole::Brim},
+    {"raft", PathRole::Raft},
+    {"prime", PathRole::Prime},
+    {"ironing", PathRole::Ironing},
+    // Cura
     {"SKIRT", PathRole::Skirt},
     {"WALL-OUTER", PathRole::OuterWall},
     {"WALL-INNER", PathRole::InnerWall},
     {"FILL", PathRole::Infill},
-    {"SKIN", PathRole::Infill},
-    // What supports or cleans is, like a skirt, no part of the part.
-    {"SUPPORT", PathRole::Skirt},
-    {"SUPPORT-INTERFACE", PathRole::Skirt},
-    {"PRIME-TOWER", PathRole::Skirt},
-    {"Support", PathRole::Skirt},
-    {"Support interface", PathRole::Skirt},
-    {"Support transition", PathRole::Skirt},
-    {"Prime tower", PathRole::Skirt},
-    {"Support material", PathRole::Skirt},
-    {"Support material interface", PathRole::Skirt},
-    {"Wipe tower", PathRole::Skirt},
+    {"SKIN", PathRole::Skin},
+    {"SUPPORT", PathRole::Support},
+    {"SUPPORT-INTERFACE", PathRole::SupportInterface},
+    {"PRIME-TOWER", PathRole::Prime},
+    // PrusaSlicer
+    {"Support material", PathRole::Support},
+    {"Support material interface", PathRole::SupportInterface},
+    {"Wipe tower", PathRole::Prime},
     {"Skirt", PathRole::Skirt},
     {"Skirt/Brim", PathRole::Skirt},
-    {"Brim", PathRole::Skirt},
     {"External perimeter", PathRole::OuterWall},
     {"Overhang perimeter", PathRole::OuterWall},
     {"Perimeter", PathRole::InnerWall},
     {"Internal infill", PathRole::Infill},
-    {"Solid infill", PathRole::Infill},
-    {"Top solid infill", PathRole::Infill},
-    {"Bridge infill", PathRole::Infill},
+    {"Solid infill", PathRole::Skin},
+    {"Top solid infill", PathRole::TopSkin},
+    {"Bridge infill", PathRole::Bridge},
     {"Gap fill", PathRole::GapFill},
-    {"Ironing", PathRole::Infill},
+    {"Ironing", PathRole::Ironing},
     // OrcaSlicer
+    {"Brim", PathRole::Brim},
+    {"Support", PathRole::Support},
+    {"Support interface", PathRole::SupportInterface},
+    {"Support transition", PathRole::SupportInterface},
+    {"Prime tower", PathRole::Prime},
     {"Outer wall", PathRole::OuterWall},
     {"Overhang wall", PathRole::OuterWall},
     {"Inner wall", PathRole::InnerWall},
     {"Sparse infill", PathRole::Infill},
-    {"Internal solid infill", PathRole::Infill},
-    {"Top surface", PathRole::Infill},
-    {"Bottom surface", PathRole::Infill},
-    {"Bridge", PathRole::Infill},
-    {"Internal Bridge", PathRole::Infill},
+    {"Internal solid infill", PathRole::Skin},
+    {"Top surface", PathRole::TopSkin},
+    {"Bottom surface", PathRole::BottomSkin},
+    {"Bridge", PathRole::Bridge},
+    {"Internal Bridge", PathRole::Bridge},
     {"Gap infill", PathRole::GapFill},
 };
 
@@ -59,12 +70,12 @@ constexpr std::pair<std::string_view, PathRole> kTypes[] = {
 constexpr std::pair<std::string_view, PathRole> kMotionRemarks[] = {
     {"perimeter", PathRole::InnerWall},
     {"infill", PathRole::Infill},
-    {"infill (bridge)", PathRole::Infill},
+    {"infill (bridge)", PathRole::Bridge},
     {"skirt", PathRole::Skirt},
-    {"brim", PathRole::Skirt},
+    {"brim", PathRole::Brim},
     {"gap fill", PathRole::GapFill},
-    {"support material", PathRole::Skirt},
-    {"support material interface", PathRole::Skirt},
+    {"support material", PathRole::Support},
+    {"support material interface", PathRole::SupportInterface},
 };
 
 template <std::size_t count>
@@ -114,12 +125,17 @@ std::optional<PathRole> featureRole(std::string_view comment) {
   for (const char letter : comment)
     if (letter != ' ' && (letter < 'a' || letter > 'z')) return std::nullopt;
   // Supports come first: "support infill" is none of the part.
-  for (const std::string_view other : {"support", "skirt", "brim", "raft", "pillar", "shield"})
-    if (holds(comment, other)) return PathRole::Skirt;
+  constexpr std::pair<std::string_view, PathRole> kAids[] = {
+      {"support", PathRole::Support}, {"skirt", PathRole::Skirt},  {"brim", PathRole::Brim},
+      {"raft", PathRole::Raft},       {"pillar", PathRole::Prime}, {"shield", PathRole::Skirt}};
+  for (const auto& [name, role] : kAids)
+    if (holds(comment, name)) return role;
   if (holds(comment, "outer perimeter") || holds(comment, "external single")) return PathRole::OuterWall;
   if (holds(comment, "perimeter") || holds(comment, "internal single")) return PathRole::InnerWall;
   if (holds(comment, "gap fill")) return PathRole::GapFill;
-  if (holds(comment, "fill") || holds(comment, "solid") || holds(comment, "bridge")) return PathRole::Infill;
+  if (holds(comment, "bridge")) return PathRole::Bridge;
+  if (holds(comment, "solid")) return PathRole::Skin;
+  if (holds(comment, "fill")) return PathRole::Infill;
   return says_feature ? std::optional(PathRole::Infill) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/atomic_file.hpp"
@@ -13,6 +14,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/path_builder.hpp"
+#include "program/gcode/process_words.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -25,8 +27,13 @@ GcodeHandlers handlersFor(ToolpathBuilder& builder, const ProgramSettings& setti
   GcodeHandlers handlers;
   handlers.motion = [&builder](const GcodeMotion& motion) { builder.add(motion); };
   handlers.comment = [&builder](std::string_view comment) { builder.readComment(comment); };
-  handlers.other = [&settings, &has_drops](std::size_t, std::string_view command) {
+  handlers.dwell = [&builder](std::size_t, double seconds) {
+    if (seconds > 0.0) builder.add(Dwell{seconds});
+  };
+  handlers.other = [&](std::size_t, std::string_view command) {
     has_drops |= isDischarge(command, settings.drops);
+    if (auto event = readEvent(command)) builder.add(std::move(*event));
+    if (const auto tool = readTool(command)) builder.changeTool(*tool);
   };
   return handlers;
 }
@@ -43,7 +50,16 @@ class ToolpathBuilder::State {
         stated_diameter_mm_(settings.filament_diameter_mm) {}
 
   void readComment(std::string_view comment) {
-    if (comment == kStartCodeEnds) forget();
+    if (comment == kStartCodeEnds) {
+      forget();
+      pending_.clear();
+    }
+    // What the start code does is no event of the part, nor what the end code does.
+    if (!has_layer_marks_ && readLayerMark(comment)) {
+      has_layer_marks_ = true;
+      pending_.clear();
+    }
+    takes_events_ &= comment != "end of the part";
     is_over_ |= comment == kEndCodeBegins;
     if (const auto diameter_mm = statedFilamentDiameter(comment)) stated_diameter_mm_ = *diameter_mm;
     if (!readFrameComment(comment, frame_)) return;
@@ -53,6 +69,15 @@ class ToolpathBuilder::State {
   void addProgramMotion(const GcodeMotion& motion) {
     if (is_over_) return;
     layers_from_program_ ? add(inLayers(motion)) : add(motion);
+  }
+
+  void add(ToolpathEvent event) {
+    if (!is_over_ && takes_events_) pending_.push_back(std::move(event));
+  }
+  void changeTool(std::uint32_t tool) {
+    if (is_over_ || !takes_events_) return;
+    tool_ = tool;
+    is_interrupted_ = true;
   }
 
   void add(const GcodeMotion& motion) {
@@ -69,6 +94,7 @@ class ToolpathBuilder::State {
       runs_.back().add(motion);
     else
       begin(motion);
+    runs_.back().addEvents(std::exchange(pending_, {}));
     reached_ = motion.end;
     is_interrupted_ = false;
   }
@@ -76,6 +102,7 @@ class ToolpathBuilder::State {
   Toolpath finish(const std::string& part_name) {
     closeLayer(runs_.size());
     toolpath_.part_name = part_name;
+    toolpath_.events_at_end = std::move(pending_);
     if (stated_diameter_mm_ != filament_diameter_mm_)
       scaleBeads(std::pow(stated_diameter_mm_ / filament_diameter_mm_, 2));
     if (!layers_from_program_) return std::move(toolpath_);
@@ -100,8 +127,10 @@ class ToolpathBuilder::State {
       unseen.end = motion.start;
       unseen.extrusion_mm = 0.0;
       runs_.emplace_back(unseen, is_retracted_);
+      runs_.back().setTool(tool_);
     }
     runs_.emplace_back(motion, is_retracted_);
+    runs_.back().setTool(tool_);
   }
 
   void changeLayer(std::optional<int> layer) {
@@ -164,7 +193,11 @@ class ToolpathBuilder::State {
   bool has_comments_ = false;
   std::optional<Point3> reached_;  ///< by the motions that are kept
   bool is_retracted_ = false;
-  bool is_interrupted_ = false;      ///< by a motion of the filament alone
+  std::uint32_t tool_ = 0;
+  std::vector<ToolpathEvent> pending_;  ///< before the motion to come
+  bool has_layer_marks_ = false;
+  bool takes_events_ = true;
+  bool is_interrupted_ = false;      ///< by a motion of the filament alone, or another tool
   double fallback_height_mm_ = 0.2;  ///< of a layer no higher than the one before it
   std::vector<PathBuilder> runs_;    ///< of the layer being read
   Toolpath toolpath_;
@@ -175,6 +208,8 @@ ToolpathBuilder::ToolpathBuilder(const ProgramSettings& settings)
 ToolpathBuilder::~ToolpathBuilder() = default;
 void ToolpathBuilder::readComment(std::string_view comment) { state_->readComment(comment); }
 void ToolpathBuilder::add(const GcodeMotion& motion) { state_->addProgramMotion(motion); }
+void ToolpathBuilder::add(ToolpathEvent event) { state_->add(std::move(event)); }
+void ToolpathBuilder::changeTool(std::uint32_t tool) { state_->changeTool(tool); }
 Toolpath ToolpathBuilder::finish(const std::string& part_name) { return state_->finish(part_name); }
 
 Toolpath toolpathFromGcode(std::string_view program, const ProgramSettings& settings,

@@ -82,7 +82,8 @@ DepositedWalls depositedWalls(const Toolpath& toolpath, double width_mm) {
   };
   DepositedWalls walls = collect([](PathRole role) { return role == PathRole::OuterWall; });
   if (walls.growth.empty())
-    walls = collect([](PathRole role) { return role != PathRole::Travel && role != PathRole::Skirt; });
+    walls = collect(
+        [](PathRole role) { return kindOf(role) == RoleKind::Wall || kindOf(role) == RoleKind::Infill; });
   if (walls.growth.empty()) throw InvalidInput("the toolpath deposits nothing; expected at least one bead");
   return walls;
 }

@@ -8,7 +8,7 @@
 namespace lamina {
 namespace {
 
-bool isWall(PathRole role) { return role == PathRole::OuterWall || role == PathRole::InnerWall; }
+bool isWall(PathRole role) { return kindOf(role) == RoleKind::Wall; }
 
 }  // namespace
 

@@ -78,7 +78,7 @@ double distanceTo(const Polygon& outline, const Point2& point) {
   return nearest;
 }
 
-bool isInfill(const Path& path) { return path.role == PathRole::Infill || path.role == PathRole::GapFill; }
+bool isInfill(const Path& path) { return kindOf(path.role) == RoleKind::Infill; }
 
 VoidClassifier::VoidClassifier(const Regions& contour, const ToolpathLayer& layer, const ScanRows& rows,
                                const std::vector<std::vector<BeadSpan>>& reaches)

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "lamina/toolpath/process_support.hpp"
 
 namespace lamina {
 namespace {
@@ -161,6 +162,7 @@ class Splitter {
 }  // namespace
 
 RapidPlan planRapid(const Toolpath& toolpath, const RapidSettings& settings) {
+  requireSupported(toolpath, {}, "RAPID");
   RapidPlan plan;
   plan.paths = pathsOf(toolpath);
   for (const RapidPath& path : plan.paths) PathChecks(path, settings.variant).requireWritable();

@@ -3,6 +3,9 @@
 #include "streaming/firmware/marlin/line_enquiry.hpp"
 
 #include <algorithm>
+#include <string_view>
+
+#include "lamina/base/edit_distance.hpp"
 
 namespace lamina {
 namespace {
@@ -13,6 +16,14 @@ constexpr std::size_t kBackspaces = 16;
 constexpr double kQuietTime = 0.25;
 // Beyond every number that a job has, and its safe stop.
 constexpr std::uint64_t kBeyondTheJob = 100'000;
+
+/// Noise may have changed bytes of either name; that it is the job's machine is proven by its counter.
+bool areAlike(std::string_view name, std::string_view expected) {
+  constexpr std::size_t kMostDamage = 4;  // bytes
+  constexpr std::size_t kLongestName = 256;
+  return editDistance(name.substr(0, kLongestName), expected.substr(0, kLongestName)) <=
+         std::min(kMostDamage, expected.size() / 8);
+}
 
 }  // namespace
 
@@ -68,7 +79,7 @@ void LineEnquiry::hear(const FirmwareReply& reply, double now) {
     // A refusal discards what comes behind it.
     if (reply.kind == ReplyKind::Resend) quiet_at_ = now + std::max(kQuietTime, settings_.settle_s);
   } else if (step_ == Step::Naming) {
-    if (!reply.firmware_name.empty() && reply.firmware_name != unfinished_.firmware_name)
+    if (!reply.firmware_name.empty() && !areAlike(reply.firmware_name, unfinished_.firmware_name))
       return fail(ErrorCode::Rejected, "the machine's firmware is \"" + reply.firmware_name +
                                            "\"; that of the job was \"" + unfinished_.firmware_name + "\"");
     is_named_ = is_named_ || !reply.firmware_name.empty();

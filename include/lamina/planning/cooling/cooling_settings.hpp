@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// What makes a layer take as long as it must.
+enum class CoolingBy : std::uint8_t { SlowThenDwell, Slow, Dwell };
+
+/// Where the nozzle waits.
+enum class ParkPlace : std::uint8_t {
+  Outside,  ///< beside the part, on the side of the least x
+  Corner,   ///< over the corner of the part's box of least x and y
+  Stay      ///< over where it was
+};
+
+/// How long layers take at least.
+struct CoolingSettings {
+  double least_layer_time_s = 0.0;  ///< 0 for none
+  CoolingBy by = CoolingBy::SlowThenDwell;
+  double least_feed_mm_s = 10.0;  ///< slower than this nothing is laid
+  double lift_mm = 2.0;           ///< while it waits
+  ParkPlace park = ParkPlace::Outside;
+};
+
+/// How the fan blows, by the time of the layer.
+struct FanSettings {
+  enum class Use : std::uint8_t { Off, On };
+  enum class WhenSlow : std::uint8_t { Least, Off };
+
+  Use use = Use::Off;
+  int off_layers = 1;   ///< so many first layers without
+  double least = 0.35;  ///< shares of its power
+  double greatest = 1.0;
+  double full_below_s = 5.0;          ///< of layer time: the greatest share
+  double off_above_s = 60.0;          ///< of layer time: the least share; between, linear
+  WhenSlow beyond = WhenSlow::Least;  ///< above `off_above_s`
+};
+
+/// Adds the keys cooling.*.
+void describe(SettingsSchema& schema, CoolingSettings& settings);
+/// Adds the keys fan.*.
+void describe(SettingsSchema& schema, FanSettings& settings);
+
+/// @throws InvalidConfig if the least is above the greatest
+void requireConsistent(const FanSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/cooling/cooling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+#include "lamina/toolpath/timing.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTimeTolerance = 0.001;  // of the time asked for
+constexpr int kMostSteps = 40;
+constexpr double kBeside = 5.0;  // mm
+
+/// What is slowed down first, next and last.
+constexpr std::size_t kGroups = 3;
+
+/// The group of a path; `kGroups` for travels.
+std::size_t groupOf(PathRole role) {
+  switch (role) {
+    case PathRole::Travel:
+      return kGroups;
+    case PathRole::InnerWall:
+      return 1;
+    case PathRole::OuterWall:
+    case PathRole::TopSkin:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+double timeOf(const Toolpath& layer, const MotionLimits& limits) {
+  return estimateTime(layer, limits).total_s;
+}
+
+/// One layer as a toolpath of its own, whose feeds are changed.
+class SlowedLayer {
+ public:
+  SlowedLayer(const ToolpathLayer& layer, const MotionLimits& limits, double least_feed_mm_s)
+      : as_planned_(layer), limits_(limits), least_mm_s_(least_feed_mm_s) {
+    toolpath_.layers = {layer};
+  }
+
+  double time() const { return timeOf(toolpath_, limits_); }
+
+  /// Slows a group down until the layer takes that long, or the group is as slow as it may be.
+  /// @return time [s]
+  double slow(std::size_t group, double wanted_s) {
+    setFactor(group, 0.0);
+    double time_s = time();
+    if (time_s <= wanted_s) return time_s;
+    double slow = 0.0;
+    double fast = 1.0;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const double factor = 0.5 * (slow + fast);
+      setFactor(group, factor);
+      time_s = time();
+      if (std::abs(time_s - wanted_s) <= kTimeTolerance * wanted_s) break;
+      (time_s > wanted_s ? slow : fast) = factor;
+    }
+    return time_s;
+  }
+
+  ToolpathLayer take() { return std::move(toolpath_.layers[0]); }
+
+ private:
+  /// Feeds of the group times the factor, but not below the least one, nor above those planned.
+  void setFactor(std::size_t group, double factor) {
+    std::vector<Path>& paths = toolpath_.layers[0].paths;
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      if (groupOf(paths[p].role) != group) continue;
+      std::vector<double> feeds = as_planned_.paths[p].feed_mm_s.values();
+      for (double& feed : feeds) feed = std::max(std::min(feed, least_mm_s_), feed * factor);
+      paths[p].feed_mm_s = AlongPath<double>(std::move(feeds));
+    }
+  }
+
+  const ToolpathLayer& as_planned_;
+  MotionLimits limits_;
+  double least_mm_s_;
+  Toolpath toolpath_;
+};
+
+/// Where the nozzle waits, in the frame of the layers, at the height where it is.
+Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
+  switch (place) {
+    case ParkPlace::Outside:
+      return {box.low.x() - kBeside, here.y(), here.z()};
+    case ParkPlace::Corner:
+      return {box.low.x(), box.low.y(), here.z()};
+    case ParkPlace::Stay:
+      break;
+  }
+  return here;
+}
+
+double travelFeed(const ToolpathLayer& layer) {
+  for (const Path& path : layer.paths)
+    if (path.role == PathRole::Travel) return path.feed_mm_s.at(0);
+  return layer.paths.back().feed_mm_s.at(0);
+}
+
+/// Up, to where it waits, and back to where the layer ended.
+Path waiting(const ToolpathLayer& layer, double dwell_s, const Box3& box, const Point3& up,
+             const CoolingSettings& settings) {
+  const Path& last = layer.paths.back();
+  const Point3 here = last.lastPoint();
+  const Point3 lift = settings.lift_mm * up;
+  const Point3 park = parkAt(here, box, settings.park);
+  Path path;
+  path.role = PathRole::Travel;
+  path.process.is_retracted = true;
+  path.tool = last.tool;
+  path.orientation = last.orientation.at(last.is_closed ? 0 : last.points.size() - 1);
+  path.feed_mm_s = travelFeed(layer);
+  path.points = {here};
+  if (settings.lift_mm > 0.0) path.points.push_back(here + lift);
+  if (park != here) path.points.push_back(park + lift);
+  path.events.emplace_back();
+  path.events.back().motion = path.points.size() - 1;
+  path.events.back().event.emplace<Dwell>(Dwell{dwell_s});
+  if (park != here && settings.lift_mm > 0.0) path.points.push_back(here + lift);
+  path.points.push_back(here);
+  return path;
+}
+
+/// What became of one layer.
+struct CooledLayer {
+  bool is_slowed = false;
+  double dwell_s = 0.0;
+  bool is_too_fast = false;
+};
+
+class Cooler {
+ public:
+  Cooler(Toolpath& toolpath, const CoolingSettings& settings, const MotionLimits& limits)
+      : toolpath_(toolpath),
+        settings_(settings),
+        limits_(limits),
+        box_(depositionBox(toolpath)),
+        up_(layerNormal(toolpath)) {}
+
+  CooledLayer coolLayer(std::size_t index) const {
+    ToolpathLayer& layer = toolpath_.layers[index];
+    CooledLayer cooled;
+    const double wanted_s = settings_.least_layer_time_s;
+    SlowedLayer slowed(layer, limits_, settings_.least_feed_mm_s);
+    double time_s = slowed.time();
+    if (time_s >= wanted_s) return cooled;
+    if (settings_.by != CoolingBy::Dwell) {
+      for (std::size_t group = 0; group < kGroups && time_s < wanted_s * (1.0 - kTimeTolerance); ++group)
+        time_s = slowed.slow(group, wanted_s);
+      layer = slowed.take();
+      cooled.is_slowed = true;
+    }
+    const bool lacks_time = time_s < wanted_s * (1.0 - kTimeTolerance);
+    const bool is_last = index + 1 == toolpath_.layers.size();
+    if (!lacks_time || is_last) return cooled;
+    if (settings_.by == CoolingBy::Slow) {
+      cooled.is_too_fast = true;
+      return cooled;
+    }
+    cooled.dwell_s = wait(layer, wanted_s - time_s);
+    return cooled;
+  }
+
+ private:
+  /// The ways to the place and back count.
+  /// @return how long it dwells [s]
+  double wait(ToolpathLayer& layer, double lacking_s) const {
+    Path path = waiting(layer, 0.0, box_, up_, settings_);
+    Toolpath ways;
+    ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
+    const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
+    std::get<Dwell>(path.events.front().event).duration_s = dwell_s;
+    layer.paths.push_back(std::move(path));
+    return dwell_s;
+  }
+
+  Toolpath& toolpath_;
+  const CoolingSettings& settings_;
+  const MotionLimits& limits_;
+  Box3 box_;
+  Point3 up_;
+};
+
+}  // namespace
+
+CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const MotionLimits& limits,
+                    Progress& progress) {
+  CoolingSummary summary;
+  if (settings.least_layer_time_s == 0.0) return summary;
+  const Cooler cooler(toolpath, settings, limits);
+  std::vector<CooledLayer> cooled(toolpath.layers.size());
+  parallelFor(
+      cooled.size(),
+      [&](std::size_t i) {
+        if (!toolpath.layers[i].paths.empty()) cooled[i] = cooler.coolLayer(i);
+      },
+      progress, "cool");
+  for (const CooledLayer& layer : cooled) {
+    summary.slowed_layers += layer.is_slowed ? 1 : 0;
+    summary.dwells += layer.dwell_s > 0.0 ? 1 : 0;
+    summary.dwell_s += layer.dwell_s;
+    summary.too_fast_layers += layer.is_too_fast ? 1 : 0;
+  }
+  return summary;
+}
+
+double fanShare(double layer_time_s, std::size_t layer, const FanSettings& settings) {
+  if (layer < static_cast<std::size_t>(settings.off_layers)) return 0.0;
+  if (layer_time_s <= settings.full_below_s) return settings.greatest;
+  if (layer_time_s > settings.off_above_s)
+    return settings.beyond == FanSettings::WhenSlow::Least ? settings.least : 0.0;
+  const double along =
+      (layer_time_s - settings.full_below_s) / (settings.off_above_s - settings.full_below_s);
+  return settings.greatest + along * (settings.least - settings.greatest);
+}
+
+void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
+  if (settings.use == FanSettings::Use::Off) return;
+  constexpr double kSteps = 255.0;
+  const ToolpathTime time = estimateTime(toolpath, limits);
+  std::int64_t running = 0;
+  for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
+    std::vector<Path>& paths = toolpath.layers[i].paths;
+    if (paths.empty()) continue;
+    const double end_s = i + 1 < toolpath.layers.size() ? time.layer_start_s[i + 1] : time.total_s;
+    const double share = fanShare(end_s - time.layer_start_s[i], i, settings);
+    const std::int64_t steps = std::llround(share * kSteps);
+    if (std::exchange(running, steps) == steps) continue;
+    PathEvent change;
+    change.event.emplace<FanShare>(FanShare{share});
+    std::vector<PathEvent>& events = paths.front().events;
+    events.insert(events.begin(), std::move(change));
+  }
+  if (running != 0) toolpath.events_at_end.emplace_back(std::in_place_type<FanShare>);
+}
+
+}  // namespace lamina

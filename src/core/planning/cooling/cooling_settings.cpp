@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/cooling/cooling_settings.hpp"
+
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, CoolingSettings& cooling) {
+  schema.number("cooling.least_layer_time_s", cooling.least_layer_time_s, {0.0, 1e5, false},
+                "Time that each layer takes at least; 0 for none.");
+  schema.choice<CoolingBy>(
+      "cooling.by", cooling.by,
+      {{"slow_then_dwell", CoolingBy::SlowThenDwell}, {"slow", CoolingBy::Slow}, {"dwell", CoolingBy::Dwell}},
+      "What makes a layer take that long.");
+  schema.number("cooling.least_feed_mm_s", cooling.least_feed_mm_s, {0.0, 10000.0, true},
+                "Slower than this nothing is laid.");
+  schema.number("cooling.lift_mm", cooling.lift_mm, {0.0, 1000.0, false},
+                "Lift of the nozzle while it waits.");
+  schema.choice<ParkPlace>(
+      "cooling.park", cooling.park,
+      {{"outside", ParkPlace::Outside}, {"corner", ParkPlace::Corner}, {"stay", ParkPlace::Stay}},
+      "Where the nozzle waits.");
+}
+
+void describe(SettingsSchema& schema, FanSettings& fan) {
+  schema.choice<FanSettings::Use>("fan.use", fan.use,
+                                  {{"off", FanSettings::Use::Off}, {"on", FanSettings::Use::On}},
+                                  "Whether the fan that cools the part is controlled.");
+  schema.integer("fan.off_layers", fan.off_layers, {0, 100000, false}, "So many first layers without fan.");
+  schema.number("fan.least", fan.least, {0.0, 1.0, false}, "Least share of the fan's power.");
+  schema.number("fan.greatest", fan.greatest, {0.0, 1.0, false}, "Greatest share of the fan's power.");
+  schema.number("fan.full_below_s", fan.full_below_s, {0.0, 1e5, false},
+                "Layers of this time or less have the greatest share.");
+  schema.number("fan.off_above_s", fan.off_above_s, {0.0, 1e5, false},
+                "Layers of this time have the least share.");
+  schema.choice<FanSettings::WhenSlow>(
+      "fan.beyond", fan.beyond,
+      {{"least", FanSettings::WhenSlow::Least}, {"off", FanSettings::WhenSlow::Off}},
+      "What layers of more time have.");
+}
+
+void requireConsistent(const FanSettings& fan) {
+  if (fan.least > fan.greatest)
+    throw InvalidConfig("fan.least is " + std::to_string(fan.least) + "; must be at most fan.greatest, " +
+                        std::to_string(fan.greatest));
+  if (fan.full_below_s > fan.off_above_s)
+    throw InvalidConfig("fan.full_below_s is " + std::to_string(fan.full_below_s) +
+                        " s; must be at most fan.off_above_s, " + std::to_string(fan.off_above_s) + " s");
+}
+
+}  // namespace lamina

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "lamina/infill/strategy.hpp"
+#include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/planning/planner.hpp"
+#include "lamina/planning/seams/fill_starts.hpp"
+#include "lamina/slicing/layer.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/skins/layer_cover.hpp"
+
+namespace lamina {
+
+/// What all layers of a plan share.
+struct PlanContext {
+  PlanSettings settings;
+  InfillStrategy strategy;
+  InfillStrategy skin_strategy;
+  std::size_t layer_count = 0;
+  Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
+  std::optional<BedPlane> bed;     ///< below inclined layers
+  LayerLift lift;                  ///< of layers planned in a plan; none of those planned where they are
+};
+
+/// A layer and the one it is laid on, if there is one.
+struct StackedLayer {
+  const Layer* layer = nullptr;
+  const Layer* below = nullptr;
+  const LayerCover* cover = nullptr;  ///< null without skins
+};
+
+/// The paths of one layer.
+struct PlannedLayer {
+  ToolpathLayer layer;
+  double unprinted_mm2 = 0.0;  ///< of what gets no bead or drop
+  Refilling refilling;
+  FillStarts starts;
+  std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
+  double left_out_mm3 = 0.0;     ///< see `LiftedLayer`
+};
+
+/// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
+/// layers can be planned side by side. An inclined layer is begun at the bed, and its runs are anchored on
+/// the layer before.
+/// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
+/// @throws what strategies throw, with the place
+PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context);
+
+}  // namespace lamina

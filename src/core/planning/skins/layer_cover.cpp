@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/skins/layer_cover.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+/// Stretches of the stack that are worked off apart from each other, of fixed length so that the result does
+/// not depend on threads.
+constexpr std::size_t kStretch = 64;
+
+bool areSame(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& x, const Region& y) {
+    return x.outer == y.outer && x.holes == y.holes;
+  });
+}
+
+SharedRegions common(const SharedRegions& a, const SharedRegions& b) {
+  if (a == b || a->empty()) return a;
+  if (b->empty()) return b;
+  return std::make_shared<const Regions>(intersection(*a, *b));
+}
+
+/// A queue of regions that knows what all of them have in common, with three intersections for each at most.
+class RunningIntersection {
+ public:
+  void push(SharedRegions regions) {
+    back_common_ = back_.empty() ? regions : common(back_common_, regions);
+    back_.push_back(std::move(regions));
+  }
+  void pop() {
+    if (front_.empty()) {
+      // From now on: what each has in common with those that came after it.
+      for (; !back_.empty(); back_.pop_back())
+        front_.push_back(front_.empty() ? back_.back() : common(back_.back(), front_.back()));
+    }
+    front_.pop_back();
+  }
+  std::size_t size() const { return front_.size() + back_.size(); }
+  /// At least one must be held.
+  SharedRegions value() const {
+    if (front_.empty()) return back_common_;
+    return back_.empty() ? front_.back() : common(front_.back(), back_common_);
+  }
+
+ private:
+  std::vector<SharedRegions> front_;  ///< the oldest last, each with all after it
+  std::vector<SharedRegions> back_;
+  SharedRegions back_common_;
+};
+
+/// How many layers a skin counts from each one on; 0 for none.
+/// @param heights_mm  in the direction in which the skin counts
+std::vector<std::size_t> skinCounts(const std::vector<double>& heights_mm, int least_count, double least_mm) {
+  std::vector<std::size_t> counts(heights_mm.size(), static_cast<std::size_t>(least_count));
+  if (least_count == 0 && least_mm == 0.0) return counts;
+  for (std::size_t i = 0; i < heights_mm.size(); ++i) {
+    double sum_mm = 0.0;
+    std::size_t count = 0;
+    for (std::size_t j = i; j < heights_mm.size() && sum_mm < least_mm - 1e-9; ++j, ++count)
+      sum_mm += heights_mm[j];
+    counts[i] = std::max(counts[i], count);
+  }
+  return counts;
+}
+
+/// For each layer, what is material in all of as many layers behind it. Beyond the last one there is none.
+/// @param counts  of layers that each skin counts, itself among them; they fall by one a layer at most
+std::vector<SharedRegions> windows(const std::vector<SharedRegions>& layers,
+                                   const std::vector<std::size_t>& counts, Progress& progress) {
+  static const SharedRegions nothing = std::make_shared<const Regions>();
+  std::vector<SharedRegions> found(layers.size(), nothing);
+  const auto work = [&](std::size_t stretch) {
+    RunningIntersection window;
+    std::size_t next = stretch * kStretch + 1;  // to be pushed
+    const std::size_t end = std::min(layers.size(), (stretch + 1) * kStretch);
+    for (std::size_t i = stretch * kStretch; i < end; ++i) {
+      if (counts[i] == 0) {
+        found[i] = layers[i];
+        next = i + 2;
+        window = {};
+        continue;
+      }
+      for (; next <= i + counts[i]; ++next) window.push(next < layers.size() ? layers[next] : nothing);
+      found[i] = window.value();
+      window.pop();
+    }
+  };
+  parallelFor((layers.size() + kStretch - 1) / kStretch, work, progress, "skins");
+  return found;
+}
+
+template <class Value>
+std::vector<Value> reversedOrder(std::vector<Value> values) {
+  std::reverse(values.begin(), values.end());
+  return values;
+}
+
+std::vector<SharedRegions> shared(std::vector<Regions> material) {
+  std::vector<SharedRegions> layers;
+  layers.reserve(material.size());
+  for (Regions& regions : material) {
+    const bool is_same = !layers.empty() && areSame(*layers.back(), regions);
+    layers.push_back(is_same ? layers.back() : std::make_shared<const Regions>(std::move(regions)));
+  }
+  return layers;
+}
+
+}  // namespace
+
+LayerCover moved(const LayerCover& cover, const Point2& by) {
+  const auto moved_regions = [&by](const SharedRegions& regions) {
+    Regions copy = *regions;
+    for (Region& region : copy) {
+      for (Point2& point : region.outer) point += by;
+      for (Polygon& hole : region.holes)
+        for (Point2& point : hole) point += by;
+    }
+    return std::make_shared<const Regions>(std::move(copy));
+  };
+  LayerCover at;
+  at.material = moved_regions(cover.material);
+  at.above = moved_regions(cover.above);
+  at.wholly_above = moved_regions(cover.wholly_above);
+  at.below = moved_regions(cover.below);
+  at.wholly_below = moved_regions(cover.wholly_below);
+  return at;
+}
+
+std::vector<LayerCover> coversOf(std::vector<Regions> material, const std::vector<double>& heights_mm,
+                                 const SkinSettings& settings, Progress& progress) {
+  const std::vector<SharedRegions> layers = shared(std::move(material));
+  const auto above = windows(layers, skinCounts(heights_mm, settings.top_layers, settings.top_mm), progress);
+  const auto below = reversedOrder(
+      windows(reversedOrder(layers),
+              skinCounts(reversedOrder(heights_mm), settings.bottom_layers, settings.bottom_mm), progress));
+  const auto nothing = std::make_shared<const Regions>();
+  std::vector<LayerCover> covers(layers.size());
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    covers[i].material = layers[i];
+    covers[i].above = i + 1 < layers.size() ? layers[i + 1] : nothing;
+    covers[i].below = i > 0 ? layers[i - 1] : nothing;
+    covers[i].wholly_above = above[i];
+    covers[i].wholly_below = below[i];
+  }
+  return covers;
+}
+
+}  // namespace lamina

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "planning/skins/layer_cover.hpp"
+
+namespace lamina {
+
+/// Sizes that decide where skins end [mm].
+struct SkinMeasures {
+  double narrowest_mm = 0.0;      ///< what is narrower is no skin
+  double anchor_mm = 0.0;         ///< by which a skin grows into the infill
+  double least_infill_mm2 = 0.0;  ///< smaller areas of infill become skin
+};
+
+/// An area within walls, shared out. The parts do not overlap, and together are the area.
+struct SkinAreas {
+  Regions bottom_skin;  ///< seen from below
+  Regions skin;         ///< solid and hidden
+  Regions top_skin;     ///< seen from above; from both sides, this one
+  Regions sparse;       ///< for the infill
+};
+
+/// A place is skin if one of the layers that skins count does not cover it.
+/// @param inside  walls, of one layer
+SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures);
+
+}  // namespace lamina

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/toolpath/toolpath_event.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+bool isOneLine(const std::string& text) {
+  return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
+}
+
+std::string defectIn(const Dwell& dwell) {
+  if (dwell.duration_s >= 0.0 && std::isfinite(dwell.duration_s)) return {};
+  return "dwell is " + std::to_string(dwell.duration_s) + " s; must be 0 or more";
+}
+
+std::string defectIn(const FanShare& fan) {
+  if (fan.share >= 0.0 && fan.share <= 1.0) return {};
+  return "fan share is " + std::to_string(fan.share) + "; must lie in 0 to 1";
+}
+
+std::string defectIn(const OperatorPause& pause) {
+  return isOneLine(pause.message) ? "" : "message of a pause has a control character; must be one line";
+}
+
+std::string defectIn(const MachineCode& code) {
+  const auto isAllowed = [](char c) {
+    return c == '\n' || c == '\t' || static_cast<unsigned char>(c) >= ' ';
+  };
+  if (!code.text.empty() && std::all_of(code.text.begin(), code.text.end(), isAllowed)) return {};
+  return code.text.empty() ? "code is empty; expected a line at least"
+                           : "code has a control character; expected lines of text";
+}
+
+}  // namespace
+
+const char* nameOf(const ToolpathEvent& event) {
+  constexpr std::array<const char*, 4> kNames = {"dwell", "fan", "pause", "code"};
+  return kNames.at(event.index());
+}
+
+double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion) {
+  double sum_s = 0.0;
+  for (const PathEvent& placed : events) {
+    const auto* const dwell = std::get_if<Dwell>(&placed.event);
+    if (dwell != nullptr && placed.motion == motion) sum_s += dwell->duration_s;
+  }
+  return sum_s;
+}
+
+std::string defectOf(const ToolpathEvent& event) {
+  return std::visit([](const auto& kind) { return defectIn(kind); }, event);
+}
+
+}  // namespace lamina
