@@ -49,7 +49,7 @@ std::string label(PathRole role) {
 }
 
 std::vector<LegendEntry> rolesOf(const Toolpath& toolpath) {
-  std::array<bool, 6> is_used{};
+  std::array<bool, kPathRoles> is_used{};
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) is_used[static_cast<std::size_t>(path.role)] = true;
   std::vector<LegendEntry> entries;
