@@ -90,6 +90,23 @@ void Zigzag(benchmark::State& state) {
 }
 BENCHMARK(Zigzag)->RangeMultiplier(4)->Range(8, 2048)->Complexity();
 
+/// A sparse layer of a disc, of lines 60 / n mm apart.
+void SparseFill(benchmark::State& state, const char* name) {
+  const Regions regions = unite(section(512));
+  const InfillStrategy fill = infillStrategy(name);
+  InfillRequest request;
+  request.spacing_mm = 60.0 / static_cast<double>(state.range(0));
+  request.pitch_mm = 0.357;
+  request.angle_rad = 0.7;
+  request.part_from_plan = Eigen::Translation3d(0.0, 0.0, 7.3);
+  for (auto _ : state) benchmark::DoNotOptimize(fill.fill(regions, request));
+}
+BENCHMARK_CAPTURE(SparseFill, zigzag, "zigzag")->RangeMultiplier(4)->Range(8, 128);
+BENCHMARK_CAPTURE(SparseFill, grid, "grid")->RangeMultiplier(4)->Range(8, 128);
+BENCHMARK_CAPTURE(SparseFill, cubic, "cubic")->RangeMultiplier(4)->Range(8, 128);
+BENCHMARK_CAPTURE(SparseFill, honeycomb, "honeycomb")->RangeMultiplier(4)->Range(8, 128);
+BENCHMARK_CAPTURE(SparseFill, gyroid, "gyroid")->RangeMultiplier(4)->Range(8, 128);
+
 void PlanLayers(benchmark::State& state) {
   const ThreadLimit one_thread(1);
   std::vector<Layer> layers;

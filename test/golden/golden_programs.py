@@ -19,6 +19,7 @@ import tempfile
 
 LIST = pathlib.Path(__file__).with_name("golden_programs.sha256")
 STRATEGIES = ["zigzag", "contour", "spiral", "hilbert", "hilbert_quadtree", "hybrid", "perimeters"]
+PATTERNS = ["grid", "triangles", "cubic", "honeycomb", "gyroid"]
 DROPS = ["drops_contour", "drops_dense", "drops_raster"]
 COARSE = {"slicing.layer_height_mm": "0.5", "slicing.first_layer_height_mm": "0.5"}
 PLATE = {"part": "blind_hole_plate", "size": {"x_mm": "16", "y_mm": "12", "z_mm": "2", "hole_radius_mm": "4", "hole_depth_mm": "1"}}
@@ -38,6 +39,8 @@ def cases_of_parts():
         for strategy in STRATEGIES:
             yield f"{part['part']}-{strategy}", part, {"infill.strategy": strategy}, "gcode"
             yield f"{part['part']}-{strategy}-solid", part, {"infill.strategy": strategy, **solid}, "gcode"
+        for strategy in PATTERNS:
+            yield f"{part['part']}-{strategy}", part, {"infill.strategy": strategy}, "gcode"
         for strategy in DROPS:
             settings = {"infill.strategy": strategy, "machine.name": "drop_printer", "walls.count": "0"}
             yield f"{part['part']}-{strategy}", part, settings, "gcode"
@@ -50,6 +53,8 @@ def cases_of_parts():
         for part in (BLADE, SPHERE, CONE):
             yield f"{part['part']}-{mode}", part, {"slicing.mode": mode}, "csv"
     yield "blade-inclined", BLADE, {"slicing.plane.angle_deg": "45", "machine.name": "large_gantry_45"}, "gcode"
+    tilted = {"slicing.plane.angle_deg": "45", "machine.name": "large_gantry_45", "infill.strategy": "gyroid"}
+    yield "blade-inclined-gyroid", BLADE, tilted, "gcode"
     for machine in ("five_axis_head_table", "five_axis_table_ac", "five_axis_head_ab"):
         yield f"blade-{machine}", BLADE, {"slicing.mode": "adapted", "machine.name": machine}, "gcode"
     for machine in ("irb_4600", "irb_4400", "irb_4600_turntable"):

@@ -46,9 +46,18 @@ std::vector<std::string> strategiesOfBeads() {
   return names;
 }
 
+/// Lines in several directions cross each other by their nature.
+bool laysLinesAcross(const std::string& name) {
+  return name == "grid" || name == "triangles" || name == "cubic";
+}
+
+/// Whose solid form is the zigzag, which stands here itself.
+bool isZigzagIfSolid(const std::string& name) { return name == "honeycomb" || name == "gyroid"; }
+
 class EveryBead : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryBead, CrossesItselfNowhere) {
+  if (laysLinesAcross(GetParam())) GTEST_SKIP() << "lays lines across each other";
   const InfillStrategy strategy = infillStrategy(GetParam());
   EXPECT_TRUE(rc::check("random regions", [&strategy] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
@@ -56,8 +65,9 @@ TEST_P(EveryBead, CrossesItselfNowhere) {
                                    test::reversed(test::star(random, {0, 0}, 1.0, 3.0, 12))});
     const double spacing = random.uniform(0.6, 3.0);
     const double angle = random.uniform(-7.0, 7.0);
-    const InfillRequest request =
-        random.below(2) == 0 ? test::requestOf(spacing, angle) : test::solidRequestOf(spacing, angle);
+    const InfillRequest request = random.below(2) == 0 || isZigzagIfSolid(GetParam())
+                                      ? test::requestOf(spacing, angle)
+                                      : test::solidRequestOf(spacing, angle);
     const std::vector<Motion> motions = motionsOf(strategy.fill(regions, request));
     for (std::size_t i = 0; i < motions.size(); ++i)
       for (std::size_t j = i + 1; j < motions.size(); ++j)

@@ -49,6 +49,15 @@ double distanceToPaths(const std::vector<FillPath>& paths, const Point2& point) 
   return nearest;
 }
 
+/// How far a place may be from the paths, in spacings: lines lie less than two spacings off a contour, drops
+/// a spacing apart on both, and cells between lines in three directions are three across. Void filling is a
+/// step of its own.
+double reachOf(const std::string& strategy) {
+  if (infillStrategy(strategy).deposit == Deposit::Drops) return std::hypot(1.0, 0.5);
+  const bool has_cells = strategy == "cubic" || strategy == "honeycomb" || strategy == "triangles";
+  return has_cells ? 1.5 : 1.0;
+}
+
 Regions strategyRandomRegions(Random& random) {
   return unite({test::star(random, {0, 0}, 5.0, 12.0, 24), reversed(test::star(random, {0, 0}, 1.0, 3.0, 12)),
                 test::star(random, {30, 5}, 2.0, 6.0, 9)});
@@ -105,9 +114,7 @@ TEST_P(EveryStrategy, CoversARingWithinItsSpacing) {
   const InfillRequest request = requestOf(1.5, 0.3);
   const std::vector<FillPath> paths = fill(ring, request);
   const std::vector<Polygon> borders = outlines(ring);
-  // Lines less than two spacings off a contour, drops a spacing apart on both: void filling is a step of its
-  // own.
-  const double reach = infillStrategy(GetParam()).deposit == Deposit::Drops ? std::hypot(1.0, 0.5) : 1.0;
+  const double reach = reachOf(GetParam());
   Random random(11);
   for (int i = 0; i < 500; ++i) {
     const Point2 point(random.uniform(-10, 14), random.uniform(-9, 15));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/infill/fill_path.hpp"
 #include "lamina/infill/fill_settings.hpp"
+#include "lamina/infill/line_link.hpp"
 
 namespace lamina {
 
@@ -23,11 +25,23 @@ struct InfillRequest {
   Point2 start = Point2::Zero();  ///< where the nozzle comes from
   std::size_t layer = 0;          ///< index, from 0: for seeds and for what changes from layer to layer
   std::size_t island = 0;         ///< index within the layer, from 0: for seeds
-  FillSettings settings;          ///< what single strategies ask for besides
+  /// Where the plane z = 0 of the regions lies in the part [mm]: for patterns in space. Layers laid out flat
+  /// keep the height and the directions of their plan.
+  Eigen::Isometry3d part_from_plan = Eigen::Isometry3d::Identity();
+  LineLinks links;
+  FillSettings settings;  ///< what single strategies ask for besides
 };
 
 /// Whether neighbouring lines lie side by side at the pitch.
 bool isSolid(const InfillRequest& request);
+
+/// How far lines that end beside each other may be joined along the border, in steps between neighbouring
+/// lines; negative if they may not. Of a solid fill always 3: a longer link would lay a bead where none was
+/// asked for.
+double longestLink(const InfillRequest& request, double step_mm);
+
+/// Of the layer [mm], along its normal from the part's origin.
+double heightOf(const InfillRequest& request);
 
 /// Covers regions with beads, or drops: the centre lines of beads of the nominal width keep half a pitch from
 /// the border, those of others half their width. No region gives no path. The same regions give the same

@@ -6,6 +6,7 @@
 
 #include "lamina/base/settings.hpp"
 #include "lamina/infill/fill_settings.hpp"
+#include "lamina/infill/line_link.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 
 namespace lamina {
@@ -38,6 +39,7 @@ struct InfillSettings {
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
+  LineLinks links;                ///< of sparse infill
 };
 
 /// Solid layers where the part is seen from above or below, over a sparse infill of level or inclined layers.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ struct Plan {
   double unprinted_mm3 = 0.0;
 };
 
+/// How inclined layers stand.
+struct LayerIncline {
+  BedPlane bed;
+  Eigen::Quaterniond part_from_layers = Eigen::Quaterniond::Identity();
+};
+
 /// The plan of a part, as `planToolpath` makes it.
 /// @throws as it does
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
@@ -39,10 +46,9 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 
 /// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
 /// bed, and with the starts of runs as `anchoring.strategy` says.
-/// @param bed  below the layers, in their frame
 /// @throws as `planToolpath`
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const BedPlane& bed, Progress& progress);
+              const LayerIncline& incline, Progress& progress);
 
 /// The plan of a part whose layers are planned in a plan each, and lifted to where they are deposited:
 /// without skirt; chained layers and travels between layers are joined in space (`lifting.md`). What the plan

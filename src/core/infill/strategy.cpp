@@ -14,6 +14,9 @@
 #include "infill/drops/drops_raster.hpp"
 #include "infill/hilbert/hilbert.hpp"
 #include "infill/hilbert/hilbert_quadtree.hpp"
+#include "infill/pattern/crossing_lines.hpp"
+#include "infill/pattern/gyroid.hpp"
+#include "infill/pattern/honeycomb.hpp"
 #include "infill/rectilinear/hybrid.hpp"
 #include "infill/rectilinear/zigzag.hpp"
 
@@ -26,17 +29,27 @@ InfillStrategy drops(const FillFunction& fill) {
   return {fill, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside, Deposit::Drops};
 }
 
+/// Solid ones are zigzags.
+InfillStrategy pattern(const FillFunction& fill) {
+  return {fill, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted};
+}
+
 std::map<std::string, InfillStrategy> builtInStrategies() {
   return {
       {"contour", {contour, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
+      {"cubic", pattern(cubicFill)},
       {"drops_contour", drops(dropsContour)},
       {"drops_dense", drops(dropsDense)},
       {"drops_raster", drops(dropsRaster)},
+      {"grid", pattern(gridFill)},
+      {"gyroid", pattern(gyroid)},
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
+      {"honeycomb", pattern(honeycomb)},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
+      {"triangles", pattern(trianglesFill)},
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
   };
@@ -47,6 +60,24 @@ std::map<std::string, InfillStrategy> builtInStrategies() {
 bool isSolid(const InfillRequest& request) {
   constexpr double kRounding = 1e-6;
   return std::abs(request.spacing_mm - request.pitch_mm) < kRounding * request.pitch_mm;
+}
+
+double longestLink(const InfillRequest& request, double step_mm) {
+  constexpr double kLongestLink = 3.0;
+  if (isSolid(request)) return kLongestLink;
+  switch (request.links.link) {
+    case LineLink::None:
+      return -1.0;
+    case LineLink::UpTo:
+      return request.links.longest_mm / step_mm;
+    case LineLink::Border:
+      break;
+  }
+  return kLongestLink;
+}
+
+double heightOf(const InfillRequest& request) {
+  return request.part_from_plan.linear().col(2).dot(request.part_from_plan.translation());
 }
 
 Registry<InfillStrategy>& infillStrategies() {

@@ -326,6 +326,8 @@ class LayerPlanner {
     request.start = nozzle_;
     request.layer = index_;
     request.island = island_;
+    request.part_from_plan = context_.part_from_layers * Eigen::Translation3d(0.0, 0.0, top_);
+    request.links = infill.links;
     request.settings = settings_.fill;
     return request;
   }

@@ -25,7 +25,9 @@ struct PlanContext {
   std::size_t layer_count = 0;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
   std::optional<BedPlane> bed;     ///< below inclined layers
-  LayerLift lift;                  ///< of layers planned in a plan; none of those planned where they are
+  /// Identity but for inclined layers.
+  Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
+  LayerLift lift;  ///< of layers planned in a plan; none of those planned where they are
 };
 
 /// A layer and the one it is laid on, if there is one.

@@ -42,6 +42,13 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
                 "Turn of the infill from each layer to the next.");
   schema.number("infill.wall_overlap", infill.wall_overlap, {0.0, 0.9, false},
                 "Part of the bead width by which infill runs into the innermost wall.");
+  schema.choice<LineLink>(
+      "infill.link", infill.links.link,
+      {{"border", LineLink::Border}, {"none", LineLink::None}, {"up_to_mm", LineLink::UpTo}},
+      "Whether lines of sparse infill are joined along the border: within three distances of lines, not at "
+      "all, or within infill.link_mm.");
+  schema.number("infill.link_mm", infill.links.longest_mm, {0.0, 10000.0, false},
+                "Longest of these joints with infill.link up_to_mm.");
 }
 
 void describe(SettingsSchema& schema, SkinSettings& skins) {

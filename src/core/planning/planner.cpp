@@ -186,6 +186,7 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   const Layer below = stacked.below != nullptr ? moved(*stacked.below, -away) : Layer{};
   PlanContext near = context;
   near.anchor -= away;
+  near.part_from_layers.translate(Point3(away.x(), away.y(), 0.0));
   near.bed->level_mm -= near.bed->up.head<2>().dot(away);
   const LayerCover cover = stacked.cover != nullptr ? moved(*stacked.cover, -away) : LayerCover{};
   PlannedLayer planned = planLayer(
@@ -245,9 +246,10 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 }
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const BedPlane& bed, Progress& progress) {
+              const LayerIncline& incline, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
-  context.bed = bed;
+  context.bed = incline.bed;
+  context.part_from_layers = incline.part_from_layers;
   Plan plan = planInContext(layers, context, progress);
   plan.toolpath.part_name = part_name;
   return plan;

@@ -15,9 +15,6 @@ struct GyroidSlice {
   double angle_rad = 0.0;  ///< by which it is turned about z
 };
 
-/// The period at which cuts have on average that length of curves in an area [mm/mm²].
-double gyroidPeriod(double length_per_area);
-
 /// The curves of the cut inside a convex outline, one after the other across it, to and fro.
 /// @param outline  counter-clockwise
 std::vector<Polyline> gyroidLines(const GyroidSlice& slice, const Polygon& outline);

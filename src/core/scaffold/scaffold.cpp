@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gyroid.hpp"
+#include "infill/pattern/gyroid.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -248,7 +249,7 @@ std::vector<ScaffoldRun> rings(const Regions& regions, const LayerFill& fill) {
 }
 
 std::vector<ScaffoldRun> gyroidRuns(const Regions& regions, const LayerFill& fill) {
-  const GyroidSlice slice{gyroidPeriod(fill.density / fill.pitch_mm), fill.top_mm,
+  const GyroidSlice slice{gyroidCell(fill.density / fill.pitch_mm), fill.top_mm,
                           fill.settings.angle_deg * M_PI / 180.0};
   std::vector<ScaffoldRun> runs;
   for (const Region& region : offset(regions, -0.5 * fill.pitch_mm))

@@ -50,6 +50,14 @@ TEST(OutlineLinks, PassNoOtherEnd) {
   EXPECT_EQ(joined.size(), 2U);
 }
 
+TEST(OutlineLinks, JoinMoreIfEveryOtherIsMade) {
+  const std::vector<RunOnOutlines> runs = runsUpFrom({2, 4, 5, 7});
+  EXPECT_EQ(joinAlongOutlines(runs, kOutlineLinksSquare, 2.5).size(), 3U);
+  const auto joined = joinAlongOutlines(runs, kOutlineLinksSquare, 2.5, LinkChoice::EveryOther);
+  ASSERT_EQ(joined.size(), 2U);
+  EXPECT_EQ(joined[0], (Polyline{{2, 5}, {2, 0}, {4, 0}, {4, 5}}));
+}
+
 TEST(OutlineLinks, CloseNoRun) {
   const std::vector<RunOnOutlines> bow = {
       {{{2, 0}, {2, 1}, {3, 1}, {3, 0}}, OutlinePoint{0, 0, 2.0}, OutlinePoint{0, 0, 3.0}}};

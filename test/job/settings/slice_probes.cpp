@@ -56,6 +56,8 @@ SettingProbe planningProbe() {
            {"infill.angle_deg=30"},
            {"infill.alternation_deg=45"},
            {"infill.wall_overlap=0.3"},
+           {"infill.link=none"},
+           {"infill.link_mm=3", "infill.link=up_to_mm"},
            {"skirt.count=2"},
            {"skirt.distance_mm=5"},
            {"seam.placement=rear"},

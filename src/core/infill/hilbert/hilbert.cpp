@@ -15,9 +15,6 @@
 namespace lamina {
 namespace {
 
-/// A link along the border may be this many spacings long.
-constexpr double kLongestLink = 3.0;
-
 bool areNeighbours(const Cell& a, const Cell& b) {
   return std::abs(a.column - b.column) + std::abs(a.row - b.row) == 1;
 }
@@ -106,8 +103,9 @@ FillAtAngle fillAt(const Region& centre_lines, const InfillRequest& request, dou
   const Lattice lattice(centre_lines, request.spacing_mm, angle_rad);
   const double width = beadWidth(lattice.frame, request);
   FillAtAngle fill;
+  const double longest = longestLink(request, request.spacing_mm);
   const std::vector<RunOnOutlines> runs = CurveCutter(lattice).cut();
-  for (const Polyline& joined : joinAlongOutlines(runs, lattice.rows.outlines, kLongestLink)) {
+  for (const Polyline& joined : joinAlongOutlines(runs, lattice.rows.outlines, longest)) {
     FillPath path;
     path.points = outOfLattice(joined, lattice.frame);
     if (path.points.size() < 2) continue;

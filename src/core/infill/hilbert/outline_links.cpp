@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -29,12 +30,57 @@ struct Link {
   double length_mm = 0.0;
 };
 
+/// Runs that hang together. What was joined last can be taken apart again.
+class JoinedGroups {
+ public:
+  explicit JoinedGroups(std::size_t count) : parent_(count), size_(count, 1) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  /// False if they hang together already.
+  bool join(std::size_t a, std::size_t b) {
+    a = rootOf(a);
+    b = rootOf(b);
+    if (a == b) return false;
+    if (size_[a] < size_[b]) std::swap(a, b);
+    parent_[b] = a;
+    size_[a] += size_[b];
+    joined_.push_back(b);
+    return true;
+  }
+
+  void undoTo(std::size_t joints) {
+    for (; joined_.size() > joints; joined_.pop_back()) {
+      const std::size_t child = joined_.back();
+      size_[parent_[child]] -= size_[child];
+      parent_[child] = child;
+    }
+  }
+
+ private:
+  std::size_t rootOf(std::size_t run) const {
+    while (parent_[run] != run) run = parent_[run];
+    return run;
+  }
+
+  std::vector<std::size_t> parent_;
+  std::vector<std::size_t> size_;
+  std::vector<std::size_t> joined_;  ///< roots that got a parent, in order
+};
+
 class Joiner {
  public:
-  Joiner(const std::vector<RunOnOutlines>& runs, const std::vector<Polygon>& outlines, double longest_mm)
-      : runs_(runs), outlines_(outlines), longest_mm_(longest_mm), joined_to_(2 * runs.size(), kNone) {
+  Joiner(const std::vector<RunOnOutlines>& runs, const std::vector<Polygon>& outlines, double longest_mm,
+         LinkChoice choice)
+      : runs_(runs),
+        outlines_(outlines),
+        longest_mm_(longest_mm),
+        joined_to_(2 * runs.size(), kNone),
+        groups_(runs.size()) {
     sortEnds();
-    makeLinks();
+    std::vector<Link> links = candidates();
+    if (choice == LinkChoice::EveryOther) makeEveryOther(links);
+    makeShortestFirst(std::move(links));
   }
 
   std::vector<Polyline> join() {
@@ -81,6 +127,7 @@ class Joiner {
     return sum + (pointOf(to.end) - at).norm();
   }
 
+  /// Outline by outline, along each.
   std::vector<Link> candidates() const {
     std::vector<Link> links;
     for (std::size_t begin = 0, end = 0; begin < ends_.size(); begin = end) {
@@ -91,28 +138,50 @@ class Joiner {
         if (next != i && length <= longest_mm_) links.push_back({i, next, length});
       }
     }
-    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
-      return a.length_mm != b.length_mm ? a.length_mm < b.length_mm : a.from < b.from;
-    });
     return links;
   }
 
-  void makeLinks() {
-    std::vector<std::size_t> group(runs_.size());
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    const auto root_of = [&group](std::size_t run) {
-      while (group[run] != run) run = group[run] = group[group[run]];
-      return run;
-    };
-    for (const Link& link : candidates()) {
-      const std::size_t a = ends_[link.from].end;
-      const std::size_t b = ends_[link.to].end;
-      if (joined_to_[a] != kNone || joined_to_[b] != kNone || root_of(a / 2) == root_of(b / 2)) continue;
-      group[root_of(b / 2)] = root_of(a / 2);
-      joined_to_[a] = links_.size();
-      joined_to_[b] = links_.size();
-      links_.push_back(link);
+  bool make(const Link& link) {
+    const std::size_t a = ends_[link.from].end;
+    const std::size_t b = ends_[link.to].end;
+    if (joined_to_[a] != kNone || joined_to_[b] != kNone || !groups_.join(a / 2, b / 2)) return false;
+    joined_to_[a] = joined_to_[b] = links_.size();
+    links_.push_back(link);
+    return true;
+  }
+
+  void makeShortestFirst(std::vector<Link> links) {
+    std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
+      return a.length_mm != b.length_mm ? a.length_mm < b.length_mm : a.from < b.from;
+    });
+    for (const Link& link : links) make(link);
+  }
+
+  /// Chains of links, each of which begins where the one before ends.
+  void makeEveryOther(const std::vector<Link>& links) {
+    for (std::size_t begin = 0, end = 0; begin < links.size(); begin = end) {
+      for (end = begin + 1; end < links.size() && links[end].from == links[end - 1].to;) ++end;
+      const std::size_t before = links_.size();
+      const std::size_t even = makeEverySecond(links, begin, end);
+      undoTo(before);
+      const std::size_t odd = makeEverySecond(links, begin + 1, end);
+      if (odd >= even) continue;
+      undoTo(before);
+      makeEverySecond(links, begin, end);
     }
+  }
+
+  std::size_t makeEverySecond(const std::vector<Link>& links, std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; i += 2)
+      if (make(links[i])) ++count;
+    return count;
+  }
+
+  void undoTo(std::size_t links) {
+    for (; links_.size() > links; links_.pop_back())
+      for (const std::size_t at : {links_.back().from, links_.back().to}) joined_to_[ends_[at].end] = kNone;
+    groups_.undoTo(links);
   }
 
   /// From a free end to the other free end of the joined runs.
@@ -151,14 +220,16 @@ class Joiner {
   std::vector<EndOnOutline> ends_;  ///< along the outlines
   std::vector<Link> links_;
   std::vector<std::size_t> joined_to_;  ///< of each end, the link made there
+  JoinedGroups groups_;                 ///< by as many joints as there are links
   std::vector<bool> is_done_;           ///< run by run
 };
 
 }  // namespace
 
 std::vector<Polyline> joinAlongOutlines(const std::vector<RunOnOutlines>& runs,
-                                        const std::vector<Polygon>& outlines, double longest_mm) {
-  return Joiner(runs, outlines, longest_mm).join();
+                                        const std::vector<Polygon>& outlines, double longest_mm,
+                                        LinkChoice choice) {
+  return Joiner(runs, outlines, longest_mm, choice).join();
 }
 
 }  // namespace lamina

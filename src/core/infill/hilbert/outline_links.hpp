@@ -24,10 +24,17 @@ struct RunOnOutlines {
   std::optional<OutlinePoint> last;
 };
 
+/// Which of two links that share an end is made.
+enum class LinkChoice {
+  ShortestFirst,
+  EveryOther,  ///< along each outline, from the place that joins more; then the shortest of the rest
+};
+
 /// Joins runs by links along the outlines: an end with the next one along its outline, if they belong to
-/// different runs and the way is at most `longest_mm`. Short links are made first; no run is closed. Links
-/// never pass an end of another run, so that they meet no other link.
+/// different runs and the way is at most `longest_mm`. No run is closed. Links never pass an end of another
+/// run, so that they meet no other link.
 std::vector<Polyline> joinAlongOutlines(const std::vector<RunOnOutlines>& runs,
-                                        const std::vector<Polygon>& outlines, double longest_mm);
+                                        const std::vector<Polygon>& outlines, double longest_mm,
+                                        LinkChoice choice = LinkChoice::ShortestFirst);
 
 }  // namespace lamina

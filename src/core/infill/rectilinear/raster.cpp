@@ -108,6 +108,13 @@ Point2 RasterFrame::outOfRaster(const Point2& point) const {
   return {cos_ * point.x() - sin_ * y, cos_ * y + sin_ * point.x()};
 }
 
+Box2 boxInRaster(const Box2& box, const RasterFrame& frame) {
+  Polygon corners;
+  for (const double x : {box.low.x(), box.high.x()})
+    for (const double y : {box.low.y(), box.high.y()}) corners.push_back(frame.intoRaster({x, y}));
+  return boundingBox({corners});
+}
+
 Raster rasterise(const Regions& regions, double spacing_mm, const RasterFrame& frame) {
   if (!(spacing_mm > 0.0 && std::isfinite(spacing_mm)))
     throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; must be positive");

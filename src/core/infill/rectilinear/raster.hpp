@@ -24,6 +24,9 @@ class RasterFrame {
   double bottom_;
 };
 
+/// Round the box, in the raster frame.
+Box2 boxInRaster(const Box2& box, const RasterFrame& frame);
+
 /// Where an outline crosses a raster line.
 struct Crossing {
   std::int64_t line = 0;  ///< the line y = line * spacing

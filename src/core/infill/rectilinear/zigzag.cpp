@@ -13,17 +13,14 @@ namespace lamina {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
-/// A link along the outline may be this many spacings long; a longer one would lay a bead where none was
-/// asked for.
-constexpr double kLongestLink = 3.0;
 /// Lines shorter than this are points [mm].
 constexpr double kShortestLine = 1e-4;
 
 /// Joins the lines of a raster into runs that climb from line to line.
 class RunBuilder {
  public:
-  RunBuilder(const Raster& raster, double spacing)
-      : raster_(raster), longest_link_(kLongestLink * spacing), position_(raster.sorted.size()) {
+  RunBuilder(const Raster& raster, double longest_link_mm)
+      : raster_(raster), longest_link_(longest_link_mm), position_(raster.sorted.size()) {
     for (std::uint32_t i = 0; i < raster.sorted.size(); ++i) position_[raster.sorted[i]] = i;
     findLinks();
   }
@@ -156,7 +153,7 @@ std::vector<FillPath> zigzag(const Regions& regions, const InfillRequest& reques
 std::vector<FillPath> rasterRuns(const Regions& regions, const InfillRequest& request) {
   const RasterFrame frame(request.angle_rad);
   const Raster raster = rasterise(regions, request.spacing_mm, frame);
-  return RunBuilder(raster, request.spacing_mm).build(frame);
+  return RunBuilder(raster, longestLink(request, request.spacing_mm) * request.spacing_mm).build(frame);
 }
 
 }  // namespace lamina

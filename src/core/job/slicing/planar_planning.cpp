@@ -38,7 +38,8 @@ Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Pr
   const PlanSettings& settings = request.job.settings.planning;
   const PlaneSettings& plane = request.job.settings.slicing.plane;
   if (plane.angle_deg == 0.0) return planPart(request.partName(), layers, settings, progress);
-  return planPart(request.partName(), layers, settings, bedBelow(plane, request.bed_from_part), progress);
+  const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
+  return planPart(request.partName(), layers, settings, incline, progress);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "infill/pattern/gyroid.hpp"
+
+#include "infill/pattern/gyroid_curves.hpp"
+#include "infill/pattern/level_gyroid.hpp"
+#include "infill/pattern/pattern_fill.hpp"
+#include "infill/rectilinear/zigzag.hpp"
+
+namespace lamina {
+namespace {
+
+/// Length of the curves in a square of one cell, mean over all heights of cut: by quadrature.
+constexpr double kLengthInCell = 2.4586;
+constexpr double kChordError = 0.01;  // mm
+constexpr double kStepsInCell = 16.0;
+
+}  // namespace
+
+double gyroidCell(double length_per_area) { return kLengthInCell / length_per_area; }
+
+std::vector<FillPath> gyroid(const Regions& regions, const InfillRequest& request) {
+  if (isSolid(request)) return zigzag(regions, request);
+  return filledByPattern(regions, request, request.spacing_mm, [&](const Box2& box) {
+    const double cell = gyroidCell(1.0 / request.spacing_mm);
+    const GyroidSection section(request.part_from_plan, cell, patternAngle(request));
+    if (section.isLevel()) return levelGyroidCurves(section, box, kChordError);
+    return gyroidCurves(section, box, cell / kStepsInCell, kChordError);
+  });
+}
+
+}  // namespace lamina

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kDensity = 0.25;
+
+/// A block in layers at that angle, for a head that points straight down.
+Toolpath blockOfGyroid(double angle_deg) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("block.stl");
+  writeStl(file, makePart("box", {{"x_mm", "14"}, {"y_mm", "11"}, {"z_mm", "6"}}));
+  SliceJob job;
+  job.part = file;
+  job.settings.slicing.plane = {angle_deg, 30.0, ToolAxis::Down};
+  job.settings.planning.infill.strategy = "gyroid";
+  job.settings.planning.infill.density = kDensity;
+  job.settings.planning.infill.angle_deg = 0.0;
+  job.settings.planning.infill.links.link = LineLink::None;
+  NoProgress nobody;
+  return runSliceJob(job, nobody).toolpath;
+}
+
+double gyroidAt(const Point3& point) {
+  const double pitch = 0.4 - (1.0 - M_PI / 4.0) * 0.2;
+  const Point3 phase = 2.0 * M_PI * kDensity / (2.4586 * pitch) * point;
+  return std::sin(phase.x()) * std::cos(phase.y()) + std::sin(phase.y()) * std::cos(phase.z()) +
+         std::sin(phase.z()) * std::cos(phase.x());
+}
+
+/// Beads lie on one surface, whatever the layers: within the chord error and what smoothing leaves out.
+TEST(GyroidJob, LaysOneSurfaceInThePartInLevelAndInclinedLayers) {
+  for (const double angle_deg : {0.0, 30.0, 45.0}) {
+    std::size_t points = 0;
+    for (const ToolpathLayer& layer : blockOfGyroid(angle_deg).layers)
+      for (const Path& path : layer.paths) {
+        if (path.role != PathRole::Infill) continue;
+        for (const Point3& point : path.points) {
+          ++points;
+          ASSERT_NEAR(gyroidAt(point), 0.0, 0.06) << angle_deg << " deg at " << point.transpose();
+        }
+      }
+    EXPECT_GT(points, 1000U) << angle_deg;
+  }
+}
+
+}  // namespace
+}  // namespace lamina
