@@ -76,6 +76,9 @@ struct InfillStrategy {
   LayerLink link = LayerLink::Travel;
   WallContact contact = WallContact::Beside;
   Deposit deposit = Deposit::Bead;  ///< drops cover the whole section: walls and skirt are of beads
+  /// Part of the volume of a sparse fill that lies on itself where its lines cross, at a density towards 1:
+  /// at others as much less.
+  double crossing = 0.0;
 };
 
 /// All strategies, those of plug-ins too. Whoever adds one calls `infillStrategies().add("name", {...})`.

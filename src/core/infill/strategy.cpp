@@ -30,18 +30,18 @@ InfillStrategy drops(const FillFunction& fill) {
 }
 
 /// Solid ones are zigzags.
-InfillStrategy pattern(const FillFunction& fill) {
-  return {fill, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted};
+InfillStrategy pattern(const FillFunction& fill, double crossing = 0.0) {
+  return {fill, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted, Deposit::Bead, crossing};
 }
 
 std::map<std::string, InfillStrategy> builtInStrategies() {
   return {
       {"contour", {contour, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
-      {"cubic", pattern(cubicFill)},
+      {"cubic", pattern(cubicFill, 1.0 / 3.0)},
       {"drops_contour", drops(dropsContour)},
       {"drops_dense", drops(dropsDense)},
       {"drops_raster", drops(dropsRaster)},
-      {"grid", pattern(gridFill)},
+      {"grid", pattern(gridFill, 0.25)},
       {"gyroid", pattern(gyroid)},
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
@@ -49,7 +49,7 @@ std::map<std::string, InfillStrategy> builtInStrategies() {
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
-      {"triangles", pattern(trianglesFill)},
+      {"triangles", pattern(trianglesFill, 0.25)},
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
   };

@@ -39,7 +39,7 @@ Point2 zeroOn(const CellSide& side, const GyroidSection& section) {
   int last = 0;  // which end moved
   for (int i = 0; i < 12; ++i) {
     const double at = low + (high - low) * at_low / (at_low - at_high);
-    const Point2 point = side.from + at * (side.to - side.from);
+    Point2 point = side.from + at * (side.to - side.from);
     const double value = section.value(point);
     if (std::abs(value) < kNoValue) return point;
     if ((value >= 0.0) == (at_low >= 0.0)) {

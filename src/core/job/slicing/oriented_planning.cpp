@@ -12,6 +12,7 @@
 #include "job/slicing/mode_choice.hpp"
 #include "job/slicing/tool_orientation.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/kinematics/model/toolpath_reach.hpp"
 #include "lamina/orientation/orient_toolpath.hpp"
 #include "lamina/slicing/unsliceable.hpp"
@@ -31,6 +32,21 @@ void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
   summary.refilling = planned.plan.refilling;
   summary.starts = planned.plan.starts;
   summary.anchored = planned.plan.anchored;
+}
+
+/// Of the sparse infill, if its lines cross.
+void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
+  const InfillSettings& infill = settings.planning.infill;
+  const double crossing = infillStrategy(infill.strategy).crossing;
+  const BeadSettings& bead = settings.planning.bead;
+  const double pitch =
+      bead.pitch_mm > 0.0 ? bead.pitch_mm : planWidth({bead.width_mm, settings.slicing.layer_height_mm});
+  const double density = infill.pitch_mm > 0.0 ? pitch / infill.pitch_mm : infill.density;
+  if (crossing * density == 0.0 || density > 1.0 - 1e-6) return;
+  char text[128];
+  std::snprintf(text, sizeof text, "lines of infill '%s' cross: %.1f %% of its volume is laid twice",
+                infill.strategy.c_str(), 100.0 * crossing * density);
+  summary.notes.emplace_back(text);
 }
 
 bool needsPart(const JobSettings& settings) {
@@ -83,6 +99,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
                             ? planByBestMode(source, request, summary, progress)
                             : planShown(std::move(source), settings.slicing.mode, request, progress);
   addPlanned(summary, planned);
+  addNoteOnCrossings(summary, settings);
   if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
     return std::move(planned.plan.toolpath);
   const Toolpath as_sliced = changesOrientation(settings.orientation) ? planned.plan.toolpath : Toolpath();

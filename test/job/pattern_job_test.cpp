@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
@@ -15,20 +16,23 @@ namespace {
 
 constexpr double kDensity = 0.25;
 
+SlicedPart slicedBlock(SliceJob job) {
+  const test::ScratchFolder folder;
+  job.part = folder.file("block.stl");
+  writeStl(job.part, makePart("box", {{"x_mm", "14"}, {"y_mm", "11"}, {"z_mm", "6"}}));
+  NoProgress nobody;
+  return runSliceJob(job, nobody);
+}
+
 /// A block in layers at that angle, for a head that points straight down.
 Toolpath blockOfGyroid(double angle_deg) {
-  const test::ScratchFolder folder;
-  const std::string file = folder.file("block.stl");
-  writeStl(file, makePart("box", {{"x_mm", "14"}, {"y_mm", "11"}, {"z_mm", "6"}}));
   SliceJob job;
-  job.part = file;
   job.settings.slicing.plane = {angle_deg, 30.0, ToolAxis::Down};
   job.settings.planning.infill.strategy = "gyroid";
   job.settings.planning.infill.density = kDensity;
   job.settings.planning.infill.angle_deg = 0.0;
   job.settings.planning.infill.links.link = LineLink::None;
-  NoProgress nobody;
-  return runSliceJob(job, nobody).toolpath;
+  return slicedBlock(job).toolpath;
 }
 
 double gyroidAt(const Point3& point) {
@@ -51,6 +55,20 @@ TEST(GyroidJob, LaysOneSurfaceInThePartInLevelAndInclinedLayers) {
         }
       }
     EXPECT_GT(points, 1000U) << angle_deg;
+  }
+}
+
+/// Squares of a pitch where beads of a grid cross, each laid twice: p² in (2 s)², of p / s in all.
+TEST(PatternJob, TellsHowMuchLiesOnItselfWhereLinesCross) {
+  SliceJob job;
+  job.settings.planning.infill.strategy = "grid";
+  job.settings.planning.infill.density = 0.2;
+  const std::vector<std::string> notes = slicedBlock(job).summary.notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes.front(), "lines of infill 'grid' cross: 5.0 % of its volume is laid twice");
+  for (const char* strategy : {"gyroid", "zigzag"}) {
+    job.settings.planning.infill.strategy = strategy;
+    EXPECT_TRUE(slicedBlock(job).summary.notes.empty()) << strategy;
   }
 }
 
