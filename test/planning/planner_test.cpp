@@ -131,6 +131,30 @@ TEST(Planner, NamesLayerAndIslandThatCannotBeFilled) {
   EXPECT_EQ(messageOfFailingFill(breaks), "Internal layer 1 at 0.4 mm, island 1: dot 7");
 }
 
+/// Where the middle of a square's infill lies in the part, as its strategy is told.
+Point3 middleInPart(const Polygon& square, const Eigen::Quaterniond& part_from_layers) {
+  Point3 middle = Point3::Zero();
+  InfillStrategy strategy;
+  strategy.fill = [&](const Regions& regions, const InfillRequest& request) {
+    const Point2 centre = boundingBox(outlines(regions)).centre();
+    middle = request.part_from_plan * Point3(centre.x(), centre.y(), 0.0);
+    return std::vector<FillPath>();
+  };
+  const test::ScopedEntry<InfillStrategy> entry(infillStrategies(), "asking", strategy);
+  PlanSettings settings = plainSettings();
+  settings.infill.strategy = "asking";
+  NoProgress nobody;
+  planPart("part", prism({square}, 1), settings, LayerIncline{BedPlane{}, part_from_layers}, nobody);
+  return middle;
+}
+
+/// Layers far out on a belt are planned near the origin, and lie in the part where they are.
+TEST(Planner, SaysWhereInThePartAnInclinedLayerIsFilled) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Point3(1, 2, 0).normalized()));
+  EXPECT_LT((middleInPart(rectangle(0, 0, 20, 10), turn) - turn * Point3(10, 5, 0.2)).norm(), 1e-6);
+  EXPECT_LT((middleInPart(rectangle(0, 8000, 20, 8010), turn) - turn * Point3(10, 8005, 0.2)).norm(), 1e-6);
+}
+
 TEST(Planner, FillsByAStrategyThatWasAdded) {
   InfillStrategy strategy;
   strategy.fill = [](const Regions&, const InfillRequest&) {
