@@ -55,7 +55,7 @@ class Plugin(unittest.TestCase):
 
     def test_names_its_strategy_in_the_settings(self):
         done = lamina("slice", "--print-config", "--plugin", PLUGIN)
-        self.assertIn("contour | dashes | drops_contour", done.stdout)
+        self.assertIn("contour | cubic | dashes | drops_contour", done.stdout)
 
     def test_without_it_the_strategy_is_unknown(self):
         done = lamina("slice", "box", "-o", self.output, *SETTINGS)

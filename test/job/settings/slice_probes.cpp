@@ -99,20 +99,20 @@ SettingProbe skinProbe() {
 
 SettingProbe coolingProbe() {
   return {"a tower cools",
-          std::string(kCoarse) + ";skirt.count=0;infill.density=0;cooling.least_layer_time_s=5;fan.use=on",
+          std::string(kCoarse) + ";skirt.count=0;infill.density=0;cooling.least_layer_time_s=5;fan.use=true",
           toolpathOf("box x_mm=10 y_mm=10 z_mm=2"),
           {{"cooling.least_layer_time_s=8"},
            {"cooling.by=dwell"},
            {"cooling.least_feed_mm_s=14"},
            {"cooling.lift_mm=3", "cooling.by=dwell"},
            {"cooling.park=corner", "cooling.by=dwell"},
-           {"fan.use=off"},
+           {"fan.use=false"},
            {"fan.off_layers=2"},
            {"fan.least=0.2", "fan.full_below_s=1"},
            {"fan.greatest=0.8"},
            {"fan.full_below_s=1"},
            {"fan.off_above_s=20", "fan.full_below_s=1"},
-           {"fan.beyond=off", "fan.full_below_s=1;fan.off_above_s=2"}}};
+           {"fan.beyond=none", "fan.full_below_s=1;fan.off_above_s=2"}}};
 }
 
 SettingProbe narrowProbe() {

@@ -155,7 +155,7 @@ TEST(Fan, FollowsTheTimeOfTheLayer) {
   EXPECT_NEAR(fanShare(60.0, 1, settings), 0.35, 1e-12);
   EXPECT_NEAR(fanShare(61.0, 1, settings), 0.35, 1e-12);
   FanSettings off = settings;
-  off.beyond = FanSettings::WhenSlow::Off;
+  off.beyond = FanSettings::WhenSlow::None;
   EXPECT_EQ(fanShare(61.0, 1, off), 0.0);
 }
 
@@ -165,7 +165,7 @@ TEST(Fan, IsAnEventWhereItChanges) {
   addFan(toolpath, FanSettings{}, boundless());
   EXPECT_EQ(toolpathId(toolpath), id) << "off is gone";
   FanSettings on;
-  on.use = FanSettings::Use::On;
+  on.is_used = true;
   addFan(toolpath, on, boundless());
   validate(toolpath);
   for (std::size_t l = 0; l < 6; ++l) {

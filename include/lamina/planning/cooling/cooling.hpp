@@ -31,7 +31,7 @@ CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const M
 double fanShare(double layer_time_s, std::size_t layer, const FanSettings& settings);
 
 /// Adds an event where the fan changes by 1/255 or more, at the start of a layer, by the time that each layer
-/// takes, waiting included; and switches it off at the end. `Use::Off` changes nothing.
+/// takes, waiting included; and switches it off at the end. A fan that is not used changes nothing.
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits);
 
 }  // namespace lamina

@@ -29,10 +29,9 @@ struct CoolingSettings {
 
 /// How the fan blows, by the time of the layer.
 struct FanSettings {
-  enum class Use : std::uint8_t { Off, On };
-  enum class WhenSlow : std::uint8_t { Least, Off };
+  enum class WhenSlow : std::uint8_t { Least, None };
 
-  Use use = Use::Off;
+  bool is_used = false;
   int off_layers = 1;   ///< so many first layers without
   double least = 0.35;  ///< shares of its power
   double greatest = 1.0;

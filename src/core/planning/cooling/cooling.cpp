@@ -226,7 +226,7 @@ double fanShare(double layer_time_s, std::size_t layer, const FanSettings& setti
 }
 
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
-  if (settings.use == FanSettings::Use::Off) return;
+  if (!settings.is_used) return;
   constexpr double kSteps = 255.0;
   const ToolpathTime time = estimateTime(toolpath, limits);
   std::int64_t running = 0;

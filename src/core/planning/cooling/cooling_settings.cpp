@@ -26,9 +26,7 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
 }
 
 void describe(SettingsSchema& schema, FanSettings& fan) {
-  schema.choice<FanSettings::Use>("fan.use", fan.use,
-                                  {{"off", FanSettings::Use::Off}, {"on", FanSettings::Use::On}},
-                                  "Whether the fan that cools the part is controlled.");
+  schema.flag("fan.use", fan.is_used, "Whether the fan that cools the part is controlled.");
   schema.integer("fan.off_layers", fan.off_layers, {0, 100000, false}, "So many first layers without fan.");
   schema.number("fan.least", fan.least, {0.0, 1.0, false}, "Least share of the fan's power.");
   schema.number("fan.greatest", fan.greatest, {0.0, 1.0, false}, "Greatest share of the fan's power.");
@@ -38,7 +36,7 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
                 "Layers of this time have the least share.");
   schema.choice<FanSettings::WhenSlow>(
       "fan.beyond", fan.beyond,
-      {{"least", FanSettings::WhenSlow::Least}, {"off", FanSettings::WhenSlow::Off}},
+      {{"least", FanSettings::WhenSlow::Least}, {"none", FanSettings::WhenSlow::None}},
       "What layers of more time have.");
 }
 
