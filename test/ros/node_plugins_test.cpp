@@ -66,7 +66,7 @@ TEST_F(NodePlugins, FillAPartOnRequest) {
 TEST_F(NodePlugins, StandAmongTheStrategiesThatARefusalNames) {
   const auto refused = slice("box", {settingMessage("infill.strategy", "spaghetti")});
   EXPECT_EQ(refused.status.code, Status::INVALID_CONFIG + 0);
-  EXPECT_NE(refused.status.message.find("contour | dashes | drops_contour"), std::string::npos)
+  EXPECT_NE(refused.status.message.find("contour | cubic | dashes | drops_contour"), std::string::npos)
       << refused.status.message;
 }
 
