@@ -112,6 +112,40 @@ std::vector<SharedRegions> shared(std::vector<Regions> material) {
   return layers;
 }
 
+/// What wholly covers each layer from above and from below.
+struct WholeCovers {
+  std::vector<SharedRegions> above;
+  std::vector<SharedRegions> below;
+};
+
+/// Both are the same windows where as many layers count above as below.
+WholeCovers equalWindows(std::vector<SharedRegions> layers, std::size_t count, Progress& progress) {
+  const std::size_t layer_count = layers.size();
+  const SharedRegions nothing = std::make_shared<const Regions>();
+  layers.insert(layers.begin(), nothing);
+  const std::vector<SharedRegions> from =
+      windows(layers, std::vector<std::size_t>(layers.size(), count), progress);
+  WholeCovers covers;
+  for (std::size_t i = 0; i < layer_count; ++i) {
+    covers.above.push_back(from[i + 1]);
+    covers.below.push_back(i >= count ? from[i - count] : nothing);
+  }
+  return covers;
+}
+
+WholeCovers wholeCovers(const std::vector<SharedRegions>& layers, const std::vector<double>& heights_mm,
+                        const SkinSettings& settings, Progress& progress) {
+  const bool counts_layers = settings.top_mm == 0.0 && settings.bottom_mm == 0.0;
+  if (counts_layers && settings.top_layers == settings.bottom_layers && settings.top_layers > 0)
+    return equalWindows(layers, static_cast<std::size_t>(settings.top_layers), progress);
+  WholeCovers covers;
+  covers.above = windows(layers, skinCounts(heights_mm, settings.top_layers, settings.top_mm), progress);
+  covers.below = reversedOrder(
+      windows(reversedOrder(layers),
+              skinCounts(reversedOrder(heights_mm), settings.bottom_layers, settings.bottom_mm), progress));
+  return covers;
+}
+
 }  // namespace
 
 LayerCover moved(const LayerCover& cover, const Point2& by) {
@@ -127,28 +161,24 @@ LayerCover moved(const LayerCover& cover, const Point2& by) {
   LayerCover at;
   at.material = moved_regions(cover.material);
   at.above = moved_regions(cover.above);
-  at.wholly_above = moved_regions(cover.wholly_above);
   at.below = moved_regions(cover.below);
-  at.wholly_below = moved_regions(cover.wholly_below);
+  at.whole = moved_regions(cover.whole);
   return at;
 }
 
 std::vector<LayerCover> coversOf(std::vector<Regions> material, const std::vector<double>& heights_mm,
                                  const SkinSettings& settings, Progress& progress) {
   const std::vector<SharedRegions> layers = shared(std::move(material));
-  const auto above = windows(layers, skinCounts(heights_mm, settings.top_layers, settings.top_mm), progress);
-  const auto below = reversedOrder(
-      windows(reversedOrder(layers),
-              skinCounts(reversedOrder(heights_mm), settings.bottom_layers, settings.bottom_mm), progress));
+  const WholeCovers whole = wholeCovers(layers, heights_mm, settings, progress);
   const auto nothing = std::make_shared<const Regions>();
   std::vector<LayerCover> covers(layers.size());
-  for (std::size_t i = 0; i < layers.size(); ++i) {
+  const auto cover = [&](std::size_t i) {
     covers[i].material = layers[i];
     covers[i].above = i + 1 < layers.size() ? layers[i + 1] : nothing;
     covers[i].below = i > 0 ? layers[i - 1] : nothing;
-    covers[i].wholly_above = above[i];
-    covers[i].wholly_below = below[i];
-  }
+    covers[i].whole = common(whole.above[i], whole.below[i]);
+  };
+  parallelFor(layers.size(), cover, progress, "skins");
   return covers;
 }
 

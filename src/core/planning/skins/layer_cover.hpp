@@ -18,13 +18,12 @@ using SharedRegions = std::shared_ptr<const Regions>;
 /// The material of one layer and what covers it, in the frame of the layers.
 struct LayerCover {
   SharedRegions material;
-  SharedRegions above;         ///< the next layer; empty above the last one
-  SharedRegions wholly_above;  ///< what is material in all the layers that a top skin counts
-  SharedRegions below;         ///< the layer before; empty below the first one
-  SharedRegions wholly_below;  ///< what is material in all the layers that a bottom skin counts
+  SharedRegions above;  ///< the next layer; empty above the last one
+  SharedRegions below;  ///< the layer before; empty below the first one
+  SharedRegions whole;  ///< what is material in all the layers that skins count, above and below
 
   /// Whether nothing of the layer is seen.
-  bool isCovered() const { return wholly_above == material && wholly_below == material; }
+  bool isCovered() const { return whole == material; }
 };
 
 /// The same elsewhere in the plane of the layers.
