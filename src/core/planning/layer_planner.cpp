@@ -134,7 +134,7 @@ class LayerPlanner {
 
   /// What is being planned, for messages.
   std::string place() const {
-    return layerPlace(index_, top_) + (is_in_island_ ? ", island " + std::to_string(island_) : "");
+    return is_in_island_ ? islandPlace(index_, top_, island_) : layerPlace(index_, top_);
   }
 
  private:

@@ -12,4 +12,8 @@ std::string layerPlace(std::size_t layer, double top_mm) {
   return text;
 }
 
+std::string islandPlace(std::size_t layer, double top_mm, std::size_t island) {
+  return layerPlace(layer, top_mm) + ", island " + std::to_string(island);
+}
+
 }  // namespace lamina

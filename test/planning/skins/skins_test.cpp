@@ -101,8 +101,10 @@ TEST(Skins, TurnByAQuarterFromLayerToLayer) {
 
 /// Squares of 40, 30, 20 and 10 mm, 20 layers each.
 std::vector<Layer> steppedPyramid() {
-  return test::layersOf(80,
-                        [](int l) { return std::vector<Polygon>{centredSquare(40.0 - 10.0 * (l / 20))}; });
+  return test::layersOf(80, [](int l) {
+    const int step = l / 20;
+    return std::vector<Polygon>{centredSquare(40.0 - 10.0 * step)};
+  });
 }
 
 TEST(Skins, CoverTheStepsOfAPyramid) {
