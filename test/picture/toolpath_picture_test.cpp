@@ -53,16 +53,53 @@ TEST(ToolpathPicture, DrawsALayerAtTrueWidth) {
   EXPECT_NEAR(coloured, 2.0 * pixels_per_mm, 3.0);
 }
 
+std::vector<PathRole> depositingRoles() {
+  std::vector<PathRole> roles;
+  for (std::size_t i = 0; i < kPathRoles; ++i)
+    if (static_cast<PathRole>(i) != PathRole::Travel) roles.push_back(static_cast<PathRole>(i));
+  return roles;
+}
+
 TEST(ToolpathPicture, DrawsThePartInTheColoursOfItsRoles) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("part.png");
   ToolpathPictureSettings settings;
   settings.view = PictureView::Top;
-  drawToolpath(broadLine(), settings, file);
-  const test::PngImage image(file);
-  const Colour middle = image.at(settings.width_px / 2, (84 + settings.height_px - 72) / 2);
-  EXPECT_TRUE(isNear(middle, shaded(roleColour(PathRole::Infill), 0.9 * 0.94)))
-      << middle.red << " " << middle.green << " " << middle.blue;
+  for (const PathRole role : depositingRoles()) {
+    if (kindOf(role) == RoleKind::Wall) continue;  // lit by where their side faces
+    Toolpath toolpath = broadLine();
+    toolpath.layers[0].paths[1].role = role;
+    drawToolpath(toolpath, settings, file);
+    const test::PngImage image(file);
+    const Colour middle = image.at(settings.width_px / 2, (84 + settings.height_px - 72) / 2);
+    EXPECT_TRUE(isNear(middle, shaded(roleColour(role), 0.9 * 0.94)))
+        << toString(role) << ": " << middle.red << " " << middle.green << " " << middle.blue;
+  }
+}
+
+TEST(ToolpathPicture, NamesEveryRoleInItsLegend) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("part.png");
+  const ToolpathPictureSettings settings;
+  for (const PathRole role : depositingRoles()) {
+    Toolpath toolpath = broadLine();
+    toolpath.layers[0].paths[1].role = role;
+    drawToolpath(toolpath, settings, file);
+    const test::PngImage image(file);
+    int legend = 0;
+    for (int row = settings.height_px - 60; row < settings.height_px; ++row)
+      for (int column = 0; column < settings.width_px; ++column)
+        legend += isNear(image.at(column, row), roleColour(role)) ? 1 : 0;
+    EXPECT_GT(legend, 50) << toString(role);
+  }
+}
+
+TEST(ToolpathPicture, GivesNoTwoRolesTheSameColour) {
+  const auto roles = depositingRoles();
+  for (std::size_t i = 0; i < roles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(isNear(roleColour(roles[i]), roleColour(roles[j])))
+          << toString(roles[i]) << ", " << toString(roles[j]);
 }
 
 TEST(ToolpathPicture, DrawsAnyToolpath) {
