@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 
 #include "streaming/emulator/simulated_link.hpp"
 
@@ -67,6 +70,64 @@ INSTANTIATE_TEST_SUITE_P(EveryKind, StreamerUnderFault,
                                          FaultKind::CorruptedLine, FaultKind::SpuriousResend,
                                          FaultKind::Silence),
                          [](const auto& tested) { return std::string(toString(tested.param)); });
+
+/// LAMINA_MARLIN_LINES sets how many lines are streamed; few are in every run of the tests.
+std::uint64_t marlinLines() {
+  const char* const wanted = std::getenv("LAMINA_MARLIN_LINES");
+  return wanted == nullptr ? 30000 : std::strtoull(wanted, nullptr, 10);
+}
+
+/// Faults that a job survives, and in two jobs of five one that it does not.
+std::vector<Fault> faultsOfJob(std::uint64_t job, int lines) {
+  std::vector<Fault> faults;
+  for (const FaultKind kind : {FaultKind::LostOk, FaultKind::DelayedOk, FaultKind::LostLine,
+                               FaultKind::CorruptedLine, FaultKind::Silence})
+    faults.push_back({kind, 0.001, {}});
+  const auto line = 1 + (job * 7919) % static_cast<std::uint64_t>(lines);
+  if (job % 5 == 3) faults.push_back({FaultKind::Reset, 0.0, {line}});
+  if (job % 5 == 4) faults.push_back({FaultKind::Disconnect, 0.0, {line}});
+  return faults;
+}
+
+/// Whether a line is one of the program's whose N was damaged into a G: "G1536 G1 X3". Sessions count lines
+/// by numbers of seven digits, so that no firmware knows such a code.
+bool isUnknownCode(const std::string& fragment, const std::vector<std::string>& meant) {
+  const std::size_t space = fragment.find(' ');
+  if (space == std::string::npos) return false;
+  const auto number = std::strtoull(fragment.c_str() + 1, nullptr, 10);
+  return number > 0 && number <= meant.size() && fragment.substr(space + 1) == meant[number - 1];
+}
+
+TEST(Streamer, CompletesOnlyJobsWhoseEveryLineWasRunOnce) {
+  constexpr int kLines = 5000;
+  const auto spiral = streamerProgram(test::spiralProgram(kLines));
+  const std::vector<std::string> meant = test::commandsOf(spiral);
+  std::uint64_t lines = 0;
+  std::uint64_t complete = 0;
+  std::uint64_t jobs = 0;
+  for (; lines < marlinLines(); ++jobs) {
+    EmulatedSettings machine = instantMachine();
+    machine.fault_seed = static_cast<int>(jobs + 1);
+    SimulatedLink link(spiral, lossyLink(), machine, faultsOfJob(jobs, kLines), jobs + 1);
+    link.run();
+    const std::vector<std::string> ran = link.numberedCommands();
+    lines += link.streamer.status().lines_sent;
+    const bool is_complete = link.streamer.status().state == PackmlState::Complete;
+    complete += is_complete ? 1 : 0;
+    EXPECT_EQ(is_complete, jobs % 5 < 3) << link.streamer.status().failure.message;
+    if (is_complete) {
+      ASSERT_EQ(ran, meant) << "job " << jobs;
+    }
+    ASSERT_TRUE(ran.size() <= meant.size() + 8) << "job " << jobs;
+    const std::size_t common = std::min(link.streamer.status().lines_acknowledged, ran.size());
+    ASSERT_TRUE(std::equal(ran.begin(), ran.begin() + static_cast<std::ptrdiff_t>(common), meant.begin()))
+        << "job " << jobs;
+    for (const std::string& fragment : link.fragments())
+      ASSERT_TRUE(isUnknownCode(fragment, meant)) << "job " << jobs << ": " << fragment;
+  }
+  std::printf("%llu lines in %llu jobs, %llu complete\n", static_cast<unsigned long long>(lines),
+              static_cast<unsigned long long>(jobs), static_cast<unsigned long long>(complete));
+}
 
 TEST(Streamer, WouldRunTailsOfLinesBehindADamagedOne) {
   const auto spiral = streamerProgram(test::spiralProgram(2000));

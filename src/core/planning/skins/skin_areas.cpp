@@ -33,7 +33,7 @@ Regions uncovered(const Regions& regions, const SharedRegions& cover) {
 
 /// Without slivers, and grown into what is beside it.
 Regions anchored(const Regions& regions, const Regions& inside, const SkinMeasures& measures) {
-  const Regions wide = opened(regions, measures.narrowest_mm);
+  Regions wide = opened(regions, measures.narrowest_mm);
   if (wide.empty() || measures.anchor_mm == 0.0) return wide;
   return intersection(offset(wide, measures.anchor_mm), inside);
 }

@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::uint64_t kFirstAhead = 256;  // lines
 
-/// Seven digits: other senders count from 1, and an earlier job is unlikely to have been there. Longer
-/// numbers would only slow down the line.
+/// Seven digits: other senders count from 1, and an earlier job is unlikely to have been there; and a line
+/// whose N is damaged into a G or M has a code that no firmware knows. Longer numbers would only slow down
+/// the line.
 std::uint64_t anyLineBase() {
   std::random_device source;
   return std::uniform_int_distribution<std::uint64_t>(1'000'000, 8'999'999)(source);
@@ -31,6 +32,7 @@ std::uint64_t bytesOf(const StreamableProgram& program) {
 
 SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
     : where_(std::move(where)) {
+  job_.line_base = anyLineBase();
   if (where_.path.empty()) return;
   if (where_.unfinished) {
     job_ = where_.unfinished->job;
@@ -43,11 +45,9 @@ SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& pro
   job_.program_sha256 = sha256Of(program);
   job_.port = port;
   job_.lines_total = program.lines();
-  job_.line_base = anyLineBase();
 }
 
 StreamOrder SessionJournal::placed(StreamOrder order) const {
-  if (where_.path.empty()) return order;
   order.line_base = job_.line_base;
   if (!where_.unfinished) return order;
   const JobProgress& known = where_.unfinished->progress;
