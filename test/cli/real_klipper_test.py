@@ -9,7 +9,6 @@ LAMINA_KLIPPER_RUNNER names a program `RUNNER LINK` that runs Klipper behind a p
 from its environment NOZZLE_C, the temperature that the nozzle shows all the time, LOG, a file of both directions (`>` to Klipper, `<` from it), and
 RECORD: the file for the commands that Klipper has run (docs/firmware/klipper.md). Without it nothing is tested, and the exit code is 77.
 """
-import math
 import os
 import re
 import signal
@@ -19,17 +18,11 @@ import tempfile
 import time
 import unittest
 
+from spiral_program import spiral
+
 LAMINA = os.path.abspath(sys.argv.pop())
 RUNNER = os.environ.get("LAMINA_KLIPPER_RUNNER", "")
 PATIENCE_S = 120
-
-
-def spiral(lines):
-    """A program of short motions, none like another."""
-    text = ["G90", "M83", "G28"]
-    for i in range(lines - len(text)):
-        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
-    return text
 
 
 class RealKlipper(unittest.TestCase):

@@ -8,7 +8,6 @@
 LAMINA_MARLIN_RUNNER as in real_marlin_test.py; without it nothing is tested, and the exit code is 77. LAMINA_KILLS is the number of kills (10). After
 some of them the head of a line is sent, as a write that was cut off would leave it.
 """
-import math
 import os
 import random
 import re
@@ -19,6 +18,8 @@ import tempfile
 import time
 import unittest
 
+from spiral_program import spiral
+
 LAMINA = os.path.abspath(sys.argv.pop())
 RUNNER = os.environ.get("LAMINA_MARLIN_RUNNER", "")
 KILLS = int(os.environ.get("LAMINA_KILLS", "10"))
@@ -26,14 +27,6 @@ PATIENCE_S = 120
 LINES_A_JOB = 1500
 KILLS_A_JOB = 10
 OWN = re.compile(r";|M(105|108|110|115|154|155|400|410)\b|M1(04|40) S0")
-
-
-def spiral(lines):
-    """A program of short motions, none like another."""
-    text = ["G90", "M83", "G28"]
-    for i in range(lines - len(text)):
-        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
-    return text
 
 
 def checksum(text):

@@ -10,7 +10,6 @@ from its environment SPEED, BAUD, NOISE_DOWN, NOISE_UP, DROP_OK, RESET_AFTER, GL
 Marlin has run (docs/streaming.md, "Against real firmware"). Without it nothing is tested, and the exit code is 77.
 """
 import collections
-import math
 import os
 import re
 import signal
@@ -20,18 +19,12 @@ import tempfile
 import time
 import unittest
 
+from spiral_program import spiral
+
 LAMINA = os.path.abspath(sys.argv.pop())
 RUNNER = os.environ.get("LAMINA_MARLIN_RUNNER", "")
 PATIENCE_S = 120
 NOISY = {"BAUD": "115200", "NOISE_DOWN": "0.001"}
-
-
-def spiral(lines):
-    """A program of short motions, none like another."""
-    text = ["G90", "M83", "G28"]
-    for i in range(lines - len(text)):
-        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
-    return text
 
 
 def commands_of(record):

@@ -12,7 +12,6 @@ FOLDER/key (docs/firmware/upload.md). Without a runner nothing is tested, and th
 """
 import contextlib
 import json
-import math
 import os
 import re
 import signal
@@ -24,18 +23,12 @@ import time
 import unittest
 import urllib.request
 
+from spiral_program import spiral
+
 LAMINA = os.path.abspath(sys.argv.pop())
 RUNNER = os.environ.get("LAMINA_MOONRAKER_RUNNER", "")
 PATIENCE_S = 120
 QUERY = "/printer/objects/query?webhooks&print_stats&toolhead&extruder&heater_bed&idle_timeout"
-
-
-def spiral(lines):
-    """A program of short motions, none like another; 50 lines take a second."""
-    text = ["G90", "M83", "G28"]
-    for i in range(lines - len(text)):
-        text.append("G1 X%.3f Y%.3f F6000" % (100 + 20 * math.cos(0.1 * i), 100 + 20 * math.sin(0.1 * i) + 0.001 * i))
-    return text
 
 
 class RealMoonraker(unittest.TestCase):
@@ -353,24 +346,23 @@ class RealMoonraker(unittest.TestCase):
         self.assertEqual(code, 0, told)
         self.assertEqual(self.ran(), lines)
 
-    def test_a_server_that_is_gone_is_told(self):
+    def told_without(self, process):
+        """What is told of a job amid which a process is killed."""
         self.run_moonraker()
         job = self.begin(spiral(1000), "stream.silence_timeout_s=5")
         self.await_lines(150)
-        self.kill("moonraker")
+        self.kill(process)
         code, _, told = self.end_of(job)
         self.assertEqual(code, 1)
+        return told
+
+    def test_a_server_that_is_gone_is_told(self):
+        told = self.told_without("moonraker")
         self.assertIn("nothing was heard of the machine for", told)
         self.assertIn("it may still be printing", told)
 
     def test_klipper_that_is_gone_is_told(self):
-        self.run_moonraker()
-        job = self.begin(spiral(1000), "stream.silence_timeout_s=5")
-        self.await_lines(150)
-        self.kill("klippy")
-        code, _, told = self.end_of(job)
-        self.assertEqual(code, 1)
-        self.assertIn("Klippy", told)
+        self.assertIn("Klippy", self.told_without("klippy"))
 
 
 if __name__ == "__main__":
