@@ -4,41 +4,23 @@
 
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/percent_encoding.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::string_view kHexDigits = "0123456789ABCDEF";
+/// All that can be printed but , | %, which divide fields and events and begin an escape.
+constexpr std::string_view kPlain = " !\"#$&'()*+-./:;<=>?@[\\]^_`{}~";
 
-std::string escaped(std::string_view text) {
-  std::string field;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= ' ' && byte <= '~' && c != ',' && c != '|' && c != '%')
-      field += c;
-    else
-      field += {'%', kHexDigits[byte >> 4U], kHexDigits[byte & 0xFU]};
-  }
-  return field;
-}
+std::string escaped(std::string_view text) { return percentEncoded(text, kPlain); }
 
 std::string unescaped(std::string_view field) {
-  std::string text;
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    if (field[i] != '%') {
-      text += field[i];
-      continue;
-    }
-    const std::size_t high = i + 3 <= field.size() ? kHexDigits.find(field[i + 1]) : std::string_view::npos;
-    const std::size_t low = i + 3 <= field.size() ? kHexDigits.find(field[i + 2]) : std::string_view::npos;
-    if (high == std::string_view::npos || low == std::string_view::npos)
-      throw InvalidInput("'%' of an event is not followed by two hexadecimal digits (0 to 9, A to F)");
-    text += static_cast<char>(high << 4U | low);
-    i += 2;
-  }
-  return text;
+  auto text = percentDecoded(field);
+  if (!text) throw InvalidInput("'%' of an event is not followed by two hexadecimal digits (0 to 9, A to F)");
+  return std::move(*text);
 }
 
 std::string shortest(double value) {

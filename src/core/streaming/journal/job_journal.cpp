@@ -6,7 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cctype>
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +15,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/percent_encoding.hpp"
 #include "streaming/job/sha256_module.hpp"
 
 namespace lamina {
@@ -43,21 +44,11 @@ std::string stateFolder() {
 
 /// A file name that no other port has: "/dev/ttyUSB0" becomes "dev+ttyUSB0".
 std::string fileNameOf(const std::string& port) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
   const bool is_path = port.compare(0, 4, "tcp:") != 0;
   const std::string whole =
       is_path ? std::filesystem::absolute(port).lexically_normal().string().substr(1) : port;
-  std::string name;
-  for (const char c : whole) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '/') {
-      name += '+';
-    } else if (std::isalnum(byte) != 0 || c == '-' || c == '_' || c == '.') {
-      name += c;
-    } else {
-      name += {'%', kDigits[byte >> 4U], kDigits[byte & 0xFU]};
-    }
-  }
+  std::string name = percentEncoded(whole, "-_./");
+  std::replace(name.begin(), name.end(), '/', '+');
   return name + ".progress";
 }
 

@@ -52,7 +52,7 @@ std::string onCard(const std::string& file) { return "0:/gcodes/" + file; }
 bool isOfDuet(const std::optional<nlohmann::json>& tree) { return tree && tree->contains("err"); }
 
 std::optional<HttpRequest> Duet::request(UploadStep step) {
-  const std::string file = percentEncoded(onCard(order().file));
+  const std::string file = escapedForUrl(onCard(order().file));
   switch (step) {
     case UploadStep::Connect:
       return connect();
@@ -88,12 +88,12 @@ HttpRequest Duet::get(const std::string& target) const {
 }
 
 HttpRequest Duet::code(const std::string& commands) const {
-  return get("/rr_gcode?gcode=" + percentEncoded(commands));
+  return get("/rr_gcode?gcode=" + escapedForUrl(commands));
 }
 
 HttpRequest Duet::connect() const {
   if (part_ == Part::Tools) return get("/rr_model?key=tools&flags=v");
-  return {"GET", "/rr_connect?password=" + percentEncoded(gives_password_ ? order().credential : "") +
+  return {"GET", "/rr_connect?password=" + escapedForUrl(gives_password_ ? order().credential : "") +
                      "&sessionKey=yes"};
 }
 
@@ -106,7 +106,7 @@ HttpRequest Duet::upload() const {
   std::array<char, 9> crc{};
   std::snprintf(crc.data(), crc.size(), "%08x", order().body.crc32());
   HttpRequest request =
-      get("/rr_upload?name=" + percentEncoded(onCard(order().file)) + "&crc32=" + crc.data());
+      get("/rr_upload?name=" + escapedForUrl(onCard(order().file)) + "&crc32=" + crc.data());
   request.method = "POST";
   request.sends_program = true;
   request.timeout_s = order().upload_timeout_s;

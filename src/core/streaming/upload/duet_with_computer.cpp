@@ -30,11 +30,11 @@ class DuetWithComputer final : public PrintServer {
 };
 
 std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
-  const std::string path = "/machine/file/" + percentEncoded("gcodes/" + order().file);
+  const std::string path = "/machine/file/" + escapedForUrl("gcodes/" + order().file);
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{
-          "GET", "/machine/connect?password=" + percentEncoded(gives_password_ ? order().credential : "")};
+          "GET", "/machine/connect?password=" + escapedForUrl(gives_password_ ? order().credential : "")};
     case UploadStep::Report:
       return ask("GET", "/machine/model");
     case UploadStep::Upload: {

@@ -36,6 +36,6 @@ struct HttpFailure {
 
 /// As a query or a path holds it: all but letters, digits and "-._~/" by its number. Hexadecimal digits are
 /// capitals, since RepRapFirmware reads no others.
-std::string percentEncoded(const std::string& text);
+std::string escapedForUrl(const std::string& text);
 
 }  // namespace lamina

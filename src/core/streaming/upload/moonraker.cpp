@@ -45,7 +45,7 @@ std::optional<HttpRequest> Moonraker::request(UploadStep step) {
 }
 
 std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
-  const std::string file = percentEncoded(order().file);
+  const std::string file = escapedForUrl(order().file);
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{"GET", "/server/info"};
@@ -90,7 +90,7 @@ HttpRequest Moonraker::query() const {
       "/printer/objects/query?webhooks&print_stats&virtual_sdcard&idle_timeout&gcode_move&heaters&extruder&"
       "heater_bed";
   for (const std::string& heater : heaters_)
-    if (heater != "extruder" && heater != "heater_bed") target += "&" + percentEncoded(heater);
+    if (heater != "extruder" && heater != "heater_bed") target += "&" + escapedForUrl(heater);
   return {"GET", target};
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "lamina/base/percent_encoding.hpp"
 #include "lamina/base/text.hpp"
 
 namespace lamina {
@@ -17,21 +18,7 @@ std::string eightDigits(std::uint32_t number) {
 
 }  // namespace
 
-std::string percentEncoded(const std::string& text) {
-  constexpr std::string_view kPlain = "-._~/";
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string encoded;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (is_letter || kPlain.find(c) != std::string_view::npos) {
-      encoded += c;
-    } else {
-      encoded += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
-    }
-  }
-  return encoded;
-}
+std::string escapedForUrl(const std::string& text) { return percentEncoded(text, "-._~/"); }
 
 std::optional<nlohmann::json> jsonOf(const HttpResponse& response) {
   nlohmann::json tree = nlohmann::json::parse(response.body, nullptr, false);

@@ -155,7 +155,7 @@ HttpResponse EmulatedDuetWithComputer::answer(const HttpRequest& request, std::s
 
 HttpResponse EmulatedDuetWithComputer::answerFile(const HttpRequest& request, const std::string& path,
                                                   std::string_view body) {
-  const std::string file = fileOnCard(percentDecoded(path));
+  const std::string file = fileOnCard(decodedFromUrl(path));
   if (request.method == "PUT") {
     printer.files[file] = std::string(body);
     return {201, ""};

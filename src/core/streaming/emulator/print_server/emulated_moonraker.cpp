@@ -65,7 +65,7 @@ HttpResponse EmulatedMoonraker::answerFiles(const HttpRequest& request, const st
     if (found == printer.files.end()) return error(404, "Metadata not available");
     return result({{"size", found->second.size()}, {"filename", found->first}});
   }
-  const std::string file = percentDecoded(path.substr(std::string_view("/server/files/gcodes/").size()));
+  const std::string file = decodedFromUrl(path.substr(std::string_view("/server/files/gcodes/").size()));
   if (request.method != "DELETE") return download(file);
   if (printer.state() != EmulatedPrinter::State::Idle && printer.file() == file)
     return error(403, "File currently in use");

@@ -31,7 +31,8 @@ std::unique_ptr<EmulatedPrintServer> makeEmulatedDuetWithComputer();
 
 /// The value of a key in the query of a target, decoded; empty if there is none.
 std::string queryValue(const std::string& target, const std::string& key);
-std::string percentDecoded(std::string_view text);
+/// A path or value of a URL in plain text; as it is where a % is followed by no two digits.
+std::string decodedFromUrl(std::string_view text);
 /// The value of a header, whose name may be in any case; empty if there is none.
 std::string headerValue(const HttpRequest& request, const std::string& name);
 
