@@ -3,11 +3,13 @@
 #include "program/gcode/process_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 
 #include "lamina/base/text.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 namespace {
@@ -32,20 +34,6 @@ void writeWords(const MachineCode& code, std::string& text) {
   if (text.back() != '\n') text += '\n';
 }
 
-template <class Number>
-std::optional<Number> numberAt(std::string_view text) {
-  Number value{};
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  return result.ec == std::errc{} ? std::optional(value) : std::nullopt;
-}
-
-/// The number behind a letter that stands after a space.
-std::optional<double> wordOf(std::string_view command, char letter) {
-  for (std::size_t at = 1; at < command.size(); ++at)
-    if (command[at] == letter && command[at - 1] == ' ') return numberAt<double>(command.substr(at + 1));
-  return std::nullopt;
-}
-
 }  // namespace
 
 void writeEvent(const ToolpathEvent& event, std::string& text) {
@@ -53,21 +41,22 @@ void writeEvent(const ToolpathEvent& event, std::string& text) {
 }
 
 std::optional<ToolpathEvent> readEvent(std::string_view command) {
-  const std::string_view code = command.substr(0, command.find(' '));
-  if (code == "M107") return FanShare{0.0};
-  if (code == "M106") {
-    if (wordOf(command, 'P').value_or(0.0) != 0.0) return std::nullopt;
-    return FanShare{std::clamp(wordOf(command, 'S').value_or(kFanSteps) / kFanSteps, 0.0, 1.0)};
+  constexpr std::array<std::string_view, 4> kPauses = {"M0", "M1", "M600", "M601"};
+  if (isCommand(command, "M107")) return FanShare{0.0};
+  if (isCommand(command, "M106")) {
+    if (wordValue(command, 'P').value_or(0.0) != 0.0) return std::nullopt;
+    return FanShare{std::clamp(wordValue(command, 'S').value_or(kFanSteps) / kFanSteps, 0.0, 1.0)};
   }
-  if (code != "M0" && code != "M1" && code != "M600" && code != "M601") return std::nullopt;
-  return OperatorPause{std::string(trimmed(command.substr(code.size())))};
+  if (!isAnyCommand(command, kPauses)) return std::nullopt;
+  return OperatorPause{std::string(trimmed(command.substr(std::min(command.find(' '), command.size()))))};
 }
 
 std::optional<std::uint32_t> readTool(std::string_view command) {
   if (command.size() < 2 || command[0] != 'T') return std::nullopt;
-  const auto tool = numberAt<std::uint32_t>(command.substr(1));
-  const bool is_alone = tool && command.substr(1) == std::to_string(*tool);
-  return is_alone ? tool : std::nullopt;
+  std::uint32_t tool = 0;
+  const auto result = std::from_chars(command.data() + 1, command.data() + command.size(), tool);
+  const bool is_alone = result.ec == std::errc{} && result.ptr == command.data() + command.size();
+  return is_alone ? std::optional(tool) : std::nullopt;
 }
 
 }  // namespace lamina

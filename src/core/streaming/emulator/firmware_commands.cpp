@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "program/gcode/command_words.hpp"
 #include "streaming/emulator/firmware_board.hpp"
-#include "streaming/job/command_words.hpp"
 
 namespace lamina {
 namespace {

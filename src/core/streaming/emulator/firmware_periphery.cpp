@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "program/gcode/command_words.hpp"
 #include "streaming/emulator/firmware_board.hpp"
-#include "streaming/job/command_words.hpp"
 
 namespace lamina {
 namespace {

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <optional>
 
-#include "streaming/job/command_words.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 namespace {

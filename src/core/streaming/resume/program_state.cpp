@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "lamina/base/error.hpp"
-#include "streaming/job/command_words.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 namespace {

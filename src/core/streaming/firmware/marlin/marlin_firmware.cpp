@@ -9,9 +9,9 @@
 
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "program/gcode/command_words.hpp"
 #include "streaming/firmware/marlin/marlin_job.hpp"
 #include "streaming/job/change_commands.hpp"
-#include "streaming/job/command_words.hpp"
 
 namespace lamina {
 namespace {

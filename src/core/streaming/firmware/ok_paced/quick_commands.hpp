@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "streaming/job/command_words.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 

@@ -10,7 +10,7 @@
 
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
-#include "streaming/job/command_words.hpp"
+#include "program/gcode/command_words.hpp"
 
 namespace lamina {
 namespace {
