@@ -108,9 +108,8 @@ double travelFeed(const ToolpathLayer& layer) {
   return layer.paths.back().feed_mm_s.at(0);
 }
 
-/// Up, to where it waits, and back to where the layer ended.
-Path waiting(const ToolpathLayer& layer, double dwell_s, const Box3& box, const Point3& up,
-             const CoolingSettings& settings) {
+/// Up, to where it waits, for no time yet, and back to where the layer ended.
+Path waiting(const ToolpathLayer& layer, const Box3& box, const Point3& up, const CoolingSettings& settings) {
   const Path& last = layer.paths.back();
   const Point3 here = last.lastPoint();
   const Point3 lift = settings.lift_mm * up;
@@ -126,7 +125,7 @@ Path waiting(const ToolpathLayer& layer, double dwell_s, const Box3& box, const 
   if (park != here) path.points.push_back(park + lift);
   path.events.emplace_back();
   path.events.back().motion = path.points.size() - 1;
-  path.events.back().event.emplace<Dwell>(Dwell{dwell_s});
+  path.events.back().event.emplace<Dwell>();
   if (park != here && settings.lift_mm > 0.0) path.points.push_back(here + lift);
   path.points.push_back(here);
   return path;
@@ -176,7 +175,7 @@ class Cooler {
   /// The ways to the place and back count.
   /// @return how long it dwells [s]
   double wait(ToolpathLayer& layer, double lacking_s) const {
-    Path path = waiting(layer, 0.0, box_, up_, settings_);
+    Path path = waiting(layer, box_, up_, settings_);
     Toolpath ways;
     ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
     const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
