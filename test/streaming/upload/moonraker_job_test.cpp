@@ -55,6 +55,12 @@ class MoonrakerMotionTest : public testing::Test {
     link.start();
     link.runUntilState(PackmlState::Completing);
   }
+  void abortAt(double time_s) {
+    link.runUntil(time_s);
+    link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
+    link.runUntil(1e5);
+  }
+
   SimulatedHttp link;
 };
 
@@ -77,9 +83,7 @@ TEST_F(MoonrakerMotionTest, AShutdownInTheLastMotionIsNotComplete) {
 }
 
 TEST_F(MoonrakerMotionTest, AStopIsConfirmedOnceMotionsHaveEnded) {
-  link.runUntil(25.0);
-  link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
-  link.runUntil(1e5);
+  abortAt(25.0);
   const std::string& message = link.job.status().failure.message;
   EXPECT_TRUE(says(link, "its heaters are off")) << message;
   EXPECT_FALSE(says(link, "still moving")) << message;
@@ -88,9 +92,7 @@ TEST_F(MoonrakerMotionTest, AStopIsConfirmedOnceMotionsHaveEnded) {
 }
 
 TEST_F(MoonrakerMotionTest, AStopSaysThatMotionsGoOn) {
-  link.runUntil(5.0);
-  link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
-  link.runUntil(1e5);
+  abortAt(5.0);
   const std::string& message = link.job.status().failure.message;
   EXPECT_TRUE(says(link, "its heaters are off; it was still moving 8 s later")) << message;
   EXPECT_LT(link.now, 15.5);
