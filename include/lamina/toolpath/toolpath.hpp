@@ -180,6 +180,9 @@ Box3 depositionBox(const Toolpath& toolpath);
 /// 16 hexadecimal digits that depend on every value of the toolpath and nothing else (FNV-1a).
 std::string toolpathId(const Toolpath& toolpath);
 
+/// What is wrong with the events of a path: their order, or one that cannot be. Empty if all is well.
+std::string faultOfEvents(const Path& path);
+
 /// Checks the promises above: finite numbers, two points at least, quantities of one value or one per
 /// waypoint, positive feeds, consecutive paths that join within 1e-6 mm, events at motions that there are.
 /// @throws InvalidInput naming layer, path and waypoint

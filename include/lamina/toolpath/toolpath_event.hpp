@@ -42,6 +42,23 @@ struct PathEvent {
 /// As named in files and messages: "dwell", "fan", "pause", "code".
 const char* nameOf(const ToolpathEvent& event);
 
+/// Events of one motion, in their order.
+class EventRange {
+ public:
+  using Iterator = std::vector<PathEvent>::const_iterator;
+  EventRange(Iterator begin, Iterator end) : begin_(begin), end_(end) {}
+  Iterator begin() const { return begin_; }
+  Iterator end() const { return end_; }
+
+ private:
+  Iterator begin_;
+  Iterator end_;
+};
+
+/// The events that come before a motion. Logarithmic in their number.
+/// @param events  in the order of their motions; they must outlive the range
+EventRange eventsBefore(const std::vector<PathEvent>& events, std::size_t motion);
+
 /// Waiting of the events that come before a motion [s].
 double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion);
 

@@ -43,12 +43,20 @@ const char* nameOf(const ToolpathEvent& event) {
   return kNames.at(event.index());
 }
 
+EventRange eventsBefore(const std::vector<PathEvent>& events, std::size_t motion) {
+  const auto begin =
+      std::lower_bound(events.begin(), events.end(), motion,
+                       [](const PathEvent& placed, std::size_t wanted) { return placed.motion < wanted; });
+  const auto end =
+      std::upper_bound(begin, events.end(), motion,
+                       [](std::size_t wanted, const PathEvent& placed) { return wanted < placed.motion; });
+  return {begin, end};
+}
+
 double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion) {
   double sum_s = 0.0;
-  for (const PathEvent& placed : events) {
-    const auto* const dwell = std::get_if<Dwell>(&placed.event);
-    if (dwell != nullptr && placed.motion == motion) sum_s += dwell->duration_s;
-  }
+  for (const PathEvent& placed : eventsBefore(events, motion))
+    if (const auto* const dwell = std::get_if<Dwell>(&placed.event)) sum_s += dwell->duration_s;
   return sum_s;
 }
 

@@ -20,19 +20,6 @@ bool fits(const AlongPath<Value>& along, std::size_t waypoints) {
                      what);
 }
 
-std::string faultOfEvents(const Path& path) {
-  std::size_t last = 0;
-  for (const PathEvent& placed : path.events) {
-    if (placed.motion < last || placed.motion > path.motionCount())
-      return std::string(nameOf(placed.event)) + " stands before motion " + std::to_string(placed.motion) +
-             "; must be " + std::to_string(last) + " to " + std::to_string(path.motionCount());
-    last = placed.motion;
-    std::string defect = defectOf(placed.event);
-    if (!defect.empty()) return defect;
-  }
-  return {};
-}
-
 std::string faultOfValues(const Path& path) {
   for (std::size_t c = 0; c < path.values.size(); ++c) {
     const ProcessValue& each = path.values[c];
@@ -70,6 +57,19 @@ std::string firstFault(const Path& path) {
 }
 
 }  // namespace
+
+std::string faultOfEvents(const Path& path) {
+  std::size_t last = 0;
+  for (const PathEvent& placed : path.events) {
+    if (placed.motion < last || placed.motion > path.motionCount())
+      return std::string(nameOf(placed.event)) + " stands before motion " + std::to_string(placed.motion) +
+             "; must be " + std::to_string(last) + " to " + std::to_string(path.motionCount());
+    last = placed.motion;
+    std::string defect = defectOf(placed.event);
+    if (!defect.empty()) return defect;
+  }
+  return {};
+}
 
 void validate(const Toolpath& toolpath) {
   if (!(std::abs(toolpath.part_from_layers.norm() - 1.0) < 1e-6))

@@ -94,6 +94,16 @@ TEST(GcodeWriter, StatesEverythingAgainBehindCodeThatMovesAxes) {
       << text;
 }
 
+TEST(GcodeWriter, RefusesEventsThatCannotBeBeforeWritingAnything) {
+  for (const ToolpathEvent& event : {ToolpathEvent(Dwell{-1.0}), ToolpathEvent(MachineCode{})}) {
+    Toolpath toolpath = line();
+    toolpath.layers[0].paths[1].events.push_back({0, event});
+    EXPECT_THROW(writeGcode(toolpath, Eigen::Isometry3d::Identity(), plainSettings(),
+                            [](std::string_view) { FAIL(); }),
+                 InvalidInput);
+  }
+}
+
 TEST(GcodeWriter, RefusesProcessValuesBeforeWritingAnything) {
   Toolpath toolpath = line();
   toolpath.layers[0].paths[1].values = {{"laser_power_w", 900.0}};

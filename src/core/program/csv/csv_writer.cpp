@@ -125,10 +125,10 @@ class PathRows {
       field += (field.empty() ? "" : "|") + std::string(place) + toField(event);
     };
     const bool is_last = row == path_.motionCount();
-    for (const PathEvent& placed : path_.events) {
-      if (row > 0 && placed.motion == row - 1) append("", placed.event);
-      if (is_last && placed.motion == row) append("after:", placed.event);
-    }
+    if (row > 0)
+      for (const PathEvent& placed : eventsBefore(path_.events, row - 1)) append("", placed.event);
+    if (is_last)
+      for (const PathEvent& placed : eventsBefore(path_.events, row)) append("after:", placed.event);
     if (is_last)
       for (const ToolpathEvent& event : events_behind_) append("after:", event);
     text.append(",").append(field);

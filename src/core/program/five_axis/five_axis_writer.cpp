@@ -406,8 +406,7 @@ class FiveAxisProgram {
   }
 
   static void writeEvents(const Path& path, std::size_t motion, std::string& text) {
-    for (const PathEvent& placed : path.events)
-      if (placed.motion == motion) writeEvent(placed.event, text);
+    for (const PathEvent& placed : eventsBefore(path.events, motion)) writeEvent(placed.event, text);
   }
 
   void writeMotion(std::size_t p, std::size_t m, const PathExtrusion& extrusion, FiveAxisLines& lines,

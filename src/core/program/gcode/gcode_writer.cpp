@@ -40,6 +40,8 @@ void requireWritable(const Path& path) {
     refuse(path, path.points.size(), "a path needs at least 2 waypoints, or a drop");
   for (std::size_t i = 0; i < path.points.size(); ++i)
     if (!isWritable(path.points[i])) refuse(path, i, "the position is not a number within 10 km");
+  const std::string fault = faultOfEvents(path);
+  if (!fault.empty()) refuse(path, 0, fault);
   const auto& feeds = path.feed_mm_s.values();
   for (std::size_t i = 0; i < feeds.size(); ++i)
     if (!(feeds[i] > 0.0 && feeds[i] < kLargestWritten))

@@ -101,7 +101,7 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
   const PathExtrusion extrusion(path, filament_per_volume_);
   const std::size_t motions = path.motionCount();
   for (std::size_t m = 0; m < motions; ++m) {
-    if (!path.events.empty()) writeEvents(path, m, modal, text);
+    writeEvents(path, m, modal, text);
     const std::size_t end = path.motionEnd(m);
     const double length_mm = (path.points[end] - path.points[m]).norm();
     const double deposited_mm = extrusion.along(length_mm, end);
@@ -112,12 +112,11 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
     writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
                 modal, text);
   }
-  if (!path.events.empty()) writeEvents(path, motions, modal, text);
+  writeEvents(path, motions, modal, text);
 }
 
 void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const {
-  for (const PathEvent& placed : path.events) {
-    if (placed.motion != motion) continue;
+  for (const PathEvent& placed : eventsBefore(path.events, motion)) {
     writeEvent(placed.event, text);
     const auto* const code = std::get_if<MachineCode>(&placed.event);
     if (code == nullptr || !code->moves_axes) continue;
