@@ -38,8 +38,9 @@ inline constexpr char kHeightOctomap[] = "height_octomap";  ///< octomap_msgs/Oc
 inline constexpr char kHeightDeviation[] =
     "height_deviation";  ///< sensor_msgs/Image, 32FC1 [m], measured less expected
 
-inline constexpr char kShownLayers[] = "shown_layers";    ///< visualization_msgs/MarkerArray, of the panel
-inline constexpr char kSourceLayers[] = "source_layers";  ///< visualization_msgs/MarkerArray, of the panel
+inline constexpr char kPrintedLayers[] = "printed_layers";  ///< visualization_msgs/MarkerArray, of the panel
+inline constexpr char kShownLayers[] = "shown_layers";      ///< visualization_msgs/MarkerArray, of the panel
+inline constexpr char kSourceLayers[] = "source_layers";    ///< visualization_msgs/MarkerArray, of the panel
 inline constexpr char kInclinedLayers[] =
     "inclined_layers";  ///< visualization_msgs/MarkerArray, of the panel
 

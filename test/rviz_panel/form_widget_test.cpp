@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Types and clicks in a real window.
-#include "form_widget.hpp"
+#include "incline/form_widget.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include <QtTest/QTest>
 #include <cmath>
 
-#include "angle_dial.hpp"
+#include "fields/angle_dial.hpp"
 #include "window.hpp"
 
 namespace {

@@ -11,7 +11,7 @@
 #include <QtTest/QTest>
 
 #include "conversions.hpp"
-#include "layers_content.hpp"
+#include "layers/layers_content.hpp"
 #include "marker_display.hpp"
 #include "names.hpp"
 #include "window.hpp"

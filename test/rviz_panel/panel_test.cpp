@@ -17,9 +17,9 @@
 #include <fstream>
 #include <map>
 
+#include "incline/panel_content.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "marker_display.hpp"
-#include "panel_content.hpp"
 #include "support/scratch_folder.hpp"
 #include "window.hpp"
 

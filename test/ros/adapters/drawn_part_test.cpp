@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz_panel/drawn_part.hpp"
+#include "rviz_panel/drawing/drawn_part.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz_panel/incline_form.hpp"
+#include "rviz_panel/incline/incline_form.hpp"
 
 #include <gtest/gtest.h>
 

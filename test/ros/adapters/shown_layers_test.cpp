@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rviz_panel/shown_layers.hpp"
+#include "rviz_panel/drawing/shown_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "incline/incline_panel.hpp"
+
+#include <rviz/visualization_manager.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "incline/panel_content.hpp"
+#include "names.hpp"
+#include "panels/rviz_window.hpp"
+
+namespace lamina {
+
+InclinePanel::InclinePanel(QWidget* parent)
+    : rviz::Panel(parent), content_(new PanelContent(this, names::kInclineGcode)) {
+  addScrolled(*this, *content_);
+  content_->changed = [this] { Q_EMIT configChanged(); };
+  content_->shown = [this](const Box3& box) {
+    if (vis_manager_ != nullptr) lookAt(*vis_manager_->getViewManager(), box);
+  };
+}
+
+void InclinePanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  content_->load(savedTexts(config, textsOf(InclineForm())));
+}
+
+void InclinePanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  saveTexts(config, textsOf(content_->form()));
+}
+
+}  // namespace lamina
+
+PLUGINLIB_EXPORT_CLASS(lamina::InclinePanel, rviz::Panel)
