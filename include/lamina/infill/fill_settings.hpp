@@ -8,6 +8,7 @@
 #include "lamina/infill/contour/vase_settings.hpp"
 #include "lamina/infill/drops/drop_settings.hpp"
 #include "lamina/infill/hilbert/hilbert_settings.hpp"
+#include "lamina/infill/lightning/lightning_settings.hpp"
 #include "lamina/infill/rectilinear/hybrid_settings.hpp"
 #include "lamina/infill/rectilinear/raster_settings.hpp"
 
@@ -21,6 +22,7 @@ struct FillSettings {
   ContourSettings contour;
   VaseSettings vase;
   HilbertSettings hilbert;
+  LightningSettings lightning;
   DropSettings drops;
   SmoothingSettings smoothing;  ///< of all families
 };

@@ -29,6 +29,8 @@ struct InfillRequest {
   /// keep the height and the directions of their plan.
   Eigen::Isometry3d part_from_plan = Eigen::Isometry3d::Identity();
   LineLinks links;
+  /// Of this layer, where the fill grows from the layers above (`FillGrowth`); null where they are not known.
+  const std::vector<Polyline>* branches = nullptr;
   FillSettings settings;  ///< what single strategies ask for besides
 };
 
@@ -62,6 +64,12 @@ enum class LayerLink {
   Rising,   ///< the loops of all layers become one that rises all the time
 };
 
+/// Whether the fill of a layer depends on what lies above it.
+enum class FillGrowth {
+  Alone,
+  FromAbove,  ///< branches under the skins above
+};
+
 /// Whether the ends of a fill run into the walls around it.
 enum class WallContact {
   Overlapping,  ///< by `infill.wall_overlap`
@@ -79,6 +87,7 @@ struct InfillStrategy {
   /// Part of the volume of a sparse fill that lies on itself where its lines cross, at a density towards 1:
   /// at others as much less.
   double crossing = 0.0;
+  FillGrowth growth = FillGrowth::Alone;
 };
 
 /// All strategies, those of plug-ins too. Whoever adds one calls `infillStrategies().add("name", {...})`.

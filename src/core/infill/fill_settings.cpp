@@ -11,6 +11,7 @@ void describe(SettingsSchema& schema, FillSettings& settings) {
   describe(schema, settings.contour);
   describe(schema, settings.vase);
   describe(schema, settings.hilbert);
+  describe(schema, settings.lightning);
   describe(schema, settings.drops);
   describe(schema, settings.smoothing);
 }

@@ -14,6 +14,7 @@
 #include "infill/drops/drops_raster.hpp"
 #include "infill/hilbert/hilbert.hpp"
 #include "infill/hilbert/hilbert_quadtree.hpp"
+#include "infill/lightning/lightning.hpp"
 #include "infill/pattern/crossing_lines.hpp"
 #include "infill/pattern/gyroid.hpp"
 #include "infill/pattern/honeycomb.hpp"
@@ -47,6 +48,9 @@ std::map<std::string, InfillStrategy> builtInStrategies() {
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
       {"honeycomb", pattern(honeycomb)},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
+      {"lightning",
+       {lightning, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted, Deposit::Bead, 0.0,
+        FillGrowth::FromAbove}},
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"triangles", pattern(trianglesFill, 0.25)},

@@ -96,7 +96,8 @@ class LayerPlanner {
         nozzle_(anchorOf(*stacked.layer, context)),
         seam_(settings_.seam, nozzle_, index),
         top_(stacked.layer->bounds.top_mm),
-        cover_(stacked.cover) {
+        cover_(stacked.cover),
+        branches_(stacked.branches) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
       support_test_.emplace(layer, stacked.below, *context.bed,
@@ -183,7 +184,7 @@ class LayerPlanner {
   /// @param inside  walls
   /// @param before  how many paths there were before
   void addSkinsAndInfill(const Regions& inside, std::size_t before) {
-    const SkinAreas areas = skinAreas(inside, *cover_, skinMeasures());
+    const SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
     addSkin(areas.bottom_skin, PathRole::BottomSkin);
     addSkin(areas.skin, PathRole::Skin);
     if (infill_.spacing_mm > 0.0 && !areas.sparse.empty()) {
@@ -201,14 +202,6 @@ class LayerPlanner {
     return std::any_of(walls.infill.begin(), walls.infill.end(), [this](const Region& region) {
       return area({region}) < settings_.skins.least_infill_mm2;
     });
-  }
-
-  SkinMeasures skinMeasures() const {
-    const SkinSettings& skins = settings_.skins;
-    const double width = settings_.bead.width_mm;
-    const double walls =
-        settings_.walls.count > 0 ? 0.5 * width + (settings_.walls.count - 0.5) * pitch_ : 0.0;
-    return {skins.narrowest * width, skins.anchor_mm < 0.0 ? walls : skins.anchor_mm, skins.least_infill_mm2};
   }
 
   void addSkin(const Regions& area, PathRole role) {
@@ -328,6 +321,7 @@ class LayerPlanner {
     request.island = island_;
     request.part_from_plan = context_.part_from_layers * Eigen::Translation3d(0.0, 0.0, top_);
     request.links = infill.links;
+    request.branches = branches_;
     request.settings = settings_.fill;
     return request;
   }
@@ -379,6 +373,7 @@ class LayerPlanner {
   Seam seam_;
   double top_;
   const LayerCover* cover_;                  ///< null without skins
+  const std::vector<Polyline>* branches_;    ///< null for a fill that does not grow
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;
   Bead bead_;           ///< nominal

@@ -35,6 +35,8 @@ struct StackedLayer {
   const Layer* layer = nullptr;
   const Layer* below = nullptr;
   const LayerCover* cover = nullptr;  ///< null without skins
+  /// For a fill that grows from the layers above; null for others.
+  const std::vector<Polyline>* branches = nullptr;
 };
 
 /// The paths of one layer.

@@ -105,6 +105,12 @@ void requireConsistentHybrid(const PlanSettings& settings) {
                         text(hybrid.delete_below));
 }
 
+void requireRoofs(const PlanSettings& settings) {
+  if (hasSkins(settings.skins) || isSolid(settings.infill)) return;
+  throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
+                      "', which holds up skins, and there are none; expected skins.top_layers of 1 or more");
+}
+
 }  // namespace
 
 void requireConsistent(const PlanSettings& settings) {
@@ -112,6 +118,7 @@ void requireConsistent(const PlanSettings& settings) {
   if (strategy.deposit == Deposit::Drops) requireConsistentDrops(settings);
   if (strategy.link == LayerLink::Rising) requireConsistentVase(settings);
   if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
+  if (strategy.growth == FillGrowth::FromAbove) requireRoofs(settings);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
 }
 

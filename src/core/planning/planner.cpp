@@ -28,6 +28,7 @@
 #include "planning/order/near_origin.hpp"
 #include "planning/order/support_test.hpp"
 #include "planning/skins/layer_cover.hpp"
+#include "planning/skins/roof_branches.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/walls/rising_wall.hpp"
@@ -152,10 +153,16 @@ Plan inOne(std::vector<PlannedLayer> planned) {
   return plan;
 }
 
-StackedLayer stackedAt(const std::vector<Layer>& layers, const std::vector<LayerCover>& covers,
-                       std::size_t index) {
+/// What is known of a stack before its layers are planned apart from each other.
+struct StackCover {
+  std::vector<LayerCover> covers;               ///< none without skins
+  std::vector<std::vector<Polyline>> branches;  ///< none for a fill that does not grow
+};
+
+StackedLayer stackedAt(const std::vector<Layer>& layers, const StackCover& stack, std::size_t index) {
   return {&layers[index], index > 0 ? &layers[index - 1] : nullptr,
-          covers.empty() ? nullptr : &covers[index]};
+          stack.covers.empty() ? nullptr : &stack.covers[index],
+          stack.branches.empty() ? nullptr : &stack.branches[index]};
 }
 
 /// Skins are for walls with a sparse infill that stays in its layer.
@@ -165,8 +172,7 @@ bool takesSkins(const PlanContext& context) {
          context.strategy.deposit == Deposit::Bead && context.strategy.link == LayerLink::Travel;
 }
 
-std::vector<LayerCover> coversFor(const std::vector<Layer>& layers, const PlanContext& context,
-                                  Progress& progress) {
+StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
   if (!takesSkins(context)) return {};
   std::vector<Regions> material(layers.size());
   std::vector<double> heights_mm(layers.size());
@@ -175,7 +181,17 @@ std::vector<LayerCover> coversFor(const std::vector<Layer>& layers, const PlanCo
     heights_mm[i] = layers[i].bounds.height();
   };
   parallelFor(layers.size(), unite_layer, progress, "skins");
-  return coversOf(std::move(material), heights_mm, context.settings.skins, progress);
+  StackCover stack;
+  stack.covers = coversOf(std::move(material), heights_mm, context.settings.skins, progress);
+  if (context.strategy.growth == FillGrowth::FromAbove)
+    stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, progress);
+  return stack;
+}
+
+std::vector<Polyline> moved(std::vector<Polyline> lines, const Point2& by) {
+  for (Polyline& line : lines)
+    for (Point2& point : line) point += by;
+  return lines;
 }
 
 /// An inclined layer far out on a belt is planned near the origin.
@@ -189,8 +205,11 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   near.part_from_layers.translate(Point3(away.x(), away.y(), 0.0));
   near.bed->level_mm -= near.bed->up.head<2>().dot(away);
   const LayerCover cover = stacked.cover != nullptr ? moved(*stacked.cover, -away) : LayerCover{};
+  const std::vector<Polyline> branches =
+      stacked.branches != nullptr ? moved(*stacked.branches, -away) : std::vector<Polyline>{};
   PlannedLayer planned = planLayer(
-      {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr},
+      {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr,
+       stacked.branches != nullptr ? &branches : nullptr},
       index, near);
   for (Path& path : planned.layer.paths)
     for (Point3& point : path.points) point.head<2>() += away;
@@ -211,14 +230,14 @@ void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) 
 
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
   const PlanContext context = wallContext(of_settings);
-  const std::vector<LayerCover> covers = coversFor(layers, of_settings, progress);
+  const StackCover stack = stackCover(layers, of_settings, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
   std::vector<PlannedLayer> planned(layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        planned[i] = planAnywhere(stackedAt(layers, covers, i), i, i < base_layers ? base : context);
+        planned[i] = planAnywhere(stackedAt(layers, stack, i), i, i < base_layers ? base : context);
         if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");

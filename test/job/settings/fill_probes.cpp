@@ -68,10 +68,17 @@ SettingProbe vaseProbe() {
           {{"vase.base_layers=2"}, {"vase.base_strategy=hilbert"}}};
 }
 
+SettingProbe lightningProbe() {
+  return {"branches under a roof",
+          "skins.top_layers=2;infill.strategy=lightning;infill.density=0.2",
+          toolpathOf("box x_mm=20 y_mm=20 z_mm=4"),
+          {{"lightning.angle_deg=20"}}};
+}
+
 }  // namespace
 
 std::vector<SettingProbe> fillProbes() {
-  return {rasterProbe(), hybridProbe(), perimetersProbe(), otherFillsProbe(), vaseProbe()};
+  return {rasterProbe(), hybridProbe(), perimetersProbe(), otherFillsProbe(), vaseProbe(), lightningProbe()};
 }
 
 }  // namespace lamina::test

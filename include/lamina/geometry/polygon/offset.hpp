@@ -30,6 +30,10 @@ Regions offset(const Regions& regions, double delta_mm, Join join = Join::Mitre)
 /// Where `regions` is and `subtracted` is not.
 Regions difference(const Regions& regions, const Regions& subtracted);
 
+/// The pieces of lines that lie in regions, either way round; where a line leaves, its piece ends on the
+/// outline.
+std::vector<Polyline> clipped(const std::vector<Polyline>& lines, const Regions& regions);
+
 /// Where both are.
 Regions intersection(const Regions& a, const Regions& b);
 

@@ -149,6 +149,24 @@ Regions offset(const Regions& regions, double delta_mm, Join join) {
   return delta_mm < 0.0 ? insetEach(regions, -delta_mm) : offsetMitred(regions, delta_mm);
 }
 
+std::vector<Polyline> clipped(const std::vector<Polyline>& lines, const Regions& regions) {
+  refuseFarPoints(regions);
+  ClipperLib::Clipper clipper;
+  for (const Polyline& line : lines) {
+    refuseFarPoints(line);
+    clipper.AddPath(toUnits(line), ClipperLib::ptSubject, false);
+  }
+  add(clipper, regions, ClipperLib::ptClip);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctIntersection, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  ClipperLib::Paths found;
+  ClipperLib::OpenPathsFromPolyTree(tree, found);
+  std::vector<Polyline> pieces;
+  pieces.reserve(found.size());
+  for (const ClipperLib::Path& path : found) pieces.push_back(fromUnits(path));
+  return pieces;
+}
+
 Regions difference(const Regions& regions, const Regions& subtracted) {
   return combine(regions, subtracted, ClipperLib::ctDifference);
 }

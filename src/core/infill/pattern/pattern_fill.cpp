@@ -16,19 +16,6 @@ namespace {
 constexpr double kMostSteps = 1e7;
 constexpr double kMostSquares = 1e8;
 
-void requireSpacing(double spacing_mm) {
-  if (!(spacing_mm > 0.0 && std::isfinite(spacing_mm)))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; must be positive");
-}
-
-void refuseTooManyCurves(const Box2& box, double spacing_mm) {
-  const Point2 reach = box.high.cwiseAbs().cwiseMax(box.low.cwiseAbs()) / spacing_mm;
-  const Point2 steps = box.size() / spacing_mm;
-  if (!(reach.maxCoeff() <= kMostSteps && steps.prod() <= kMostSquares))
-    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; too small for a region " +
-                       std::to_string(box.size().maxCoeff()) + " mm across");
-}
-
 std::vector<Polyline> fewestRuns(const std::vector<RunOnOutlines>& pieces,
                                  const std::vector<Polygon>& borders, double longest_mm) {
   std::vector<Polyline> runs = joinAlongOutlines(pieces, borders, longest_mm, LinkChoice::EveryOther);
@@ -46,15 +33,25 @@ FillPath pathAlongLine(const Polyline& line) {
 
 }  // namespace
 
+void requireSensibleSpacing(double spacing_mm, const Box2& box) {
+  if (!(spacing_mm > 0.0 && std::isfinite(spacing_mm)))
+    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; must be positive");
+  if (box.isEmpty()) return;
+  const Point2 reach = box.high.cwiseAbs().cwiseMax(box.low.cwiseAbs()) / spacing_mm;
+  const Point2 steps = box.size() / spacing_mm;
+  if (!(reach.maxCoeff() <= kMostSteps && steps.prod() <= kMostSquares))
+    throw InvalidInput("infill spacing is " + std::to_string(spacing_mm) + " mm; too small for a region " +
+                       std::to_string(box.size().maxCoeff()) + " mm across");
+}
+
 double patternAngle(const InfillRequest& request) { return request.angle_rad - request.turn_rad; }
 
 std::vector<FillPath> filledByPattern(const Regions& regions, const InfillRequest& request, double step_mm,
                                       const Pattern& pattern) {
-  requireSpacing(request.spacing_mm);
   const std::vector<Polygon> borders = outlines(offset(regions, -0.5 * request.pitch_mm));
   const Box2 box = boundingBox(borders);
+  requireSensibleSpacing(request.spacing_mm, box);
   if (box.isEmpty()) return {};
-  refuseTooManyCurves(box, request.spacing_mm);
   const PatternPieces pieces = cutToOutlines(pattern(box), borders);
   std::vector<FillPath> paths;
   const double longest_mm = longestLink(request, step_mm) * step_mm;

@@ -17,11 +17,15 @@ using Pattern = std::function<PatternCurves(const Box2& box)>;
 /// other.
 double patternAngle(const InfillRequest& request);
 
+/// @throws InvalidInput if the spacing is not positive, or so small that a box is more than 10 million
+/// spacings
+///         from the origin, or has more than 100 million squares of it
+void requireSensibleSpacing(double spacing_mm, const Box2& box);
+
 /// A sparse fill by a pattern: its curves cut where centre lines may run, with ends that follow each other
 /// along the border joined along it.
 /// @param step_mm  between neighbouring curves, for `longestLink`
-/// @throws InvalidInput if the spacing is not positive, or so small that a region is more than 10 million
-///         spacings from the origin, or has more than 100 million squares of it
+/// @throws InvalidInput as `requireSensibleSpacing`
 std::vector<FillPath> filledByPattern(const Regions& regions, const InfillRequest& request, double step_mm,
                                       const Pattern& pattern);
 

@@ -46,6 +46,18 @@ Regions withoutSmall(Regions regions, double least_mm2) {
 
 }  // namespace
 
+double wallThickness(const PlanSettings& settings, double pitch_mm) {
+  return settings.walls.count > 0 ? 0.5 * settings.bead.width_mm + (settings.walls.count - 0.5) * pitch_mm
+                                  : 0.0;
+}
+
+SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm) {
+  const SkinSettings& skins = settings.skins;
+  return {skins.narrowest * settings.bead.width_mm,
+          skins.anchor_mm < 0.0 ? wallThickness(settings, pitch_mm) : skins.anchor_mm,
+          skins.least_infill_mm2};
+}
+
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures) {
   SkinAreas areas;
   const Regions open = cover.isCovered() ? Regions{} : uncovered(inside, cover.whole);

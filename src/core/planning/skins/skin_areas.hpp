@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/plan_settings.hpp"
 #include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
@@ -13,6 +14,12 @@ struct SkinMeasures {
   double anchor_mm = 0.0;         ///< by which a skin grows into the infill
   double least_infill_mm2 = 0.0;  ///< smaller areas of infill become skin
 };
+
+/// From the outline to the border of what the walls leave [mm].
+double wallThickness(const PlanSettings& settings, double pitch_mm);
+
+/// As the settings say, at that pitch between neighbouring beads.
+SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm);
 
 /// An area within walls, shared out. The parts do not overlap, and together are the area.
 struct SkinAreas {

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/skins/roof_branches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "infill/lightning/branches.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/skins/skin_areas.hpp"
+#include "planning/walls/infill_spacing.hpp"
+
+namespace lamina {
+namespace {
+
+/// What the walls of a layer leave, shared out.
+struct InsideWalls {
+  Regions inside;
+  Regions solid;
+  Regions sparse;
+};
+
+double pitchOf(const PlanSettings& settings, double height_mm) {
+  return settings.bead.pitch_mm > 0.0 ? settings.bead.pitch_mm
+                                      : planWidth({settings.bead.width_mm, height_mm});
+}
+
+InsideWalls insideWalls(const LayerCover& cover, const PlanSettings& settings, double pitch_mm) {
+  InsideWalls within;
+  const double walls = wallThickness(settings, pitch_mm);
+  within.inside = walls > 0.0 ? offset(*cover.material, -walls) : *cover.material;
+  within.sparse = cover.isCovered()
+                      ? within.inside
+                      : skinAreas(within.inside, cover, skinMeasures(settings, pitch_mm)).sparse;
+  if (!cover.isCovered()) within.solid = difference(within.inside, within.sparse);
+  return within;
+}
+
+}  // namespace
+
+std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCover>& covers,
+                                                      const std::vector<double>& heights_mm,
+                                                      const PlanSettings& settings, Progress& progress) {
+  if (covers.empty()) return {};
+  std::vector<InsideWalls> within(covers.size());
+  parallelFor(
+      covers.size(),
+      [&](std::size_t i) { within[i] = insideWalls(covers[i], settings, pitchOf(settings, heights_mm[i])); },
+      progress, "skins");
+  const double slope = std::tan(settings.fill.lightning.angle_deg * M_PI / 180.0);
+  std::vector<BranchLayer> layers(covers.size());
+  const auto lay_roof = [&](std::size_t i) {
+    layers[i].inside = within[i].inside;
+    if (i + 1 < covers.size() && !within[i + 1].solid.empty())
+      layers[i].roof = intersection(within[i + 1].solid, within[i].sparse);
+    layers[i].reach_mm = slope * heights_mm[std::min(i + 1, covers.size() - 1)];
+  };
+  parallelFor(covers.size(), lay_roof, progress, "skins");
+  const double mean_mm =
+      std::accumulate(heights_mm.begin(), heights_mm.end(), 0.0) / static_cast<double>(heights_mm.size());
+  const double pitch_mm = pitchOf(settings, mean_mm);
+  const auto outer = static_cast<std::size_t>(settings.infill.outer_layers);
+  const InfillSpacing spacing = infillSpacing(settings.infill, pitch_mm, {outer, 2 * outer + 1});
+  return branchesUnderRoofs(layers, {spacing.spacing_mm, settings.bead.width_mm}, progress);
+}
+
+}  // namespace lamina

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "planning/skins/layer_cover.hpp"
+
+namespace lamina {
+
+/// Branches in each layer that hold up the skins of the layers above (`branchesUnderRoofs`): solid material
+/// that lies on what the infill of a layer is to fill, between the walls.
+/// @param covers      of each layer, from the bottom
+/// @param heights_mm  of each layer
+/// @return as many as layers; the same for any number of threads
+std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCover>& covers,
+                                                      const std::vector<double>& heights_mm,
+                                                      const PlanSettings& settings, Progress& progress);
+
+}  // namespace lamina
