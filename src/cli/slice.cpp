@@ -60,6 +60,16 @@ void printLean(const OverhangAngle& lean) {
               lean.steepest.x(), lean.steepest.y(), lean.steepest.z());
 }
 
+void printBridging(const Bridging& bridging) {
+  if (bridging.bridges > 0)
+    std::printf("bridges     %zu, the longest free span is %.1f mm\n", bridging.bridges, bridging.longest_mm);
+  if (bridging.too_long > 0)
+    std::printf("too long    %zu of them span more than bridges.longest_mm\n", bridging.too_long);
+  if (bridging.unheld > 0)
+    std::printf("unheld      %zu pieces, %.1f mm2, lie over nothing and are held on one side at most\n",
+                bridging.unheld, bridging.unheld_mm2);
+}
+
 void printJson(const SliceSummary& s, const std::string& output) {
   const nlohmann::ordered_json json = {
       {"mode", s.mode},
@@ -93,6 +103,11 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"empty_layers", s.empty_layers},
       {"moved_starts", s.anchored.moved},
       {"starts_in_air", s.anchored.in_air},
+      {"bridges", s.bridging.bridges},
+      {"longest_bridge_mm", s.bridging.longest_mm},
+      {"bridges_too_long", s.bridging.too_long},
+      {"unheld_pieces", s.bridging.unheld},
+      {"unheld_mm2", s.bridging.unheld_mm2},
       {"refill_runs", s.refilling.runs},
       {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
@@ -129,6 +144,7 @@ void printText(const SliceSummary& s, const std::string& output) {
     std::printf("anchored    %zu starts of runs moved onto bed or material, %zu remain in the air\n",
                 s.anchored.moved, s.anchored.in_air);
   printLean(s.lean);
+  printBridging(s.bridging);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);

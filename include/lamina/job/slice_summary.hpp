@@ -30,6 +30,7 @@ struct SliceSummary {
   Repositions repositions;
   FillStarts starts;
   AnchoredStarts anchored;
+  Bridging bridging;
   double mesh_volume_mm3 = 0.0;    ///< of the repaired mesh
   double sliced_volume_mm3 = 0.0;  ///< signed area of the contours times layer height
   double deposition_mm = 0.0;

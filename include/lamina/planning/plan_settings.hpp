@@ -7,7 +7,9 @@
 #include "lamina/base/settings.hpp"
 #include "lamina/infill/fill_settings.hpp"
 #include "lamina/infill/line_link.hpp"
+#include "lamina/planning/bridges/bridge_settings.hpp"
 #include "lamina/planning/order/anchoring.hpp"
+#include "lamina/planning/overhangs/overhanging_walls.hpp"
 
 namespace lamina {
 
@@ -106,6 +108,7 @@ struct FeedSettings {
   double infill_mm_s = 60.0;
   double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
   double top_skin_mm_s = 30.0;  ///< skins seen from above
+  double bridge_mm_s = 20.0;    ///< bridges, and walls beside them
   double skirt_mm_s = 40.0;
   double first_layer_mm_s = 20.0;  ///< an upper bound for all roles in the first layer
 };
@@ -116,6 +119,8 @@ struct PlanSettings {
   WallSettings walls;
   InfillSettings infill;
   SkinSettings skins;
+  BridgeSettings bridges;
+  OverhangingWallSettings overhangs;
   FillSettings fill;
   VoidSettings voids;
   SkirtSettings skirt;  ///< of level layers
@@ -132,8 +137,8 @@ inline bool isLoneWall(const PlanSettings& settings) {
   return settings.walls.count == 1 && !isFilled(settings.infill);
 }
 
-/// Adds the keys bead.*, walls.*, infill.*, skins.*, those of the fill strategies, voids.*, skirt.*,
-/// anchoring.*, seam.*, travel.*, feed.* and planning.*.
+/// Adds the keys bead.*, walls.*, infill.*, skins.*, bridges.*, overhangs.*, those of the fill strategies,
+/// voids.*, skirt.*, anchoring.*, seam.*, travel.*, feed.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/progress.hpp"
+#include "lamina/planning/bridges/bridge_settings.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
@@ -29,6 +30,7 @@ struct Plan {
   Refilling refilling;
   FillStarts starts;        ///< of all layers
   AnchoredStarts anchored;  ///< of all layers
+  Bridging bridging;        ///< of all layers
   /// Of what gets no bead or drop: too thin, left out whole by a solid fill, or without room on its layer.
   double unprinted_mm3 = 0.0;
 };

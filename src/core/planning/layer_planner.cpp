@@ -24,9 +24,11 @@
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
+#include "planning/bridges/layer_below.hpp"
 #include "planning/order/anchored_run.hpp"
 #include "planning/order/ordering.hpp"
 #include "planning/order/support_test.hpp"
+#include "planning/overhangs/overhanging_path.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/skin_areas.hpp"
@@ -67,6 +69,8 @@ double feedOf(PathRole role, const FeedSettings& feed) {
       return feed.inner_wall_mm_s;
     case PathRole::Skirt:
       return feed.skirt_mm_s;
+    case PathRole::Bridge:
+      return feed.bridge_mm_s;
     case PathRole::TopSkin:
       return feed.top_skin_mm_s;
     case PathRole::Skin:
@@ -97,7 +101,9 @@ class LayerPlanner {
         seam_(settings_.seam, nozzle_, index),
         top_(stacked.layer->bounds.top_mm),
         cover_(stacked.cover),
-        branches_(stacked.branches) {
+        cover_below_(stacked.cover_below),
+        branches_(stacked.branches),
+        below_(*stacked.layer, stacked.cover, context.bed, context.settings, index) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
       support_test_.emplace(layer, stacked.below, *context.bed,
@@ -130,7 +136,7 @@ class LayerPlanner {
     }
     is_in_island_ = false;
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
-    return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0};
+    return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0, bridging_};
   }
 
   /// What is being planned, for messages.
@@ -155,8 +161,9 @@ class LayerPlanner {
       addInfill({island});
       return 0.0;
     }
-    const bool takes_skins = cover_ != nullptr && !isSolid(infill_);
-    bool has_skins = takes_skins && !cover_->isCovered();
+    const bool takes_skins = cover_ != nullptr && hasSkins(settings_.skins) && !isSolid(infill_);
+    const bool spans = below_.leavesGaps({island});
+    bool has_skins = (takes_skins && !cover_->isCovered()) || (spans && !isSolid(infill_));
     Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
     if (takes_skins && !has_skins && hasSmallInfill(walls)) {
       has_skins = true;
@@ -168,6 +175,7 @@ class LayerPlanner {
       addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
       addShortest(std::move(walls.walls[k].thin), {});
     }
+    if (spans) walls.infill = addBridges(walls.infill);
     const std::size_t before = result_.paths.size();
     if (has_skins) {
       addSkinsAndInfill(walls.infill, before);
@@ -180,11 +188,30 @@ class LayerPlanner {
     return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, before) : 0.0);
   }
 
+  /// Lays what spans a gap within walls, and what hangs over one.
+  /// @return what is left to fill
+  Regions addBridges(const Regions& inside) {
+    BridgedAreas areas = below_.bridged(inside, pitch_);
+    bridging_ += areas.counts;
+    for (LaidBridge& bridge : areas.bridges) addShortest(std::move(bridge.threads), bridge.area);
+    const std::size_t before = result_.paths.size();
+    addSkin(areas.hanging, PathRole::BottomSkin);
+    markSince(before, settings_.feed.skin_mm_s * settings_.overhangs.feed_factors.back());
+    return std::move(areas.rest);
+  }
+
+  /// Over nothing: what was deposited since there were so many paths.
+  void markSince(std::size_t before, double feed_mm_s) {
+    for (std::size_t i = before; i < result_.paths.size(); ++i)
+      if (result_.paths[i].role != PathRole::Travel) markUnsupported(result_.paths[i], feed_mm_s);
+  }
+
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
   /// @param inside  walls
   /// @param before  how many paths there were before
   void addSkinsAndInfill(const Regions& inside, std::size_t before) {
-    const SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
+    SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
+    areas.skin = withoutLowest(std::move(areas.skin), inside);
     addSkin(areas.bottom_skin, PathRole::BottomSkin);
     addSkin(areas.skin, PathRole::Skin);
     if (infill_.spacing_mm > 0.0 && !areas.sparse.empty()) {
@@ -204,12 +231,32 @@ class LayerPlanner {
     });
   }
 
+  /// Lays the lowest skin over a sparse infill across its lines, if that is asked for.
+  /// @return the other skins
+  Regions withoutLowest(Regions skin, const Regions& inside) {
+    const bool is_asked = settings_.bridges.is_used && settings_.bridges.is_over_infill;
+    if (!is_asked || cover_below_ == nullptr || index_ == 0 || infill_.spacing_mm == 0.0) return skin;
+    const SkinAreas beneath = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
+    const Regions lowest = intersection(skin, beneath.sparse);
+    if (lowest.empty()) return skin;
+    const std::size_t before = result_.paths.size();
+    const InfillSettings& infill = settings_.infill;
+    const double lines_deg = infill.angle_deg + infill.alternation_deg * static_cast<double>(index_ - 1);
+    addSkin(lowest, PathRole::Skin, std::fmod(lines_deg + 90.0 - settings_.skins.angle_deg, 360.0));
+    markSince(before, settings_.feed.bridge_mm_s);
+    return difference(skin, lowest);
+  }
+
   void addSkin(const Regions& area, PathRole role) {
+    addSkin(area, role, 90.0 * static_cast<double>(index_ % 4));
+  }
+
+  /// @param turn_deg  against the first layer's skins
+  void addSkin(const Regions& area, PathRole role, double turn_deg) {
     if (area.empty()) return;
     FittedArea parts{area, {}};
     if (context_.skin_strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, pitch_);
     InfillRequest request = infillRequest();
-    const double turn_deg = 90.0 * static_cast<double>(index_ % 4);
     request.pitch_mm = request.spacing_mm = pitch_;
     request.angle_rad = (settings_.skins.angle_deg + turn_deg) * M_PI / 180.0;
     request.turn_rad = turn_deg * M_PI / 180.0;
@@ -348,6 +395,7 @@ class LayerPlanner {
     const double feed = feedOf(run.role, settings_.feed);
     Path path = pathAlong(run, beadOf(run), top_,
                           index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed);
+    path = below_.carried(std::move(path));
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
@@ -355,6 +403,7 @@ class LayerPlanner {
 
   AlongPath<Bead> beadOf(const FillPath& run) const {
     if (run.deposit == Deposit::Drops) return Bead{settings_.fill.drops.diameter_mm, result_.height_mm};
+    if (run.role == PathRole::Bridge) return threadBead(settings_.bridges, bead_);
     if (run.width_mm.empty()) return bead_;
     return beadsOf(run.width_mm, crossSection(bead_) / pitch_, result_.height_mm);
   }
@@ -372,8 +421,10 @@ class LayerPlanner {
   Point2 nozzle_;
   Seam seam_;
   double top_;
-  const LayerCover* cover_;                  ///< null without skins
-  const std::vector<Polyline>* branches_;    ///< null for a fill that does not grow
+  const LayerCover* cover_;                ///< null without skins, bridges and overhanging walls
+  const LayerCover* cover_below_;          ///< of the layer below
+  const std::vector<Polyline>* branches_;  ///< null for a fill that does not grow
+  LayerBelow below_;
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;
   Bead bead_;           ///< nominal
@@ -381,6 +432,7 @@ class LayerPlanner {
   InfillSpacing infill_;
   double unprinted_mm2_ = 0.0;
   Refilling refilling_;
+  Bridging bridging_;
   FillStarts starts_;
   Regions sparse_;  ///< what the infill of all islands does not fill
   ToolpathLayer result_;

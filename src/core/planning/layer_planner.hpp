@@ -34,7 +34,8 @@ struct PlanContext {
 struct StackedLayer {
   const Layer* layer = nullptr;
   const Layer* below = nullptr;
-  const LayerCover* cover = nullptr;  ///< null without skins
+  const LayerCover* cover = nullptr;        ///< null without skins, bridges and overhanging walls
+  const LayerCover* cover_below = nullptr;  ///< of the layer below
   /// For a fill that grows from the layers above; null for others.
   const std::vector<Polyline>* branches = nullptr;
 };
@@ -47,6 +48,7 @@ struct PlannedLayer {
   FillStarts starts;
   std::size_t moved_starts = 0;  ///< see `AnchoredStarts`
   double left_out_mm3 = 0.0;     ///< see `LiftedLayer`
+  Bridging bridging = {};
 };
 
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that

@@ -120,6 +120,7 @@ void requireConsistent(const PlanSettings& settings) {
   if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
   if (strategy.growth == FillGrowth::FromAbove) requireRoofs(settings);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
+  requireConsistent(settings.overhangs);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

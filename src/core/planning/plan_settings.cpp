@@ -113,6 +113,7 @@ void describe(SettingsSchema& schema, FeedSettings& feed) {
   schema.number("feed.infill_mm_s", feed.infill_mm_s, kFeed, "Speed of infill.");
   schema.number("feed.skin_mm_s", feed.skin_mm_s, kFeed, "Speed of hidden and bottom skins.");
   schema.number("feed.top_skin_mm_s", feed.top_skin_mm_s, kFeed, "Speed of skins seen from above.");
+  schema.number("feed.bridge_mm_s", feed.bridge_mm_s, kFeed, "Speed of bridges and of walls beside them.");
   schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of the skirt.");
   schema.number("feed.first_layer_mm_s", feed.first_layer_mm_s, kFeed,
                 "Upper bound of these in the first layer.");
@@ -126,6 +127,8 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.adapted);
   describe(schema, settings.infill);
   describe(schema, settings.skins);
+  describe(schema, settings.bridges);
+  describe(schema, settings.overhangs);
   describe(schema, settings.fill);
   describe(schema, settings.voids);
   describe(schema, settings.skirt);

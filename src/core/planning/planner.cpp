@@ -148,6 +148,7 @@ Plan inOne(std::vector<PlannedLayer> planned) {
     plan.refilling.deposited_mm3 += each.refilling.deposited_mm3;
     plan.starts += each.starts;
     plan.anchored.moved += each.moved_starts;
+    plan.bridging += each.bridging;
     plan.toolpath.layers.push_back(std::move(each.layer));
   }
   return plan;
@@ -155,25 +156,35 @@ Plan inOne(std::vector<PlannedLayer> planned) {
 
 /// What is known of a stack before its layers are planned apart from each other.
 struct StackCover {
-  std::vector<LayerCover> covers;               ///< none without skins
+  std::vector<LayerCover> covers;               ///< none without skins, bridges and overhanging walls
   std::vector<std::vector<Polyline>> branches;  ///< none for a fill that does not grow
 };
 
 StackedLayer stackedAt(const std::vector<Layer>& layers, const StackCover& stack, std::size_t index) {
-  return {&layers[index], index > 0 ? &layers[index - 1] : nullptr,
-          stack.covers.empty() ? nullptr : &stack.covers[index],
-          stack.branches.empty() ? nullptr : &stack.branches[index]};
+  StackedLayer stacked;
+  stacked.layer = &layers[index];
+  if (index > 0) stacked.below = &layers[index - 1];
+  if (!stack.covers.empty()) stacked.cover = &stack.covers[index];
+  if (!stack.covers.empty() && index > 0) stacked.cover_below = &stack.covers[index - 1];
+  if (!stack.branches.empty()) stacked.branches = &stack.branches[index];
+  return stacked;
+}
+
+/// Whether layers are planned where they are, of beads that stay in their layer.
+bool laysWithinLayers(const PlanContext& context) {
+  return !context.lift && !isVase(context) && context.strategy.deposit == Deposit::Bead &&
+         context.strategy.link == LayerLink::Travel;
 }
 
 /// Skins are for walls with a sparse infill that stays in its layer.
-bool takesSkins(const PlanContext& context) {
+bool takesCovers(const PlanContext& context) {
   const PlanSettings& settings = context.settings;
-  return hasSkins(settings.skins) && !context.lift && !isVase(context) && !isSolid(settings.infill) &&
-         context.strategy.deposit == Deposit::Bead && context.strategy.link == LayerLink::Travel;
+  const bool takes_skins = hasSkins(settings.skins) && !isSolid(settings.infill);
+  return (takes_skins || settings.bridges.is_used || settings.overhangs.is_used) && laysWithinLayers(context);
 }
 
 StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
-  if (!takesSkins(context)) return {};
+  if (!takesCovers(context)) return {};
   std::vector<Regions> material(layers.size());
   std::vector<double> heights_mm(layers.size());
   const auto unite_layer = [&](std::size_t i) {
@@ -183,7 +194,7 @@ StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& conte
   parallelFor(layers.size(), unite_layer, progress, "skins");
   StackCover stack;
   stack.covers = coversOf(std::move(material), heights_mm, context.settings.skins, progress);
-  if (context.strategy.growth == FillGrowth::FromAbove)
+  if (context.strategy.growth == FillGrowth::FromAbove && !isSolid(context.settings.infill))
     stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, progress);
   return stack;
 }
@@ -205,10 +216,13 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
   near.part_from_layers.translate(Point3(away.x(), away.y(), 0.0));
   near.bed->level_mm -= near.bed->up.head<2>().dot(away);
   const LayerCover cover = stacked.cover != nullptr ? moved(*stacked.cover, -away) : LayerCover{};
+  const LayerCover cover_below =
+      stacked.cover_below != nullptr ? moved(*stacked.cover_below, -away) : LayerCover{};
   const std::vector<Polyline> branches =
       stacked.branches != nullptr ? moved(*stacked.branches, -away) : std::vector<Polyline>{};
   PlannedLayer planned = planLayer(
       {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr,
+       stacked.cover_below != nullptr ? &cover_below : nullptr,
        stacked.branches != nullptr ? &branches : nullptr},
       index, near);
   for (Path& path : planned.layer.paths)

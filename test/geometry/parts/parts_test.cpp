@@ -76,6 +76,11 @@ std::vector<Truth> truths() {
   const double edge = 10.0 * (std::sqrt(2.0) - 1.0);
   const double bevel = 5.0 - 0.5 * edge;
   return {
+      // Two sides of a portal, and 20 mm along its outline.
+      {"bridge",
+       {},
+       2 * 10.0 * 10 * 20 + 40.0 * 20 * 4,
+       2 * (200.0 + 160) + 20 * (40 + 2 * 14 + 2 * 10 + 2 * 10 + 20.0)},
       // 723.85 mm3 and 434.31 mm2 [Guacheta2021, table 5-3].
       {"bevelled_cube",
        {},

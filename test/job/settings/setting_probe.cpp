@@ -96,7 +96,7 @@ std::vector<SettingProbe> allProbes() {
   for (const auto& probes :
        {sliceProbes(), layerProbes(), fillProbes(), dropProbes(), programProbes(), jointProbes(),
         motionProbes(), measureProbes(), platformProbes(), inclineProbes(), searchProbes(), scaffoldProbes(),
-        streamProbes(), emulatorProbes(), startupProbes(), approachProbes(), monitorProbes()})
+        streamProbes(), emulatorProbes(), startupProbes(), approachProbes(), monitorProbes(), bridgeProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

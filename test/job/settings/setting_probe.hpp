@@ -81,6 +81,7 @@ std::vector<SettingProbe> emulatorProbes();
 std::vector<SettingProbe> startupProbes();
 std::vector<SettingProbe> approachProbes();
 std::vector<SettingProbe> monitorProbes();
+std::vector<SettingProbe> bridgeProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -48,6 +48,7 @@ TEST(SettingsCoverage, OfTheEmulator) { expectEffects(emulatorProbes()); }
 TEST(SettingsCoverage, OfStartup) { expectEffects(startupProbes()); }
 TEST(SettingsCoverage, OfApproaches) { expectEffects(approachProbes()); }
 TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
+TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
 
 }  // namespace
 }  // namespace lamina::test

@@ -179,6 +179,50 @@ TEST(Fan, IsAnEventWhereItChanges) {
   EXPECT_EQ(std::get<FanShare>(toolpath.events_at_end[0]).share, 0.0);
 }
 
+/// Shares in the order in which they are sent in a layer, each with the role that it is sent before.
+std::vector<std::pair<PathRole, double>> sharesOf(const ToolpathLayer& layer) {
+  std::vector<std::pair<PathRole, double>> shares;
+  for (const Path& path : layer.paths)
+    for (const PathEvent& each : path.events)
+      shares.emplace_back(path.role, std::get<FanShare>(each.event).share);
+  return shares;
+}
+
+TEST(Fan, HasSharesOverNothing) {
+  Path wall;
+  wall.role = PathRole::OuterWall;
+  wall.points = {{0, 0, 1}, {10, 0, 1}, {20, 0, 1}, {30, 0, 1}};
+  wall.bead = Bead{0.4, 0.2};
+  wall.feed_mm_s = 1.0;
+  wall.values = {{"unsupported", AlongPath<double>(std::vector<double>{0, 0, 0.6, 0})}};
+  Path bridge = wall;
+  bridge.role = PathRole::Bridge;
+  bridge.values.clear();
+  bridge.points = {{30, 0, 1}, {60, 0, 1}};
+  Path infill = bridge;
+  infill.role = PathRole::Infill;
+  infill.points = {{60, 0, 1}, {90, 0, 1}};
+  Toolpath toolpath;
+  toolpath.layers = {{1.0, 0.2, {wall, bridge, infill}}};
+  FanSettings settings;
+  settings.is_used = true;
+  settings.off_layers = 0;
+  settings.bridge = 0.9;
+  settings.overhang = 0.6;  // 90 s: the layer has 0.35
+  addFan(toolpath, settings, boundless());
+  validate(toolpath);
+  const std::vector<std::pair<PathRole, double>> wanted = {{PathRole::OuterWall, 0.35},
+                                                           {PathRole::OuterWall, 0.6},
+                                                           {PathRole::OuterWall, 0.35},
+                                                           {PathRole::Bridge, 0.9},
+                                                           {PathRole::Infill, 0.35}};
+  EXPECT_EQ(sharesOf(toolpath.layers[0]), wanted);
+  const std::vector<PathEvent>& events = toolpath.layers[0].paths[0].events;
+  EXPECT_EQ(events[1].motion, 1U);
+  EXPECT_EQ(events[2].motion, 2U);
+  EXPECT_TRUE(toolpath.layers[0].paths[0].values.empty()) << "no program has a word for it";
+}
+
 TEST(Fan, RefusesBoundsThatContradict) {
   FanSettings settings;
   settings.least = 0.9;

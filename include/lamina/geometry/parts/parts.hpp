@@ -18,8 +18,8 @@ struct PartParameter {
   std::string meaning;
 };
 
-/// The parts by name: bevelled_cube, blade, blind_hole_plate, box, cone, curved_wall, cylinder, flat_wall,
-/// pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
+/// The parts by name: bevelled_cube, blade, blind_hole_plate, box, bridge, cone, curved_wall, cylinder,
+/// flat_wall, pyramid, semi_cone, sphere, tetradecahedron, through_hole_plate, tube.
 std::vector<std::string> partNames();
 
 /// One sentence on the part.

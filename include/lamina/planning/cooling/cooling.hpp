@@ -30,8 +30,10 @@ CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const M
 /// Share of the fan's power for a layer of that time.
 double fanShare(double layer_time_s, std::size_t layer, const FanSettings& settings);
 
-/// Adds an event where the fan changes by 1/255 or more, at the start of a layer, by the time that each layer
-/// takes, waiting included; and switches it off at the end. A fan that is not used changes nothing.
+/// Adds an event where the fan changes by 1/255 or more, by the time that each layer takes, waiting included:
+/// at the start of a layer, and before and after what is laid over nothing, bridges and paths with the
+/// process value `unsupported`, which have shares of their own. Switches it off at the end. A fan that is not
+/// used gets no event. Takes that process value from the paths, whose programs have no word for it.
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits);
 
 }  // namespace lamina

@@ -38,6 +38,8 @@ struct FanSettings {
   double full_below_s = 5.0;          ///< of layer time: the greatest share
   double off_above_s = 60.0;          ///< of layer time: the least share; between, linear
   WhenSlow beyond = WhenSlow::Least;  ///< above `off_above_s`
+  double bridge = 1.0;                ///< while a bridge is laid
+  double overhang = 1.0;              ///< while walls and skins are laid that nothing carries
 };
 
 /// Adds the keys cooling.*.

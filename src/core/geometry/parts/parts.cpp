@@ -62,6 +62,7 @@ std::vector<Part> parts() {
           part<Blade>("blade", "a cambered blade that twists and leans with height"),
           part<BlindHolePlate>("blind_hole_plate", "a plate with a round hole from above that ends inside"),
           part<CuboidShape>("box", "a box"),
+          part<BridgeShape>("bridge", "two pillars and a plate over both"),
           part<Cone>("cone", "a cone, or a frustum"),
           part<CurvedWall>("curved_wall", "a thin upright wall along an arc"),
           part<Cylinder>("cylinder", "an upright cylinder"),

@@ -93,6 +93,15 @@ struct Blade {
   int sections = 60;
 };
 
+/// Two pillars and a plate over both.
+struct BridgeShape {
+  double length_mm = 40.0;
+  double width_mm = 20.0;
+  double gap_mm = 20.0;
+  double pillar_mm = 10.0;
+  double plate_mm = 4.0;
+};
+
 struct ThroughHolePlate {
   double x_mm = 30.0;
   double y_mm = 30.0;
@@ -123,6 +132,7 @@ void describe(SettingsSchema& schema, Tube& shape);
 void describe(SettingsSchema& schema, SemiCone& shape);
 void describe(SettingsSchema& schema, CurvedWall& shape);
 void describe(SettingsSchema& schema, Blade& shape);
+void describe(SettingsSchema& schema, BridgeShape& shape);
 void describe(SettingsSchema& schema, ThroughHolePlate& shape);
 void describe(SettingsSchema& schema, BlindHolePlate& shape);
 
@@ -138,6 +148,7 @@ Mesh build(const Tube& shape);
 Mesh build(const SemiCone& shape);
 Mesh build(const CurvedWall& shape);
 Mesh build(const Blade& shape);
+Mesh build(const BridgeShape& shape);
 Mesh build(const ThroughHolePlate& shape);
 Mesh build(const BlindHolePlate& shape);
 

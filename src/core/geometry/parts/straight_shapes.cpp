@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "lamina/base/error.hpp"
 #include "loft.hpp"
 #include "shapes.hpp"
 
@@ -73,6 +75,34 @@ void describe(SettingsSchema& schema, Pyramid& shape) {
 
 Mesh build(const Pyramid& shape) {
   return pyramidOver(rectangle(shape.width_mm, shape.depth_mm), {0.0, 0.0, shape.height_mm});
+}
+
+void describe(SettingsSchema& schema, BridgeShape& shape) {
+  schema.number("length_mm", shape.length_mm, kLength, "size along x");
+  schema.number("width_mm", shape.width_mm, kLength, "size along y");
+  schema.number("gap_mm", shape.gap_mm, kLength, "distance of the pillars");
+  schema.number("pillar_mm", shape.pillar_mm, kLength, "height of the pillars");
+  schema.number("plate_mm", shape.plate_mm, kLength, "thickness of the plate");
+}
+
+Mesh build(const BridgeShape& shape) {
+  if (shape.gap_mm >= shape.length_mm)
+    throw InvalidConfig("gap_mm is " + std::to_string(shape.gap_mm) + "; must be less than length_mm, " +
+                        std::to_string(shape.length_mm));
+  const double inner = 0.5 * shape.gap_mm;
+  const double outer = 0.5 * shape.length_mm;
+  const double top = shape.pillar_mm + shape.plate_mm;
+  Mesh mesh = prism({{-inner, 0.0},
+                     {-inner, shape.pillar_mm},
+                     {inner, shape.pillar_mm},
+                     {inner, 0.0},
+                     {outer, 0.0},
+                     {outer, top},
+                     {-outer, top},
+                     {-outer, 0.0}},
+                    shape.width_mm);
+  for (Point3& vertex : mesh.vertices) vertex = {vertex.x(), 0.5 * shape.width_mm - vertex.z(), vertex.y()};
+  return mesh;
 }
 
 void describe(SettingsSchema& schema, Tetradecahedron& shape) {

@@ -32,6 +32,7 @@ void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
   summary.refilling = planned.plan.refilling;
   summary.starts = planned.plan.starts;
   summary.anchored = planned.plan.anchored;
+  summary.bridging = planned.plan.bridging;
 }
 
 /// Of the sparse infill, if its lines cross.
@@ -47,6 +48,18 @@ void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
   std::snprintf(text, sizeof text, "lines of infill '%s' cross: %.1f %% of its volume is laid twice",
                 infill.strategy.c_str(), 100.0 * crossing * density);
   summary.notes.emplace_back(text);
+}
+
+/// Bridges and overhanging walls are told from the layer below, by beads that stay in their layer.
+void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
+  const PlanSettings& planning = settings.planning;
+  if (!planning.bridges.is_used && !planning.overhangs.is_used) return;
+  const std::string asked = planning.bridges.is_used ? "bridges.use" : "overhangs.use";
+  const InfillStrategy strategy = infillStrategy(planning.infill.strategy);
+  if (!hasPlaneLayers(summary.mode))
+    summary.notes.push_back(asked + " has no effect: layers of mode '" + summary.mode + "' are not plane");
+  else if (strategy.deposit != Deposit::Bead || strategy.link != LayerLink::Travel)
+    summary.notes.push_back(asked + " has no effect with infill.strategy '" + planning.infill.strategy + "'");
 }
 
 bool needsPart(const JobSettings& settings) {
@@ -100,6 +113,7 @@ Toolpath planOriented(SourcePart source, const PlanningRequest& request, SliceSu
                             : planShown(std::move(source), settings.slicing.mode, request, progress);
   addPlanned(summary, planned);
   addNoteOnCrossings(summary, settings);
+  addNoteOnBridges(summary, settings);
   if (hasPlaneLayers(summary.mode) && !changesOrientation(settings.orientation))
     return std::move(planned.plan.toolpath);
   const Toolpath as_sliced = changesOrientation(settings.orientation) ? planned.plan.toolpath : Toolpath();

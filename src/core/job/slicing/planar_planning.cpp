@@ -35,7 +35,8 @@ std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettin
 
 /// In the frame of the layers.
 Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Progress& progress) {
-  const PlanSettings& settings = request.job.settings.planning;
+  PlanSettings settings = request.job.settings.planning;
+  settings.overhangs.least_feed_mm_s = request.job.settings.cooling.least_feed_mm_s;
   const PlaneSettings& plane = request.job.settings.slicing.plane;
   if (plane.angle_deg == 0.0) return planPart(request.partName(), layers, settings, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};

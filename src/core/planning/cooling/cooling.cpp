@@ -11,6 +11,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "planning/overhangs/overhanging_path.hpp"
 
 namespace lamina {
 namespace {
@@ -131,6 +132,60 @@ Path waiting(const ToolpathLayer& layer, const Box3& box, const Point3& up, cons
   return path;
 }
 
+const ProcessValue* unsupportedOf(const Path& path) {
+  for (const ProcessValue& each : path.values)
+    if (each.name == kUnsupported) return &each;
+  return nullptr;
+}
+
+void forgetUnsupported(Path& path) {
+  const auto is_it = [](const ProcessValue& each) { return each.name == kUnsupported; };
+  path.values.erase(std::remove_if(path.values.begin(), path.values.end(), is_it), path.values.end());
+}
+
+/// Sends a share of the fan where it differs from the one sent before by 1/255 or more.
+class FanSwitch {
+ public:
+  explicit FanSwitch(const FanSettings& settings) : settings_(settings) {}
+
+  bool isOn() const { return steps_ != 0; }
+
+  /// @param share  of the layer
+  void addTo(std::vector<Path>& paths, double share) {
+    change(paths.front(), 0, share);
+    for (Path& path : paths) {
+      if (path.role == PathRole::Travel) continue;
+      const ProcessValue* unsupported = unsupportedOf(path);
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const bool hangs = unsupported != nullptr && unsupported->value.at(path.motionEnd(m)) > 0.0;
+        change(path, m, hangs || path.role == PathRole::Bridge ? shareOver(path.role) : share);
+        if (unsupported == nullptr || unsupported->value.isCommon()) break;
+      }
+    }
+  }
+
+ private:
+  /// Over nothing: bridges, and skins over sparse infill, have a share of their own.
+  double shareOver(PathRole role) const {
+    return role == PathRole::Bridge || role == PathRole::Skin ? settings_.bridge : settings_.overhang;
+  }
+
+  void change(Path& path, std::size_t motion, double share) {
+    constexpr double kSteps = 255.0;
+    const std::int64_t steps = std::llround(share * kSteps);
+    if (std::exchange(steps_, steps) == steps) return;
+    PathEvent event;
+    event.motion = motion;
+    event.event.emplace<FanShare>(FanShare{share});
+    const auto at = std::find_if(path.events.begin(), path.events.end(),
+                                 [motion](const PathEvent& other) { return other.motion >= motion; });
+    path.events.insert(at, std::move(event));
+  }
+
+  const FanSettings& settings_;
+  std::int64_t steps_ = 0;
+};
+
 /// What became of one layer.
 struct CooledLayer {
   bool is_slowed = false;
@@ -225,23 +280,19 @@ double fanShare(double layer_time_s, std::size_t layer, const FanSettings& setti
 }
 
 void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits& limits) {
-  if (!settings.is_used) return;
-  constexpr double kSteps = 255.0;
-  const ToolpathTime time = estimateTime(toolpath, limits);
-  std::int64_t running = 0;
-  for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
-    std::vector<Path>& paths = toolpath.layers[i].paths;
-    if (paths.empty()) continue;
-    const double end_s = i + 1 < toolpath.layers.size() ? time.layer_start_s[i + 1] : time.total_s;
-    const double share = fanShare(end_s - time.layer_start_s[i], i, settings);
-    const std::int64_t steps = std::llround(share * kSteps);
-    if (std::exchange(running, steps) == steps) continue;
-    PathEvent change;
-    change.event.emplace<FanShare>(FanShare{share});
-    std::vector<PathEvent>& events = paths.front().events;
-    events.insert(events.begin(), std::move(change));
+  if (settings.is_used) {
+    const ToolpathTime time = estimateTime(toolpath, limits);
+    FanSwitch fan(settings);
+    for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
+      std::vector<Path>& paths = toolpath.layers[i].paths;
+      if (paths.empty()) continue;
+      const double end_s = i + 1 < toolpath.layers.size() ? time.layer_start_s[i + 1] : time.total_s;
+      fan.addTo(paths, fanShare(end_s - time.layer_start_s[i], i, settings));
+    }
+    if (fan.isOn()) toolpath.events_at_end.emplace_back(std::in_place_type<FanShare>);
   }
-  if (running != 0) toolpath.events_at_end.emplace_back(std::in_place_type<FanShare>);
+  for (ToolpathLayer& layer : toolpath.layers)
+    for (Path& path : layer.paths) forgetUnsupported(path);
 }
 
 }  // namespace lamina

@@ -38,6 +38,9 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
       "fan.beyond", fan.beyond,
       {{"least", FanSettings::WhenSlow::Least}, {"none", FanSettings::WhenSlow::None}},
       "What layers of more time have.");
+  schema.number("fan.bridge", fan.bridge, {0.0, 1.0, false}, "Share while a bridge is laid (bridges.use).");
+  schema.number("fan.overhang", fan.overhang, {0.0, 1.0, false},
+                "Share while walls are laid that nothing carries (overhangs.use).");
 }
 
 void requireConsistent(const FanSettings& fan) {

@@ -55,7 +55,7 @@ SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm) {
   const SkinSettings& skins = settings.skins;
   return {skins.narrowest * settings.bead.width_mm,
           skins.anchor_mm < 0.0 ? wallThickness(settings, pitch_mm) : skins.anchor_mm,
-          skins.least_infill_mm2};
+          hasSkins(skins) ? skins.least_infill_mm2 : 0.0};
 }
 
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures) {

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Threads over gaps, as they are planned.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "planning/bridges/bridge_threads.hpp"
+#include "support/planned_layers.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::rectangle;
+
+const double kThreadPitch = 0.4 - (1.0 - 0.25 * M_PI) * 0.2;
+const double kTwoWalls = 0.2 + 1.5 * kThreadPitch;
+
+PlanSettings spanning() {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.infill.density = 0.15;
+  settings.skins.top_layers = settings.skins.bottom_layers = 4;
+  settings.bridges.is_used = true;
+  return settings;
+}
+
+Plan plannedPart(const std::vector<Layer>& layers, const PlanSettings& settings) {
+  NoProgress nobody;
+  Plan plan = planPart("part", layers, settings, nobody);
+  validate(plan.toolpath);
+  return plan;
+}
+
+/// Pillars of 10 x 20 mm, 20 mm apart, for five layers; a plate of 40 x 20 mm over both.
+std::vector<Layer> bridge() {
+  return test::layersOf(15, [](int l) {
+    if (l >= 5) return std::vector<Polygon>{rectangle(0, 0, 40, 20)};
+    return std::vector<Polygon>{rectangle(0, 0, 10, 20), rectangle(30, 0, 40, 20)};
+  });
+}
+
+std::vector<Path> threadsOf(const ToolpathLayer& layer) {
+  std::vector<Path> threads;
+  for (const Path& path : layer.paths)
+    if (path.role == PathRole::Bridge) threads.push_back(path);
+  return threads;
+}
+
+double threadVolume(const std::vector<Path>& paths) {
+  double sum = 0.0;
+  for (const Path& path : paths) sum += depositedVolume(path);
+  return sum;
+}
+
+TEST(Bridges, SpanFromPillarToPillar) {
+  const Plan plan = plannedPart(bridge(), spanning());
+  EXPECT_EQ(plan.bridging.bridges, 1U);
+  EXPECT_EQ(plan.bridging.unheld, 0U);
+  EXPECT_EQ(plan.bridging.too_long, 0U);
+  EXPECT_NEAR(plan.bridging.longest_mm, 20.0, 1e-3);
+  const std::vector<Path> threads = threadsOf(plan.toolpath.layers[5]);
+  EXPECT_GE(threads.size(), 51U);
+  EXPECT_LE(threads.size(), 52U);
+  const double volume = (20.0 + 2.0 * 1.0) * (20.0 - 2.0 * kTwoWalls) * 0.2;
+  EXPECT_NEAR(threadVolume(threads), volume, 0.01 * volume);
+  for (const Path& thread : threads) {
+    ASSERT_EQ(thread.points.size(), 2U);
+    EXPECT_NEAR(thread.points[0].y(), thread.points[1].y(), 1e-9) << "along x exactly";
+    EXPECT_LE(std::min(thread.points[0].x(), thread.points[1].x()), 10.0 - 0.9);
+    EXPECT_GE(std::max(thread.points[0].x(), thread.points[1].x()), 30.0 + 0.9);
+    EXPECT_EQ(thread.feed_mm_s.at(1), 20.0);
+  }
+  for (std::size_t l = 0; l < 15; ++l) EXPECT_EQ(threadsOf(plan.toolpath.layers[l]).empty(), l != 5) << l;
+}
+
+TEST(Bridges, FillTheirLayerOnce) {
+  const ToolpathLayer layer = plannedPart(bridge(), spanning()).toolpath.layers[5];
+  double solid = 0.0;
+  for (const Path& path : layer.paths)
+    if (path.role == PathRole::Bridge || path.role == PathRole::Skin || path.role == PathRole::BottomSkin)
+      solid += depositedVolume(path);
+  // The plate's skin and what anchors it, no more than the area within the walls and no less than the gap.
+  EXPECT_LT(solid, 1.01 * (40.0 - 2.0 * kTwoWalls) * (20.0 - 2.0 * kTwoWalls) * 0.2);
+  EXPECT_GT(solid, 0.99 * 22.0 * (20.0 - 2.0 * kTwoWalls) * 0.2);
+}
+
+TEST(Bridges, LetWallsBesideThemGoAtTheirFeed) {
+  const ToolpathLayer layer = plannedPart(bridge(), spanning()).toolpath.layers[5];
+  std::size_t walls = 0;
+  for (const Path& path : layer.paths) {
+    if (kindOf(path.role) != RoleKind::Wall) continue;
+    double slow = 0.0;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t end = path.motionEnd(m);
+      if (path.feed_mm_s.at(end) == 20.0) slow += (path.points[end] - path.points[m]).norm();
+    }
+    // Both long sides, 20 mm each, less where the bead's edge still touches the pillar.
+    EXPECT_NEAR(slow, 40.0, 2.5) << toString(path.role);
+    ++walls;
+  }
+  EXPECT_EQ(walls, 2U);
+}
+
+TEST(Bridges, AreTheSameUnderASolidInfill) {
+  PlanSettings settings = spanning();
+  settings.infill.density = 1.0;
+  settings.skins = SkinSettings{};
+  const Plan plan = plannedPart(bridge(), settings);
+  const double volume = 22.0 * (20.0 - 2.0 * kTwoWalls) * 0.2;
+  EXPECT_NEAR(threadVolume(threadsOf(plan.toolpath.layers[5])), volume, 0.01 * volume);
+  double all = 0.0;
+  for (const Path& path : plan.toolpath.layers[5].paths)
+    if (kindOf(path.role) == RoleKind::Infill) all += depositedVolume(path);
+  const double inside = (40.0 - 2.0 * kTwoWalls) * (20.0 - 2.0 * kTwoWalls) * 0.2;
+  EXPECT_NEAR(all, inside, 0.01 * inside);
+}
+
+TEST(Bridges, AreLaidWithoutSkinsToo) {
+  PlanSettings settings = spanning();
+  settings.skins = SkinSettings{};
+  const Plan plan = plannedPart(bridge(), settings);
+  EXPECT_GE(threadsOf(plan.toolpath.layers[5]).size(), 51U);
+  for (const ToolpathLayer& layer : plan.toolpath.layers)
+    for (const Path& path : layer.paths)
+      EXPECT_TRUE(path.role != PathRole::Skin && path.role != PathRole::BottomSkin &&
+                  path.role != PathRole::TopSkin);
+}
+
+TEST(Bridges, CloseARoundHole) {
+  const auto layers = test::layersOf(8, [](int l) {
+    std::vector<Polygon> contours{rectangle(-15, -15, 15, 15)};
+    if (l < 4) contours.push_back(test::reversed(test::circle(Point2::Zero(), 5.0, 180)));
+    return contours;
+  });
+  const Plan plan = plannedPart(layers, spanning());
+  EXPECT_EQ(plan.bridging.bridges, 1U);
+  EXPECT_NEAR(plan.bridging.longest_mm, 10.0, 0.02);
+  for (const Path& thread : threadsOf(plan.toolpath.layers[4]))
+    for (const Point3& end : thread.points) EXPECT_GE(end.head<2>().norm(), 5.0 + 0.15) << "on the rim";
+}
+
+TEST(Bridges, OfOneSideAreNone) {
+  // A plate of which a third stands on a block.
+  const auto layers = test::layersOf(
+      10, [](int l) { return std::vector<Polygon>{rectangle(0, 0, l < 5 ? 10.0 : 30.0, 20)}; });
+  const Plan plan = plannedPart(layers, spanning());
+  EXPECT_EQ(plan.bridging.bridges, 0U);
+  EXPECT_EQ(plan.bridging.unheld, 1U);
+  EXPECT_NEAR(plan.bridging.unheld_mm2, (20.0 - kTwoWalls) * (20.0 - 2.0 * kTwoWalls), 1.0);
+  double hanging = 0.0;
+  for (const Path& path : plan.toolpath.layers[5].paths) {
+    EXPECT_NE(path.role, PathRole::Bridge);
+    if (path.role != PathRole::BottomSkin) continue;
+    hanging += depositedVolume(path);
+    EXPECT_NEAR(path.feed_mm_s.at(1), 0.35 * 45.0, 1e-9) << "an overhang of full width";
+  }
+  EXPECT_GT(hanging, 0.99 * (20.0 - kTwoWalls) * (20.0 - 2.0 * kTwoWalls) * 0.2);
+}
+
+TEST(Bridges, LongerThanAskedAreTold) {
+  PlanSettings settings = spanning();
+  settings.bridges.longest_mm = 15.0;
+  EXPECT_EQ(plannedPart(bridge(), settings).bridging.too_long, 1U);
+  settings.bridges.longest_mm = 25.0;
+  EXPECT_EQ(plannedPart(bridge(), settings).bridging.too_long, 0U);
+}
+
+TEST(Bridges, OfRoundThreadsHaveTheirSection) {
+  PlanSettings settings = spanning();
+  settings.bridges.thread = BridgeThread::Round;
+  const std::vector<Path> threads = threadsOf(plannedPart(bridge(), settings).toolpath.layers[5]);
+  EXPECT_NEAR(static_cast<double>(threads.size()), (20.0 - 2.0 * kTwoWalls) / 0.45, 0.51);
+  for (const Path& thread : threads)
+    EXPECT_NEAR(depositedVolume(thread) / length(thread), 0.04 * M_PI, 1e-9) << "0.1257 mm2";
+  settings.bridges.thread = BridgeThread::Bead;
+  settings.bridges.flow = 0.8;
+  for (const Path& thread : threadsOf(plannedPart(bridge(), settings).toolpath.layers[5]))
+    EXPECT_NEAR(depositedVolume(thread) / length(thread), 0.8 * 0.2 * kThreadPitch, 1e-9);
+}
+
+TEST(Bridges, GoAsTheyAreTold) {
+  PlanSettings settings = spanning();
+  settings.bridges.angle_deg = 10.0;
+  settings.bridges.least_held = 0.3;
+  for (const Path& thread : threadsOf(plannedPart(bridge(), settings).toolpath.layers[5])) {
+    const Point3 way = thread.points[1] - thread.points[0];
+    EXPECT_NEAR(way.y() / way.x(), std::tan(10.0 * M_PI / 180.0), 1e-6);
+  }
+}
+
+TEST(Bridges, OnBothSidesOfAPierShareIt) {
+  // Two gaps of 6 mm, a pier of 1 mm between them: both anchors end in its middle.
+  const Regions below = unite({rectangle(0, 0, 5, 10), rectangle(11, 0, 12, 10), rectangle(18, 0, 23, 10)});
+  const Regions inside = unite({rectangle(1, 1, 22, 9)});
+  const ThreadLayout layout{0.0, kThreadPitch, 1.0, 0.5 * kThreadPitch};
+  const auto left = bridgeThreads({rectangle(5, 1, 11, 9), {}}, below, inside, layout);
+  const auto right = bridgeThreads({rectangle(12, 1, 18, 9), {}}, below, inside, layout);
+  ASSERT_EQ(left.size(), right.size());
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    EXPECT_NEAR(left[i].points[0].x(), 4.0, 1e-4);
+    EXPECT_NEAR(left[i].points[1].x(), 11.5, 1e-4);
+    EXPECT_NEAR(right[i].points[0].x(), 11.5, 1e-4);
+    EXPECT_NEAR(right[i].points[1].x(), 19.0, 1e-4);
+  }
+}
+
+TEST(Bridges, KeepWithinTheWalls) {
+  // The ledge that holds them is narrower than the anchor.
+  const Regions below = unite({rectangle(0, 0, 20, 10), test::reversed(rectangle(1, 1, 19, 9))});
+  const Regions inside = unite({rectangle(0.7, 0.7, 19.3, 9.3)});
+  const ThreadLayout layout{0.5 * M_PI, kThreadPitch, 1.0, 0.5 * kThreadPitch};
+  for (const FillPath& thread : bridgeThreads({rectangle(1, 1, 19, 9), {}}, below, inside, layout))
+    for (const Point2& end : thread.points) {
+      EXPECT_GE(end.y(), 0.7 + 0.5 * kThreadPitch - 1e-4);
+      EXPECT_LE(end.y(), 9.3 - 0.5 * kThreadPitch + 1e-4);
+    }
+}
+
+TEST(Bridges, OverInfillCrossItsLines) {
+  const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{rectangle(0, 0, 30, 30)}; });
+  PlanSettings settings = spanning();
+  settings.infill.alternation_deg = 0.0;  // always at 45 deg
+  settings.skins.angle_deg = 20.0;
+  settings.bridges.is_over_infill = true;
+  const Toolpath toolpath = plannedPart(layers, settings).toolpath;
+  for (const std::size_t l : {15U, 16U, 17U}) {
+    double across = 0.0;
+    double all = 0.0;
+    for (const Path& path : toolpath.layers[l].paths) {
+      if (path.role != PathRole::Skin) continue;
+      if (l == 16) {
+        EXPECT_EQ(path.feed_mm_s.at(1), 20.0);
+      }
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
+        all += way.norm();
+        if (std::abs(way.x() + way.y()) < 1e-6 * way.norm()) across += way.norm();
+      }
+    }
+    if (l == 16)
+      EXPECT_GT(across, 0.9 * all) << "at 135 deg";
+    else
+      EXPECT_LT(across, 0.1 * all + 1e-9) << l;
+  }
+}
+
+TEST(Bridges, ChangeNothingWhereNothingHangs) {
+  const auto layers =
+      test::layersOf(10, [](int l) { return std::vector<Polygon>{rectangle(0, 0, 30.0 - 2.0 * l, 30)}; });
+  PlanSettings without = spanning();
+  without.bridges.is_used = false;
+  EXPECT_EQ(toolpathId(plannedPart(layers, spanning()).toolpath),
+            toolpathId(plannedPart(layers, without).toolpath));
+}
+
+TEST(Bridges, AreTheSameForAnyNumberOfThreads) {
+  std::set<std::string> ids;
+  for (const int threads : {1, 3}) {
+    const ThreadLimit limit(threads);
+    ids.insert(toolpathId(plannedPart(bridge(), spanning()).toolpath));
+  }
+  EXPECT_EQ(ids.size(), 1U);
+}
+
+}  // namespace
+}  // namespace lamina
