@@ -123,6 +123,16 @@ TEST(BridgeDirection, SpansTheShortWayOfANarrowPlank) {
   }
 }
 
+TEST(BridgeDirection, CountsTheWayUnderWallsToo) {
+  // Between walls only 0.8 mm of a gap of 1.5 mm are left: a slanted thread leaves the piece sooner, not the
+  // gap.
+  const Region piece{rectangle(0.75, 0, 1.55, 1.5), {}};
+  const Regions below = unite({rectangle(0, -4, 2.3, 0), rectangle(0, 1.5, 2.3, 5.5)});
+  const BridgeDirection found = bridgeDirection(piece, below, kUsual);
+  EXPECT_LT(apart_deg(found.angle_rad, 90.0), 0.5);
+  EXPECT_NEAR(found.span_mm, 1.5, 1e-3);
+}
+
 TEST(BridgeDirection, TurnsWithThePart) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {
     Random random(seed);

@@ -17,7 +17,7 @@ struct BridgeSearch {
 struct BridgeDirection {
   double angle_rad = 0.0;  ///< from x, within [0, pi)
   double held = 0.0;       ///< share of the threads' length in the piece that is held at both ends
-  double span_mm = 0.0;    ///< longest free way of a held thread
+  double span_mm = 0.0;    ///< longest way of a held thread over nothing, beyond the piece too
 };
 
 /// The best direction of threads over a piece that lies over nothing: that in which most of their length is

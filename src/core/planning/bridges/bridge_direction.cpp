@@ -58,6 +58,7 @@ class HeldPiece {
       divided.outer = dividedBorder(region.outer);
       for (const Polygon& hole : region.holes) divided.holes.push_back(dividedBorder(hole));
     }
+    free_ = difference(border_, below);
   }
 
   bool isHeldSomewhere() const {
@@ -105,6 +106,7 @@ class HeldPiece {
     const RasterFrame frame(angle, box.low.y() + 0.5 * spacing);
     const Raster inner = rasterise({piece_}, spacing, frame);
     const Raster outer = rasterise(border_, spacing, frame);
+    const Raster free = rasterise(free_, spacing, frame);
     double length = 0.0, held = 0.0;
     for (std::size_t i = 0; i + 1 < inner.sorted.size(); i += 2) {
       const Crossing& from = inner.crossings[inner.sorted[i]];
@@ -112,7 +114,7 @@ class HeldPiece {
       length += way;
       if (!isHeldAt(outer, from.line, from.x + 0.5 * way)) continue;
       held += way;
-      found.span_mm = std::max(found.span_mm, way);
+      found.span_mm = std::max(found.span_mm, lengthAt(free, from.line, from.x + 0.5 * way));
     }
     found.held = length > 0.0 ? held / length : 0.0;
     return found;
@@ -160,23 +162,36 @@ class HeldPiece {
     return ends;
   }
 
-  /// Whether the line of the border's raster that holds x ends on held edges.
-  bool isHeldAt(const Raster& raster, std::int64_t line, double x) const {
+  using LineEnds = std::pair<const Crossing*, const Crossing*>;
+
+  /// The ends of the line inside that holds x; null if none does.
+  static LineEnds endsAt(const Raster& raster, std::int64_t line, double x) {
     const auto row = static_cast<std::size_t>(line - raster.lowest);
-    if (line < raster.lowest || row + 1 >= raster.line_begin.size()) return false;
+    if (line < raster.lowest || row + 1 >= raster.line_begin.size()) return {};
     for (std::uint32_t i = raster.line_begin[row]; i + 1 < raster.line_begin[row + 1]; i += 2) {
       const Crossing& from = raster.crossings[raster.sorted[i]];
       const Crossing& to = raster.crossings[raster.sorted[i + 1]];
-      if (x < from.x || x > to.x) continue;
-      return is_held_[from.outline][from.edge] && is_held_[to.outline][to.edge];
+      if (from.x <= x && x <= to.x) return {&from, &to};
     }
-    return false;
+    return {};
+  }
+
+  /// Whether the line of the border's raster that holds x ends on held edges.
+  bool isHeldAt(const Raster& raster, std::int64_t line, double x) const {
+    const auto [from, to] = endsAt(raster, line, x);
+    return from != nullptr && is_held_[from->outline][from->edge] && is_held_[to->outline][to->edge];
+  }
+
+  static double lengthAt(const Raster& raster, std::int64_t line, double x) {
+    const auto [from, to] = endsAt(raster, line, x);
+    return from != nullptr ? to->x - from->x : 0.0;
   }
 
   BridgeSearch search_;
   BorderDistance below_;
   Region piece_;
   Regions border_;
+  Regions free_;                            ///< of what the border encloses: over nothing, walls among it
   std::vector<std::vector<bool>> is_held_;  ///< edges of the border's outlines
 };
 

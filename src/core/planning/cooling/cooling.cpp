@@ -11,6 +11,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "planning/cooling/fan_switch.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 
 namespace lamina {
@@ -131,60 +132,6 @@ Path waiting(const ToolpathLayer& layer, const Box3& box, const Point3& up, cons
   path.points.push_back(here);
   return path;
 }
-
-const ProcessValue* unsupportedOf(const Path& path) {
-  for (const ProcessValue& each : path.values)
-    if (each.name == kUnsupported) return &each;
-  return nullptr;
-}
-
-void forgetUnsupported(Path& path) {
-  const auto is_it = [](const ProcessValue& each) { return each.name == kUnsupported; };
-  path.values.erase(std::remove_if(path.values.begin(), path.values.end(), is_it), path.values.end());
-}
-
-/// Sends a share of the fan where it differs from the one sent before by 1/255 or more.
-class FanSwitch {
- public:
-  explicit FanSwitch(const FanSettings& settings) : settings_(settings) {}
-
-  bool isOn() const { return steps_ != 0; }
-
-  /// @param share  of the layer
-  void addTo(std::vector<Path>& paths, double share) {
-    change(paths.front(), 0, share);
-    for (Path& path : paths) {
-      if (path.role == PathRole::Travel) continue;
-      const ProcessValue* unsupported = unsupportedOf(path);
-      for (std::size_t m = 0; m < path.motionCount(); ++m) {
-        const bool hangs = unsupported != nullptr && unsupported->value.at(path.motionEnd(m)) > 0.0;
-        change(path, m, hangs || path.role == PathRole::Bridge ? shareOver(path.role) : share);
-        if (unsupported == nullptr || unsupported->value.isCommon()) break;
-      }
-    }
-  }
-
- private:
-  /// Over nothing: bridges, and skins over sparse infill, have a share of their own.
-  double shareOver(PathRole role) const {
-    return role == PathRole::Bridge || role == PathRole::Skin ? settings_.bridge : settings_.overhang;
-  }
-
-  void change(Path& path, std::size_t motion, double share) {
-    constexpr double kSteps = 255.0;
-    const std::int64_t steps = std::llround(share * kSteps);
-    if (std::exchange(steps_, steps) == steps) return;
-    PathEvent event;
-    event.motion = motion;
-    event.event.emplace<FanShare>(FanShare{share});
-    const auto at = std::find_if(path.events.begin(), path.events.end(),
-                                 [motion](const PathEvent& other) { return other.motion >= motion; });
-    path.events.insert(at, std::move(event));
-  }
-
-  const FanSettings& settings_;
-  std::int64_t steps_ = 0;
-};
 
 /// What became of one layer.
 struct CooledLayer {

@@ -214,4 +214,15 @@ void markUnsupported(Path& path, double feed_mm_s) {
   path.values.push_back({kUnsupported, AlongPath<double>(1.0)});
 }
 
+const ProcessValue* unsupportedOf(const Path& path) {
+  for (const ProcessValue& each : path.values)
+    if (each.name == kUnsupported) return &each;
+  return nullptr;
+}
+
+void forgetUnsupported(Path& path) {
+  const auto is_it = [](const ProcessValue& each) { return each.name == kUnsupported; };
+  path.values.erase(std::remove_if(path.values.begin(), path.values.end(), is_it), path.values.end());
+}
+
 }  // namespace lamina

@@ -31,4 +31,10 @@ Path overhanging(Path wall, const BorderDistance& below, const OverhangRules& ru
 /// The same for a path that is wholly over nothing: at that feed, and told so.
 void markUnsupported(Path& path, double feed_mm_s);
 
+/// What a path tells of it; null if it tells nothing.
+const ProcessValue* unsupportedOf(const Path& path);
+
+/// Takes it away.
+void forgetUnsupported(Path& path);
+
 }  // namespace lamina
