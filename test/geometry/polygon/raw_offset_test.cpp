@@ -51,6 +51,23 @@ TEST(RawOffset, IgnoresRepeatedPoints) {
   EXPECT_TRUE(rawOffset({{0, 0}, {1, 0}, {1, 0}}, 0.5).empty());
 }
 
+TEST(RawOffset, DoublesBackAtSpikesThatRoundingOpens) {
+  // There and back along one line, the ends nearly on it: a mitre would be of any length.
+  Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const Point2 way(random.uniform(-3.0, 3.0), random.uniform(1.0, 7.0));
+    const Polygon spiked = {{0, 0},
+                            {10, 0},
+                            {10, 10},
+                            {5, 10},
+                            Point2(5, 10) + way,
+                            Point2(5, 10) + random.uniform(0.1, 0.9) * way,
+                            {0, 10}};
+    for (const double delta : {-0.5, 0.5})
+      for (const Point2& point : rawOffset(spiked, delta)) ASSERT_LT(point.norm(), 30.0);
+  }
+}
+
 /// Distance from a point to the outline.
 double distanceTo(const Polygon& polygon, const Point2& point) {
   double least = std::numeric_limits<double>::infinity();

@@ -3,6 +3,7 @@
 #include "geometry/polygon/raw_offset.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
@@ -12,6 +13,8 @@ namespace {
 
 /// 1 + cos of the turn below which a mitre would reach farther than twice the offset.
 constexpr double kSharpest = 0.5;
+/// Below this an outline goes back the way it came, but for rounding.
+constexpr double kReturning = 1e-12;
 
 /// An edge, from its point to the next one.
 struct OffsetEdge {
@@ -29,7 +32,11 @@ struct Corner {
 
   bool opens(double delta) const { return sine * delta >= 0.0; }
   /// By how much both edges become shorter.
-  double trim(double delta) const { return opens(delta) ? 0.0 : std::abs(delta * sine) / one_plus_cosine; }
+  double trim(double delta) const {
+    if (opens(delta)) return 0.0;
+    if (one_plus_cosine < kReturning) return std::numeric_limits<double>::infinity();
+    return std::abs(delta * sine) / one_plus_cosine;
+  }
 };
 
 Polygon withoutRepeats(const Polygon& polygon) {
