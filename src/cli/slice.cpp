@@ -70,6 +70,16 @@ void printBridging(const Bridging& bridging) {
                 bridging.unheld, bridging.unheld_mm2);
 }
 
+void printSupports(const SupportTotals& supports) {
+  if (supports.overhang_mm2 == 0.0) return;
+  std::printf("supports    %.2f cm3 and %.2f cm3 of interfaces below %.1f mm2 of overhang",
+              supports.support_mm3 / 1e3, supports.interface_mm3 / 1e3, supports.overhang_mm2);
+  if (supports.unsupported_mm2 > 0.05) std::printf(", %.1f mm2 of it unsupported", supports.unsupported_mm2);
+  if (supports.dropped_branches > 0)
+    std::printf(", %zu branches without a foot left out", supports.dropped_branches);
+  std::printf("\n");
+}
+
 void printJson(const SliceSummary& s, const std::string& output) {
   const nlohmann::ordered_json json = {
       {"mode", s.mode},
@@ -108,6 +118,13 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"bridges_too_long", s.bridging.too_long},
       {"unheld_pieces", s.bridging.unheld},
       {"unheld_mm2", s.bridging.unheld_mm2},
+      {"overhang_mm2", s.supports.overhang_mm2},
+      {"unsupported_mm2", s.supports.unsupported_mm2},
+      {"support_area_mm2", s.supports.area_mm2},
+      {"support_mm3", s.supports.support_mm3},
+      {"support_interface_mm3", s.supports.interface_mm3},
+      {"dropped_branches", s.supports.dropped_branches},
+      {"raft_mm", s.raft_mm},
       {"refill_runs", s.refilling.runs},
       {"refilled_mm3", s.refilling.deposited_mm3},
       {"estimated_time_s", s.estimated_time_s},
@@ -145,6 +162,7 @@ void printText(const SliceSummary& s, const std::string& output) {
                 s.anchored.moved, s.anchored.in_air);
   printLean(s.lean);
   printBridging(s.bridging);
+  printSupports(s.supports);
   if (s.refilling.runs > 0)
     std::printf("refilled    %.3f mm3 of voids by %zu runs\n", s.refilling.deposited_mm3, s.refilling.runs);
   std::printf("print time  %.0f min\n", s.estimated_time_s / 60.0);

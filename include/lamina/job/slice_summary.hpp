@@ -39,6 +39,8 @@ struct SliceSummary {
   double unprinted_mm3 = 0.0;    ///< of what gets no bead or drop
   std::size_t empty_layers = 0;  ///< in which nothing is deposited, below others in which something is
   Refilling refilling;
+  SupportTotals supports;
+  double raft_mm = 0.0;  ///< by which the part stands above the bed
   double estimated_time_s = 0.0;
   std::vector<std::string> repairs;  ///< what was changed on the mesh and where
   double read_s = 0.0;               ///< reading and repairing

@@ -7,9 +7,11 @@
 #include "lamina/base/settings.hpp"
 #include "lamina/infill/fill_settings.hpp"
 #include "lamina/infill/line_link.hpp"
+#include "lamina/planning/adhesion/adhesion_settings.hpp"
 #include "lamina/planning/bridges/bridge_settings.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/overhangs/overhanging_walls.hpp"
+#include "lamina/planning/supports/support_settings.hpp"
 
 namespace lamina {
 
@@ -81,7 +83,9 @@ struct VoidSettings {
 
 struct SkirtSettings {
   int count = 1;
-  double distance_mm = 4.0;
+  double distance_mm = 4.0;      ///< from part, brim, raft and supports
+  int layers = 1;                ///< that have it: all of them for a wind shield
+  double least_length_mm = 0.0;  ///< of its loops in the first layer: more are laid until it is reached
 };
 
 /// The wall alone of layers adapted to it.
@@ -109,7 +113,9 @@ struct FeedSettings {
   double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
   double top_skin_mm_s = 30.0;  ///< skins seen from above
   double bridge_mm_s = 20.0;    ///< bridges, and walls beside them
-  double skirt_mm_s = 40.0;
+  double skirt_mm_s = 40.0;     ///< brim, raft and priming too
+  double support_mm_s = 60.0;
+  double support_interface_mm_s = 40.0;
   double first_layer_mm_s = 20.0;  ///< an upper bound for all roles in the first layer
 };
 
@@ -123,7 +129,9 @@ struct PlanSettings {
   OverhangingWallSettings overhangs;
   FillSettings fill;
   VoidSettings voids;
-  SkirtSettings skirt;  ///< of level layers
+  SkirtSettings skirt;        ///< of level layers
+  AdhesionSettings adhesion;  ///< the same
+  SupportSettings supports;   ///< of layers in parallel planes
   AnchorSettings anchoring;
   AdaptedWallSettings adapted;
   SeamSettings seam;
@@ -138,7 +146,8 @@ inline bool isLoneWall(const PlanSettings& settings) {
 }
 
 /// Adds the keys bead.*, walls.*, infill.*, skins.*, bridges.*, overhangs.*, those of the fill strategies,
-/// voids.*, skirt.*, anchoring.*, seam.*, travel.*, feed.* and planning.*.
+/// voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.* and
+/// planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

@@ -24,6 +24,16 @@ struct Refilling {
   double deposited_mm3 = 0.0;
 };
 
+/// What is held up, and by how much material; all 0 without supports.
+struct SupportTotals {
+  double overhang_mm2 = 0.0;     ///< what hangs over by more than `supports.angle_deg`, of all layers
+  double unsupported_mm2 = 0.0;  ///< of that: too narrow, or over the part where supports stand on the bed
+  double area_mm2 = 0.0;         ///< of the layer with the most support
+  double support_mm3 = 0.0;      ///< deposited, without interfaces
+  double interface_mm3 = 0.0;
+  std::size_t dropped_branches = 0;  ///< that found no foot
+};
+
 /// A toolpath, what it leaves out and what was added to it.
 struct Plan {
   Toolpath toolpath;
@@ -33,6 +43,8 @@ struct Plan {
   Bridging bridging;        ///< of all layers
   /// Of what gets no bead or drop: too thin, left out whole by a solid fill, or without room on its layer.
   double unprinted_mm3 = 0.0;
+  SupportTotals supports;
+  double raft_mm = 0.0;  ///< from the bed to the part, which keeps its coordinates: the raft lies below
 };
 
 /// How inclined layers stand.
@@ -45,6 +57,12 @@ struct LayerIncline {
 /// @throws as it does
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               Progress& progress);
+
+/// The plan of a part in level layers over a bed.
+/// @param bed  where the nozzle may be [mm, part frame]: brims end there, and prime lines lie along its edge
+/// @throws as `planToolpath`; InvalidConfig if a prime line does not fit on the bed or would cross the part
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const Box2& bed, Progress& progress);
 
 /// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
 /// bed, and with the starts of runs as `anchoring.strategy` says.

@@ -64,6 +64,8 @@ void requirePlaneLayersFor(const JobSettings& settings) {
           "1: the way from copy to copy is known to be clear over plane layers only");
   require(skirts == 0 || skirts == SkirtSettings().count, "skirt.count is " + std::to_string(skirts),
           "0 or the default: only level layers have a skirt");
+  require(!settings.planning.supports.use, "supports.use is true",
+          "false: only layers in parallel planes have supports");
   require(infillStrategy(settings.planning.infill.strategy).link != LayerLink::Rising,
           "infill.strategy is '" + settings.planning.infill.strategy + "', which rises from layer to layer,",
           "another strategy");

@@ -36,7 +36,6 @@
 #include "planning/walls/infill_spacing.hpp"
 #include "planning/walls/walls.hpp"
 #include "run_path.hpp"
-#include "skirt.hpp"
 
 namespace lamina {
 namespace {
@@ -68,9 +67,16 @@ double feedOf(PathRole role, const FeedSettings& feed) {
     case PathRole::InnerWall:
       return feed.inner_wall_mm_s;
     case PathRole::Skirt:
+    case PathRole::Brim:
+    case PathRole::Raft:
+    case PathRole::Prime:
       return feed.skirt_mm_s;
     case PathRole::Bridge:
       return feed.bridge_mm_s;
+    case PathRole::Support:
+      return feed.support_mm_s;
+    case PathRole::SupportInterface:
+      return feed.support_interface_mm_s;
     case PathRole::TopSkin:
       return feed.top_skin_mm_s;
     case PathRole::Skin:
@@ -103,6 +109,7 @@ class LayerPlanner {
         cover_(stacked.cover),
         cover_below_(stacked.cover_below),
         branches_(stacked.branches),
+        aids_(stacked.aids),
         below_(*stacked.layer, stacked.cover, context.bed, context.settings, index) {
     const Layer& layer = *stacked.layer;
     if (isAnchored(context))
@@ -118,8 +125,8 @@ class LayerPlanner {
   /// Once only.
   PlannedLayer plan(const std::vector<Polygon>& contours) {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
-    if (index_ == 0 && !laysDrops() && !context_.bed)
-      for (Polygon& loop : makeSkirt(material, settings_)) addLoop(std::move(loop), PathRole::Skirt);
+    if (aids_ != nullptr)
+      for (const AidRuns& aids : *aids_) addAids(aids);
     if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
     std::vector<RunEnds> islands;
     for (const Region& island : material) {
@@ -382,6 +389,25 @@ class LayerPlanner {
     addRun({std::move(loop), true, role, Deposit::Bead, {}}, TravelOver::Anything);
   }
 
+  /// They need no anchor on the part.
+  void addAids(const AidRuns& aids) {
+    const std::vector<FillPath>& runs = *aids.runs;
+    const auto lay = [&](const FillPath& run) {
+      const bool is_inside = aids.area && staysInside(*aids.area, nozzle_, run.points.front());
+      Path path = pathAlong(run, aids.bead, aids.top_mm, feedFor(run.role));
+      path.tool = aids.tool;
+      layPath(std::move(path), is_inside ? TravelOver::Infill : TravelOver::Anything);
+    };
+    if (aids.order == RunOrder::AsGiven) {
+      std::for_each(runs.begin(), runs.end(), lay);
+      return;
+    }
+    std::vector<RunEnds> ends;
+    for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
+    for (const OrderedRun& next : orderRuns(ends, nozzle_))
+      lay(next.is_reversed ? reversed(runs[next.run]) : runs[next.run]);
+  }
+
   void addRun(const FillPath& run, TravelOver over) {
     if (!support_test_) return layRun(run, over);
     const std::vector<FillPath> parts =
@@ -392,10 +418,15 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    const double feed = feedOf(run.role, settings_.feed);
-    Path path = pathAlong(run, beadOf(run), top_,
-                          index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed);
-    path = below_.carried(std::move(path));
+    layPath(below_.carried(pathAlong(run, beadOf(run), top_, feedFor(run.role))), over);
+  }
+
+  double feedFor(PathRole role) const {
+    const double feed = feedOf(role, settings_.feed);
+    return index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed;
+  }
+
+  void layPath(Path path, TravelOver over) {
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
@@ -424,6 +455,7 @@ class LayerPlanner {
   const LayerCover* cover_;                ///< null without skins, bridges and overhanging walls
   const LayerCover* cover_below_;          ///< of the layer below
   const std::vector<Polyline>* branches_;  ///< null for a fill that does not grow
+  const LayerAids* aids_;                  ///< null without
   LayerBelow below_;
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;

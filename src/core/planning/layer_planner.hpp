@@ -13,6 +13,7 @@
 #include "lamina/planning/seams/fill_starts.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/build_aids.hpp"
 #include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
@@ -25,6 +26,7 @@ struct PlanContext {
   std::size_t layer_count = 0;
   Point2 anchor = Point2::Zero();  ///< of aligned seams; where each layer's ordering starts [mm]
   std::optional<BedPlane> bed;     ///< below inclined layers
+  std::optional<Box2> level_bed;   ///< where the nozzle may be over the bed of level layers, if that is known
   /// Identity but for inclined layers.
   Eigen::Isometry3d part_from_layers = Eigen::Isometry3d::Identity();
   LayerLift lift;  ///< of layers planned in a plan; none of those planned where they are
@@ -38,6 +40,7 @@ struct StackedLayer {
   const LayerCover* cover_below = nullptr;  ///< of the layer below
   /// For a fill that grows from the layers above; null for others.
   const std::vector<Polyline>* branches = nullptr;
+  const LayerAids* aids = nullptr;  ///< laid first; null for none
 };
 
 /// The paths of one layer.
@@ -54,7 +57,7 @@ struct PlannedLayer {
 /// The paths of one layer, in order and joined by travels. Depends on nothing but its arguments, so that
 /// layers can be planned side by side. An inclined layer is begun at the bed, and its runs are anchored on
 /// the layer before.
-/// @param index  of the layer, from 0: turns the infill, and 0 has the skirt
+/// @param index  of the layer, from 0: turns the infill, and 0 is slower
 /// @throws what strategies throw, with the place
 PlannedLayer planLayer(const StackedLayer& stacked, std::size_t index, const PlanContext& context);
 

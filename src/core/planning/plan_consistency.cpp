@@ -63,6 +63,8 @@ void requireConsistentDrops(const PlanSettings& settings) {
   requireNoCount("skirt.count", settings.skirt.count, usual.skirt.count, settings);
   if (settings.voids.refill != VoidRefill::None)
     refuse("voids.refill is 'beads'", settings, "'none': voids between drops are filled by drop_voids.fill");
+  if (settings.supports.use)
+    refuse("supports.use is true", settings, "false: columns of beads hold up beads only");
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);

@@ -82,7 +82,7 @@ void describe(SettingsSchema& schema, SkirtSettings& skirt) {
   schema.integer("skirt.count", skirt.count, {0, 1000, false},
                  "Number of loops round the first layer; inclined layers have none.");
   schema.number("skirt.distance_mm", skirt.distance_mm, {0.0, 1000.0, false},
-                "Free space between part and skirt.");
+                "Free space between the skirt and what it goes round.");
 }
 
 void describe(SettingsSchema& schema, AdaptedWallSettings& adapted) {
@@ -114,7 +114,10 @@ void describe(SettingsSchema& schema, FeedSettings& feed) {
   schema.number("feed.skin_mm_s", feed.skin_mm_s, kFeed, "Speed of hidden and bottom skins.");
   schema.number("feed.top_skin_mm_s", feed.top_skin_mm_s, kFeed, "Speed of skins seen from above.");
   schema.number("feed.bridge_mm_s", feed.bridge_mm_s, kFeed, "Speed of bridges and of walls beside them.");
-  schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of the skirt.");
+  schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of skirt, brim, raft and priming.");
+  schema.number("feed.support_mm_s", feed.support_mm_s, kFeed, "Speed of supports.");
+  schema.number("feed.support_interface_mm_s", feed.support_interface_mm_s, kFeed,
+                "Speed of their dense layers below and on the part.");
   schema.number("feed.first_layer_mm_s", feed.first_layer_mm_s, kFeed,
                 "Upper bound of these in the first layer.");
 }
@@ -132,6 +135,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.fill);
   describe(schema, settings.voids);
   describe(schema, settings.skirt);
+  describe(schema, settings.supports);
   describe(schema, settings.anchoring);
   describe(schema, settings.seam);
   describe(schema, settings.travel);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
 #include "planning/order/support_test.hpp"
+#include "planning/planned_aids.hpp"
 #include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
 #include "planning/travel/space_travel.hpp"
@@ -131,6 +133,16 @@ void joinLayers(std::vector<ToolpathLayer>& layers, const TravelMaker& travel_be
   }
 }
 
+/// Tools change where something is laid with another one, not on the way there.
+void travelWithToolOfPathBefore(std::vector<ToolpathLayer>& layers) {
+  std::uint32_t tool = 0;
+  for (ToolpathLayer& layer : layers)
+    for (Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) path.tool = tool;
+      tool = path.tool;
+    }
+}
+
 /// Where a chain of layers starts. On lifted ones the planner's anchor is a place of the plan.
 Point3 chainAnchor(const std::vector<ToolpathLayer>& layers, const PlanContext& context) {
   if (context.lift)
@@ -160,13 +172,15 @@ struct StackCover {
   std::vector<std::vector<Polyline>> branches;  ///< none for a fill that does not grow
 };
 
-StackedLayer stackedAt(const std::vector<Layer>& layers, const StackCover& stack, std::size_t index) {
+StackedLayer stackedAt(const std::vector<Layer>& layers, const StackCover& stack,
+                       const std::vector<LayerAids>& aids, std::size_t index) {
   StackedLayer stacked;
   stacked.layer = &layers[index];
   if (index > 0) stacked.below = &layers[index - 1];
   if (!stack.covers.empty()) stacked.cover = &stack.covers[index];
   if (!stack.covers.empty() && index > 0) stacked.cover_below = &stack.covers[index - 1];
   if (!stack.branches.empty()) stacked.branches = &stack.branches[index];
+  if (!aids.empty()) stacked.aids = &aids[index];
   return stacked;
 }
 
@@ -220,10 +234,11 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
       stacked.cover_below != nullptr ? moved(*stacked.cover_below, -away) : LayerCover{};
   const std::vector<Polyline> branches =
       stacked.branches != nullptr ? moved(*stacked.branches, -away) : std::vector<Polyline>{};
+  const LayerAids aids = stacked.aids != nullptr ? moved(*stacked.aids, -away) : LayerAids{};
   PlannedLayer planned = planLayer(
       {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr,
        stacked.cover_below != nullptr ? &cover_below : nullptr,
-       stacked.branches != nullptr ? &branches : nullptr},
+       stacked.branches != nullptr ? &branches : nullptr, stacked.aids != nullptr ? &aids : nullptr},
       index, near);
   for (Path& path : planned.layer.paths)
     for (Point3& point : path.points) point.head<2>() += away;
@@ -245,17 +260,20 @@ void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) 
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
   const PlanContext context = wallContext(of_settings);
   const StackCover stack = stackCover(layers, of_settings, progress);
+  const PlannedAids aids = planAids(layers, of_settings, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
   std::vector<PlannedLayer> planned(layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        planned[i] = planAnywhere(stackedAt(layers, stack, i), i, i < base_layers ? base : context);
+        planned[i] =
+            planAnywhere(stackedAt(layers, stack, aids.layers, i), i, i < base_layers ? base : context);
         if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
+  plan.supports = aids.supports;
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
   const TravelSettings& travel_settings = of_settings.settings.travel;
   const TravelMaker travel =
@@ -264,6 +282,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
   joinLayers(paths, travel);
+  travelWithToolOfPathBefore(paths);
   if (context.bed)
     plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
   return plan;
@@ -274,6 +293,15 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               Progress& progress) {
   Plan plan = planInContext(layers, contextFor(layers, settings), progress);
+  plan.toolpath.part_name = part_name;
+  return plan;
+}
+
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const Box2& bed, Progress& progress) {
+  PlanContext context = contextFor(layers, settings);
+  context.level_bed = bed;
+  Plan plan = planInContext(layers, context, progress);
   plan.toolpath.part_name = part_name;
   return plan;
 }

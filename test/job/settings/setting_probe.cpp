@@ -96,7 +96,8 @@ std::vector<SettingProbe> allProbes() {
   for (const auto& probes :
        {sliceProbes(), layerProbes(), fillProbes(), dropProbes(), programProbes(), jointProbes(),
         motionProbes(), measureProbes(), platformProbes(), inclineProbes(), searchProbes(), scaffoldProbes(),
-        streamProbes(), emulatorProbes(), startupProbes(), approachProbes(), monitorProbes(), bridgeProbes()})
+        streamProbes(), emulatorProbes(), startupProbes(), approachProbes(), monitorProbes(), bridgeProbes(),
+        supportProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

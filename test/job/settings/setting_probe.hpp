@@ -65,6 +65,7 @@ void expectEffects(const std::vector<SettingProbe>& probes);
 
 // By what they are about.
 std::vector<SettingProbe> sliceProbes();
+std::vector<SettingProbe> supportProbes();
 std::vector<SettingProbe> layerProbes();
 std::vector<SettingProbe> fillProbes();
 std::vector<SettingProbe> dropProbes();

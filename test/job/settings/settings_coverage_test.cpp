@@ -32,6 +32,7 @@ TEST(SettingsCoverage, WhatOtherTestsCoverStandsInThem) {
 }
 
 TEST(SettingsCoverage, OfSlicing) { expectEffects(sliceProbes()); }
+TEST(SettingsCoverage, OfSupports) { expectEffects(supportProbes()); }
 TEST(SettingsCoverage, OfLayers) { expectEffects(layerProbes()); }
 TEST(SettingsCoverage, OfFills) { expectEffects(fillProbes()); }
 TEST(SettingsCoverage, OfDrops) { expectEffects(dropProbes()); }

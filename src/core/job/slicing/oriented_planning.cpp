@@ -33,6 +33,8 @@ void addPlanned(SliceSummary& summary, const PlannedPart& planned) {
   summary.starts = planned.plan.starts;
   summary.anchored = planned.plan.anchored;
   summary.bridging = planned.plan.bridging;
+  summary.supports = planned.plan.supports;
+  summary.raft_mm = planned.plan.raft_mm;
 }
 
 /// Of the sparse infill, if its lines cross.

@@ -12,23 +12,28 @@
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
+#include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
 namespace {
 
-bool buildsPart(const Path& path) { return path.role != PathRole::Travel && path.role != PathRole::Skirt; }
+/// Its own material, or what it stands on.
+bool carriesPart(const Path& path) {
+  return isPartOfPart(path) || path.role == PathRole::Support || path.role == PathRole::SupportInterface ||
+         path.role == PathRole::Raft;
+}
 
-bool buildsPart(const ToolpathLayer& layer) {
-  return std::any_of(layer.paths.begin(), layer.paths.end(),
-                     [](const Path& path) { return buildsPart(path); });
+template <class IsCounted>
+bool lays(const ToolpathLayer& layer, const IsCounted& is_counted) {
+  return std::any_of(layer.paths.begin(), layer.paths.end(), is_counted);
 }
 
 /// Layers in which nothing is deposited, but in one above.
 std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
   const auto last = std::find_if(layers.rbegin(), layers.rend(),
-                                 [](const ToolpathLayer& layer) { return buildsPart(layer); });
-  return static_cast<std::size_t>(
-      std::count_if(last, layers.rend(), [](const ToolpathLayer& layer) { return !buildsPart(layer); }));
+                                 [](const ToolpathLayer& layer) { return lays(layer, isPartOfPart); });
+  return static_cast<std::size_t>(std::count_if(
+      last, layers.rend(), [](const ToolpathLayer& layer) { return !lays(layer, carriesPart); }));
 }
 
 void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
@@ -44,7 +49,7 @@ void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
 /// A part that is thinner than any bead, or drop, everywhere would leave nothing but its skirt.
 void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
   for (const ToolpathLayer& layer : toolpath.layers)
-    if (buildsPart(layer)) return;
+    if (lays(layer, isPartOfPart)) return;
   const std::string part =
       "of part '" + toolpath.part_name + "' is deposited in any of " + std::to_string(toolpath.layers.size());
   if (infillStrategy(settings.infill.strategy).deposit == Deposit::Drops)
@@ -107,6 +112,7 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   place(source, space, job, sliced);
   sliced.toolpath =
       planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
+  sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);

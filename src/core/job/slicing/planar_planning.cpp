@@ -33,12 +33,24 @@ std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettin
   return layers;
 }
 
+/// Where the nozzle may be over the bed [part frame].
+Box2 bedBelowPart(const PlanningRequest& request) {
+  const Box3 tips = boundingBox(request.space);
+  const Eigen::Isometry3d part_from_bed = request.bed_from_part.inverse();
+  Box2 bed;
+  for (const double x : {tips.low.x(), tips.high.x()})
+    for (const double y : {tips.low.y(), tips.high.y()})
+      bed.include((part_from_bed * Point3(x, y, tips.low.z())).head<2>());
+  return bed;
+}
+
 /// In the frame of the layers.
 Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Progress& progress) {
   PlanSettings settings = request.job.settings.planning;
   settings.overhangs.least_feed_mm_s = request.job.settings.cooling.least_feed_mm_s;
   const PlaneSettings& plane = request.job.settings.slicing.plane;
-  if (plane.angle_deg == 0.0) return planPart(request.partName(), layers, settings, progress);
+  if (plane.angle_deg == 0.0)
+    return planPart(request.partName(), layers, settings, bedBelowPart(request), progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+enum class BrimWhere { Outside, Inside, Both };
+
+/// Loops in the first layer that hold the part down.
+struct BrimSettings {
+  double width_mm = 0.0;  ///< 0: none
+  double gap_mm = 0.0;    ///< between part and innermost loop
+  BrimWhere where = BrimWhere::Outside;
+  bool ears = false;  ///< at sharp corners only
+};
+
+/// Layers below the part.
+struct RaftSettings {
+  int layers = 0;  ///< of them one base; 0: none
+  double base_height_mm = 0.3;
+  int top_layers = 2;  ///< solid ones
+  double margin_mm = 3.0;
+  double gap_mm = 0.15;  ///< between raft and part
+};
+
+enum class PrimeLine { None, Front, Left };
+
+/// A line at the edge of the bed that fills the nozzle.
+struct PrimeSettings {
+  PrimeLine line = PrimeLine::None;
+  double length_mm = 100.0;
+  double section_mm2 = 0.5;
+};
+
+/// What holds a part to the bed, and fills the nozzle before it. All off by default.
+struct AdhesionSettings {
+  BrimSettings brim;
+  RaftSettings raft;
+  PrimeSettings prime;
+};
+
+/// Adds the keys brim.*, raft.* and prime.*.
+void describe(SettingsSchema& schema, AdhesionSettings& adhesion);
+
+}  // namespace lamina

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/planning/planner.hpp"
+#include "planning/build_aids.hpp"
+#include "planning/layer_planner.hpp"
+
+namespace lamina {
+
+/// What is laid beside a part, and holds it.
+struct PlannedAids {
+  std::vector<LayerAids> layers;  ///< as many as the part has; none if there are no aids at all
+  SupportTotals supports;
+};
+
+/// Supports of layers in parallel planes, and the skirt of level ones. Lifted layers have none, parts of
+/// drops neither.
+/// @param layers  in the frame of the layers
+PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress);
+
+}  // namespace lamina

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/supports/overhang_areas.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr int kTipSides = 16;
+
+/// Round the point, of the area of the disc.
+Polygon disc(const Point2& middle, double diameter_mm) {
+  const double step = 2.0 * M_PI / kTipSides;
+  const double radius = 0.5 * diameter_mm * std::sqrt(step / std::sin(step));
+  Polygon polygon;
+  for (int i = 0; i < kTipSides; ++i)
+    polygon.push_back(middle + radius * Point2(std::cos(i * step), std::sin(i * step)));
+  return polygon;
+}
+
+Point2 middleOf(const Polygon& polygon) {
+  Point2 sum = Point2::Zero();
+  for (const Point2& point : polygon) sum += point;
+  return sum / static_cast<double>(polygon.size());
+}
+
+/// Adds a tip below each piece that is too small for a support and hangs on nothing.
+Regions withTips(Regions overhang, const Regions& below, const SupportSettings& settings) {
+  std::vector<Polygon> tips;
+  const double small_mm2 = settings.tip_mm * settings.tip_mm;
+  for (const Region& piece : overhang) {
+    if (area({piece}) > small_mm2 || !intersection(offset({piece}, 1e-3), below).empty()) continue;
+    tips.push_back(disc(middleOf(piece.outer), settings.tip_mm));
+  }
+  if (tips.empty()) return overhang;
+  return united(overhang, unite(tips));
+}
+
+}  // namespace
+
+Regions overhangOf(const Regions& layer, const Regions& below, double lean_mm) {
+  if (lean_mm <= 0.0) return difference(layer, below);
+  const Regions beyond = difference(layer, offset(below, lean_mm));
+  if (beyond.empty()) return {};
+  const Box2 box = boxOf(beyond);
+  const Regions grown = intersection(offset(beyond, lean_mm), within(layer, box, 4.0 * lean_mm));
+  return difference(grown, within(below, box, 4.0 * lean_mm));
+}
+
+Regions toHoldUp(const Regions& overhang, const Regions& held) {
+  return overhang.empty() || held.empty() ? overhang : difference(overhang, held);
+}
+
+std::vector<Regions> overhangAreas(const StackedMaterial& stack, const SupportSettings& settings,
+                                   Progress& progress) {
+  std::vector<Regions> overhangs(stack.size());
+  const double lean = std::tan(settings.angle_deg * M_PI / 180.0);
+  const auto find = [&](std::size_t i) {
+    if (i == 0 || stack.material[i] == stack.material[i - 1]) return;
+    const Regions below = united(*stack.material[i - 1], stack.bedIn(i - 1));
+    const Regions hangs = overhangOf(*stack.material[i], below, lean * stack.bounds[i].height());
+    if (!hangs.empty()) overhangs[i] = withTips(toHoldUp(hangs, {}), below, settings);
+  };
+  parallelFor(stack.size(), find, progress, "supports");
+  return overhangs;
+}
+
+}  // namespace lamina

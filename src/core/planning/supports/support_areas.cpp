@@ -1,0 +1,375 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/supports/support_areas.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameHeight = 1e-6;     // mm: rounding of layer borders
+constexpr double kLeastOnBed = 0.25;     // of a layer: a lower bead on the bed has no room for the nozzle
+constexpr double kFallingDetail = 0.15;  // bead widths
+constexpr double kTolerance = 0.05;      // bead widths: the outlines of a support need no more
+
+const SharedRegions& nothing() {
+  static const SharedRegions empty = std::make_shared<const Regions>();
+  return empty;
+}
+
+SharedRegions share(Regions regions) {
+  return regions.empty() ? nothing() : std::make_shared<const Regions>(std::move(regions));
+}
+
+/// Whether boxes of two of the regions come that near to each other, or a hole is no wider.
+bool hasGapWithin(const Regions& regions, double gap_mm) {
+  std::vector<Box2> boxes;
+  for (const Region& region : regions) {
+    const Box2 own = boundingBox({region.outer});
+    for (const Box2& other : boxes)
+      if (((own.low - other.high).array() < gap_mm).all() && ((other.low - own.high).array() < gap_mm).all())
+        return true;
+    for (const Polygon& hole : region.holes)
+      if (boundingBox({hole}).size().minCoeff() < gap_mm) return true;
+    boxes.push_back(own);
+  }
+  return false;
+}
+
+/// What ends in a layer.
+struct ColumnCap {
+  double bottom_mm = 0.0;
+  double top_mm = 0.0;
+  std::size_t full_layers = 0;  ///< below it
+  SharedRegions area;
+};
+
+class ColumnStack {
+ public:
+  ColumnStack(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
+              const SupportSettings& settings, double bead_width_mm)
+      : stack_(stack), overhangs_(overhangs), settings_(settings), width_(bead_width_mm) {}
+
+  SupportAreas build(Progress& progress);
+
+ private:
+  void placeTops();
+  void findBlocked(Progress& progress);
+  void drop();
+  void keepAway(Progress& progress);
+  void joinAndThin(Progress& progress);
+  /// On the bed, or on the part too.
+  void keepThoseThatStand();
+  void endAboveThePart(Progress& progress);
+  void dropNarrow(Progress& progress);
+  void placeCaps(std::size_t layer);
+  LayerSupport sectionsOf(std::size_t layer) const;
+  double unsupported(std::size_t layer) const;
+
+  double narrowest() const { return std::max(width_, settings_.least_width_mm); }
+  bool isLevel() const { return !stack_.bed; }
+  /// Down from the underside of a layer, or its top, to the top of another.
+  Point2 fallBetween(double from_mm, std::size_t to) const {
+    return stack_.fall() * (from_mm - stack_.bounds[to].top_mm);
+  }
+  /// What of the layer is not within all of the next ones, above or below.
+  Regions uncovered(std::size_t layer, const Regions& own, int step) const;
+
+  const StackedMaterial& stack_;
+  const std::vector<Regions>& overhangs_;
+  const SupportSettings& settings_;
+  double width_;
+  std::size_t count_ = 0;                        ///< of layers from the bed that may have support
+  std::vector<std::vector<std::size_t>> joins_;  ///< for each, layers whose columns have it as last full one
+  std::vector<std::vector<ColumnCap>> caps_;
+  std::vector<SharedRegions> blocked_;  ///< by the part and the gap at its side
+  std::vector<SharedRegions> falling_;  ///< what columns fall through, up to the part
+  std::vector<SharedRegions> columns_;  ///< of full height; in steps: beside the part, joined, standing, wide
+  std::vector<SharedRegions> whole_;    ///< with caps
+};
+
+void ColumnStack::placeTops() {
+  joins_.resize(stack_.size());
+  caps_.resize(stack_.size());
+  for (std::size_t j = 0; j < stack_.size(); ++j) {
+    if (overhangs_[j].empty()) continue;
+    const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, j, settings_.top_gap_mm);
+    if (!top) continue;
+    const Regions held =
+        settings_.expand_mm > 0.0 ? offset(overhangs_[j], settings_.expand_mm) : overhangs_[j];
+    if (top->full_layers > 0) joins_[top->full_layers - 1].push_back(j);
+    count_ = std::max(count_, top->full_layers);
+    for (const ColumnTop::Cap& cap : top->caps) {
+      const Point2 fall = stack_.fall() * (stack_.bounds[j].bottom_mm - cap.top_mm);
+      caps_[cap.layer].push_back({cap.bottom_mm, cap.top_mm, top->full_layers, share(shifted(held, fall))});
+      count_ = std::max(count_, cap.layer + 1);
+    }
+  }
+}
+
+/// Near what falls.
+void ColumnStack::findBlocked(Progress& progress) {
+  blocked_.assign(count_, nothing());
+  const auto isShared = [&](std::size_t k) {
+    return k + 1 < count_ && isLevel() && stack_.material[k] == stack_.material[k + 1] &&
+           falling_[k] == falling_[k + 1] && caps_[k].empty() && caps_[k + 1].empty();
+  };
+  const double gap = settings_.side_gap_mm;
+  const double reach = 3.0 * gap + settings_.join_mm + width_;
+  const auto find = [&](std::size_t k) {
+    if (isShared(k)) return;
+    Box2 box = boxOf(*falling_[k]);
+    for (const ColumnCap& cap : caps_[k]) {
+      const Box2 own = boxOf(*cap.area);
+      if (!own.isEmpty()) box.include(own.low), box.include(own.high);
+    }
+    const Regions near = within(*stack_.material[k], box, reach);
+    blocked_[k] = share(united(offset(simplified(near, kTolerance * width_), gap), stack_.bedIn(k)));
+  };
+  parallelFor(count_, find, progress, "supports");
+  for (std::size_t k = count_; k-- > 0;)
+    if (isShared(k)) blocked_[k] = blocked_[k + 1];
+}
+
+/// What falls past a wall that leans reaches the gap beside it only farther down: it is stopped by the part,
+/// and left out where it comes too near.
+void ColumnStack::drop() {
+  falling_.assign(count_, nothing());
+  for (std::size_t k = count_; k-- > 0;) {
+    const bool is_top = k + 1 == count_;
+    if (!is_top && joins_[k].empty() && isLevel() && stack_.material[k] == stack_.material[k + 1]) {
+      falling_[k] = falling_[k + 1];
+      continue;
+    }
+    Regions area =
+        is_top ? Regions{} : shifted(*falling_[k + 1], fallBetween(stack_.bounds[k + 1].top_mm, k));
+    for (const std::size_t j : joins_[k]) {
+      const Regions held =
+          settings_.expand_mm > 0.0 ? offset(overhangs_[j], settings_.expand_mm) : overhangs_[j];
+      area = united(area, shifted(held, fallBetween(stack_.bounds[j].bottom_mm, k)));
+    }
+    if (area.empty()) continue;
+    const Regions stops = united(within(*stack_.material[k], boxOf(area), 1.0), stack_.bedIn(k));
+    falling_[k] = share(simplified(difference(area, stops), kFallingDetail * width_));
+  }
+}
+
+void ColumnStack::keepAway(Progress& progress) {
+  columns_.assign(count_, nothing());
+  const auto isShared = [&](std::size_t k) {
+    return k + 1 < count_ && falling_[k] == falling_[k + 1] && blocked_[k] == blocked_[k + 1];
+  };
+  const auto cut = [&](std::size_t k) {
+    for (ColumnCap& cap : caps_[k]) cap.area = share(difference(*cap.area, *blocked_[k]));
+    if (!isShared(k)) columns_[k] = share(difference(*falling_[k], *blocked_[k]));
+  };
+  parallelFor(count_, cut, progress, "supports");
+  for (std::size_t k = count_; k-- > 0;)
+    if (isShared(k)) columns_[k] = columns_[k + 1];
+}
+
+/// Slivers go first, so that less has to grow.
+void ColumnStack::joinAndThin(Progress& progress) {
+  const auto isShared = [&](std::size_t k) {
+    return k + 1 < count_ && columns_[k] == columns_[k + 1] && blocked_[k] == blocked_[k + 1];
+  };
+  std::vector<SharedRegions> joined(count_, nothing());
+  const auto join_layer = [&](std::size_t k) {
+    if (isShared(k) || columns_[k]->empty()) return;
+    const double thin = 0.5 * narrowest();
+    const double reach = 0.5 * settings_.join_mm;
+    const Regions thick = offset(*columns_[k], -thin);
+    if (thick.empty()) return;
+    const bool is_joined = hasGapWithin(thick, settings_.join_mm + narrowest());
+    const Regions grown = offset(simplified(thick, kFallingDetail * width_), is_joined ? thin + reach : thin);
+    joined[k] = share(difference(is_joined ? offset(grown, -reach) : grown, *blocked_[k]));
+  };
+  parallelFor(count_, join_layer, progress, "supports");
+  for (std::size_t k = count_; k-- > 0;)
+    if (isShared(k)) joined[k] = joined[k + 1];
+  columns_ = std::move(joined);
+}
+
+void ColumnStack::keepThoseThatStand() {
+  const bool on_part = settings_.foot == SupportFoot::Everywhere;
+  if (on_part && isLevel()) return;
+  std::vector<SharedRegions> kept = columns_;
+  // The first inclined layer meets the bed along a line; what falls past it would need layers before it.
+  if (!isLevel() && count_ > 0) kept[0] = nothing();
+  for (std::size_t k = 1; k < count_; ++k) {
+    const bool is_over_columns = isLevel() && blocked_[k] == blocked_[k - 1];
+    if (is_over_columns && kept[k - 1] == columns_[k - 1]) continue;
+    if (is_over_columns && columns_[k] == columns_[k - 1]) {
+      kept[k] = kept[k - 1];
+      continue;
+    }
+    const Point2 rise = -fallBetween(stack_.bounds[k].top_mm, k - 1);
+    const Regions foot = united(*kept[k - 1], on_part ? *blocked_[k - 1] : stack_.bedIn(k - 1));
+    kept[k] = share(intersection(*columns_[k], shifted(foot, rise)));
+  }
+  columns_ = std::move(kept);
+}
+
+void ColumnStack::endAboveThePart(Progress& progress) {
+  std::vector<SharedRegions> ended = columns_;
+  const auto end_layer = [&](std::size_t k) {
+    const double least = stack_.bounds[k].bottom_mm - settings_.bottom_gap_mm + kSameHeight;
+    for (std::size_t i = k; i-- > 0 && stack_.bounds[i].top_mm > least && !ended[k]->empty();)
+      if (stack_.material[i] != stack_.material[k] && !stack_.material[i]->empty())
+        ended[k] = share(
+            difference(*ended[k], shifted(*stack_.material[i], -fallBetween(stack_.bounds[k].top_mm, i))));
+  };
+  parallelFor(count_, end_layer, progress, "supports");
+  columns_ = std::move(ended);
+}
+
+void ColumnStack::dropNarrow(Progress& progress) {
+  std::vector<SharedRegions> wide(count_, nothing());
+  const auto isShared = [&](std::size_t k) { return k + 1 < count_ && columns_[k] == columns_[k + 1]; };
+  const auto drop_in = [&](std::size_t k) {
+    if (!isShared(k)) wide[k] = share(withoutNarrowPieces(*columns_[k], narrowest()));
+  };
+  parallelFor(count_, drop_in, progress, "supports");
+  for (std::size_t k = count_; k-- > 0;)
+    if (isShared(k)) wide[k] = wide[k + 1];
+  columns_ = std::move(wide);
+  whole_ = columns_;
+  const auto place_caps = [&](std::size_t k) { placeCaps(k); };
+  parallelFor(count_, place_caps, progress, "supports");
+}
+
+void ColumnStack::placeCaps(std::size_t layer) {
+  std::vector<ColumnCap>& caps = caps_[layer];
+  std::stable_sort(caps.begin(), caps.end(),
+                   [](const ColumnCap& a, const ColumnCap& b) { return a.top_mm > b.top_mm; });
+  for (ColumnCap& cap : caps) {
+    Regions area = *cap.area;
+    if (cap.full_layers > 0) {
+      const std::size_t foot = cap.full_layers - 1;
+      const Point2 rise = -stack_.fall() * (cap.top_mm - stack_.bounds[foot].top_mm);
+      area = intersection(area, shifted(*columns_[foot], rise));
+    }
+    const Regions with_cap = withoutNarrow(united(*whole_[layer], area), narrowest());
+    cap.area = share(difference(with_cap, *whole_[layer]));
+    if (!cap.area->empty()) whole_[layer] = share(with_cap);
+  }
+}
+
+Regions ColumnStack::uncovered(std::size_t layer, const Regions& own, int step) const {
+  if (own.empty()) return {};
+  Regions cover;
+  bool is_covered = true;  // by what was looked at so far
+  for (int m = 1; m <= settings_.interface_layers; ++m) {
+    const auto at = static_cast<std::ptrdiff_t>(layer) + m * step;
+    if (at < 0) break;
+    const auto next = static_cast<std::size_t>(at);
+    if (next >= count_) return own;
+    if (isLevel() && whole_[next] == whole_[layer]) continue;
+    Regions there = united(*whole_[next], stack_.bedIn(next));
+    there =
+        shifted(std::move(there), stack_.fall() * (stack_.bounds[next].top_mm - stack_.bounds[layer].top_mm));
+    cover = is_covered ? std::move(there) : intersection(cover, there);
+    is_covered = false;
+    if (cover.empty()) return own;
+  }
+  return is_covered ? Regions{} : difference(own, cover);
+}
+
+LayerSupport ColumnStack::sectionsOf(std::size_t layer) const {
+  LayerSupport sections;
+  const bool has_interfaces = settings_.interface_layers > 0;
+  for (const ColumnCap& cap : caps_[layer]) {
+    if (cap.area->empty()) continue;
+    sections.push_back({cap.bottom_mm, cap.top_mm, has_interfaces ? nothing() : cap.area,
+                        has_interfaces ? cap.area : nothing()});
+  }
+  std::reverse(sections.begin(), sections.end());
+  const SharedRegions& full = columns_[layer];
+  if (full->empty()) return sections;
+  const LayerBounds& bounds = stack_.bounds[layer];
+  SupportSection section{bounds.bottom_mm, bounds.top_mm, full, nothing()};
+  if (has_interfaces) {
+    const Regions ends =
+        withoutNarrow(united(uncovered(layer, *full, 1), uncovered(layer, *full, -1)), width_);
+    if (!ends.empty()) {
+      section.interface = share(intersection(ends, *full));
+      section.lattice = share(difference(*full, ends));
+    }
+  }
+  sections.push_back(std::move(section));
+  return sections;
+}
+
+/// What hangs over in a layer without a support that comes as near as the gap at its side.
+double ColumnStack::unsupported(std::size_t layer) const {
+  if (overhangs_[layer].empty()) return 0.0;
+  const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, layer, settings_.top_gap_mm);
+  if (!top) return area(overhangs_[layer]);
+  const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
+  const Point2 rise = -fallBetween(stack_.bounds[layer].bottom_mm, last);
+  const Regions near = offset(shifted(*whole_[last], rise), settings_.side_gap_mm + kTolerance * width_);
+  return area(difference(overhangs_[layer], near));
+}
+
+SupportAreas ColumnStack::build(Progress& progress) {
+  SupportAreas areas;
+  areas.layers.resize(stack_.size());
+  placeTops();
+  drop();
+  findBlocked(progress);
+  keepAway(progress);
+  joinAndThin(progress);
+  keepThoseThatStand();
+  if (settings_.foot == SupportFoot::Everywhere) endAboveThePart(progress);
+  dropNarrow(progress);
+  std::vector<double> unsupported_mm2(stack_.size(), 0.0);
+  const auto finish = [&](std::size_t i) {
+    if (i < count_) areas.layers[i] = sectionsOf(i);
+    unsupported_mm2[i] = unsupported(i);
+  };
+  parallelFor(stack_.size(), finish, progress, "supports");
+  SupportTotals& totals = areas.totals;
+  for (const Regions& overhang : overhangs_) totals.overhang_mm2 += area(overhang);
+  totals.unsupported_mm2 = std::accumulate(unsupported_mm2.begin(), unsupported_mm2.end(), 0.0);
+  for (std::size_t k = 0; k < count_; ++k)
+    if (k == 0 || whole_[k] != whole_[k - 1]) totals.area_mm2 = std::max(totals.area_mm2, area(*whole_[k]));
+  return areas;
+}
+
+}  // namespace
+
+std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, std::size_t layer,
+                                        double gap_mm) {
+  const double end = bounds[layer].bottom_mm - gap_mm;
+  std::size_t k = layer;
+  while (k > 0 && bounds[k - 1].bottom_mm >= end - kSameHeight) --k;
+  if (k == 0) return std::nullopt;
+  --k;
+  const double rest = end - bounds[k].bottom_mm;
+  const double height = bounds[k].height();
+  ColumnTop top;
+  if (rest >= height - kSameHeight) {
+    top.full_layers = k + 1;
+  } else if (k == 0 || rest >= 0.5 * height - kSameHeight) {
+    if (k == 0 && rest < kLeastOnBed * height) return std::nullopt;
+    top.full_layers = k;
+    top.caps = {{k, bounds[k].bottom_mm, end}};
+  } else {
+    const double middle = 0.5 * (bounds[k - 1].bottom_mm + end);
+    top.full_layers = k - 1;
+    top.caps = {{k - 1, bounds[k - 1].bottom_mm, middle}, {k, middle, end}};
+  }
+  return top;
+}
+
+SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
+                          const SupportSettings& settings, double bead_width_mm, Progress& progress) {
+  return ColumnStack(stack, overhangs, settings, bead_width_mm).build(progress);
+}
+
+}  // namespace lamina

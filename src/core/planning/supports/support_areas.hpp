@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lamina/base/progress.hpp"
+#include "lamina/planning/planner.hpp"
+#include "lamina/planning/supports/support_settings.hpp"
+#include "planning/supports/stacked_material.hpp"
+
+namespace lamina {
+
+/// Support of one height in a layer [frame of the layers].
+struct SupportSection {
+  double bottom_mm = 0.0;
+  double top_mm = 0.0;
+  SharedRegions lattice;
+  SharedRegions interface;  ///< dense; beside the lattice
+};
+
+/// Of one layer, the lowest first: one as high as the layer, and lower ones where columns end in it. None
+/// without support.
+using LayerSupport = std::vector<SupportSection>;
+
+/// Support of all layers, and its areas.
+struct SupportAreas {
+  std::vector<LayerSupport> layers;
+  SupportTotals totals;  ///< without volumes
+};
+
+/// The last layers of columns that end a gap below a layer.
+struct ColumnTop {
+  struct Cap {
+    std::size_t layer = 0;
+    double bottom_mm = 0.0;
+    double top_mm = 0.0;
+  };
+  std::size_t full_layers = 0;  ///< from the bed up, as high as those of the part
+  std::vector<Cap> caps;        ///< on them, none or up to two: at least half as high, but on the bed
+};
+
+/// Where columns below a layer end so that the gap to it is met exactly. What is left of the layer in which
+/// they end is a lower layer of support; less than half of it is shared out with the layer below.
+/// @return none if no support has room
+std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, std::size_t layer,
+                                        double gap_mm);
+
+/// Columns below what hangs over, from the top down: `F(j) = (F(j+1) + C) \ R(j)`, where C is what is held up
+/// by columns that end in layer j, without what is nearer to the part R(j) than the side gap. In inclined
+/// layers columns fall along gravity. One union and one difference for each layer that is not as the one
+/// above it.
+/// @param overhangs      of each layer
+/// @param bead_width_mm  narrower places have no support
+SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
+                          const SupportSettings& settings, double bead_width_mm, Progress& progress);
+
+}  // namespace lamina

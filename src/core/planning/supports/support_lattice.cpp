@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/supports/support_lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "infill/rectilinear/zigzag.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+
+namespace lamina {
+namespace {
+
+using SharedRuns = std::shared_ptr<const std::vector<FillPath>>;
+
+/// Lines of one role.
+struct LatticeLines {
+  PathRole role = PathRole::Support;
+  double spacing_mm = 0.0;
+  double pitch_mm = 0.0;  ///< plan width of a bead
+  double angle_rad = 0.0;
+  int walls = 0;
+};
+
+void addLoops(const Regions& centre_lines, PathRole role, std::vector<FillPath>& runs) {
+  for (Polygon& loop : outlines(centre_lines))
+    runs.push_back({std::move(loop), true, role, Deposit::Bead, {}});
+}
+
+/// With their loops round them, outermost first. Lines might miss a column that is narrower than their
+/// distance: it is a loop.
+SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
+  std::vector<FillPath> runs;
+  Regions inside = area;
+  for (int wall = 0; wall < lines.walls && !inside.empty(); ++wall) {
+    addLoops(offset(inside, -0.5 * lines.pitch_mm), lines.role, runs);
+    inside = offset(inside, -lines.pitch_mm);
+  }
+  InfillRequest request;
+  request.pitch_mm = lines.pitch_mm;
+  request.spacing_mm = lines.spacing_mm;
+  request.angle_rad = lines.angle_rad;
+  for (const Region& column : inside) {
+    const Regions centred = offset({column}, -0.5 * lines.pitch_mm);
+    const bool is_narrow =
+        lines.walls == 0 && offset(centred, 0.5 * (lines.pitch_mm - lines.spacing_mm)).empty();
+    if (is_narrow) {
+      addLoops(centred, lines.role, runs);
+      continue;
+    }
+    for (FillPath& run : rasterRuns(centred, request)) {
+      run.role = lines.role;
+      runs.push_back(std::move(run));
+    }
+  }
+  return std::make_shared<const std::vector<FillPath>>(std::move(runs));
+}
+
+class LatticePlanner {
+ public:
+  LatticePlanner(const PlanSettings& settings, double layer_height_mm)
+      : settings_(settings), nominal_(planWidth({settings.bead.width_mm, layer_height_mm})) {}
+
+  LayerAids plan(const LayerSupport& sections) const {
+    LayerAids aids;
+    for (const SupportSection& section : sections) {
+      add(section, section.lattice, PathRole::Support, aids);
+      add(section, section.interface, PathRole::SupportInterface, aids);
+    }
+    return aids;
+  }
+
+ private:
+  void add(const SupportSection& section, const SharedRegions& area, PathRole role, LayerAids& aids) const {
+    if (area->empty()) return;
+    AidRuns group;
+    group.bead = {settings_.bead.width_mm, section.top_mm - section.bottom_mm};
+    group.top_mm = section.top_mm;
+    const SupportSettings& supports = settings_.supports;
+    const int tool = role == PathRole::Support ? supports.tool : supports.interface_tool;
+    group.tool = static_cast<std::uint32_t>(std::max(0, tool));
+    group.area = area;
+    group.runs = linesIn(*area, linesOf(role, planWidth(group.bead)));
+    if (!group.runs->empty()) aids.push_back(std::move(group));
+  }
+
+  LatticeLines linesOf(PathRole role, double pitch_mm) const {
+    const SupportSettings& supports = settings_.supports;
+    const bool is_lattice = role == PathRole::Support;
+    LatticeLines lines;
+    lines.role = role;
+    lines.pitch_mm = pitch_mm;
+    lines.spacing_mm = nominal_ / (is_lattice ? supports.density : supports.interface_density);
+    lines.angle_rad = (supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0)) * M_PI / 180.0;
+    lines.walls = supports.walls;
+    return lines;
+  }
+
+  const PlanSettings& settings_;
+  double nominal_;  ///< plan width that lines are spaced by
+};
+
+/// Whether a layer is filled like the one below it.
+bool areAlike(const LayerSupport& a, const LayerSupport& b) {
+  const auto height = [](const SupportSection& section) { return section.top_mm - section.bottom_mm; };
+  return a.size() == 1 && b.size() == 1 && a[0].lattice == b[0].lattice && a[0].interface == b[0].interface &&
+         std::abs(height(a[0]) - height(b[0])) < 1e-9;
+}
+
+}  // namespace
+
+std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, const PlanSettings& settings,
+                                      double layer_height_mm, Progress& progress) {
+  const LatticePlanner planner(settings, layer_height_mm);
+  std::vector<LayerAids> aids(areas.size());
+  const auto isShared = [&](std::size_t i) { return i > 0 && areAlike(areas[i], areas[i - 1]); };
+  const auto plan_layer = [&](std::size_t i) {
+    if (!isShared(i)) aids[i] = planner.plan(areas[i]);
+  };
+  parallelFor(areas.size(), plan_layer, progress, "supports");
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (!isShared(i)) continue;
+    aids[i] = aids[i - 1];
+    for (AidRuns& group : aids[i]) group.top_mm = areas[i][0].top_mm;
+  }
+  return aids;
+}
+
+void addVolumes(SupportTotals& totals, const std::vector<LayerAids>& supports) {
+  for (const LayerAids& layer : supports)
+    for (const AidRuns& group : layer) {
+      const bool is_interface = group.runs->front().role == PathRole::SupportInterface;
+      (is_interface ? totals.interface_mm3 : totals.support_mm3) += depositedVolume(group);
+    }
+}
+
+}  // namespace lamina

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/supports/support_settings.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr Bounds kGap{0.0, 100.0, false};
+constexpr Bounds kDensity{0.0, 1.0, true};
+constexpr Bounds kTool{-1, 255, false};
+
+void describeSizes(SettingsSchema& schema, SupportSettings& supports) {
+  schema.number("supports.top_gap_mm", supports.top_gap_mm, kGap,
+                "Distance between a support and what it holds up; 0 touches.");
+  schema.number("supports.bottom_gap_mm", supports.bottom_gap_mm, kGap,
+                "Least distance between a support and the part it stands on.");
+  schema.number("supports.side_gap_mm", supports.side_gap_mm, kGap,
+                "Distance between supports and the part beside them.");
+  schema.integer("supports.interface_layers", supports.interface_layers, {0, 100, false},
+                 "Number of dense layers where a support meets the part.");
+  schema.number("supports.interface_density", supports.interface_density, kDensity,
+                "Part of these layers that is filled.");
+  schema.number("supports.least_width_mm", supports.least_width_mm, kGap, "Narrower supports are left out.");
+  schema.number("supports.join_mm", supports.join_mm, kGap, "Narrower gaps between columns are closed.");
+  schema.number("supports.expand_mm", supports.expand_mm, kGap,
+                "By how much supports are wider than what they hold up.");
+  schema.number("supports.tip_mm", supports.tip_mm, {0.01, 100.0, false},
+                "Diameter of what holds up a hanging point.");
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, SupportSettings& supports) {
+  schema.flag("supports.use", supports.use, "Whether overhangs of level or inclined layers are held up.");
+  schema.choice<SupportFoot>("supports.foot", supports.foot,
+                             {{"bed", SupportFoot::Bed}, {"everywhere", SupportFoot::Everywhere}},
+                             "Whether supports stand on the bed only, or on the part too.");
+  schema.number("supports.angle_deg", supports.angle_deg, {0.0, 89.0, false},
+                "Lean of walls from the layers' normal beyond which they are held up.");
+  schema.number("supports.density", supports.density, kDensity, "Part of the columns that is filled.");
+  schema.number("supports.raster_angle_deg", supports.raster_angle_deg, {-180.0, 180.0, false},
+                "Direction of the lines in all layers, from x.");
+  schema.integer("supports.walls", supports.walls, {0, 100, false}, "Number of loops round each column.");
+  describeSizes(schema, supports);
+  schema.integer("supports.tool", supports.tool, kTool,
+                 "Tool that lays supports; -1 takes that of the part.");
+  schema.integer("supports.interface_tool", supports.interface_tool, kTool,
+                 "Tool that lays their interfaces; -1 takes that of the part.");
+}
+
+}  // namespace lamina

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Slices a tee with `lamina slice` as a person does, with what holds it up and down.
+
+    supports_test.py LAMINA
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LAMINA = os.path.abspath(sys.argv.pop())
+PROFILE = [(-5, 0), (5, 0), (5, 20), (20, 20), (20, 25), (-20, 25), (-20, 20), (-5, 20)]  # x, z; 40 mm deep
+FACE = [(0, 1, 2), (0, 2, 7), (6, 7, 2), (6, 2, 3), (6, 3, 4), (6, 4, 5)]
+LEVEL = ["--set", "slicing.first_layer_height_mm=0.2"]
+HELD = ["--set", "supports.use=true", "--set", "supports.angle_deg=45"]
+
+
+def tee():
+    front = [(x, -20, z) for x, z in PROFILE]
+    back = [(x, 20, z) for x, z in PROFILE]
+    triangles = [[front[i] for i in face] for face in FACE]
+    triangles += [[back[i] for i in reversed(face)] for face in FACE]
+    for i in range(8):
+        j = (i + 1) % 8
+        triangles += [[front[i], back[j], front[j]], [front[i], back[i], back[j]]]
+    lines = ["solid tee"]
+    for corners in triangles:
+        lines += ["facet normal 0 0 0", "outer loop"] + ["vertex %g %g %g" % c for c in corners]
+        lines += ["endloop", "endfacet"]
+    return "\n".join(lines + ["endsolid tee", ""])
+
+
+class Supports(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.part = self.path("tee.stl")
+        with open(self.part, "w") as file:
+            file.write(tee())
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def run_json(self, *arguments, code=0):
+        done = subprocess.run([LAMINA, *arguments, "--json"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout)
+
+    def sliced(self, name, *settings):
+        told = self.run_json("slice", self.part, "-o", self.path(name), *LEVEL, *settings)
+        with open(self.path(name)) as file:
+            return told, file.read()
+
+    def test_a_tee_is_held_up(self):
+        told, program = self.sliced("held.gcode", *HELD)
+        self.assertAlmostEqual(told["overhang_mm2"], 1200.0, places=3)
+        self.assertAlmostEqual(told["support_area_mm2"], 1152.0, places=3)
+        self.assertAlmostEqual(told["unsupported_mm2"], 0.0, places=3)
+        wanted = 1152 * (97 * 0.2 * 0.15 + 2 * 0.2 * 0.8)
+        self.assertLessEqual(told["support_mm3"] + told["support_interface_mm3"], 1.2 * wanted)
+        self.assertIn(";TYPE:support\n", program)
+        self.assertIn(";TYPE:support_interface\n", program)
+
+    def test_nothing_hangs_on_walls_that_are_held_up(self):
+        # What lies a gap below counts as below.
+        reach = ["--set", "overhang.reach=1.5", "--worst", "1"]
+        self.sliced("held.gcode", *HELD)
+        self.sliced("bare.gcode")
+        held = self.run_json("overhang", self.path("held.gcode"), *reach)
+        bare = self.run_json("overhang", self.path("bare.gcode"), *reach)
+        self.assertGreater(bare["longest_overhang_mm"], 60.0)
+        self.assertLess(held["longest_overhang_mm"], 3.2 * 0.4)
+
+    def test_a_program_without_supports_is_as_it_was(self):
+        _, plain = self.sliced("plain.gcode")
+        _, with_settings = self.sliced("set.gcode", "--set", "supports.density=0.3")
+        self.assertEqual(plain, with_settings)
+        self.assertNotIn(";TYPE:support", plain)
+
+    def test_layers_that_are_not_plane_are_refused_by_name(self):
+        told = self.run_json("slice", self.part, *HELD, "--set", "slicing.mode=curved", code=1)
+        self.assertIn("supports.use", told["error"]["message"])
+        told = self.run_json("slice", self.part, *HELD, "--set", "infill.strategy=drops_raster", code=1)
+        self.assertIn("supports.use", told["error"]["message"])
+
+
+if __name__ == "__main__":
+    unittest.main()

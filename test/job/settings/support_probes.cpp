@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds up a part, and is taken away.
+#include <filesystem>
+#include <utility>
+
+#include "job/settings/setting_probe.hpp"
+#include "job/settings/sliced_text.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/geometry/parts/parts.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lamina::test {
+namespace {
+
+constexpr char kHeldUp[] =
+    "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8;skirt.count=0;"
+    "infill.density=0;supports.use=true;supports.angle_deg=40;supports.side_gap_mm=0.4;"
+    "supports.join_mm=0;feed.first_layer_mm_s=1000";
+
+void add(Mesh& mesh, Mesh part, const Point3& at, double turn) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Point3& vertex : part.vertices)
+    mesh.vertices.push_back(at + Point3(vertex.x(), turn * vertex.y(), turn * vertex.z()));
+  for (const auto& triangle : part.triangles)
+    mesh.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+}
+
+/// A table on a plate, from which a point hangs.
+std::string tableOnPlate(const SettingTexts& set) {
+  static const ScratchFolder folder;
+  const std::string file = folder.file("table.stl");
+  if (!std::filesystem::exists(file)) {
+    Mesh mesh = makePart("box", {{"x_mm", "30"}, {"y_mm", "20"}, {"z_mm", "1.2"}});
+    add(mesh, makePart("box", {{"x_mm", "4"}, {"y_mm", "4"}, {"z_mm", "8"}}), {-8, 0, 0.6}, 1.0);
+    add(mesh, makePart("box", {{"x_mm", "36"}, {"y_mm", "14"}, {"z_mm", "2"}}), {0, 0, 8}, 1.0);
+    add(mesh, makePart("pyramid", {{"width_mm", "1"}, {"depth_mm", "1"}, {"height_mm", "4"}}), {6, 0, 8.2},
+        -1.0);
+    writeStl(file, mesh);
+  }
+  NoProgress nobody;
+  return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
+}
+
+SettingProbe sphereProbe() {
+  return {"a sphere is held up",
+          kHeldUp,
+          toolpathOf("sphere radius_mm=8"),
+          {{"supports.use=false"},
+           {"supports.angle_deg=60"},
+           {"supports.raster_angle_deg=45"},
+           {"supports.walls=1"},
+           {"supports.top_gap_mm=0.5"},
+           {"supports.side_gap_mm=1"},
+           {"supports.interface_layers=0"},
+           {"supports.interface_density=0.5"},
+           {"supports.least_width_mm=3"},
+           {"supports.expand_mm=1"},
+           {"supports.interface_tool=1"},
+           {"feed.support_interface_mm_s=21"}}};
+}
+
+}  // namespace
+
+std::vector<SettingProbe> supportProbes() {
+  return {sphereProbe(),
+          {"a table is held up over its plate",
+           kHeldUp,
+           tableOnPlate,
+           {{"supports.foot=bed"},
+            {"supports.density=0.3"},
+            {"supports.bottom_gap_mm=0.9"},
+            {"supports.join_mm=12"},
+            {"supports.tip_mm=3"},
+            {"supports.tool=1"},
+            {"feed.support_mm_s=31"}}}};
+}
+
+}  // namespace lamina::test

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Lattices that hold up what hangs over.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <array>
+#include <cmath>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/base/random.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/overhang_areas.hpp"
+#include "planning/supports/support_areas.hpp"
+#include "support/planned_layers.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::kLayerHeight;
+using test::rectangle;
+
+constexpr double kSideGap = 0.6;  // mm
+
+PlanSettings withSupports(double angle_deg = 45.0) {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.supports.use = true;
+  settings.supports.angle_deg = angle_deg;
+  return settings;
+}
+
+Plan plannedWith(const std::vector<Layer>& layers, const PlanSettings& settings) {
+  NoProgress nobody;
+  Plan plan = planPart("part", layers, settings, nobody);
+  validate(plan.toolpath);
+  return plan;
+}
+
+bool isSupport(const Path& path) {
+  return path.role == PathRole::Support || path.role == PathRole::SupportInterface;
+}
+
+/// Calls visit(path, layer) for all that is laid as support.
+template <class Visit>
+void forEachSupport(const Toolpath& toolpath, const Visit& visit) {
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (const Path& path : toolpath.layers[l].paths)
+      if (isSupport(path)) visit(path, l);
+}
+
+double highestSupport(const Toolpath& toolpath) {
+  double highest = 0.0;
+  forEachSupport(toolpath,
+                 [&](const Path& path, std::size_t) { highest = std::max(highest, path.firstPoint().z()); });
+  return highest;
+}
+
+/// A stem of 10 x 40 x 20 mm with a slab of 40 x 40 x 5 mm on it.
+std::vector<Layer> tee() {
+  return test::layersOf(125, [](int l) {
+    return std::vector<Polygon>{l < 100 ? rectangle(-5, -20, 5, 20) : rectangle(-20, -20, 20, 20)};
+  });
+}
+
+TEST(Supports, OfATeeAreItsWingsLessTheGapBesideTheStem) {
+  const Plan plan = plannedWith(tee(), withSupports());
+  EXPECT_NEAR(plan.supports.overhang_mm2, 1200.0, 1e-6);
+  EXPECT_NEAR(plan.supports.area_mm2, 2 * (15 - kSideGap) * 40, 1e-6);
+  EXPECT_NEAR(plan.supports.unsupported_mm2, 0.0, 1e-6);
+  EXPECT_NEAR(highestSupport(plan.toolpath), 19.8, 1e-9);
+}
+
+TEST(Supports, OfATeeTakeTheVolumeOfTheirDensities) {
+  const Plan plan = plannedWith(tee(), withSupports());
+  double lattice = 0.0;  // along the lines only
+  double across = 0.0;
+  double all = 0.0;
+  forEachSupport(plan.toolpath, [&](const Path& path, std::size_t) {
+    all += depositedVolume(path);
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
+      const double volume = way.norm() * crossSection(path.bead.at(path.motionEnd(m)));
+      if (path.role == PathRole::Support && std::abs(way.y()) < 1e-9) lattice += volume;
+      if (path.role == PathRole::SupportInterface && std::abs(way.x()) < 1e-9) across += volume;
+    }
+  });
+  const double wanted = 1152.0 * (97 * kLayerHeight * 0.15 + 2 * kLayerHeight * 0.8);  // 3721 mm3
+  EXPECT_NEAR(lattice + across, wanted, 0.03 * wanted);
+  EXPECT_LE(all, 1.2 * wanted);
+  EXPECT_NEAR(plan.supports.support_mm3 + plan.supports.interface_mm3, all, 1e-6 * all);
+}
+
+TEST(Supports, EndInInterfacesAcrossTheirLines) {
+  const Plan plan = plannedWith(tee(), withSupports());
+  for (std::size_t l = 0; l < plan.toolpath.layers.size(); ++l) {
+    std::array<bool, 2> has{};
+    for (const Path& path : plan.toolpath.layers[l].paths) {
+      has[0] |= path.role == PathRole::Support;
+      has[1] |= path.role == PathRole::SupportInterface;
+    }
+    EXPECT_EQ(has[0], l < 97) << l;
+    EXPECT_EQ(has[1], l == 97 || l == 98) << l;
+  }
+}
+
+TEST(Supports, ComeBeforeTheIslandsOfTheirLayer) {
+  PlanSettings settings = withSupports();
+  settings.feed.first_layer_mm_s = 1000.0;
+  const Plan plan = plannedWith(tee(), settings);
+  for (const ToolpathLayer& layer : plan.toolpath.layers) {
+    bool has_island = false;
+    for (const Path& path : layer.paths) {
+      if (isSupport(path)) {
+        EXPECT_FALSE(has_island) << layer.z_mm;
+        EXPECT_EQ(path.feed_mm_s.at(1), path.role == PathRole::Support ? 60.0 : 40.0);
+      }
+      has_island |= path.role == PathRole::OuterWall;
+    }
+  }
+}
+
+TEST(Supports, MeetTheGapExactly) {
+  struct Case {
+    double gap_mm;
+    double last_height_mm;  // of the uppermost bead
+  };
+  // 100 layers of 0.2 mm stand below the slab. Less than half a layer is shared out with the one below.
+  for (const Case& each : {Case{0.0, 0.2}, Case{0.2, 0.2}, Case{0.25, 0.15}, Case{0.3, 0.1},
+                           Case{0.35, 0.125}, Case{0.39, 0.105}, Case{0.4, 0.2}}) {
+    PlanSettings settings = withSupports();
+    settings.supports.top_gap_mm = each.gap_mm;
+    const Plan plan = plannedWith(tee(), settings);
+    EXPECT_NEAR(highestSupport(plan.toolpath), 20.0 - each.gap_mm, 1e-9) << each.gap_mm;
+    double height = 0.0;
+    double sum = 0.0;  // of the beads on each other, at one place
+    double below = 0.0;
+    forEachSupport(plan.toolpath, [&](const Path& path, std::size_t) {
+      const double z = path.firstPoint().z();
+      EXPECT_GE(path.bead.at(0).height_mm, 0.5 * kLayerHeight - 1e-9);
+      if (z > 20.0 - each.gap_mm - 1e-9) height = path.bead.at(0).height_mm;
+      if (z > below + 1e-9) {
+        EXPECT_NEAR(z - path.bead.at(0).height_mm, below, 1e-9) << "it lies on the one below";
+        sum += path.bead.at(0).height_mm;
+        below = z;
+      }
+    });
+    EXPECT_NEAR(height, each.last_height_mm, 1e-9) << each.gap_mm;
+    EXPECT_NEAR(sum, 20.0 - each.gap_mm, 1e-9);
+  }
+}
+
+/// A cone that stands on its tip's stump of 5 mm.
+std::vector<Layer> coneOf(double half_angle_deg) {
+  const double step = kLayerHeight * std::tan(half_angle_deg * M_PI / 180.0);
+  return test::layersOf(60, [step](int l) {
+    return std::vector<Polygon>{test::circle({0, 0}, 5.0 + step * l, 180)};
+  });
+}
+
+TEST(Supports, HoldUpWallsThatLeanMoreThanTheirAngle) {
+  EXPECT_EQ(plannedWith(coneOf(44), withSupports()).supports.overhang_mm2, 0.0);
+  const Plan plan = plannedWith(coneOf(46), withSupports());
+  std::array<bool, 36> is_held{};
+  forEachSupport(plan.toolpath, [&](const Path& path, std::size_t) {
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const Point3 from = path.points[m];
+      const Point3 way = path.points[path.motionEnd(m)] - from;
+      for (int i = 0; i <= 20; ++i) {
+        const Point3 at = from + 0.05 * i * way;
+        const double turn = std::atan2(at.y(), at.x()) / (2 * M_PI) + 0.5;
+        is_held[static_cast<std::size_t>(turn * 36) % 36] = true;
+      }
+    }
+  });
+  for (std::size_t i = 0; i < is_held.size(); ++i) EXPECT_TRUE(is_held[i]) << 10 * i << " deg";
+  const double rings = M_PI * (std::pow(5.0 + 59 * kLayerHeight * std::tan(46 * M_PI / 180), 2) - 25.0);
+  EXPECT_NEAR(plan.supports.overhang_mm2, rings, 0.002 * rings);
+}
+
+/// Pillars and a roof over a sphere of 8 mm.
+std::vector<Layer> archOverSphere() {
+  return test::layersOf(120, [](int l) {
+    const double z = kLayerHeight * (l + 0.5);
+    if (l >= 100) return std::vector<Polygon>{rectangle(-20, -10, 20, 10)};
+    std::vector<Polygon> contours{rectangle(-20, -10, -14, 10), rectangle(14, -10, 20, 10)};
+    const double squared = 64.0 - (z - 8.0) * (z - 8.0);
+    if (squared > 0.01) contours.push_back(test::circle({0, 0}, std::sqrt(squared), 90));
+    return contours;
+  });
+}
+
+TEST(Supports, OnTheBedOnlyLeaveASphereUnderAnArchAlone) {
+  PlanSettings settings = withSupports();
+  const auto countOver = [&](double radius_mm) {
+    std::size_t count = 0;
+    forEachSupport(plannedWith(archOverSphere(), settings).toolpath, [&](const Path& path, std::size_t l) {
+      if (l < 50) return;  // the sphere's lower half hangs over too
+      for (const Point3& point : path.points) count += point.head<2>().norm() < radius_mm ? 1 : 0;
+    });
+    return count;
+  };
+  EXPECT_GT(countOver(8.0), 0U);
+  settings.supports.foot = SupportFoot::Bed;
+  EXPECT_EQ(countOver(8.0 + kSideGap), 0U);
+  EXPECT_GT(plannedWith(archOverSphere(), settings).supports.unsupported_mm2, 0.9 * M_PI * 64.0);
+  EXPECT_LT(plannedWith(archOverSphere(), settings).supports.unsupported_mm2, 1.2 * M_PI * 8.6 * 8.6);
+}
+
+TEST(Supports, StandAGapAboveThePart) {
+  // A plate, a post on it and a roof: columns stand on the plate.
+  const auto layers = test::layersOf(60, [](int l) {
+    if (l < 10 || l >= 50) return std::vector<Polygon>{rectangle(-15, -15, 15, 15)};
+    return std::vector<Polygon>{rectangle(-3, -3, 3, 3)};
+  });
+  for (const auto& [gap_mm, first] : {std::pair<double, std::size_t>{0.2, 11}, {0.0, 10}, {0.3, 12}}) {
+    PlanSettings settings = withSupports();
+    settings.supports.bottom_gap_mm = gap_mm;
+    std::size_t lowest = layers.size();
+    std::size_t interfaces = 0;
+    std::size_t last = layers.size();
+    forEachSupport(plannedWith(layers, settings).toolpath, [&](const Path& path, std::size_t l) {
+      lowest = std::min(lowest, l);
+      if (path.role == PathRole::SupportInterface && l != last) ++interfaces;
+      if (path.role == PathRole::SupportInterface) last = l;
+    });
+    EXPECT_EQ(lowest, first) << gap_mm;
+    EXPECT_EQ(interfaces, 4U) << "two on the plate, two below the roof";
+  }
+}
+
+TEST(Supports, HoldAHangingPoint) {
+  // A tip of 0.2 mm that hangs beside a wall and widens by 27 deg until it meets it.
+  const auto layers = test::layersOf(100, [](int l) {
+    std::vector<Polygon> contours{rectangle(-20, -5, -10, 5)};
+    const double half = 0.1 + 0.1 * (l - 40);
+    if (l >= 40) contours.push_back(rectangle(-half, -half, half, half));
+    return contours;
+  });
+  const Plan plan = plannedWith(layers, withSupports());
+  bool is_held = false;
+  forEachSupport(plan.toolpath, [&](const Path& path, std::size_t l) {
+    EXPECT_LT(l, 39U);
+    for (const Point3& point : path.points) {
+      EXPECT_LT(point.head<2>().norm(), 0.5);
+      is_held |= l == 38;
+    }
+  });
+  EXPECT_TRUE(is_held);
+}
+
+TEST(Supports, KeepTheirDistanceFromAnyPart) {
+  ASSERT_TRUE(rc::check("supports keep the gap beside the part, and lie on support or bed", [] {
+    Random random(static_cast<std::uint64_t>(*rc::gen::inRange(1, 1000000)));
+    std::vector<Polygon> outlines_of_steps;
+    for (int step = 0; step < 4; ++step)
+      outlines_of_steps.push_back(
+          test::star(random, {random.uniform(-3, 3), random.uniform(-3, 3)}, 3, 12, 12));
+    const auto layers = test::layersOf(
+        32, [&](int l) { return std::vector<Polygon>{outlines_of_steps[static_cast<std::size_t>(l / 8)]}; });
+    PlanSettings settings = withSupports();
+    settings.supports.foot = random.uniform(0, 1) < 0.5 ? SupportFoot::Bed : SupportFoot::Everywhere;
+    const Plan plan = plannedWith(layers, settings);
+    forEachSupport(plan.toolpath, [&](const Path& path, std::size_t l) {
+      const std::vector<Polygon> part = layers[l].section.contours;
+      for (std::size_t m = 0; m < path.motionCount(); ++m)
+        for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+          const Point3 at = path.points[m] + share * (path.points[path.motionEnd(m)] - path.points[m]);
+          RC_ASSERT(!contains(part, at.head<2>()));
+          RC_ASSERT(test::distanceToOutline(part, at.head<2>()) > kSideGap + 0.15);
+          if (settings.supports.foot != SupportFoot::Bed) continue;
+          for (std::size_t below = 0; below < l; below += 4)
+            RC_ASSERT(!contains(layers[below].section.contours, at.head<2>()));
+        }
+    });
+  }));
+}
+
+TEST(Supports, DoNotDependOnThreads) {
+  const Plan many = plannedWith(archOverSphere(), withSupports());
+  const ThreadLimit limit(1);
+  EXPECT_EQ(toolpathId(plannedWith(archOverSphere(), withSupports()).toolpath), toolpathId(many.toolpath));
+}
+
+TEST(Supports, AreNoneUnlessAskedFor) {
+  PlanSettings settings = withSupports();
+  settings.supports.use = false;
+  EXPECT_EQ(plannedWith(tee(), settings).supports.overhang_mm2, 0.0);
+  EXPECT_EQ(highestSupport(plannedWith(tee(), settings).toolpath), 0.0);
+}
+
+TEST(Supports, StandOutsideTheSkirtOfThePartAlone) {
+  PlanSettings settings = withSupports();
+  settings.skirt.count = 1;
+  const Plan plan = plannedWith(tee(), settings);
+  for (const Path& path : plan.toolpath.layers.front().paths) {
+    if (path.role != PathRole::Skirt) continue;
+    Box2 box;
+    for (const Point3& point : path.points) box.include(point.head<2>());
+    EXPECT_NEAR(box.high.x(), 20.0 + settings.skirt.distance_mm + 0.2, 1e-3) << "from the columns";
+  }
+}
+
+TEST(OverhangAreas, ReachUpToTheWallTheyHangOn) {
+  const Regions below = {{rectangle(-5, -20, 5, 20), {}}};
+  const Regions layer = {{rectangle(-20, -20, 20, 20), {}}};
+  EXPECT_NEAR(area(overhangOf(layer, below, 0.2)), 1200.0, 1e-6);
+  EXPECT_TRUE(overhangOf({{rectangle(-5.1, -20, 5.1, 20), {}}}, below, 0.2).empty());
+  EXPECT_NEAR(area(toHoldUp(layer, below)), 1200.0, 1e-6) << "not what is held otherwise";
+}
+
+}  // namespace
+}  // namespace lamina
