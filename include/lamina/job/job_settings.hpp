@@ -16,7 +16,9 @@
 #include "lamina/orientation/orientation_settings.hpp"
 #include "lamina/parameterization/flattening_settings.hpp"
 #include "lamina/picture/frame_settings.hpp"
+#include "lamina/planning/compensation/compensation_settings.hpp"
 #include "lamina/planning/cooling/cooling_settings.hpp"
+#include "lamina/planning/flow/flow_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
@@ -60,7 +62,9 @@ struct JobSettings {
   FlatteningSettings flattening;
   LiftSettings lifting;
   OrientationSettings orientation;
+  CompensationSettings compensation;
   PlanSettings planning;
+  FlowSettings flow;
   CoolingSettings cooling;
   FanSettings fan;
   DropVoidSettings drop_voids;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "lamina/base/settings.hpp"
@@ -9,6 +10,7 @@
 #include "lamina/infill/line_link.hpp"
 #include "lamina/planning/adhesion/adhesion_settings.hpp"
 #include "lamina/planning/bridges/bridge_settings.hpp"
+#include "lamina/planning/compensation/compensation_settings.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/overhangs/overhanging_walls.hpp"
 #include "lamina/planning/supports/support_settings.hpp"
@@ -100,10 +102,27 @@ struct SeamSettings {
   int seed = 1;  ///< of random placement
 };
 
+/// Where travels keep to.
+enum class Combing : std::uint8_t {
+  None,    ///< straight
+  Inside,  ///< the inside of their island
+  NoSkin   ///< the same, but not over top skins
+};
+
+/// Which retracted travels hop.
+enum class Hopping : std::uint8_t { Never, OverSkin, Always };
+
 struct TravelSettings {
   double feed_mm_s = 150.0;
   double hop_mm = 0.2;                   ///< lift during a retracted travel
   double retraction_threshold_mm = 2.0;  ///< shorter travels neither retract nor hop
+  Hopping hop = Hopping::Always;
+  Combing comb = Combing::None;
+  double keep_off_mm = 0.2;       ///< between a combed bead and the outline
+  double comb_longest_mm = 30.0;  ///< longer ways inside are retracted
+  double comb_detour = 3.0;       ///< times the straight way; beyond, travels are straight and retracted
+  double wipe_mm = 0.0;           ///< along the run before, while retracting; 0 for none
+  double wipe_share = 0.7;        ///< of the retraction, which happens on that way
 };
 
 struct FeedSettings {
@@ -137,6 +156,7 @@ struct PlanSettings {
   SeamSettings seam;
   TravelSettings travel;
   FeedSettings feed;
+  FirstLayerSettings first_layer;
   double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
 };
 
@@ -146,8 +166,8 @@ inline bool isLoneWall(const PlanSettings& settings) {
 }
 
 /// Adds the keys bead.*, walls.*, infill.*, skins.*, bridges.*, overhangs.*, those of the fill strategies,
-/// voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.* and
-/// planning.*.
+/// voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.*,
+/// first_layer.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

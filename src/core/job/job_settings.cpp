@@ -30,6 +30,9 @@ void requireConsistentPlane(const JobSettings& settings) {
   if (settings.scan.every_layers != 0)
     throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + inclined +
                         "; expected 0: only level layers are scanned");
+  if (settings.planning.first_layer.inset_mm != 0.0)
+    throw InvalidConfig("first_layer.inset_mm is " + std::to_string(settings.planning.first_layer.inset_mm) +
+                        inclined + "; expected 0: only a level first layer lies on the bed as a whole");
   const SkirtSettings usual;
   const int count = settings.planning.skirt.count;
   if (count != 0 && count != usual.count)
@@ -42,10 +45,32 @@ bool takesFirstLayerHeight(const std::string& mode) {
   return slicingModes().find(mode).first_layer == FirstLayer::OwnHeight;
 }
 
+/// What changes sections, and ways within them, is known of plane ones only.
+void requirePlainSections(const JobSettings& settings) {
+  const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
+    if (is_met) return;
+    throw InvalidConfig(key_is + " with slicing.mode '" + settings.slicing.mode + "'; expected " + expected +
+                        ": known for plane layers only");
+  };
+  const auto requireNone = [&](const std::string& key, double value) {
+    require(value == 0.0, key + " is " + std::to_string(value), "0");
+  };
+  const CompensationSettings& compensation = settings.compensation;
+  requireNone("compensation.outline_mm", compensation.outline_mm);
+  requireNone("compensation.holes_mm", compensation.holes_mm);
+  requireNone("compensation.shrink_xy", compensation.shrink_xy);
+  requireNone("compensation.shrink_z", compensation.shrink_z);
+  requireNone("first_layer.inset_mm", settings.planning.first_layer.inset_mm);
+  requireNone("travel.wipe_mm", settings.planning.travel.wipe_mm);
+  require(settings.planning.travel.comb == Combing::None, "travel.comb is not 'none'", "'none'");
+  require(settings.planning.travel.hop == Hopping::Always, "travel.hop is not 'always'", "'always'");
+}
+
 /// What means nothing over layers that are not plane, or cannot be done over them.
 void requirePlaneLayersFor(const JobSettings& settings) {
   const std::string& mode = settings.slicing.mode;
   if (mode == kAutoMode || hasPlaneLayers(mode)) return;
+  requirePlainSections(settings);
   const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
     if (!is_met) throw InvalidConfig(key_is + " with slicing.mode '" + mode + "'; expected " + expected);
   };
@@ -95,7 +120,9 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.flattening);
   describe(schema, settings.lifting);
   describe(schema, settings.orientation);
+  describe(schema, settings.compensation);
   describe(schema, settings.planning);
+  describe(schema, settings.flow);
   describe(schema, settings.cooling);
   describe(schema, settings.fan);
   describe(schema, settings.drop_voids);
@@ -131,6 +158,7 @@ void validate(const JobSettings& settings) {
   schema.validate();
   requireConsistent(settings.planning);
   requireConsistent(settings.fan);
+  requireConsistent(settings.flow);
   validate(settings.orientation);
   validate(settings.joints);
   requireConsistentPlane(settings);

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "job/first_layer_heat.hpp"
+#include "job/flow_control.hpp"
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
 #include "job/slicing/part_slicing.hpp"
@@ -29,7 +31,7 @@ double peakMemory() {
 void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
            const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return;
-  ProgramSettings program = job.settings.program;
+  ProgramSettings program = startedFor(job.settings.planning.first_layer, job.settings.program);
   program.strategy = job.settings.planning.infill.strategy;
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
@@ -67,7 +69,10 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progres
   const double read_s = laps.lap();
   SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
   sliced.summary.read_s = read_s;
+  limitFlowOf(sliced, job.settings, progress);
   coolPart(sliced, job.settings, progress);
+  finishFlowOf(sliced, job.settings, progress);
+  addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);

@@ -32,6 +32,7 @@
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/skin_areas.hpp"
+#include "planning/travel/layer_travels.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/walls/infill_spacing.hpp"
 #include "planning/walls/walls.hpp"
@@ -105,6 +106,7 @@ class LayerPlanner {
         index_(index),
         nozzle_(anchorOf(*stacked.layer, context)),
         seam_(settings_.seam, nozzle_, index),
+        travels_(settings_.travel, settings_.bead.width_mm),
         top_(stacked.layer->bounds.top_mm),
         cover_(stacked.cover),
         cover_below_(stacked.cover_below),
@@ -125,6 +127,7 @@ class LayerPlanner {
   /// Once only.
   PlannedLayer plan(const std::vector<Polygon>& contours) {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
+    travels_.setMaterial(material);
     if (aids_ != nullptr)
       for (const AidRuns& aids : *aids_) addAids(aids);
     if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
@@ -227,6 +230,7 @@ class LayerPlanner {
                                  : 0.0;
       addInfill(infillArea(overlap > 0.0 ? offset(areas.sparse, overlap) : areas.sparse));
     }
+    travels_.addSeen(areas.top_skin);
     addSkin(areas.top_skin, PathRole::TopSkin);
     starts_ += startsOf(inside, fillsSince(before), pitch_);
     sparse_.insert(sparse_.end(), areas.sparse.begin(), areas.sparse.end());
@@ -440,7 +444,7 @@ class LayerPlanner {
   }
 
   void addTravelTo(const Point3& point, TravelOver over) {
-    std::optional<Path> travel = makeTravel(result_.paths.back().lastPoint(), point, settings_.travel, over);
+    std::optional<Path> travel = travels_.between(result_.paths.back().lastPoint(), point, over);
     if (travel) result_.paths.push_back(std::move(*travel));
   }
 
@@ -451,6 +455,7 @@ class LayerPlanner {
   bool is_in_island_ = false;
   Point2 nozzle_;
   Seam seam_;
+  LayerTravels travels_;
   double top_;
   const LayerCover* cover_;                ///< null without skins, bridges and overhanging walls
   const LayerCover* cover_below_;          ///< of the layer below

@@ -65,6 +65,12 @@ void requireConsistentDrops(const PlanSettings& settings) {
     refuse("voids.refill is 'beads'", settings, "'none': voids between drops are filled by drop_voids.fill");
   if (settings.supports.use)
     refuse("supports.use is true", settings, "false: columns of beads hold up beads only");
+  const FirstLayerSettings& first = settings.first_layer;
+  if (first.width_factor != 1.0)
+    refuse("first_layer.width_factor is " + text(first.width_factor), settings, "the default 1");
+  if (first.flow != 1.0) refuse("first_layer.flow is " + text(first.flow), settings, "the default 1");
+  if (settings.travel.comb != Combing::None)
+    refuse("travel.comb is not 'none'", settings, "'none': nothing is retracted between drops");
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);

@@ -105,6 +105,23 @@ void describe(SettingsSchema& schema, TravelSettings& travel) {
   schema.number("travel.hop_mm", travel.hop_mm, {0.0, 1000.0, false}, "Lift during a retracted travel.");
   schema.number("travel.retraction_threshold_mm", travel.retraction_threshold_mm, {0.0, 10000.0, false},
                 "Travels up to this length neither retract nor hop.");
+  schema.choice<Hopping>(
+      "travel.hop", travel.hop,
+      {{"never", Hopping::Never}, {"over_skin", Hopping::OverSkin}, {"always", Hopping::Always}},
+      "Which retracted travels are lifted.");
+  schema.choice<Combing>("travel.comb", travel.comb,
+                         {{"none", Combing::None}, {"inside", Combing::Inside}, {"no_skin", Combing::NoSkin}},
+                         "Whether travels within an island keep to its inside, over top skins or not.");
+  schema.number("travel.keep_off_mm", travel.keep_off_mm, {0.0, 100.0, false},
+                "How far a bead on such a way would lie off the outline.");
+  schema.number("travel.comb_longest_mm", travel.comb_longest_mm, {0.0, 10000.0, false},
+                "Longest way inside that is not retracted.");
+  schema.number("travel.comb_detour", travel.comb_detour, {1.0, 1000.0, false},
+                "Longest way inside, in straight ways; beyond, a travel is straight and retracted.");
+  schema.number("travel.wipe_mm", travel.wipe_mm, {0.0, 100.0, false},
+                "Way along the run just laid before a retracted travel; 0 for none.");
+  schema.number("travel.wipe_share", travel.wipe_share, {0.0, 1.0, false},
+                "Share of the retraction that happens on that way.");
 }
 
 void describe(SettingsSchema& schema, FeedSettings& feed) {
@@ -140,6 +157,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.seam);
   describe(schema, settings.travel);
   describe(schema, settings.feed);
+  describe(schema, settings.first_layer);
   schema.number("planning.simplification_mm", settings.simplification_mm, {0.0, 10.0, false},
                 "How far a planned outline may leave the sliced one.");
 }

@@ -24,6 +24,7 @@
 #include "lamina/slicing/failing_layer.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/compensation/first_layer.hpp"
 #include "planning/layer_planner.hpp"
 #include "planning/order/layer_chain.hpp"
 #include "planning/order/near_origin.hpp"
@@ -33,6 +34,7 @@
 #include "planning/skins/roof_branches.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
+#include "planning/travel/wiping.hpp"
 #include "planning/walls/rising_wall.hpp"
 
 namespace lamina {
@@ -86,6 +88,7 @@ PlanContext contextFor(const std::vector<Layer>& layers, const PlanSettings& set
   describe(schema, context.settings);
   schema.validate();
   requireConsistent(settings);
+  if (settings.travel.hop == Hopping::Never) context.settings.travel.hop_mm = 0.0;
   if (context.strategy.deposit == Deposit::Bead)
     for (const Layer& layer : layers) requireSensiblePitch(settings.bead, layer.bounds.height());
   for (const Layer& layer : layers) {
@@ -117,6 +120,18 @@ PlanContext baseContext(PlanContext context) {
   context.settings.walls.count = 1;
   context.settings.infill.density = 1.0;
   return context;
+}
+
+/// Of the first layer.
+PlanContext bedContext(PlanContext context) {
+  context.settings = onBed(std::move(context.settings));
+  return context;
+}
+
+/// The next layer is above every skin of this one.
+TravelSettings betweenLayers(TravelSettings settings) {
+  if (settings.hop == Hopping::OverSkin) settings.hop_mm = 0.0;
+  return settings;
 }
 
 /// Layers are planned apart from each other; only here does each learn where the nozzle comes from.
@@ -263,19 +278,21 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   const PlannedAids aids = planAids(layers, of_settings, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
+  const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
   std::vector<PlannedLayer> planned(layers.size());
   parallelFor(
       layers.size(),
       [&](std::size_t i) {
-        planned[i] =
-            planAnywhere(stackedAt(layers, stack, aids.layers, i), i, i < base_layers ? base : context);
+        const PlanContext& above = i < base_layers ? base : context;
+        planned[i] = planAnywhere(stackedAt(layers, stack, aids.layers, i), i, i == 0 ? on_bed : above);
+        if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
   plan.supports = aids.supports;
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
-  const TravelSettings& travel_settings = of_settings.settings.travel;
+  const TravelSettings travel_settings = betweenLayers(of_settings.settings.travel);
   const TravelMaker travel =
       context.lift ? spaceTravels(paths, travel_settings) : levelTravels(travel_settings);
   if (context.strategy.link == LayerLink::Chained)
@@ -285,6 +302,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   travelWithToolOfPathBefore(paths);
   if (context.bed)
     plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
+  addWipes(paths, travel_settings);
   return plan;
 }
 

@@ -94,10 +94,10 @@ void expectEffects(const std::vector<SettingProbe>& probes) {
 std::vector<SettingProbe> allProbes() {
   std::vector<SettingProbe> all;
   for (const auto& probes :
-       {sliceProbes(), layerProbes(), fillProbes(), dropProbes(), programProbes(), jointProbes(),
-        motionProbes(), measureProbes(), platformProbes(), inclineProbes(), searchProbes(), scaffoldProbes(),
-        streamProbes(), emulatorProbes(), startupProbes(), approachProbes(), monitorProbes(), bridgeProbes(),
-        supportProbes()})
+       {sliceProbes(),   layerProbes(),    fillProbes(),     flowProbes(),    dropProbes(),
+        programProbes(), jointProbes(),    motionProbes(),   measureProbes(), platformProbes(),
+        inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),  emulatorProbes(),
+        startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

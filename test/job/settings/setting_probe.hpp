@@ -68,6 +68,7 @@ std::vector<SettingProbe> sliceProbes();
 std::vector<SettingProbe> supportProbes();
 std::vector<SettingProbe> layerProbes();
 std::vector<SettingProbe> fillProbes();
+std::vector<SettingProbe> flowProbes();
 std::vector<SettingProbe> dropProbes();
 std::vector<SettingProbe> programProbes();
 std::vector<SettingProbe> jointProbes();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "job/part/shrinkage.hpp"
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "lamina/base/error.hpp"
@@ -109,10 +110,14 @@ SourcePart readSource(const SliceJob& job) {
 
 SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace& space, Progress& progress) {
   SlicedPart sliced;
+  const Point3 drawn = boundingBox(source.mesh).size();
+  source = grownForShrinkage(std::move(source), job.settings);
+  const Point3 laid = boundingBox(source.mesh).size();
   place(source, space, job, sliced);
   sliced.toolpath =
       planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
+  if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, laid));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,
                                job.settings.planning.travel.feed_mm_s);

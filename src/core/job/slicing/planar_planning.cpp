@@ -9,6 +9,7 @@
 #include "job/slicing/part_planning.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/voids/drop_void_job.hpp"
+#include "lamina/planning/compensation/compensation.hpp"
 #include "lamina/planning/scan_pass.hpp"
 #include "lamina/slicing/planar/layer_plane.hpp"
 
@@ -63,6 +64,9 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   Laps laps;
   if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
   std::vector<Layer> layers = sliceIntoLayers(source, settings.slicing, progress);
+  const FirstLayerSettings& first_layer = settings.planning.first_layer;
+  compensate(layers, settings.compensation, first_layer,
+             first_layer.width_factor * settings.planning.bead.width_mm, progress);
   PlannedPart planned;
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});

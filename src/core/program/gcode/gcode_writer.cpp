@@ -10,6 +10,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
+#include "lamina/toolpath/wipe.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/layer_batches.hpp"
@@ -160,13 +161,25 @@ const Path* requireDropsAlike(const Toolpath& toolpath) {
   return first;
 }
 
+/// Of the values of a process, wipes alone have words.
+void requireValues(const Toolpath& toolpath) {
+  for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
+    for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
+      for (const ProcessValue& value : toolpath.layers[l].paths[p].values)
+        if (value.name != kWipeShare)
+          throw InvalidInput("toolpath layer " + std::to_string(l) + ", path " + std::to_string(p) +
+                             ": process value '" + value.name +
+                             "' cannot be carried by G-code of flavour marlin");
+}
+
 void requireCarried(const Toolpath& toolpath, Deposit deposit) {
   using Element = ProcessElement;
   if (deposit == Deposit::Drops) return requireSupported(toolpath, {}, "programs of drops");
-  requireSupported(
-      toolpath,
-      {Element::Dwell, Element::Fan, Element::Pause, Element::Code, Element::MovingCode, Element::Tool},
-      "G-code of flavour marlin");
+  requireSupported(toolpath,
+                   {Element::Dwell, Element::Fan, Element::Pause, Element::Code, Element::MovingCode,
+                    Element::Tool, Element::Value},
+                   "G-code of flavour marlin");
+  requireValues(toolpath);
 }
 
 std::string oneLine(std::string text) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "lamina/toolpath/wipe.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/process_words.hpp"
@@ -69,7 +70,9 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
     const Path& path = layer.paths[p];
     const bool next_is_retracted =
         p + 1 < layer.paths.size() ? layer.paths[p + 1].process.is_retracted : start.next_is_retracted;
-    if (path.process.is_retracted && !is_retracted) writeRetraction(-retraction_length_mm_, modal, text);
+    const bool retracts = path.process.is_retracted && !is_retracted;
+    const double wiped_mm = retracts ? wipeShare(path) * retraction_length_mm_ : 0.0;
+    if (retracts) writeRetraction(wiped_mm - retraction_length_mm_, modal, text);
     if (path.deposit == Deposit::Drops) {
       writeDrops(path, modal, text);
       continue;
@@ -82,7 +85,10 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
       role = path.role;
     }
     previous = path.role == PathRole::Travel ? nullptr : &path;
-    writePath(path, modal, text);
+    if (wiped_mm > 0.0)
+      writeWipe(path, wiped_mm, modal, text);
+    else
+      writePath(path, modal, text);
     is_retracted = path.process.is_retracted && next_is_retracted;
     if (path.process.is_retracted && !is_retracted) writeRetraction(retraction_length_mm_, modal, text);
   }
@@ -113,6 +119,24 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
                 modal, text);
   }
   writeEvents(path, motions, modal, text);
+}
+
+void LayerWriter::writeWipe(const Path& path, double retraction_mm, Modal& modal, std::string& text) const {
+  const double laid_mm = modal.filament_mm;
+  const double whole_mm = length(path);
+  double way_mm = 0.0;
+  for (std::size_t m = 0; m < path.motionCount(); ++m) {
+    writeEvents(path, m, modal, text);
+    const std::size_t end = path.motionEnd(m);
+    way_mm += (path.points[end] - path.points[m]).norm();
+    modal.filament_mm = laid_mm - retraction_mm * way_mm / whole_mm;
+    writeMotion(path.points[end], path.feed_mm_s.at(end) * feedFactor(path.points[m], path.points[end]),
+                modal, text);
+  }
+  writeEvents(path, path.motionCount(), modal, text);
+  // What is pulled back is pushed forth again: it does not count as laid.
+  modal.filament_mm = laid_mm;
+  modal.filament += toUnits(retraction_mm, kFilamentScale);
 }
 
 void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const {

@@ -45,6 +45,8 @@ class LayerWriter {
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
   void writePath(const Path& path, Modal& modal, std::string& text) const;
+  /// A travel on which filament is pulled back [mm].
+  void writeWipe(const Path& path, double retraction_mm, Modal& modal, std::string& text) const;
   void writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const;
   static void writeHeight(double height_mm, Modal& modal, std::string& text);
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// Whose word sets the pressure advance.
+enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
+
+/// What a nozzle can push out, and how late it follows.
+struct FlowSettings {
+  double greatest_mm3_s = 0.0;         ///< 0 for no limit
+  double greatest_slope_mm3_s2 = 0.0;  ///< of its change along a run; 0 for no limit
+  double coast_mm3 = 0.0;              ///< at the end of each run, which is left to the pressure; 0 for none
+  double coast_longest_mm = 2.0;
+  double advance_s = 0.0;  ///< pressure advance of the firmware; 0 leaves it alone
+  AdvanceWord advance_word = AdvanceWord::Marlin;
+  double lag_s = 0.0;        ///< by which what leaves the nozzle lags behind what is pushed; 0 for none
+  double dead_time_s = 0.0;  ///< before anything follows at all
+};
+
+/// Adds the keys flow.*.
+void describe(SettingsSchema& schema, FlowSettings& settings);
+
+/// @throws InvalidConfig if both firmware and program are to make up for the lag
+void requireConsistent(const FlowSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/flow_control.hpp"
+
+#include <cstdio>
+#include <string>
+
+#include "lamina/planning/flow/flow.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
+  const std::size_t slowed = limitFlow(sliced.toolpath, settings.flow, settings.program.flow, progress);
+  if (slowed > 0)
+    sliced.summary.notes.push_back(std::to_string(slowed) +
+                                   " paths are slowed down to keep the flow within its limits");
+}
+
+void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
+  const Coasting coasting = coast(sliced.toolpath, settings.flow, progress);
+  if (coasting.runs > 0) {
+    char note[96];
+    std::snprintf(note, sizeof note, "%zu runs end without pushing, by %.4g mm3 in all", coasting.runs,
+                  coasting.left_mm3);
+    sliced.summary.notes.emplace_back(note);
+    const ToolpathTotals sums = totals(sliced.toolpath);
+    sliced.summary.deposition_mm = sums.deposition_mm;
+    sliced.summary.travel_mm = sums.travel_mm;
+    sliced.summary.deposited_mm3 = sums.deposited_mm3;
+  }
+  addAdvance(sliced.toolpath, settings.flow);
+}
+
+}  // namespace lamina

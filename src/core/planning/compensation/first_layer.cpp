@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/compensation/first_layer.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace lamina {
+
+PlanSettings onBed(PlanSettings settings) {
+  const FirstLayerSettings& first = settings.first_layer;
+  settings.bead.width_mm *= first.width_factor;
+  settings.bead.pitch_mm *= first.width_factor;
+  FeedSettings& feed = settings.feed;
+  for (double* each : {&feed.outer_wall_mm_s, &feed.inner_wall_mm_s, &feed.infill_mm_s, &feed.skin_mm_s,
+                       &feed.top_skin_mm_s, &feed.skirt_mm_s, &feed.first_layer_mm_s})
+    *each *= first.feed_factor;
+  return settings;
+}
+
+void scaleFlow(ToolpathLayer& layer, double factor) {
+  if (factor == 1.0) return;
+  for (Path& path : layer.paths) {
+    if (path.role == PathRole::Travel) continue;
+    std::vector<Bead> beads = path.bead.values();
+    for (Bead& bead : beads) bead = beadOfArea(factor * crossSection(bead), bead.height_mm);
+    path.bead = AlongPath<Bead>(std::move(beads));
+  }
+}
+
+}  // namespace lamina

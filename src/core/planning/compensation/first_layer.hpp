@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// The settings that the first layer is planned by: its beads, pitches and feeds.
+PlanSettings onBed(PlanSettings settings);
+
+/// Scales what is deposited; beads keep their heights. A factor of 1 changes nothing.
+void scaleFlow(ToolpathLayer& layer, double factor);
+
+}  // namespace lamina

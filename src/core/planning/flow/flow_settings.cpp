@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/planning/flow/flow_settings.hpp"
+
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, FlowSettings& flow) {
+  schema.number("flow.greatest_mm3_s", flow.greatest_mm3_s, {0.0, 1e6, false},
+                "Greatest volume per time that is deposited; feeds are lowered to it; 0 for no limit.");
+  schema.number("flow.greatest_slope_mm3_s2", flow.greatest_slope_mm3_s2, {0.0, 1e9, false},
+                "Greatest change of that along a run, per time; 0 for no limit.");
+  schema.number("flow.coast_mm3", flow.coast_mm3, {0.0, 1e6, false},
+                "Volume at the end of each run that is not pushed; 0 for none.");
+  schema.number("flow.coast_longest_mm", flow.coast_longest_mm, {0.0, 1000.0, false},
+                "Longest way that is laid so; at most half the run.");
+  schema.number("flow.advance_s", flow.advance_s, {0.0, 10.0, false},
+                "Pressure advance that the firmware is told; 0 leaves it alone.");
+  schema.choice<AdvanceWord>("flow.advance_word", flow.advance_word,
+                             {{"marlin", AdvanceWord::Marlin},
+                              {"klipper", AdvanceWord::Klipper},
+                              {"reprapfirmware", AdvanceWord::RepRapFirmware}},
+                             "Firmware by whose word it is told.");
+}
+
+void requireConsistent(const FlowSettings& flow) {
+  const bool makes_up = flow.lag_s > 0.0 || flow.dead_time_s > 0.0;
+  if (flow.advance_s == 0.0 || !makes_up) return;
+  throw InvalidConfig(
+      "flow.advance_s is " + std::to_string(flow.advance_s) + " s with flow.lag_s " +
+      std::to_string(flow.lag_s) + " s and flow.dead_time_s " + std::to_string(flow.dead_time_s) +
+      " s; expected 0 for one of them: either the firmware or the program makes up for a lag");
+}
+
+}  // namespace lamina

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// A place along a path.
+struct CutPlace {
+  std::size_t motion = 0;
+  double share = 0.0;  ///< of that motion's length, between 0 and 1
+};
+
+/// The path with waypoints added at places; what it deposits, and how fast, is the same. Events stay where
+/// they are.
+/// @param places  in their order along the path
+Path withWaypoints(const Path& path, const std::vector<CutPlace>& places);
+
+/// Both parts of a path, each open. An event at the cut belongs to the second.
+/// @param waypoint  not the first or last of an open path
+std::pair<Path, Path> cutAt(const Path& path, std::size_t waypoint);
+
+/// Length of a motion [mm].
+double motionLength(const Path& path, std::size_t motion);
+
+}  // namespace lamina

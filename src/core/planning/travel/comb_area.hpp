@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+
+namespace lamina {
+
+/// How far a way may lead.
+struct WayLimits {
+  double longest_mm = 0.0;  ///< of the whole way
+  double reach_mm = 0.0;    ///< from an end outside the area to the area
+};
+
+/// The area of a layer that travels keep to, and the shortest ways in it. A way bends at reflex corners only;
+/// it is sought among them from the start towards the end (A*), and lines between corners are checked only
+/// once they are the most promising ones. Checks go through rows of edges.
+class CombArea {
+ public:
+  /// @param area  wound as `unite` winds regions
+  explicit CombArea(const Regions& area);
+
+  /// The shortest way between two points, both ends included. An end beside the area is joined to the
+  /// nearest place of it. None if the ends lie in different regions or too far outside, or the way is too
+  /// long; none either beyond 200 corners looked at.
+  std::optional<Polyline> shortestWay(const Point2& from, const Point2& to, const WayLimits& limits) const;
+
+ private:
+  class Search;
+
+  struct Edge {
+    Point2 from;
+    Point2 to;
+    std::size_t region;
+  };
+
+  /// A corner that ways can bend round.
+  struct Corner {
+    Point2 at;
+    Point2 before;
+    Point2 after;
+    Point2 inner;  ///< hardly off it, within the area
+  };
+
+  /// An end of a way.
+  struct End {
+    Point2 at;  ///< within the area
+    std::size_t region;
+  };
+
+  void addOutline(const Polygon& outline, std::size_t region);
+  void sortIntoRows();
+  std::size_t rowOf(double y) const;
+  /// The region a point lies in.
+  std::optional<std::size_t> regionOf(const Point2& point) const;
+  std::optional<End> endAt(const Point2& point, double reach_mm) const;
+  bool isOpen(const Point2& a, const Point2& b) const;
+
+  std::vector<Edge> edges_;
+  std::vector<std::vector<std::size_t>> rows_;  ///< edges that touch each row
+  double low_y_ = 0.0;
+  double row_mm_ = 1.0;
+  std::vector<std::vector<Corner>> corners_;  ///< of each region
+};
+
+}  // namespace lamina

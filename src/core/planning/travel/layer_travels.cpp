@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/travel/layer_travels.hpp"
+
+#include <algorithm>
+
+#include "geometry/polygon/plane_vectors.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/geometry/polygon/simplify.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTolerance = 0.05;  // bead widths that a way may come nearer to the outline
+
+bool crosses(const Point2& a, const Point2& b, const Polygon& outline) {
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
+    if (areCrossing(a, b, outline[j], outline[i])) return true;
+  return false;
+}
+
+}  // namespace
+
+void LayerTravels::addSeen(const Regions& top_skin) {
+  seen_.insert(seen_.end(), top_skin.begin(), top_skin.end());
+  if (settings_.comb == Combing::NoSkin && !top_skin.empty()) area_.reset();
+}
+
+std::optional<Path> LayerTravels::between(const Point3& from, const Point3& to, TravelOver over) {
+  const Point2 start = from.head<2>();
+  const Point2 end = to.head<2>();
+  if (over == TravelOver::Infill && settings_.comb == Combing::NoSkin && crossesSeen({start, end}))
+    over = TravelOver::Anything;
+  const bool is_far = (end - start).norm() > settings_.retraction_threshold_mm;
+  if (settings_.comb != Combing::None && over == TravelOver::Anything && is_far)
+    if (const std::optional<Polyline> way = combed(start, end)) return along(*way, from.z());
+  if (settings_.hop != Hopping::OverSkin || crossesSeen({start, end}))
+    return makeTravel(from, to, settings_, over);
+  TravelSettings level = settings_;
+  level.hop_mm = 0.0;
+  return makeTravel(from, to, level, over);
+}
+
+const CombArea& LayerTravels::area() {
+  if (area_) return *area_;
+  const double off = 0.5 * bead_width_mm_ + settings_.keep_off_mm;
+  Regions inside = unite(simplify(outlines(offset(*material_, -off)), kTolerance * bead_width_mm_));
+  if (settings_.comb == Combing::NoSkin && !seen_.empty()) inside = difference(inside, seen_);
+  area_.emplace(inside);
+  return *area_;
+}
+
+std::optional<Polyline> LayerTravels::combed(const Point2& from, const Point2& to) {
+  if (material_ == nullptr) return std::nullopt;
+  WayLimits limits;
+  limits.longest_mm = settings_.comb_detour * (to - from).norm();
+  limits.reach_mm = settings_.keep_off_mm + bead_width_mm_;
+  return area().shortestWay(from, to, limits);
+}
+
+bool LayerTravels::crossesSeen(const Polyline& way) const {
+  for (const Region& region : seen_) {
+    if (encloses(region.outer, way.front())) return true;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i)
+      if (crosses(way[i], way[i + 1], region.outer)) return true;
+  }
+  return false;
+}
+
+Path LayerTravels::along(const Polyline& way, double z) const {
+  Path path;
+  path.role = PathRole::Travel;
+  path.feed_mm_s = settings_.feed_mm_s;
+  path.process.is_retracted = length(way) > settings_.comb_longest_mm;
+  const bool hops = path.process.is_retracted && settings_.hop_mm > 0.0 &&
+                    (settings_.hop != Hopping::OverSkin || crossesSeen(way));
+  const auto at = [z](const Point2& point, double lift) { return Point3(point.x(), point.y(), z + lift); };
+  if (hops) path.points.push_back(at(way.front(), 0.0));
+  for (const Point2& point : way) path.points.push_back(at(point, hops ? settings_.hop_mm : 0.0));
+  if (hops) path.points.push_back(at(way.back(), 0.0));
+  return path;
+}
+
+}  // namespace lamina

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/travel/comb_area.hpp"
+#include "planning/travel/travel.hpp"
+
+namespace lamina {
+
+/// Makes the travels within one layer: straight, or inside the part, retracted and lifted where the settings
+/// say so. The area for ways inside is made when the first travel asks for it.
+class LayerTravels {
+ public:
+  LayerTravels(const TravelSettings& settings, double bead_width_mm)
+      : settings_(settings), bead_width_mm_(bead_width_mm) {}
+
+  /// @param material  of the layer; must outlive the travels
+  void setMaterial(const Regions& material) { material_ = &material; }
+  /// A top skin that is laid from now on.
+  void addSeen(const Regions& top_skin);
+
+  /// The travel between two points of the layer, none if they are the same.
+  std::optional<Path> between(const Point3& from, const Point3& to, TravelOver over);
+
+ private:
+  const CombArea& area();
+  std::optional<Polyline> combed(const Point2& from, const Point2& to);
+  bool crossesSeen(const Polyline& way) const;
+  Path along(const Polyline& way, double z) const;
+
+  const TravelSettings& settings_;
+  double bead_width_mm_;
+  const Regions* material_ = nullptr;
+  Regions seen_;
+  std::optional<CombArea> area_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// First layer, compensation, flow and ways of travels.
+#include "job/settings/setting_probe.hpp"
+#include "job/settings/sliced_text.hpp"
+
+namespace lamina::test {
+namespace {
+
+constexpr char kBroad[] =
+    "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8;skirt.count=0";
+
+SettingProbe firstLayerProbe() {
+  return {"the first layer is another",
+          kBroad,
+          toolpathOf("box x_mm=12 y_mm=9 z_mm=2"),
+          {{"first_layer.width_factor=1.2"},
+           {"first_layer.feed_factor=0.5"},
+           {"first_layer.flow=1.1"},
+           {"first_layer.nozzle_temperature_c=215"},
+           {"first_layer.bed_temperature_c=65"},
+           {"first_layer.inset_mm=0.2"},
+           {"first_layer.inset_layers=3", "first_layer.inset_mm=0.2"}}};
+}
+
+SettingProbe compensationProbe() {
+  return {"a plate with a hole is compensated",
+          kBroad,
+          toolpathOf("through_hole_plate x_mm=12 y_mm=12 z_mm=0.8 hole_radius_mm=3 segments=32"),
+          {{"compensation.outline_mm=0.1"},
+           {"compensation.holes_mm=0.1"},
+           {"compensation.least_hole_mm=5", "compensation.holes_mm=0.1"},
+           {"compensation.shrink_xy=0.01"},
+           {"compensation.shrink_z=0.3"}}};
+}
+
+SettingProbe flowProbe() {
+  return {"the flow is kept within limits",
+          kBroad,
+          toolpathOf("pyramid width_mm=10 depth_mm=2 height_mm=2"),
+          {{"flow.greatest_mm3_s=4"},
+           {"flow.greatest_slope_mm3_s2=5"},
+           {"flow.coast_mm3=0.2"},
+           {"flow.coast_longest_mm=0.3", "flow.coast_mm3=0.2"},
+           {"flow.advance_s=0.05"},
+           {"flow.advance_word=klipper", "flow.advance_s=0.05"}}};
+}
+
+SettingProbe wayProbe() {
+  return {"travels keep inside",
+          std::string(kBroad) + ";infill.density=0;travel.comb=inside;travel.retraction_threshold_mm=0.1",
+          toolpathOf("through_hole_plate x_mm=12 y_mm=12 z_mm=0.8 hole_radius_mm=3 segments=32"),
+          {{"travel.comb=none"},
+           {"travel.keep_off_mm=0.5"},
+           {"travel.comb_longest_mm=0.5"},
+           {"travel.comb_detour=1.001"},
+           {"travel.hop=never", "travel.comb=none"},
+           {"travel.wipe_mm=2", "travel.comb=none"},
+           {"travel.wipe_share=0.2", "travel.comb=none;travel.wipe_mm=2"}}};
+}
+
+SettingProbe skinWayProbe() {
+  return {
+      "travels keep off top skins",
+      std::string(kBroad) + ";skins.top_layers=1;skins.bottom_layers=0;travel.retraction_threshold_mm=0.1",
+      toolpathOf("pyramid width_mm=24 depth_mm=24 height_mm=2"),
+      {{"travel.comb=no_skin", "travel.comb=inside"}, {"travel.hop=over_skin"}}};
+}
+
+}  // namespace
+
+std::vector<SettingProbe> flowProbes() {
+  return {firstLayerProbe(), compensationProbe(), flowProbe(), wayProbe(), skinWayProbe()};
+}
+
+}  // namespace lamina::test
