@@ -120,6 +120,12 @@ class FlowAndTravel(unittest.TestCase):
             self.assertEqual(program.text.count(word + "\n"), 1)
             self.assertLess(program.text.index(word), program.text.index("\nG1 "))
 
+    def test_a_lag_is_made_up_for_by_firmware_or_program(self):
+        box = self.part("box", x_mm=20, y_mm=20, z_mm=1)
+        _, summary = self.sliced(box, "flow.lag_s=0.05")
+        self.assertTrue(any("pushed ahead of the flow" in note for note in summary["notes"]), summary["notes"])
+        self.assertIn("flow.advance_s", self.refusal(box, "flow.lag_s=0.05", "flow.advance_s=0.05"))
+
     def test_travels_keep_inside_and_wipe(self):
         plate = self.part("through_hole_plate")
         usual, _ = self.sliced(plate)

@@ -9,6 +9,28 @@
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
+namespace {
+
+void renewTotals(SlicedPart& sliced) {
+  const ToolpathTotals sums = totals(sliced.toolpath);
+  sliced.summary.deposition_mm = sums.deposition_mm;
+  sliced.summary.travel_mm = sums.travel_mm;
+  sliced.summary.deposited_mm3 = sums.deposited_mm3;
+}
+
+void makeUpForLag(SlicedPart& sliced, const JobSettings& settings) {
+  const FeedForward result =
+      feedForward(sliced.toolpath, settings.flow, settings.motion, settings.program.flow);
+  if (result.runs == 0) return;
+  char note[160];
+  std::snprintf(note, sizeof note,
+                "%zu runs are pushed ahead of the flow; %.4g mm3 along %.4g mm could not be made up for",
+                result.runs, result.unmet_mm3, result.unmet_mm);
+  sliced.summary.notes.emplace_back(note);
+  renewTotals(sliced);
+}
+
+}  // namespace
 
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
   const std::size_t slowed = limitFlow(sliced.toolpath, settings.flow, settings.program.flow, progress);
@@ -24,11 +46,9 @@ void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& pro
     std::snprintf(note, sizeof note, "%zu runs end without pushing, by %.4g mm3 in all", coasting.runs,
                   coasting.left_mm3);
     sliced.summary.notes.emplace_back(note);
-    const ToolpathTotals sums = totals(sliced.toolpath);
-    sliced.summary.deposition_mm = sums.deposition_mm;
-    sliced.summary.travel_mm = sums.travel_mm;
-    sliced.summary.deposited_mm3 = sums.deposited_mm3;
+    renewTotals(sliced);
   }
+  makeUpForLag(sliced, settings);
   addAdvance(sliced.toolpath, settings.flow);
 }
 

@@ -12,8 +12,8 @@ namespace lamina {
 /// slows them further.
 void limitFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 
-/// Leaves the ends of runs to the pressure, with a note, and tells the firmware its advance. Once feeds are
-/// final. Totals of the summary are those of what is left.
+/// Leaves the ends of runs to the pressure, makes up for a lag, with notes, or tells the firmware its
+/// advance. Once feeds are final. Totals of the summary are those of what is left.
 void finishFlowOf(SlicedPart& sliced, const JobSettings& settings, Progress& progress);
 
 }  // namespace lamina

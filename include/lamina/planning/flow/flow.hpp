@@ -6,6 +6,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/flow/flow_settings.hpp"
+#include "lamina/toolpath/motion_limits.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
 namespace lamina {
@@ -28,6 +29,23 @@ struct Coasting {
 /// Makes a travel of the end of each run of beads, as long as it takes `coast_mm3`, at most
 /// `coast_longest_mm` and half of the run's last path. A volume of 0 changes nothing. Parallel over layers.
 Coasting coast(Toolpath& toolpath, const FlowSettings& settings, Progress& progress);
+
+/// What a program that makes up for a lag could not.
+struct FeedForward {
+  std::size_t runs = 0;
+  /// That was to be pulled back, pushed faster than the flow may be, or to arrive within the dead time.
+  double unmet_mm3 = 0.0;
+  double unmet_mm = 0.0;  ///< length of the runs where that is so
+};
+
+/// Makes up for a nozzle whose flow q follows what is pushed, u, by `lag_s dq/dt + q = u(t - dead_time_s)`:
+/// beads become what is to be pushed where, so that planned ones leave the nozzle. Times are those of the
+/// estimate from rest to rest; motions get waypoints where the flow changes. What is to be pushed lies
+/// between 0 and `greatest_mm3_s`; each run starts with nothing in store, and what it needs there is pushed
+/// as it starts. Lag and dead time of 0 change nothing.
+/// @param flow_factor  of the program on all that is deposited
+FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
+                        double flow_factor);
 
 /// Tells the firmware `advance_s` before the first motion; 0 changes nothing.
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings);

@@ -24,6 +24,10 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
                               {"klipper", AdvanceWord::Klipper},
                               {"reprapfirmware", AdvanceWord::RepRapFirmware}},
                              "Firmware by whose word it is told.");
+  schema.number("flow.lag_s", flow.lag_s, {0.0, 100.0, false},
+                "Time constant by which the flow follows what is pushed, made up for in the program.");
+  schema.number("flow.dead_time_s", flow.dead_time_s, {0.0, 100.0, false},
+                "Time before the flow follows at all, made up for likewise.");
 }
 
 void requireConsistent(const FlowSettings& flow) {

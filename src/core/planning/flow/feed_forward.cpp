@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "lamina/planning/flow/flow.hpp"
+#include "planning/flow/desired_flow.hpp"
+#include "planning/flow/path_cut.hpp"
+#include "toolpath/motion_cursor.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kPartsOfLag = 50.0;    // so finely a change is followed
+constexpr double kShortest_s = 0.5e-3;  // the shortest piece in time
+constexpr double kShortest_mm = 0.01;   // and in length
+constexpr double kSteady = 1e-6;        // of a flow: what does not change
+
+/// A motion, and how it is run.
+struct TimedMotion {
+  std::size_t layer = 0;
+  std::size_t path = 0;
+  std::size_t motion = 0;
+  bool goes_on = false;  ///< the run of the motion before
+  SpeedProfile profile;
+};
+
+bool isRun(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
+
+/// Those that deposit beads.
+std::vector<TimedMotion> timedRuns(const Toolpath& toolpath, const MotionLimits& limits) {
+  std::vector<TimedMotion> motions;
+  std::vector<bool> deposits;
+  MotionPlanner planner(limits.junction_deviation_mm);
+  MotionCursor cursor(toolpath);
+  while (cursor.step()) {
+    const bool waits = cursor.dwell() > 0.0;
+    if (waits) planner.finish();
+    planner.add(cursor.segment(limits));
+    const bool goes_on = !waits && !deposits.empty() && deposits.back();
+    const WaypointIndex end = cursor.endWaypoint();
+    deposits.push_back(isRun(cursor.path()));
+    motions.push_back({end.layer, end.path, cursor.startWaypoint(), goes_on, {}});
+  }
+  planner.finish();
+  for (TimedMotion& motion : motions) motion.profile = *planner.next();
+  std::vector<TimedMotion> runs;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (deposits[i]) runs.push_back(motions[i]);
+  return runs;
+}
+
+/// A piece of a motion: where it ends, and the section of what is pushed along it.
+struct PushedPiece {
+  double until_mm = 0.0;
+  double section_mm2 = 0.0;
+};
+
+/// Pieces of each motion of a path; none of a motion that stays.
+using PushedPath = std::vector<std::vector<PushedPiece>>;
+
+class RunPusher {
+ public:
+  RunPusher(const Toolpath& toolpath, const FlowSettings& settings, double flow_factor)
+      : toolpath_(toolpath),
+        lag_s_(settings.lag_s),
+        dead_s_(settings.dead_time_s),
+        step_s_(std::max(kShortest_s, (lag_s_ + dead_s_) / kPartsOfLag)),
+        greatest_mm3_s_(settings.greatest_mm3_s > 0.0 ? settings.greatest_mm3_s / flow_factor
+                                                      : std::numeric_limits<double>::infinity()) {}
+
+  /// The pieces of each of the run's motions.
+  std::vector<std::vector<PushedPiece>> pieces(const TimedMotion* first, const TimedMotion* last) {
+    DesiredFlow desired;
+    for (const TimedMotion* motion = first; motion != last; ++motion)
+      desired.add(motion->profile, sectionOf(*motion));
+    std::vector<std::vector<PushedPiece>> pieces;
+    double start_s = 0.0;
+    for (const TimedMotion* motion = first; motion != last; ++motion) {
+      pieces.push_back(piecesOf(*motion, start_s, desired));
+      start_s += motion->profile.duration_s;
+    }
+    ++unmet_.runs;
+    unmet_.unmet_mm3 += desired.volumeUntil(dead_s_);
+    return pieces;
+  }
+
+  const FeedForward& unmet() const { return unmet_; }
+
+ private:
+  double sectionOf(const TimedMotion& motion) const {
+    const Path& path = toolpath_.layers[motion.layer].paths[motion.path];
+    return crossSection(path.bead.at(path.motionEnd(motion.motion)));
+  }
+
+  /// When the flow that is due, or the speed, may change, from the motion's start to its end.
+  std::vector<double> changes(const TimedMotion& motion, double start_s, const DesiredFlow& desired) const {
+    const double end_s = start_s + motion.profile.duration_s;
+    std::vector<double> changes_s = {0.0};
+    for (const double shift_s : {0.0, dead_s_})
+      for (const double change_s : desired.changesBetween(start_s + shift_s, end_s + shift_s))
+        changes_s.push_back(change_s - shift_s - start_s);
+    std::sort(changes_s.begin(), changes_s.end());
+    changes_s.push_back(motion.profile.duration_s);
+    return changes_s;
+  }
+
+  /// When pieces of a motion end, from its start.
+  std::vector<double> ends(const TimedMotion& motion, double start_s, const DesiredFlow& desired) const {
+    const std::vector<double> changes_s = changes(motion, start_s, desired);
+    std::vector<double> ends_s;
+    for (std::size_t i = 0; i + 1 < changes_s.size(); ++i) {
+      const double from_s = changes_s[i];
+      const double to_s = changes_s[i + 1];
+      const double early_s = std::min(from_s + step_s_, 0.5 * (from_s + to_s));
+      const auto due = [&](double time_s) { return desired.flowBefore(start_s + time_s + dead_s_); };
+      const bool slopes = differ(due(early_s), due(to_s)) ||
+                          differ(motion.profile.speedAt(early_s), motion.profile.speedAt(to_s));
+      const int steps = slopes ? static_cast<int>(std::ceil((to_s - from_s) / step_s_)) : 1;
+      // A jump is made up for at once; by the second piece if the first, from rest, is too short.
+      const bool jumps = start_s + from_s == 0.0 || differ(due(from_s), due(early_s));
+      if (steps == 1 && jumps)
+        for (const double piece_s : {step_s_, 2.0 * step_s_})
+          if (from_s + piece_s < to_s) ends_s.push_back(from_s + piece_s);
+      for (int step = 1; step <= steps; ++step) ends_s.push_back(from_s + (to_s - from_s) * step / steps);
+    }
+    return ends_s;
+  }
+
+  static bool differ(double one, double other) {
+    return std::abs(one - other) > kSteady * std::max(one, other);
+  }
+
+  std::vector<PushedPiece> piecesOf(const TimedMotion& motion, double start_s, const DesiredFlow& desired) {
+    std::vector<PushedPiece> pieces;
+    double from_s = 0.0;
+    double from_mm = 0.0;
+    const std::vector<double> ends_s = ends(motion, start_s, desired);
+    for (std::size_t i = 0; i < ends_s.size(); ++i) {
+      const double to_mm = motion.profile.distanceAt(ends_s[i]);
+      if (to_mm - from_mm < kShortest_mm && i + 1 < ends_s.size()) continue;
+      const double whole_mm3 = pushed(start_s + from_s, start_s + ends_s[i], desired);
+      const double most_mm3 = greatest_mm3_s_ * (ends_s[i] - from_s);
+      const double pushed_mm3 = std::clamp(whole_mm3, 0.0, most_mm3);
+      if (std::abs(whole_mm3 - pushed_mm3) > kSteady * std::abs(whole_mm3)) {
+        unmet_.unmet_mm3 += std::abs(whole_mm3 - pushed_mm3);
+        unmet_.unmet_mm += to_mm - from_mm;
+      }
+      if (to_mm > from_mm) pieces.push_back({to_mm, pushed_mm3 / (to_mm - from_mm)});
+      from_s = ends_s[i];
+      from_mm = to_mm;
+    }
+    return pieces;
+  }
+
+  /// Between two times of the run [mm³]. What is to be in store by the time that anything arrives is pushed
+  /// as it starts; what was to arrive until then cannot be.
+  double pushed(double from_s, double to_s, const DesiredFlow& desired) const {
+    const double stored_before = from_s > 0.0 ? lag_s_ * desired.flowBefore(from_s + dead_s_) : 0.0;
+    const double laid = desired.volumeUntil(to_s + dead_s_) - desired.volumeUntil(from_s + dead_s_);
+    return laid + lag_s_ * desired.flowBefore(to_s + dead_s_) - stored_before;
+  }
+
+  const Toolpath& toolpath_;
+  double lag_s_;
+  double dead_s_;
+  double step_s_;
+  double greatest_mm3_s_;
+  FeedForward unmet_;
+};
+
+Path pushedPath(const Path& path, const PushedPath& pieces) {
+  std::vector<CutPlace> places;
+  for (std::size_t m = 0; m < pieces.size(); ++m)
+    for (std::size_t k = 0; k + 1 < pieces[m].size(); ++k)
+      places.push_back({m, pieces[m][k].until_mm / motionLength(path, m)});
+  Path made = withWaypoints(path, places);
+  std::vector<Bead> beads(made.points.size(), path.bead.at(0));
+  std::size_t motion = 0;
+  for (std::size_t m = 0; m < pieces.size(); ++m) {
+    const Bead& planned = path.bead.at(path.motionEnd(m));
+    if (pieces[m].empty()) beads[made.motionEnd(motion++)] = planned;
+    for (const PushedPiece& piece : pieces[m])
+      beads[made.motionEnd(motion++)] = beadOfArea(piece.section_mm2, planned.height_mm);
+  }
+  made.bead = AlongPath<Bead>(std::move(beads));
+  return made;
+}
+
+}  // namespace
+
+FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
+                        double flow_factor) {
+  if (settings.lag_s == 0.0 && settings.dead_time_s == 0.0) return {};
+  const std::vector<TimedMotion> motions = timedRuns(toolpath, limits);
+  RunPusher pusher(toolpath, settings, flow_factor);
+  std::vector<std::vector<PushedPath>> pushed(toolpath.layers.size());
+  for (std::size_t l = 0; l < pushed.size(); ++l)
+    for (const Path& path : toolpath.layers[l].paths) pushed[l].emplace_back(path.motionCount());
+  for (std::size_t first = 0; first < motions.size();) {
+    std::size_t last = first + 1;
+    while (last < motions.size() && motions[last].goes_on) ++last;
+    std::vector<std::vector<PushedPiece>> pieces = pusher.pieces(&motions[first], motions.data() + last);
+    for (std::size_t i = first; i < last; ++i)
+      pushed[motions[i].layer][motions[i].path][motions[i].motion] = std::move(pieces[i - first]);
+    first = last;
+  }
+  for (std::size_t l = 0; l < pushed.size(); ++l)
+    for (std::size_t p = 0; p < pushed[l].size(); ++p)
+      if (Path& path = toolpath.layers[l].paths[p]; isRun(path)) path = pushedPath(path, pushed[l][p]);
+  return pusher.unmet();
+}
+
+}  // namespace lamina
