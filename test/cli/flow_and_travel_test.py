@@ -90,6 +90,8 @@ class FlowAndTravel(unittest.TestCase):
         self.assertIn("M104 S210\nM140 S60\n", part.split(";LAYER:1")[1].split(";LAYER:2")[0])
         feeds = [words["F"] for role, words in program.layers[0] if "F" in words and "E" in words and ("X" in words or "Y" in words)]
         self.assertEqual(max(feeds), 600.0)
+        thick = self.sliced(box, "first_layer.height_mm=0.3")[0]
+        self.assertIn(";LAYER:0\n;Z:0.3\n", thick.text)
         self.assertAlmostEqual(program.width(0), 20 - 0.48, places=2)
         self.assertAlmostEqual(program.width(1), usual.width(1), places=3)
         done = lamina("slice", box, "-o", self.path("x.gcode"), "--set", "first_layer.nozzle_temperature_c=215", "--set",

@@ -113,6 +113,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
                 "Kind of layers; docs/modes.md distinguishes them.");
   describe(schema, settings.slicing);
+  // Taken beside the other keys of the first layer, too.
+  schema.renamed("first_layer.height_mm", "slicing.first_layer_height_mm");
   describe(schema, settings.adapted);
   describe(schema, settings.curved);
   describe(schema, settings.conformal);

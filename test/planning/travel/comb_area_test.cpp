@@ -129,5 +129,26 @@ TEST(CombArea, FindsTheShortestWaysInStarsWithHoles) {
   EXPECT_GT(bent, 100);
 }
 
+TEST(CombArea, LeadsThroughAPerforatedPlate) {
+  Region plate = {rectangle(-4, -4, 84, 84), {}};
+  for (int i = 0; i <= 10; ++i)
+    for (int j = 0; j <= 10; ++j) plate.holes.push_back(test::reversed(circle({8.0 * i, 8.0 * j}, 3.0, 48)));
+  const Regions wider = offset({plate}, 1e-3);
+  const CombArea area({plate});
+  Random random(3);
+  for (int pair = 0; pair < 100; ++pair) {
+    const Point2 from(random.uniform(-3, 83), random.uniform(-3, 83));
+    const Point2 to(random.uniform(-3, 83), random.uniform(-3, 83));
+    if (!contains(outlines({plate}), from) || !contains(outlines({plate}), to)) continue;
+    const double straight = (to - from).norm();
+    const auto way = area.shortestWay(from, to, {1e6, 0.0});
+    ASSERT_TRUE(way) << pair;
+    // A way round each hole is half its rim at most, instead of its diameter.
+    EXPECT_LE(length(*way), M_PI_2 * straight + 1e-6) << pair;
+    for (std::size_t i = 0; i + 1 < way->size(); ++i)
+      EXPECT_TRUE(staysInside(wider, (*way)[i], (*way)[i + 1])) << pair;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPartsOfLag = 50.0;    // so finely a change is followed
 constexpr double kShortest_s = 0.5e-3;  // the shortest piece in time
-constexpr double kShortest_mm = 0.01;   // and in length
+constexpr double kShortest_mm = 0.02;   // and in length
 constexpr double kSteady = 1e-6;        // of a flow: what does not change
 
 /// A motion, and how it is run.
@@ -141,7 +141,8 @@ class RunPusher {
     const std::vector<double> ends_s = ends(motion, start_s, desired);
     for (std::size_t i = 0; i < ends_s.size(); ++i) {
       const double to_mm = motion.profile.distanceAt(ends_s[i]);
-      if (to_mm - from_mm < kShortest_mm && i + 1 < ends_s.size()) continue;
+      const bool is_short = to_mm - from_mm < kShortest_mm || motion.profile.length_mm - to_mm < kShortest_mm;
+      if (is_short && i + 1 < ends_s.size()) continue;
       const double whole_mm3 = pushed(start_s + from_s, start_s + ends_s[i], desired);
       const double most_mm3 = greatest_mm3_s_ * (ends_s[i] - from_s);
       const double pushed_mm3 = std::clamp(whole_mm3, 0.0, most_mm3);

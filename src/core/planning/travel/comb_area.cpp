@@ -7,15 +7,16 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "geometry/polygon/plane_vectors.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kInner = 1e-4;  // mm, from the border to where lines along it are checked
-constexpr std::size_t kMostCorners = 200;
-constexpr double kEdgesPerRow = 4.0;
+constexpr double kInner = 1e-4;        // mm, from the border to where lines along it are checked
+constexpr double kUsualDetour = 1.25;  // straight ways
+constexpr std::size_t kMostCorners = 1000;
 
 Point2 nearestOn(const Point2& a, const Point2& b, const Point2& point) {
   const Point2 along = b - a;
@@ -31,16 +32,18 @@ bool isTangent(const Point2& from, const Point2& corner, const Point2& before, c
 
 }  // namespace
 
-/// One search from end to end.
+/// One search from end to end, among the corners that a way short enough can touch.
 class CombArea::Search {
  public:
   Search(const CombArea& area, const End& from, const End& to, double longest_mm)
-      : area_(area),
-        corners_(area.corners_[from.region]),
-        from_(from.at),
-        to_(to.at),
-        longest_mm_(longest_mm),
-        parents_(corners_.size() + 2, kNone) {}
+      : area_(area), from_(from.at), to_(to.at), longest_mm_(longest_mm) {
+    const Point2 middle = 0.5 * (from_ + to_);
+    for (const Corner& corner : area.corners_[from.region])
+      if ((corner.at - middle).cwiseAbs().maxCoeff() <= 0.5 * longest_mm &&
+          (corner.at - from_).norm() + (corner.at - to_).norm() <= longest_mm)
+        corners_.push_back(&corner);
+    parents_.assign(corners_.size() + 2, kNone);
+  }
 
   /// Without the ends.
   std::optional<Polyline> bends() {
@@ -78,22 +81,21 @@ class CombArea::Search {
   std::size_t goal() const { return corners_.size() + 1; }
   bool isCorner(std::size_t node) const { return node < corners_.size(); }
   const Point2& at(std::size_t node) const {
-    return isCorner(node) ? corners_[node].at : node == start() ? from_ : to_;
+    return isCorner(node) ? corners_[node]->at : node == start() ? from_ : to_;
   }
-  const Point2& inner(std::size_t node) const { return isCorner(node) ? corners_[node].inner : at(node); }
+  const Point2& inner(std::size_t node) const { return isCorner(node) ? corners_[node]->inner : at(node); }
 
   bool bendsAt(std::size_t node, const Point2& other) const {
-    return !isCorner(node) || isTangent(other, at(node), corners_[node].before, corners_[node].after);
+    return !isCorner(node) || isTangent(other, at(node), corners_[node]->before, corners_[node]->after);
   }
 
   void expand(std::size_t node, double way_mm) {
     parents_[start()] = start();
     for (std::size_t next = 0; next < parents_.size(); ++next) {
-      if (parents_[next] != kNone) continue;
+      if (parents_[next] != kNone || !bendsAt(next, at(node)) || !bendsAt(node, at(next))) continue;
       const double to_next = way_mm + (at(next) - at(node)).norm();
       const double least_mm = to_next + (to_ - at(next)).norm();
-      if (least_mm > longest_mm_ || !bendsAt(next, at(node)) || !bendsAt(node, at(next))) continue;
-      open_.push({least_mm, to_next, next, node});
+      if (least_mm <= longest_mm_) open_.push({least_mm, to_next, next, node});
     }
   }
 
@@ -105,7 +107,7 @@ class CombArea::Search {
   }
 
   const CombArea& area_;
-  const std::vector<Corner>& corners_;
+  std::vector<const Corner*> corners_;
   Point2 from_;
   Point2 to_;
   double longest_mm_;
@@ -118,7 +120,10 @@ CombArea::CombArea(const Regions& area) : corners_(area.size()) {
     addOutline(area[i].outer, i);
     for (const Polygon& hole : area[i].holes) addOutline(hole, i);
   }
-  sortIntoRows();
+  std::vector<std::pair<Point2, Point2>> ends;
+  ends.reserve(edges_.size());
+  for (const Edge& edge : edges_) ends.emplace_back(edge.from, edge.to);
+  grid_ = EdgeGrid(ends);
 }
 
 void CombArea::addOutline(const Polygon& outline, std::size_t region) {
@@ -137,42 +142,28 @@ void CombArea::addOutline(const Polygon& outline, std::size_t region) {
   }
 }
 
-void CombArea::sortIntoRows() {
-  if (edges_.empty()) return;
-  double high_y = -std::numeric_limits<double>::infinity();
-  low_y_ = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : edges_) {
-    low_y_ = std::min(low_y_, edge.from.y());
-    high_y = std::max(high_y, edge.from.y());
-  }
-  rows_.resize(1 + static_cast<std::size_t>(static_cast<double>(edges_.size()) / kEdgesPerRow));
-  row_mm_ = std::max(high_y - low_y_, 1e-3) / static_cast<double>(rows_.size());
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const auto [low, high] = std::minmax(edges_[i].from.y(), edges_[i].to.y());
-    for (std::size_t row = rowOf(low); row <= rowOf(high); ++row) rows_[row].push_back(i);
-  }
-}
-
-std::size_t CombArea::rowOf(double y) const {
-  const double row = std::floor((y - low_y_) / row_mm_);
-  return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(rows_.size() - 1)));
-}
-
 std::optional<std::size_t> CombArea::regionOf(const Point2& point) const {
+  const std::size_t row = grid_.rowOf(point.y());
+  const std::size_t first = grid_.columnOf(point.x());
+  const std::size_t columns = grid_.columnOf(std::numeric_limits<double>::max()) + 1;
   bool is_inside = false;
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t region = 0;
-  for (const std::size_t i : rows_[rowOf(point.y())]) {
-    const Edge& edge = edges_[i];
-    if ((edge.from.y() > point.y()) == (edge.to.y() > point.y())) continue;
-    const double x = edge.from.x() + (point.y() - edge.from.y()) / (edge.to.y() - edge.from.y()) *
-                                         (edge.to.x() - edge.from.x());
-    if (point.x() >= x) continue;
-    is_inside = !is_inside;
-    if (x >= nearest) continue;
-    nearest = x;
-    region = edge.region;
-  }
+  for (std::size_t column = first; column < columns; ++column)
+    grid_.forEdgesIn(column, row, [&](std::size_t i) {
+      const Edge& edge = edges_[i];
+      if ((edge.from.y() > point.y()) == (edge.to.y() > point.y())) return true;
+      const double x = edge.from.x() + (point.y() - edge.from.y()) / (edge.to.y() - edge.from.y()) *
+                                           (edge.to.x() - edge.from.x());
+      // An edge lies in several cells; the crossing in one of them.
+      if (point.x() >= x || grid_.columnOf(x) != column) return true;
+      is_inside = !is_inside;
+      if (x < nearest) {
+        nearest = x;
+        region = edge.region;
+      }
+      return true;
+    });
   return is_inside ? std::optional(region) : std::nullopt;
 }
 
@@ -180,14 +171,18 @@ std::optional<CombArea::End> CombArea::endAt(const Point2& point, double reach_m
   if (const auto region = regionOf(point)) return End{point, *region};
   double nearest = reach_mm;
   std::optional<Point2> place;
-  for (std::size_t row = rowOf(point.y() - reach_mm); row <= rowOf(point.y() + reach_mm); ++row)
-    for (const std::size_t i : rows_[row]) {
-      const Point2 on_edge = nearestOn(edges_[i].from, edges_[i].to, point);
-      const double distance = (on_edge - point).norm();
-      if (distance > nearest || distance == 0.0) continue;
-      nearest = distance;
-      place = on_edge;
-    }
+  const auto takeNearer = [&](std::size_t i) {
+    const Point2 on_edge = nearestOn(edges_[i].from, edges_[i].to, point);
+    const double distance = (on_edge - point).norm();
+    if (distance > nearest || distance == 0.0) return true;
+    nearest = distance;
+    place = on_edge;
+    return true;
+  };
+  for (std::size_t row = grid_.rowOf(point.y() - reach_mm); row <= grid_.rowOf(point.y() + reach_mm); ++row)
+    for (std::size_t column = grid_.columnOf(point.x() - reach_mm);
+         column <= grid_.columnOf(point.x() + reach_mm); ++column)
+      grid_.forEdgesIn(column, row, takeNearer);
   if (!place) return std::nullopt;
   const Point2 inner = *place + kInner / nearest * (*place - point);
   const auto region = regionOf(inner);
@@ -195,28 +190,30 @@ std::optional<CombArea::End> CombArea::endAt(const Point2& point, double reach_m
 }
 
 bool CombArea::isOpen(const Point2& a, const Point2& b) const {
-  const auto [low_x, high_x] = std::minmax(a.x(), b.x());
-  const auto [low_y, high_y] = std::minmax(a.y(), b.y());
-  for (std::size_t row = rowOf(low_y); row <= rowOf(high_y); ++row)
-    for (const std::size_t i : rows_[row]) {
-      const Edge& edge = edges_[i];
-      if (std::max(edge.from.x(), edge.to.x()) < low_x || std::min(edge.from.x(), edge.to.x()) > high_x)
-        continue;
-      if (areCrossing(a, b, edge.from, edge.to)) return false;
-    }
-  return true;
+  return grid_.forCellsAlong(a, b, [&](std::size_t column, std::size_t row) {
+    return grid_.forEdgesIn(column, row,
+                            [&](std::size_t i) { return !areCrossing(a, b, edges_[i].from, edges_[i].to); });
+  });
+}
+
+std::optional<Polyline> CombArea::bendsBetween(const End& from, const End& to, double longest_mm) const {
+  if (isOpen(from.at, to.at)) return Polyline();
+  // Most ways are hardly longer than straight ones, and few corners lie near those.
+  const double usual_mm = kUsualDetour * (to.at - from.at).norm();
+  if (usual_mm < longest_mm)
+    if (std::optional<Polyline> bends = Search(*this, from, to, usual_mm).bends()) return bends;
+  return Search(*this, from, to, longest_mm).bends();
 }
 
 std::optional<Polyline> CombArea::shortestWay(const Point2& from, const Point2& to,
                                               const WayLimits& limits) const {
-  if (rows_.empty()) return std::nullopt;
+  if (grid_.isEmpty()) return std::nullopt;
   const std::optional<End> start = endAt(from, limits.reach_mm);
   const std::optional<End> end = endAt(to, limits.reach_mm);
   if (!start || !end || start->region != end->region) return std::nullopt;
   const double within_mm = limits.longest_mm - (start->at - from).norm() - (end->at - to).norm();
   if ((end->at - start->at).norm() > within_mm) return std::nullopt;
-  std::optional<Polyline> bends = Polyline();
-  if (!isOpen(start->at, end->at)) bends = Search(*this, *start, *end, within_mm).bends();
+  const std::optional<Polyline> bends = bendsBetween(*start, *end, within_mm);
   if (!bends) return std::nullopt;
   Polyline way = {from};
   if (start->at != from) way.push_back(start->at);

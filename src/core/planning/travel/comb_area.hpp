@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "planning/travel/edge_grid.hpp"
 
 namespace lamina {
 
@@ -18,7 +19,7 @@ struct WayLimits {
 
 /// The area of a layer that travels keep to, and the shortest ways in it. A way bends at reflex corners only;
 /// it is sought among them from the start towards the end (A*), and lines between corners are checked only
-/// once they are the most promising ones. Checks go through rows of edges.
+/// once they are the most promising ones, and only against the edges in the cells of a grid that they cross.
 class CombArea {
  public:
   /// @param area  wound as `unite` winds regions
@@ -26,7 +27,7 @@ class CombArea {
 
   /// The shortest way between two points, both ends included. An end beside the area is joined to the
   /// nearest place of it. None if the ends lie in different regions or too far outside, or the way is too
-  /// long; none either beyond 200 corners looked at.
+  /// long; none either beyond 1000 corners looked at.
   std::optional<Polyline> shortestWay(const Point2& from, const Point2& to, const WayLimits& limits) const;
 
  private:
@@ -53,17 +54,14 @@ class CombArea {
   };
 
   void addOutline(const Polygon& outline, std::size_t region);
-  void sortIntoRows();
-  std::size_t rowOf(double y) const;
   /// The region a point lies in.
   std::optional<std::size_t> regionOf(const Point2& point) const;
   std::optional<End> endAt(const Point2& point, double reach_mm) const;
   bool isOpen(const Point2& a, const Point2& b) const;
+  std::optional<Polyline> bendsBetween(const End& from, const End& to, double longest_mm) const;
 
   std::vector<Edge> edges_;
-  std::vector<std::vector<std::size_t>> rows_;  ///< edges that touch each row
-  double low_y_ = 0.0;
-  double row_mm_ = 1.0;
+  EdgeGrid grid_;
   std::vector<std::vector<Corner>> corners_;  ///< of each region
 };
 

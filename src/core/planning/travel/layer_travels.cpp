@@ -6,12 +6,9 @@
 
 #include "geometry/polygon/plane_vectors.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
-#include "lamina/geometry/polygon/simplify.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kTolerance = 0.05;  // bead widths that a way may come nearer to the outline
 
 bool crosses(const Point2& a, const Point2& b, const Polygon& outline) {
   for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++)
@@ -44,7 +41,7 @@ std::optional<Path> LayerTravels::between(const Point3& from, const Point3& to, 
 const CombArea& LayerTravels::area() {
   if (area_) return *area_;
   const double off = 0.5 * bead_width_mm_ + settings_.keep_off_mm;
-  Regions inside = unite(simplify(outlines(offset(*material_, -off)), kTolerance * bead_width_mm_));
+  Regions inside = offset(*material_, -off);
   if (settings_.comb == Combing::NoSkin && !seen_.empty()) inside = difference(inside, seen_);
   area_.emplace(inside);
   return *area_;

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Which of many edges lie near a line: a grid of about as many cells as edges, each with the edges that
+/// cross it.
+class EdgeGrid {
+ public:
+  EdgeGrid() = default;
+  /// @param edges  from end to end [mm]
+  explicit EdgeGrid(const std::vector<std::pair<Point2, Point2>>& edges);
+
+  bool isEmpty() const { return first_.size() < 2; }
+  /// Column of a place; places beside the grid count for its border.
+  std::size_t columnOf(double x) const { return index(x, low_.x(), columns_); }
+  std::size_t rowOf(double y) const { return index(y, low_.y(), rows_); }
+
+  /// Calls `visit(edge)` for the edges of a cell, by their place in the list, until it returns false.
+  /// @return whether all were visited
+  template <class Visit>
+  bool forEdgesIn(std::size_t column, std::size_t row, const Visit& visit) const {
+    const std::size_t cell = row * columns_ + column;
+    for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i)
+      if (!visit(edges_[i])) return false;
+    return true;
+  }
+
+  /// Calls `visit(column, row)` for every cell that a line crosses, until it returns false.
+  /// @return whether all were visited
+  template <class Visit>
+  bool forCellsAlong(const Point2& from, const Point2& to, const Visit& visit) const {
+    const Point2& low = from.y() <= to.y() ? from : to;
+    const Point2& high = from.y() <= to.y() ? to : from;
+    const double slope = high.y() > low.y() ? (high.x() - low.x()) / (high.y() - low.y()) : 0.0;
+    const auto [least_x, most_x] = std::minmax(from.x(), to.x());
+    for (std::size_t row = rowOf(low.y() - kPad); row <= rowOf(high.y() + kPad); ++row) {
+      double begin = least_x;
+      double end = most_x;
+      if (slope != 0.0) {
+        const double y = low_.y() + static_cast<double>(row) * cell_mm_;
+        const double one = low.x() + slope * (y - kPad - low.y());
+        const double other = low.x() + slope * (y + cell_mm_ + kPad - low.y());
+        begin = std::clamp(std::min(one, other), least_x, most_x);
+        end = std::clamp(std::max(one, other), least_x, most_x);
+      }
+      for (std::size_t column = columnOf(begin - kPad); column <= columnOf(end + kPad); ++column)
+        if (!visit(column, row)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double kPad = 1e-7;  // mm: rounding
+
+  std::size_t index(double position, double low, std::size_t count) const {
+    return static_cast<std::size_t>(
+        std::clamp(std::floor((position - low) / cell_mm_), 0.0, static_cast<double>(count - 1)));
+  }
+
+  Point2 low_ = Point2::Zero();
+  double cell_mm_ = 1.0;
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  std::vector<std::size_t> first_;  ///< of each cell's edges, and the end of the last
+  std::vector<std::size_t> edges_;
+};
+
+}  // namespace lamina
