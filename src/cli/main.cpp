@@ -11,10 +11,11 @@ int main(int argc, char** argv) {
   try {
     runSeparateCommand(argc, argv);
     return runCommandLine(
-        argc, argv, {addCheck,  addCoordinates, addDeposit,  addEmulate, addFillVoids,       addIncline,
-                     addInfo,   addMetrics,     addOverhang, addPart,    addPores,           addPreview,
-                     addResume, addRotate,      addScaffold, addSlice,   addStatistics,      addStiffness,
-                     addStream, addSweep,       addTrack,    addVoids,   addSeparateCommands});
+        argc, argv,
+        {addCheck,     addCoordinates, addDeposit, addEmulate,  addFillVoids, addHeights,
+         addIncline,   addInfo,        addMetrics, addOverhang, addPart,      addPores,
+         addPreview,   addResume,      addRotate,  addScaffold, addSlice,     addStatistics,
+         addStiffness, addStream,      addSweep,   addTrack,    addVoids,     addSeparateCommands});
   } catch (const lamina::Error& error) {
     std::fprintf(stderr, "lamina: %s\n", error.what());
     return 1;

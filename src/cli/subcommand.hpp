@@ -50,6 +50,7 @@ void addDecide(CLI::App& app, Chosen& chosen);
 void addDeposit(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);
 void addFillVoids(CLI::App& app, Chosen& chosen);
+void addHeights(CLI::App& app, Chosen& chosen);
 void addIncline(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
 void addMetrics(CLI::App& app, Chosen& chosen);

@@ -60,6 +60,8 @@ bool fits(const std::string& setting_type, XmlRpcValue::Type type) {
   if (setting_type == "flag") return type == XmlRpcValue::TypeBoolean;
   if (setting_type == "integer") return type == XmlRpcValue::TypeInt;
   if (setting_type == "number") return type == XmlRpcValue::TypeInt || type == XmlRpcValue::TypeDouble;
+  if (setting_type == "table") return true;
+  if (setting_type == "numbers" && type != XmlRpcValue::TypeBoolean) return true;
   return type == XmlRpcValue::TypeString;
 }
 

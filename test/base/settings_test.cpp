@@ -158,6 +158,61 @@ TEST(SettingsFromYaml, FlattensMapsIntoDottedKeysInOrder) {
   EXPECT_EQ(settings[2].text, "3.50");
 }
 
+TEST(SettingsFromYaml, TakesListsOfValuesForOneTextAndNumbersOtherEntries) {
+  const auto settings = settingsFromYaml("a: [1, 2.5]\nb: [{c: x}, {c: y, d: [0, 1]}]\ne: []\n", "file");
+  std::vector<std::string> read;
+  for (const SettingText& setting : settings) read.push_back(setting.key + "=" + setting.text);
+  EXPECT_EQ(read, (std::vector<std::string>{"a=1,2.5", "b.0.c=x", "b.1.c=y", "b.1.d=0,1", "e="}));
+}
+
+class SettingTables : public testing::Test {
+ protected:
+  SettingTables() {
+    schema_.table("hooks.at", table_, "Code by layer.");
+    schema_.list("hooks.layers", list_, {0.0, 10.0, false}, "Layers.");
+  }
+
+  SettingTable table_;
+  std::vector<double> list_;
+  SettingsSchema schema_;
+};
+
+TEST_F(SettingTables, TakeEntriesByTheirNames) {
+  for (const SettingText& setting :
+       settingsFromYaml("hooks:\n  at: {12: M117 nuts, 20.5: \"a\\nb\"}\n", "file"))
+    schema_.set(setting.key, setting.text);
+  EXPECT_EQ(table_, (SettingTable{{"12", "M117 nuts"}, {"20.5", "a\nb"}}));
+}
+
+TEST_F(SettingTables, TakeAMapOrAListInOneLine) {
+  schema_.set("hooks.at", "{12: M117 nuts, 3: \"x: y\"}");
+  EXPECT_EQ(table_, (SettingTable{{"12", "M117 nuts"}, {"3", "x: y"}}));
+  schema_.set("hooks.at", "[{name: a}, {name: b, at: [1, 2]}]");
+  EXPECT_EQ(table_, (SettingTable{{"0.name", "a"}, {"1.name", "b"}, {"1.at", "1,2"}}));
+  schema_.set("hooks.at", "");
+  EXPECT_TRUE(table_.empty());
+}
+
+TEST_F(SettingTables, ReadBackFromTheirText) {
+  const SettingTable table = {{"12", "M117 \"nuts\"\\\nG4 P5"}, {"0.name", "{layer}"}, {"7", ""}};
+  table_ = table;
+  schema_.validate();
+  EXPECT_EQ(table_, table);
+  for (const SettingText& setting : settingsFromYaml(settingsToYaml(schema_), "own"))
+    schema_.set(setting.key, setting.text);
+  EXPECT_EQ(table_, table);
+}
+
+TEST_F(SettingTables, KeepNumbersOfListsWithinBounds) {
+  schema_.set("hooks.layers", "1,2.5,10");
+  EXPECT_EQ(list_, (std::vector<double>{1.0, 2.5, 10.0}));
+  schema_.set("hooks.layers", "");
+  EXPECT_TRUE(list_.empty());
+  EXPECT_THROW(schema_.set("hooks.layers", "1,11"), InvalidConfig);
+  EXPECT_THROW(schema_.set("hooks.layers", "1,"), InvalidConfig);
+  EXPECT_THROW(schema_.set("hooks.layers", "one"), InvalidConfig);
+}
+
 TEST(SettingsFromYaml, OfAnEmptyDocumentIsEmpty) {
   EXPECT_TRUE(settingsFromYaml("", "file").empty());
   EXPECT_TRUE(settingsFromYaml("# nothing\n", "file").empty());
@@ -178,7 +233,7 @@ TEST(SettingsFromYaml, ReadsBackWhatWasWrittenOfSettings) {
 }
 
 TEST(SettingsFromYaml, RefusesWhatIsNoMapOfValuesNamingTheLine) {
-  for (const char* bad : {"- 1\n- 2\n", "just text", "a: [1, 2]", "a:\n", "a: {b: 1\n", "a: 1\na: 2\n",
+  for (const char* bad : {"- 1\n- 2\n", "just text", "a: [1, {b: 2}]", "a:\n", "a: {b: 1\n", "a: 1\na: 2\n",
                           "a:\n  b: 1\na.b: 2\n", "a: &again {b: *again}"}) {
     try {
       settingsFromYaml(bad, "some.yaml");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +20,20 @@ struct Bounds {
 /// One configuration key bound to the field that holds it. Values travel as text, as they stand in YAML, in
 /// `--set` and in a ROS request.
 struct Setting {
-  std::string key;      ///< dotted, unit last: "slicing.layer_height_mm"
-  std::string type;     ///< "number", "integer", "flag", "text", "3 numbers", or the choices "a | b | c"
+  std::string key;  ///< dotted, unit last: "slicing.layer_height_mm"
+  /// "number", "integer", "flag", "text", "3 numbers", "numbers", "table", or the choices "a | b | c"
+  std::string type;
   std::string bounds;   ///< as a person reads it: "(0, 10]"; empty if there are none
   std::string meaning;  ///< one sentence
   std::function<void(const std::string& text)> set;  ///< throws InvalidConfig naming key, value and bound
   std::function<std::string()> get;
+  /// Of a table: sets one entry. Empty for others.
+  std::function<void(const std::string& entry, const std::string& text)> set_entry = {};
 };
+
+/// Texts by their names: what a map, or a list of maps, in YAML holds. A name is what stands behind the
+/// table's key, with dots: "12", "0.nozzle_mm".
+using SettingTable = std::map<std::string, std::string>;
 
 /// The settings of one or more stages: each stage's `describe(schema, settings)` adds its own keys. The bound
 /// structs must outlive the schema.
@@ -38,6 +46,11 @@ class SettingsSchema {
   /// Finite numbers with commas between them, `count` of them or none.
   void numbers(const std::string& key, std::vector<double>& field, std::size_t count,
                const std::string& meaning);
+  /// Any count of numbers within bounds, with commas between them.
+  void list(const std::string& key, std::vector<double>& field, Bounds bounds, const std::string& meaning);
+  /// Entries by any name, each settable as `key.name`; as text, all of them as a YAML map or list in one line
+  /// ("{12: M117 nuts}").
+  void table(const std::string& key, SettingTable& field, const std::string& meaning);
   /// A text that must be one of `choices`.
   void choice(const std::string& key, std::string& field, const std::vector<std::string>& choices,
               const std::string& meaning);
@@ -52,7 +65,8 @@ class SettingsSchema {
 
   const std::vector<Setting>& settings() const { return settings_; }
 
-  /// The setting of a key or of a former name of it; null if there is none.
+  /// The setting of a key or of a former name of it, or the table that the key is an entry of; null if there
+  /// is none.
   const Setting* find(const std::string& key) const;
 
   /// @throws InvalidConfig if the key is unknown (names the nearest one) or the value does not fit
@@ -76,7 +90,8 @@ struct SettingText {
   std::string text;
 };
 
-/// Reads a YAML document into dotted keys, in document order. An empty document gives nothing.
+/// Reads a YAML document into dotted keys, in document order. An empty document gives nothing. A list of
+/// single values is one text with commas; entries of other lists have their number as key.
 /// @throws InvalidConfig if it is not YAML, not a map, or a key stands twice; names the line
 std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name);
 

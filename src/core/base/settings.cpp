@@ -70,6 +70,41 @@ std::vector<double> parseList(const std::string& key, const std::string& text, c
   return values;
 }
 
+std::string listText(const std::vector<double>& numbers) {
+  std::vector<std::string> texts;
+  texts.reserve(numbers.size());
+  for (const double value : numbers) texts.push_back(shortest(value));
+  return listed(texts, ",");
+}
+
+/// As YAML reads it between double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    c == '\n' ? result += "\\n" : result += c;
+  }
+  return result + '"';
+}
+
+std::string tableText(const SettingTable& table) {
+  std::vector<std::string> entries;
+  entries.reserve(table.size());
+  for (const auto& [name, text] : table) entries.push_back(quoted(name) + ": " + quoted(text));
+  return entries.empty() ? "" : "{" + listed(entries) + "}";
+}
+
+/// @param text  a map or list in one line, or a map of several
+SettingTable parseTable(const std::string& key, const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  const bool is_flow = first != std::string::npos && (text[first] == '{' || text[first] == '[');
+  const std::string prefix = is_flow ? "entries." : "";
+  SettingTable table;
+  for (SettingText& entry : settingsFromYaml(is_flow ? "entries: " + text : text, key))
+    table.emplace(entry.key.substr(std::min(prefix.size(), entry.key.size())), std::move(entry.text));
+  return table;
+}
+
 /// "; did you mean ...?" with the key that is nearest; empty if there are none.
 std::string suggestionFor(const SettingsSchema& schema, const std::string& key) {
   const std::vector<Setting>& settings = schema.settings();
@@ -128,13 +163,31 @@ void SettingsSchema::numbers(const std::string& key, std::vector<double>& field,
     if (!values.empty() && values.size() != count) refuse(key, text, expected);
     field = std::move(values);
   };
-  const auto get = [&field] {
-    std::vector<std::string> texts;
-    texts.reserve(field.size());
-    for (const double value : field) texts.push_back(shortest(value));
-    return listed(texts, ",");
+  settings_.push_back({key, type, "", meaning, set, [&field] { return listText(field); }});
+}
+
+void SettingsSchema::list(const std::string& key, std::vector<double>& field, Bounds bounds,
+                          const std::string& meaning) {
+  const std::string expected = "numbers in " + describeBounds(bounds) + " with commas between them, or empty";
+  const auto set = [key, &field, bounds, expected](const std::string& text) {
+    std::vector<double> values = parseList(key, text, expected);
+    for (const double value : values)
+      if (!isInside(value, bounds)) refuse(key, text, expected);
+    field = std::move(values);
   };
-  settings_.push_back({key, type, "", meaning, set, get});
+  settings_.push_back(
+      {key, "numbers", describeBounds(bounds), meaning, set, [&field] { return listText(field); }});
+}
+
+void SettingsSchema::table(const std::string& key, SettingTable& field, const std::string& meaning) {
+  Setting setting;
+  setting.key = key;
+  setting.type = "table";
+  setting.meaning = meaning;
+  setting.set = [key, &field](const std::string& text) { field = parseTable(key, text); };
+  setting.get = [&field] { return tableText(field); };
+  setting.set_entry = [&field](const std::string& entry, const std::string& text) { field[entry] = text; };
+  settings_.push_back(std::move(setting));
 }
 
 void SettingsSchema::choice(const std::string& key, std::string& field,
@@ -181,11 +234,18 @@ const Setting* SettingsSchema::find(const std::string& key) const {
     if (former == key) present = now;
   for (const Setting& setting : settings_)
     if (setting.key == present) return &setting;
+  for (const Setting& setting : settings_)
+    if (setting.set_entry && present.compare(0, setting.key.size() + 1, setting.key + ".") == 0)
+      return &setting;
   return nullptr;
 }
 
 void SettingsSchema::set(const std::string& key, const std::string& text) {
-  if (const Setting* setting = find(key)) return setting->set(text);
+  const Setting* const setting = find(key);
+  const bool is_entry = setting != nullptr && setting->set_entry &&
+                        key.compare(0, setting->key.size() + 1, setting->key + ".") == 0;
+  if (is_entry) return setting->set_entry(key.substr(setting->key.size() + 1), text);
+  if (setting != nullptr) return setting->set(text);
   throw InvalidConfig("unknown setting '" + key + "'" + suggestionFor(*this, key));
 }
 

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/settings_yaml.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
@@ -24,20 +25,35 @@ class Flattener {
     for (const auto& entry : map) {
       const std::string key = prefix + entry.first.as<std::string>();
       if (!seen_.insert(key).second) refuse(entry.first, "a key stands twice");
-      if (entry.second.IsMap()) {
-        if (depth == kDeepest) refuse(entry.first, "keys are nested too deep");
-        visit(key + ".", entry.second, depth + 1);
-      } else if (entry.second.IsScalar()) {
-        found_.push_back({key, entry.second.Scalar()});
-      } else {
-        refuse(entry.first, "a key has no single value");
-      }
+      take(key, entry.second, entry.first, depth);
     }
   }
 
   std::vector<SettingText> found() && { return std::move(found_); }
 
  private:
+  /// @param named  where messages point to
+  void take(const std::string& key, const YAML::Node& value, const YAML::Node& named, int depth) {
+    if (value.IsScalar()) {
+      found_.push_back({key, value.Scalar()});
+    } else if (value.IsMap() || value.IsSequence()) {
+      if (depth == kDeepest) refuse(named, "keys are nested too deep");
+      value.IsMap() ? visit(key + ".", value, depth + 1) : takeList(key, value, named, depth + 1);
+    } else {
+      refuse(named, "a key has no single value");
+    }
+  }
+
+  void takeList(const std::string& key, const YAML::Node& list, const YAML::Node& named, int depth) {
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].IsScalar()) texts.push_back(list[i].Scalar());
+      if (!list[i].IsScalar()) take(key + "." + std::to_string(i), list[i], named, depth);
+    }
+    if (texts.size() == list.size()) found_.push_back({key, listed(texts, ",")});
+    if (!texts.empty() && texts.size() < list.size()) refuse(named, "a list holds both values and maps");
+  }
+
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
     throw InvalidConfig(source_name_ + ":" + std::to_string(node.Mark().line + 1) + ": " + what);
   }

@@ -80,6 +80,8 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   require(slicing.plane.angle_deg == 0.0,
           "slicing.plane.angle_deg is " + std::to_string(slicing.plane.angle_deg),
           "0: only plane layers are inclined");
+  require(slicing.heights == LayerHeights::Equal, "slicing.heights is not 'equal'",
+          "'equal': only plane layers have heights of their own");
   require(settings.scan.every_layers == 0,
           "scan.every_layers is " + std::to_string(settings.scan.every_layers),
           "0: only level layers are scanned");
@@ -159,6 +161,7 @@ void validate(const JobSettings& settings) {
   describe(schema, checked);
   schema.validate();
   requireConsistent(settings.planning);
+  requireConsistent(settings.slicing);
   requireConsistent(settings.fan);
   requireConsistent(settings.flow);
   validate(settings.orientation);
@@ -166,6 +169,9 @@ void validate(const JobSettings& settings) {
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
   const std::string& strategy = settings.planning.infill.strategy;
+  if (settings.slicing.heights != LayerHeights::Equal && infillStrategy(strategy).deposit == Deposit::Drops)
+    throw InvalidConfig("slicing.heights is not 'equal' with infill.strategy '" + strategy +
+                        "'; expected 'equal': all drops are as high");
   if (settings.drop_voids.is_on && infillStrategy(strategy).deposit != Deposit::Drops)
     throw InvalidConfig(
         "drop_voids.fill is true with infill.strategy '" + strategy +

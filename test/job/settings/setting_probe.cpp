@@ -97,7 +97,8 @@ std::vector<SettingProbe> allProbes() {
        {sliceProbes(),   layerProbes(),    fillProbes(),     flowProbes(),    dropProbes(),
         programProbes(), jointProbes(),    motionProbes(),   measureProbes(), platformProbes(),
         inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),  emulatorProbes(),
-        startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes()})
+        startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes(),
+        heightProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

@@ -84,6 +84,7 @@ std::vector<SettingProbe> startupProbes();
 std::vector<SettingProbe> approachProbes();
 std::vector<SettingProbe> monitorProbes();
 std::vector<SettingProbe> bridgeProbes();
+std::vector<SettingProbe> heightProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

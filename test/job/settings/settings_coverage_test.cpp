@@ -50,6 +50,8 @@ TEST(SettingsCoverage, OfStartup) { expectEffects(startupProbes()); }
 TEST(SettingsCoverage, OfApproaches) { expectEffects(approachProbes()); }
 TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
 TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
+TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
+TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
 
 }  // namespace
 }  // namespace lamina::test

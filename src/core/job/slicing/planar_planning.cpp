@@ -8,6 +8,7 @@
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/part_planning.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/job/layer_heights_job.hpp"
 #include "lamina/job/voids/drop_void_job.hpp"
 #include "lamina/planning/compensation/compensation.hpp"
 #include "lamina/planning/scan_pass.hpp"
@@ -16,13 +17,12 @@
 namespace lamina {
 namespace {
 
-/// @param source  turned so that the layers are level
-std::vector<Layer> sliceIntoLayers(const SourcePart& source, const SlicingSettings& settings,
-                                   Progress& progress) {
-  const Box3 box = boundingBox(source.mesh);
-  const std::vector<LayerBounds> layer_bounds = stackLayers(box.low.z(), box.high.z(), settings);
+/// @param source        turned so that the layers are level
+/// @param layer_bounds  where its layers lie
+std::vector<Layer> sliceIntoLayers(const SourcePart& source, const std::vector<LayerBounds>& layer_bounds,
+                                   const SlicingSettings& settings, Progress& progress) {
   if (layer_bounds.empty())
-    throw InvalidInput("the part is " + std::to_string(box.size().z()) +
+    throw InvalidInput("the part is " + std::to_string(boundingBox(source.mesh).size().z()) +
                        " mm high across its layers; the first layer of " +
                        std::to_string(settings.first_layer_height_mm) + " mm needs more than half of that");
   std::vector<double> heights;
@@ -45,10 +45,28 @@ Box2 bedBelowPart(const PlanningRequest& request) {
   return bed;
 }
 
+/// Lines of a sparse infill lie over each other, and patterns fit, only if they are as far apart in every
+/// layer: so far that the part gets the volume its density asks for.
+PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& layers) {
+  constexpr double kDense = 0.8;  // lines that nearly touch are fitted to their layer
+  InfillSettings& infill = settings.infill;
+  if (infill.pitch_mm > 0.0 || infill.density == 0.0 || infill.density >= kDense) return settings;
+  double area_mm2 = 0.0;
+  double height_mm = 0.0;
+  for (const Layer& layer : layers) {
+    area_mm2 += crossSection({settings.bead.width_mm, layer.bounds.height()});
+    height_mm += layer.bounds.height();
+  }
+  infill.pitch_mm = area_mm2 / (infill.density * height_mm);
+  return settings;
+}
+
 /// In the frame of the layers.
 Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Progress& progress) {
-  PlanSettings settings = request.job.settings.planning;
-  settings.overhangs.least_feed_mm_s = request.job.settings.cooling.least_feed_mm_s;
+  const JobSettings& job = request.job.settings;
+  PlanSettings settings =
+      job.slicing.heights == LayerHeights::Equal ? job.planning : withCommonSpacing(job.planning, layers);
+  settings.overhangs.least_feed_mm_s = job.cooling.least_feed_mm_s;
   const PlaneSettings& plane = request.job.settings.slicing.plane;
   if (plane.angle_deg == 0.0)
     return planPart(request.partName(), layers, settings, bedBelowPart(request), progress);
@@ -63,11 +81,13 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   const PlaneSettings& plane = settings.slicing.plane;
   Laps laps;
   if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
-  std::vector<Layer> layers = sliceIntoLayers(source, settings.slicing, progress);
+  LayerHeightsReport heights = layerHeightsOf(source.mesh, settings.slicing);
+  std::vector<Layer> layers = sliceIntoLayers(source, heights.bounds, settings.slicing, progress);
   const FirstLayerSettings& first_layer = settings.planning.first_layer;
   compensate(layers, settings.compensation, first_layer,
              first_layer.width_factor * settings.planning.bead.width_mm, progress);
   PlannedPart planned;
+  planned.notes = notesOn(heights, settings.slicing);
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
