@@ -27,6 +27,8 @@ struct ProgramSettings {
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
+  double arcs_tolerance_mm =
+      0.0;  ///< by which runs of waypoints may leave the arcs that stand for them; 0: none
   DropDialect drops;
   FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints; keys of its own
   RapidSettings rapid;         ///< of programs for robots; keys of its own

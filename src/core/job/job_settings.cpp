@@ -33,6 +33,9 @@ void requireConsistentPlane(const JobSettings& settings) {
   if (settings.planning.first_layer.inset_mm != 0.0)
     throw InvalidConfig("first_layer.inset_mm is " + std::to_string(settings.planning.first_layer.inset_mm) +
                         inclined + "; expected 0: only a level first layer lies on the bed as a whole");
+  if (settings.program.arcs_tolerance_mm > 0.0)
+    throw InvalidConfig("program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) +
+                        inclined + "; expected 0: arcs lie in level layers only");
   const SkirtSettings usual;
   const int count = settings.planning.skirt.count;
   if (count != 0 && count != usual.count)
@@ -82,6 +85,9 @@ void requirePlaneLayersFor(const JobSettings& settings) {
           "0: only plane layers are inclined");
   require(slicing.heights == LayerHeights::Equal, "slicing.heights is not 'equal'",
           "'equal': only plane layers have heights of their own");
+  require(settings.program.arcs_tolerance_mm == 0.0,
+          "program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) + " mm",
+          "0: arcs lie in level layers only");
   require(settings.scan.every_layers == 0,
           "scan.every_layers is " + std::to_string(settings.scan.every_layers),
           "0: only level layers are scanned");

@@ -25,6 +25,9 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
       "G-code before the first motion; {nozzle_temperature_c}, {bed_temperature_c} and {lift_axis} are "
       "replaced.");
   schema.text("program.end_code", settings.end_code, "G-code after the last motion.");
+  schema.number(
+      "program.arcs_tolerance_mm", settings.arcs_tolerance_mm, {0.0, 1.0, false},
+      "By how much arcs (G2, G3) may leave the waypoints and chords that they stand for; 0 for none.");
   describe(schema, settings.drops);
 }
 

@@ -85,6 +85,7 @@ std::vector<SettingProbe> approachProbes();
 std::vector<SettingProbe> monitorProbes();
 std::vector<SettingProbe> bridgeProbes();
 std::vector<SettingProbe> heightProbes();
+std::vector<SettingProbe> arcProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -52,6 +52,7 @@ TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
 TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
 TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
 TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
+TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }
 
 }  // namespace
 }  // namespace lamina::test

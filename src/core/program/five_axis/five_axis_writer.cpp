@@ -20,6 +20,7 @@
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
+#include "program/arc_refusal.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
@@ -448,6 +449,7 @@ class FiveAxisProgram {
 
 void writeFiveAxis(const FiveAxisMotion& motion, const FiveAxisSettings& settings,
                    const ProgramSettings& program, const TextSink& sink) {
+  if (program.arcs_tolerance_mm > 0.0) refuseArcs(program, "five-axis programs");
   FiveAxisProgram(motion, settings, program).write(sink);
 }
 

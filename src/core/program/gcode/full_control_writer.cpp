@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/process_support.hpp"
+#include "program/arc_refusal.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/start_code.hpp"
@@ -121,6 +122,7 @@ void writeFullControl(const Toolpath& toolpath, const ProgramFrame& frame, const
                       const TextSink& sink) {
   requireWritableSteps(toolpath, frame);
   requireSupported(toolpath, {}, "G-code of flavour fullcontrol");
+  if (settings.arcs_tolerance_mm > 0.0) refuseArcs(settings, "G-code of flavour fullcontrol");
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);
   const std::string end_code = expandCode("program.end_code", settings.end_code, settings, frame);
   MotionWriter writer((frame.program_from_bed * frame.bed_from_part).translation(),

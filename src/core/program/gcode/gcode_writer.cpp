@@ -11,6 +11,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
 #include "lamina/toolpath/wipe.hpp"
+#include "program/arc_refusal.hpp"
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/layer_batches.hpp"
@@ -182,6 +183,18 @@ void requireCarried(const Toolpath& toolpath, Deposit deposit) {
   requireValues(toolpath);
 }
 
+/// Arcs lie across Z.
+void requireArcs(const Toolpath& toolpath, const ProgramFrame& frame, const ProgramSettings& settings,
+                 Deposit deposit) {
+  if (settings.arcs_tolerance_mm == 0.0) return;
+  if (deposit == Deposit::Drops) refuseArcs(settings, "programs of drops");
+  const Eigen::Matrix3d linear = frame.program_from_bed.linear() * frame.bed_from_part.linear();
+  const Point3 normal = linear * layerNormal(toolpath);
+  const bool is_askew = !frame.program_from_bed.linear().isUnitary(kSameToolAxis);
+  if (is_askew || normal.head<2>().norm() > kSameToolAxis)
+    refuseArcs(settings, "layers that do not lie in a plane of two axes");
+}
+
 std::string oneLine(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
@@ -242,7 +255,9 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
-  requireCarried(toolpath, drops != nullptr ? Deposit::Drops : Deposit::Bead);
+  const Deposit deposit = drops != nullptr ? Deposit::Drops : Deposit::Bead;
+  requireCarried(toolpath, deposit);
+  requireArcs(toolpath, frame, settings, deposit);
   std::vector<LayerStart> starts = checkLayers(toolpath, toolAxisOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);

@@ -48,6 +48,7 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
       filament_per_volume_(filamentPerVolume(settings)),
       retraction_length_mm_(settings.retraction_length_mm),
       retraction_feed_mm_s_(settings.retraction_feed_mm_s),
+      arcs_tolerance_mm_(settings.arcs_tolerance_mm),
       drops_(settings.drops) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
@@ -103,11 +104,32 @@ void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) 
   }
 }
 
+std::optional<PathArcs> LayerWriter::arcsOf(const Path& path) const {
+  if (arcs_tolerance_mm_ == 0.0 || path.role == PathRole::Travel) return std::nullopt;
+  std::vector<Point3> places = {placeOf(path.firstPoint())};
+  for (std::size_t m = 0; m < path.motionCount(); ++m)
+    places.push_back(placeOf(path.points[path.motionEnd(m)]));
+  // Positions are rounded when they are written.
+  return PathArcs(path, places,
+                  std::max(0.5 * arcs_tolerance_mm_, arcs_tolerance_mm_ - 1.0 / kPositionScale));
+}
+
 void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) const {
   const PathExtrusion extrusion(path, filament_per_volume_);
+  const std::optional<PathArcs> arcs = arcsOf(path);
   const std::size_t motions = path.motionCount();
   for (std::size_t m = 0; m < motions; ++m) {
     writeEvents(path, m, modal, text);
+    const std::optional<FittedArc> arc = arcs ? arcs->from(m) : std::nullopt;
+    if (arc) {
+      for (std::size_t i = m; i < arc->last; ++i)
+        modal.filament_mm +=
+            extrusion.along((path.points[path.motionEnd(i)] - path.points[i]).norm(), path.motionEnd(i));
+      writeHeight(path.bead.at(path.motionEnd(m)).height_mm, modal, text);
+      writeArc(path, m, *arc, modal, text);
+      m = arc->last - 1;
+      continue;
+    }
     const std::size_t end = path.motionEnd(m);
     const double length_mm = (path.points[end] - path.points[m]).norm();
     const double deposited_mm = extrusion.along(length_mm, end);
@@ -165,7 +187,7 @@ void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text)
 }
 
 void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {
-  const Point3 target = linear_ * end + translation_;
+  const Point3 target = placeOf(end);
   char line[kLongestWrittenLine];
   char* out = line + 2;
   out = writeChanged(out, 'X', toUnits(target.x(), kPositionScale), modal.x);
@@ -183,6 +205,38 @@ void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal,
     modal.filament = filament;
   }
   out = writeChanged(out, 'F', toUnits(feed_mm_s, kFeedScale), modal.feed);
+  *out++ = '\n';
+  text.append(line, out);
+}
+
+void LayerWriter::writeArc(const Path& path, std::size_t motion, const FittedArc& arc, Modal& modal,
+                           std::string& text) const {
+  const Point3 target = placeOf(path.points[path.motionEnd(arc.last - 1)]);
+  // From where the nozzle is by the words before, which are rounded.
+  const Point3 start = placeOf(path.points[motion]);
+  const std::int64_t i = toUnits(arc.centre.x(), kPositionScale) - toUnits(start.x(), kPositionScale);
+  const std::int64_t j = toUnits(arc.centre.y(), kPositionScale) - toUnits(start.y(), kPositionScale);
+  char line[kLongestWrittenLine];
+  char* out = line;
+  const auto write = [&out](const char* word, std::int64_t units) {
+    while (*word != '\0') *out++ = *word++;
+    out = writeFixed<3>(out, units);
+  };
+  write(arc.direction == ArcDirection::CounterClockwise ? "G3 X" : "G2 X",
+        toUnits(target.x(), kPositionScale));
+  write(" Y", toUnits(target.y(), kPositionScale));
+  write(" I", i);
+  write(" J", j);
+  modal.x = toUnits(target.x(), kPositionScale);
+  modal.y = toUnits(target.y(), kPositionScale);
+  const std::int64_t filament = toUnits(modal.filament_mm, kFilamentScale);
+  if (filament != modal.filament) {
+    *out++ = ' ';
+    *out++ = 'E';
+    out = writeFixed<5>(out, filament - modal.filament);
+    modal.filament = filament;
+  }
+  out = writeChanged(out, 'F', toUnits(path.feed_mm_s.at(path.motionEnd(motion)), kFeedScale), modal.feed);
   *out++ = '\n';
   text.append(line, out);
 }

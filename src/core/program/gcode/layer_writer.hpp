@@ -5,11 +5,13 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "program/gcode/path_arcs.hpp"
 
 namespace lamina {
 
@@ -50,7 +52,16 @@ class LayerWriter {
   void writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const;
   static void writeHeight(double height_mm, Modal& modal, std::string& text);
   void writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const;
+  /// @param motion  the first that the arc stands for
+  void writeArc(const Path& path, std::size_t motion, const FittedArc& arc, Modal& modal,
+                std::string& text) const;
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
+
+  /// None if there are to be none.
+  std::optional<PathArcs> arcsOf(const Path& path) const;
+
+  /// In the program.
+  Point3 placeOf(const Point3& point) const { return linear_ * point + translation_; }
 
   /// Of the axes over that of the nozzle.
   double feedFactor(const Point3& start, const Point3& end) const;
@@ -62,6 +73,7 @@ class LayerWriter {
   double filament_per_volume_;
   double retraction_length_mm_;
   double retraction_feed_mm_s_;
+  double arcs_tolerance_mm_;
   DropDialect drops_;
 };
 
