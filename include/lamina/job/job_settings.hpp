@@ -19,6 +19,7 @@
 #include "lamina/planning/compensation/compensation_settings.hpp"
 #include "lamina/planning/cooling/cooling_settings.hpp"
 #include "lamina/planning/flow/flow_settings.hpp"
+#include "lamina/planning/hooks/hook_settings.hpp"
 #include "lamina/planning/lift/chart_lift.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/scan_pass.hpp"
@@ -67,6 +68,8 @@ struct JobSettings {
   FlowSettings flow;
   CoolingSettings cooling;
   FanSettings fan;
+  HookSettings hooks;
+  PauseSettings pauses;
   DropVoidSettings drop_voids;
   OverhangSettings overhang;
   ClearanceSettings clearance;

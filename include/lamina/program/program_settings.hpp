@@ -20,20 +20,23 @@ struct ProgramSettings {
   double bed_temperature_c = 60.0;      ///< 0 leaves the heater alone
   double retraction_length_mm = 0.8;    ///< of filament
   double retraction_feed_mm_s = 35.0;
-  /// Written before the first motion; {nozzle_temperature_c} and {bed_temperature_c} are replaced, and
-  /// {lift_axis} by Z or, where axes stand askew, by the one that lifts the nozzle.
+  /// Written before the first motion; {nozzle_temperature_c} and
+  /// {bed_temperature_c} are replaced, and {lift_axis} by Z or, where axes
+  /// stand askew, by the one that lifts the nozzle.
   std::string start_code =
       "G28\nG0 {lift_axis}5 F600\n"
       "M140 S{bed_temperature_c}\nM104 S{nozzle_temperature_c}\n"
       "M190 S{bed_temperature_c}\nM109 S{nozzle_temperature_c}";
   std::string end_code = "G91\nG0 {lift_axis}5 F600\nG90\nM104 S0\nM140 S0\nM84";
-  double arcs_tolerance_mm =
-      0.0;  ///< by which runs of waypoints may leave the arcs that stand for them; 0: none
+  double arcs_tolerance_mm = 0.0;  ///< by which runs of waypoints may leave the
+                                   ///< arcs that stand for them; 0: none
+  std::string pause_code = "M0";   ///< that waits for the operator; `pause.code` of jobs
   DropDialect drops;
-  FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints; keys of its own
+  FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints;
+                               ///< keys of its own
   RapidSettings rapid;         ///< of programs for robots; keys of its own
-  std::string
-      strategy;  ///< that filled the part; reported in the header of drop programs, no setting of its own
+  std::string strategy;        ///< that filled the part; reported in the header of
+                               ///< drop programs, no setting of its own
 };
 
 /// Adds the keys program.* and drop_program.*.

@@ -25,6 +25,17 @@ struct ToolpathTime {
 /// @throws InvalidInput if a feed is not positive
 ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits);
 
+/// When each path of a toolpath begins.
+struct PathTimes {
+  double total_s = 0.0;
+  std::vector<std::vector<double>>
+      start_s;  ///< by layer and path, waiting before its first motion not counted
+};
+
+/// The same estimate path by path. Linear time.
+/// @throws InvalidInput if a feed is not positive
+PathTimes estimatePathTimes(const Toolpath& toolpath, const MotionLimits& limits);
+
 /// The time [s] every motion would take at its feed all the way: the sum of length over feed. Less than any
 /// machine needs.
 /// @throws InvalidInput if a feed is not positive

@@ -135,6 +135,10 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.flow);
   describe(schema, settings.cooling);
   describe(schema, settings.fan);
+  describe(schema, settings.hooks);
+  describe(schema, settings.pauses);
+  schema.choice("pause.code", settings.program.pause_code, {"M0", "M600", "M601", "PAUSE"},
+                "Command that waits for the operator.");
   describe(schema, settings.drop_voids);
   describe(schema, settings.overhang);
   describe(schema, settings.clearance);
@@ -170,6 +174,8 @@ void validate(const JobSettings& settings) {
   requireConsistent(settings.slicing);
   requireConsistent(settings.fan);
   requireConsistent(settings.flow);
+  requireConsistent(settings.hooks);
+  requireConsistent(settings.pauses);
   validate(settings.orientation);
   validate(settings.joints);
   requireConsistentPlane(settings);

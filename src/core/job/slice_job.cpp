@@ -17,6 +17,7 @@
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/planning/cooling/cooling.hpp"
+#include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -55,6 +56,18 @@ void coolPart(SlicedPart& sliced, const JobSettings& settings, Progress& progres
   addFan(sliced.toolpath, settings.fan, settings.motion);
 }
 
+/// Pauses, and code of the user's own.
+void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space) {
+  HookSite site;
+  site.bed_from_part = sliced.bed_from_part;
+  site.program_from_bed = space.program_from_bed;
+  site.nozzle_temperature_c = settings.program.nozzle_temperature_c;
+  site.bed_temperature_c = settings.program.bed_temperature_c;
+  site.limits = settings.motion;
+  addPauses(sliced.toolpath, settings.pauses, settings.cooling, site);
+  addHooks(sliced.toolpath, settings.hooks, site);
+}
+
 /// In the build space, whatever head the settings' machine has.
 SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progress) {
   Laps whole;
@@ -73,6 +86,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progres
   coolPart(sliced, job.settings, progress);
   finishFlowOf(sliced, job.settings, progress);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
+  hookPart(sliced, job.settings, space);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
   progress.report("write", 0.0);

@@ -85,6 +85,28 @@ ToolpathTime estimateTime(const Toolpath& toolpath, const MotionLimits& limits) 
   return time;
 }
 
+PathTimes estimatePathTimes(const Toolpath& toolpath, const MotionLimits& limits) {
+  PathTimes times;
+  times.start_s.resize(toolpath.layers.size());
+  std::size_t layer = 0;
+  // Paths that go nowhere begin with the next one that does.
+  const auto beginUpTo = [&](std::size_t at_layer, std::size_t path) {
+    for (; layer < at_layer; ++layer)
+      times.start_s[layer].resize(toolpath.layers[layer].paths.size(), times.total_s);
+    if (layer < times.start_s.size() && times.start_s[layer].size() < path)
+      times.start_s[layer].resize(path, times.total_s);
+  };
+  TimedMotions motions(toolpath, limits);
+  while (motions.step()) {
+    const WaypointIndex end = motions.motion().endWaypoint();
+    beginUpTo(end.layer, end.path + 1);
+    times.total_s += motions.motion().dwell() + motions.profile().duration_s;
+  }
+  times.total_s += motions.lastDwell() + dwellAtEnd(toolpath);
+  beginUpTo(times.start_s.size(), 0);
+  return times;
+}
+
 class ToolpathPlayer::State {
  public:
   State(const Toolpath& toolpath, const MotionLimits& limits)

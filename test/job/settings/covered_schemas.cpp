@@ -51,6 +51,7 @@ const std::vector<TestedElsewhere>& testedElsewhere() {
       {"stream.password_file", "streaming/client/upload_session_test.cpp", "password_file"},
       {"frames.every_mm", "ros/adapters/frame_markers_test.cpp", "every_mm"},
       {"frames.length_mm", "ros/adapters/frame_markers_test.cpp", "length_mm"},
+      {"hooks.tool_change", "planning/hooks/hooks_test.cpp", "tool_change"},
       {"joints.branch_change", "kinematics/joint_path/joint_path_planner_test.cpp", "branch_change"},
       {"joints.branch_change_cost", "kinematics/joint_path/ladder_search_test.cpp", "branch_change_cost"},
       {"joints.max_slowdown", "kinematics/joint_path/joint_path_planner_test.cpp", "max_slowdown"},

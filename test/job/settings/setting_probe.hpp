@@ -86,6 +86,7 @@ std::vector<SettingProbe> monitorProbes();
 std::vector<SettingProbe> bridgeProbes();
 std::vector<SettingProbe> heightProbes();
 std::vector<SettingProbe> arcProbes();
+std::vector<SettingProbe> hookProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

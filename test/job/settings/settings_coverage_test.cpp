@@ -53,6 +53,7 @@ TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
 TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
 TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
 TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }
+TEST(SettingsCoverage, OfHooks) { expectEffects(hookProbes()); }
 
 }  // namespace
 }  // namespace lamina::test

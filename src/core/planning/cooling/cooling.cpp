@@ -12,6 +12,7 @@
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "planning/cooling/fan_switch.hpp"
+#include "planning/cooling/parking.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 
 namespace lamina {
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kTimeTolerance = 0.001;  // of the time asked for
 constexpr int kMostSteps = 40;
-constexpr double kBeside = 5.0;  // mm
 
 /// What is slowed down first, next and last.
 constexpr std::size_t kGroups = 3;
@@ -91,48 +91,6 @@ class SlowedLayer {
   Toolpath toolpath_;
 };
 
-/// Where the nozzle waits, in the frame of the layers, at the height where it is.
-Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
-  switch (place) {
-    case ParkPlace::Outside:
-      return {box.low.x() - kBeside, here.y(), here.z()};
-    case ParkPlace::Corner:
-      return {box.low.x(), box.low.y(), here.z()};
-    case ParkPlace::Stay:
-      break;
-  }
-  return here;
-}
-
-double travelFeed(const ToolpathLayer& layer) {
-  for (const Path& path : layer.paths)
-    if (path.role == PathRole::Travel) return path.feed_mm_s.at(0);
-  return layer.paths.back().feed_mm_s.at(0);
-}
-
-/// Up, to where it waits, for no time yet, and back to where the layer ended.
-Path waiting(const ToolpathLayer& layer, const Box3& box, const Point3& up, const CoolingSettings& settings) {
-  const Path& last = layer.paths.back();
-  const Point3 here = last.lastPoint();
-  const Point3 lift = settings.lift_mm * up;
-  const Point3 park = parkAt(here, box, settings.park);
-  Path path;
-  path.role = PathRole::Travel;
-  path.process.is_retracted = true;
-  path.tool = last.tool;
-  path.orientation = last.orientation.at(last.is_closed ? 0 : last.points.size() - 1);
-  path.feed_mm_s = travelFeed(layer);
-  path.points = {here};
-  if (settings.lift_mm > 0.0) path.points.push_back(here + lift);
-  if (park != here) path.points.push_back(park + lift);
-  path.events.emplace_back();
-  path.events.back().motion = path.points.size() - 1;
-  path.events.back().event.emplace<Dwell>();
-  if (park != here && settings.lift_mm > 0.0) path.points.push_back(here + lift);
-  path.points.push_back(here);
-  return path;
-}
-
 /// What became of one layer.
 struct CooledLayer {
   bool is_slowed = false;
@@ -146,8 +104,7 @@ class Cooler {
       : toolpath_(toolpath),
         settings_(settings),
         limits_(limits),
-        box_(depositionBox(toolpath)),
-        up_(layerNormal(toolpath)) {}
+        ground_{depositionBox(toolpath), layerNormal(toolpath)} {}
 
   CooledLayer coolLayer(std::size_t index) const {
     ToolpathLayer& layer = toolpath_.layers[index];
@@ -177,7 +134,9 @@ class Cooler {
   /// The ways to the place and back count.
   /// @return how long it dwells [s]
   double wait(ToolpathLayer& layer, double lacking_s) const {
-    Path path = waiting(layer, box_, up_, settings_);
+    const Path& last = layer.paths.back();
+    Path path =
+        parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer), ground_, settings_);
     Toolpath ways;
     ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
     const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
@@ -189,8 +148,7 @@ class Cooler {
   Toolpath& toolpath_;
   const CoolingSettings& settings_;
   const MotionLimits& limits_;
-  Box3 box_;
-  Point3 up_;
+  ParkingGround ground_;
 };
 
 }  // namespace

@@ -330,7 +330,7 @@ class FiveAxisProgram {
       sink(text);
       text.clear();
     }
-    for (const ToolpathEvent& event : motion_.toolpath.events_at_end) writeEvent(event, text);
+    for (const ToolpathEvent& event : motion_.toolpath.events_at_end) writeEvent(event, program_, text);
     text += "; end of the part\n";
     if (has_joints) text += "G94\n";
     if (!has_joints && !tipControlOff(settings_).empty()) text += tipControlOff(settings_) + "\n";
@@ -406,8 +406,9 @@ class FiveAxisProgram {
     writeEvents(path, path.motionCount(), text);
   }
 
-  static void writeEvents(const Path& path, std::size_t motion, std::string& text) {
-    for (const PathEvent& placed : eventsBefore(path.events, motion)) writeEvent(placed.event, text);
+  void writeEvents(const Path& path, std::size_t motion, std::string& text) const {
+    for (const PathEvent& placed : eventsBefore(path.events, motion))
+      writeEvent(placed.event, program_, text);
   }
 
   void writeMotion(std::size_t p, std::size_t m, const PathExtrusion& extrusion, FiveAxisLines& lines,

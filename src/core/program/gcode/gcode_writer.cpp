@@ -277,7 +277,7 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
       toolpath, [&](std::size_t l, std::string& text) { writer.write(toolpath.layers[l], starts[l], text); },
       sink);
   std::string events_at_end;
-  for (const ToolpathEvent& event : toolpath.events_at_end) writeEvent(event, events_at_end);
+  for (const ToolpathEvent& event : toolpath.events_at_end) writeEvent(event, settings, events_at_end);
   sink(events_at_end + "; end of the part\n" + end_code);
 }
 

@@ -46,15 +46,12 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
       is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
       rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
       filament_per_volume_(filamentPerVolume(settings)),
-      retraction_length_mm_(settings.retraction_length_mm),
-      retraction_feed_mm_s_(settings.retraction_feed_mm_s),
-      arcs_tolerance_mm_(settings.arcs_tolerance_mm),
-      drops_(settings.drops) {}
+      settings_(settings) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
   const bool lays_drops = std::any_of(layer.paths.begin(), layer.paths.end(),
                                       [](const Path& path) { return path.deposit == Deposit::Drops; });
-  text.append(lays_drops ? ";" + drops_.layer_mark : ";LAYER:")
+  text.append(lays_drops ? ";" + settings_.drops.layer_mark : ";LAYER:")
       .append(std::to_string(start.index))
       .append("\n");
   writeComment<3>(";Z:", toUnits(layer.z_mm + rise_mm_, kPositionScale), text);
@@ -72,8 +69,8 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
     const bool next_is_retracted =
         p + 1 < layer.paths.size() ? layer.paths[p + 1].process.is_retracted : start.next_is_retracted;
     const bool retracts = path.process.is_retracted && !is_retracted;
-    const double wiped_mm = retracts ? wipeShare(path) * retraction_length_mm_ : 0.0;
-    if (retracts) writeRetraction(wiped_mm - retraction_length_mm_, modal, text);
+    const double wiped_mm = retracts ? wipeShare(path) * settings_.retraction_length_mm : 0.0;
+    if (retracts) writeRetraction(wiped_mm - settings_.retraction_length_mm, modal, text);
     if (path.deposit == Deposit::Drops) {
       writeDrops(path, modal, text);
       continue;
@@ -91,27 +88,32 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
     else
       writePath(path, modal, text);
     is_retracted = path.process.is_retracted && next_is_retracted;
-    if (path.process.is_retracted && !is_retracted) writeRetraction(retraction_length_mm_, modal, text);
+    if (path.process.is_retracted && !is_retracted)
+      writeRetraction(settings_.retraction_length_mm, modal, text);
   }
 }
 
 void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) const {
-  text.append(";").append(drops_.role_mark).append(roleName(path.role, drops_)).append("\n");
+  text.append(";")
+      .append(settings_.drops.role_mark)
+      .append(roleName(path.role, settings_.drops))
+      .append("\n");
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     const double factor = i > 0 ? feedFactor(path.points[i - 1], path.points[i]) : 1.0;
     writeMotion(path.points[i], path.feed_mm_s.at(i) * factor, modal, text);
-    text.append(drops_.discharge).append("\n");
+    text.append(settings_.drops.discharge).append("\n");
   }
 }
 
 std::optional<PathArcs> LayerWriter::arcsOf(const Path& path) const {
-  if (arcs_tolerance_mm_ == 0.0 || path.role == PathRole::Travel) return std::nullopt;
+  if (settings_.arcs_tolerance_mm == 0.0 || path.role == PathRole::Travel) return std::nullopt;
   std::vector<Point3> places = {placeOf(path.firstPoint())};
   for (std::size_t m = 0; m < path.motionCount(); ++m)
     places.push_back(placeOf(path.points[path.motionEnd(m)]));
   // Positions are rounded when they are written.
-  return PathArcs(path, places,
-                  std::max(0.5 * arcs_tolerance_mm_, arcs_tolerance_mm_ - 1.0 / kPositionScale));
+  return PathArcs(
+      path, places,
+      std::max(0.5 * settings_.arcs_tolerance_mm, settings_.arcs_tolerance_mm - 1.0 / kPositionScale));
 }
 
 void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) const {
@@ -163,7 +165,7 @@ void LayerWriter::writeWipe(const Path& path, double retraction_mm, Modal& modal
 
 void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal, std::string& text) const {
   for (const PathEvent& placed : eventsBefore(path.events, motion)) {
-    writeEvent(placed.event, text);
+    writeEvent(placed.event, settings_, text);
     const auto* const code = std::get_if<MachineCode>(&placed.event);
     if (code == nullptr || !code->moves_axes) continue;
     text += "G21\nG90\nM83\n";
@@ -246,7 +248,7 @@ void LayerWriter::writeRetraction(double length_mm, Modal& modal, std::string& t
   if (units == 0) return;
   char line[kLongestWrittenLine] = "G1 E";
   char* out = writeFixed<5>(line + 4, units);
-  out = writeChanged(out, 'F', toUnits(retraction_feed_mm_s_, kFeedScale), modal.feed);
+  out = writeChanged(out, 'F', toUnits(settings_.retraction_feed_mm_s, kFeedScale), modal.feed);
   *out++ = '\n';
   text.append(line, out);
 }

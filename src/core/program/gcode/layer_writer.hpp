@@ -71,10 +71,7 @@ class LayerWriter {
   bool is_askew_;   ///< lengths along the axes differ from those over the bed
   double rise_mm_;  ///< of the part along the layers' normal
   double filament_per_volume_;
-  double retraction_length_mm_;
-  double retraction_feed_mm_s_;
-  double arcs_tolerance_mm_;
-  DropDialect drops_;
+  ProgramSettings settings_;
 };
 
 }  // namespace lamina

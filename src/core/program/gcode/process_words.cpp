@@ -16,32 +16,35 @@ namespace {
 
 constexpr double kFanSteps = 255.0;
 
-void writeWords(const Dwell& dwell, std::string& text) {
-  text += "G4 P" + std::to_string(std::llround(dwell.duration_s * 1e3)) + "\n";
-}
+/// Appends each kind of event.
+struct EventWords {
+  const ProgramSettings& settings;
+  std::string& text;
 
-void writeWords(const FanShare& fan, std::string& text) {
-  const auto steps = std::llround(fan.share * kFanSteps);
-  text += steps > 0 ? "M106 S" + std::to_string(steps) + "\n" : "M107\n";
-}
-
-void writeWords(const OperatorPause& pause, std::string& text) {
-  text += "M0" + (pause.message.empty() ? "" : " " + pause.message) + "\n";
-}
-
-void writeWords(const MachineCode& code, std::string& text) {
-  text += code.text;
-  if (text.back() != '\n') text += '\n';
-}
+  void operator()(const Dwell& dwell) const {
+    text += "G4 P" + std::to_string(std::llround(dwell.duration_s * 1e3)) + "\n";
+  }
+  void operator()(const FanShare& fan) const {
+    const auto steps = std::llround(fan.share * kFanSteps);
+    text += steps > 0 ? "M106 S" + std::to_string(steps) + "\n" : "M107\n";
+  }
+  void operator()(const OperatorPause& pause) const {
+    text += settings.pause_code + (pause.message.empty() ? "" : " " + pause.message) + "\n";
+  }
+  void operator()(const MachineCode& code) const {
+    text += code.text;
+    if (text.back() != '\n') text += '\n';
+  }
+};
 
 }  // namespace
 
-void writeEvent(const ToolpathEvent& event, std::string& text) {
-  std::visit([&text](const auto& kind) { writeWords(kind, text); }, event);
+void writeEvent(const ToolpathEvent& event, const ProgramSettings& settings, std::string& text) {
+  std::visit(EventWords{settings, text}, event);
 }
 
 std::optional<ToolpathEvent> readEvent(std::string_view command) {
-  constexpr std::array<std::string_view, 4> kPauses = {"M0", "M1", "M600", "M601"};
+  constexpr std::array<std::string_view, 5> kPauses = {"M0", "M1", "M600", "M601", "PAUSE"};
   if (isCommand(command, "M107")) return FanShare{0.0};
   if (isCommand(command, "M106")) {
     if (wordValue(command, 'P').value_or(0.0) != 0.0) return std::nullopt;

@@ -7,16 +7,17 @@
 #include <string>
 #include <string_view>
 
+#include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath_event.hpp"
 
 namespace lamina {
 
-/// Appends an event as lines of G-code: `G4 P` in ms, `M106 S` of 255 or `M107`, `M0` with the message; code
-/// as it is.
-void writeEvent(const ToolpathEvent& event, std::string& text);
+/// Appends an event as lines of G-code: `G4 P` in ms, `M106 S` of 255 or `M107`, `pause.code` with the
+/// message; code as it is.
+void writeEvent(const ToolpathEvent& event, const ProgramSettings& settings, std::string& text);
 
-/// The event of a command that is no motion: `M106`, `M107`, `M0`, `M1`, `M600`, `M601`. Fans other than the
-/// first (P) are none.
+/// The event of a command that is no motion: `M106`, `M107`, `M0`, `M1`, `M600`, `M601`, `PAUSE`. Fans other
+/// than the first (P) are none.
 std::optional<ToolpathEvent> readEvent(std::string_view command);
 
 /// The tool of a command `T3`.

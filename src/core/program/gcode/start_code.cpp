@@ -3,9 +3,9 @@
 #include "program/gcode/start_code.hpp"
 
 #include <Eigen/LU>
-#include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/placeholders.hpp"
 #include "program/gcode/fixed_point.hpp"
 
 namespace lamina {
@@ -42,28 +42,13 @@ std::string valueOf(const std::string& name, const Placeholders& placeholders) {
   return {digits, writeFixed<3>(digits, toUnits(value, 1e3))};
 }
 
-/// @return the line, empty if it is to be left out
-std::string expandLine(std::string line, const Placeholders& placeholders) {
-  for (std::size_t open = line.find('{'); open != std::string::npos; open = line.find('{', open)) {
-    const std::size_t close = line.find('}', open);
-    if (close == std::string::npos)
-      throw InvalidConfig(placeholders.key + " has '{' without '}' in the line '" + line + "'");
-    const std::string value = valueOf(line.substr(open + 1, close - open - 1), placeholders);
-    if (value.empty()) return "";
-    line.replace(open, close - open + 1, value);
-  }
-  return line + "\n";
-}
-
 }  // namespace
 
 std::string expandCode(const std::string& key, const std::string& code, const ProgramSettings& settings,
                        const ProgramFrame& frame) {
   const Placeholders placeholders{key, settings, liftAxis(frame)};
-  std::istringstream lines(code);
-  std::string expanded;
-  for (std::string line; std::getline(lines, line);) expanded += expandLine(line, placeholders);
-  return expanded;
+  return expandPlaceholders(key, code,
+                            [&placeholders](const std::string& name) { return valueOf(name, placeholders); });
 }
 
 }  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+
+namespace lamina {
+
+/// Lines in the machine's own language, and where they stand in a program. Placeholders in braces are
+/// replaced (`addHooks`).
+struct HookSettings {
+  std::string part_start;
+  std::string part_end;
+  std::string layer_start;
+  std::string layer_end;
+  std::string tool_change;    ///< behind the change
+  std::string pause;          ///< before the machine waits
+  SettingTable before_role;   ///< by the role's name
+  SettingTable after_role;    ///< the same
+  SettingTable at_layer;      ///< by the layer's number, from 0
+  SettingTable at_height_mm;  ///< by the height that has been reached
+  bool moves_axes = false;    ///< position, modes and feed are stated again behind each of them
+};
+
+/// Where the machine waits for its operator.
+struct PauseSettings {
+  std::vector<double> at_layers;      ///< numbers of layers, from 0, before which it waits
+  std::vector<double> at_heights_mm;  ///< that have been reached
+};
+
+/// Adds the keys hooks.*.
+void describe(SettingsSchema& schema, HookSettings& settings);
+/// Adds the keys pause.at_layers and pause.at_heights_mm.
+void describe(SettingsSchema& schema, PauseSettings& settings);
+
+/// @throws InvalidConfig if code holds an unknown placeholder, a carriage return, more than 1000 lines, or a
+/// command that moves axes or changes modes without `moves_axes`; if a role, a layer or a height is none
+void requireConsistent(const HookSettings& settings);
+void requireConsistent(const PauseSettings& settings);
+
+}  // namespace lamina

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lamina/base/placeholders.hpp"
+#include "lamina/planning/hooks/hook_settings.hpp"
+
+namespace lamina {
+
+/// Code and the key of the setting it comes from.
+struct HookCode {
+  std::string key;
+  std::string code;
+};
+
+/// All code that is not empty.
+std::vector<HookCode> hookCodes(const HookSettings& settings);
+
+/// Code by the layer, or the height [mm], it stands at.
+/// @throws InvalidConfig if a name is no number of a layer, or no height
+std::map<std::size_t, HookCode> layerHooks(const HookSettings& settings);
+std::map<double, HookCode> heightHooks(const HookSettings& settings);
+
+/// Whether code holds one of these placeholders.
+bool holdsAny(const std::string& code, const std::vector<std::string>& placeholders);
+
+/// @throws InvalidConfig if code holds a placeholder that there is not
+void requirePlaceholders(const std::string& key, const std::string& code);
+
+}  // namespace lamina

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/hooks/layer_places.hpp"
+
+#include <algorithm>
+
+#include "lamina/base/error.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameHeight = 1e-6;  // mm
+
+}  // namespace
+
+std::size_t firstBead(const ToolpathLayer& layer) {
+  const auto bead = std::find_if(layer.paths.begin(), layer.paths.end(),
+                                 [](const Path& path) { return path.role != PathRole::Travel; });
+  return static_cast<std::size_t>(bead - layer.paths.begin());
+}
+
+LayerPlaces::LayerPlaces(const Toolpath& toolpath, const HookSite& site)
+    : toolpath_(toolpath),
+      rise_mm_((site.bed_from_part.linear() * layerNormal(toolpath)).dot(site.bed_from_part.translation())) {}
+
+std::size_t LayerPlaces::layer(std::size_t number, const std::string& what) const {
+  for (std::size_t i = number; i < toolpath_.layers.size(); ++i)
+    if (firstBead(toolpath_.layers[i]) < toolpath_.layers[i].paths.size()) return i;
+  throw InvalidConfig(what + " asks for layer " + std::to_string(number) + "; the part has " +
+                      std::to_string(toolpath_.layers.size()) + ", counted from 0");
+}
+
+std::size_t LayerPlaces::above(double height_mm, const std::string& what) const {
+  for (std::size_t i = 0; i < toolpath_.layers.size(); ++i) {
+    const ToolpathLayer& layer = toolpath_.layers[i];
+    const bool lays = firstBead(layer) < layer.paths.size();
+    if (lays && topOf(i) - layer.height_mm >= height_mm - kSameHeight) return i;
+  }
+  throw InvalidConfig(what + " asks for a height of " + std::to_string(height_mm) +
+                      " mm; no layer begins at or above it");
+}
+
+}  // namespace lamina
