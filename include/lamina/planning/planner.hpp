@@ -47,6 +47,8 @@ struct Plan {
   double raft_mm = 0.0;  ///< from the bed to the part, which keeps its coordinates: the raft lies below
 };
 
+struct PlanVariant;
+
 /// How inclined layers stand.
 struct LayerIncline {
   BedPlane bed;
@@ -63,6 +65,11 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// @throws as `planToolpath`; InvalidConfig if a prime line does not fit on the bed or would cross the part
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const Box2& bed, Progress& progress);
+
+/// The same with other settings in part of the layers. Only fills of beads within a layer take that.
+/// @throws as `planToolpath`; InvalidConfig if a strategy lays drops or goes on from layer to layer
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const Box2& bed, const std::vector<PlanVariant>& variants, Progress& progress);
 
 /// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
 /// bed, and with the starts of runs as `anchoring.strategy` says.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,10 +26,13 @@
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/bridges/layer_below.hpp"
+#include "planning/modifiers/island_pieces.hpp"
+#include "planning/modifiers/run_clipping.hpp"
 #include "planning/order/anchored_run.hpp"
 #include "planning/order/ordering.hpp"
 #include "planning/order/support_test.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
+#include "planning/role_feed.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/skin_areas.hpp"
@@ -61,33 +65,6 @@ std::optional<Point2> bedSide(const Layer& layer, const BedPlane& bed) {
   return side;
 }
 
-double feedOf(PathRole role, const FeedSettings& feed) {
-  switch (role) {
-    case PathRole::OuterWall:
-      return feed.outer_wall_mm_s;
-    case PathRole::InnerWall:
-      return feed.inner_wall_mm_s;
-    case PathRole::Skirt:
-    case PathRole::Brim:
-    case PathRole::Raft:
-    case PathRole::Prime:
-      return feed.skirt_mm_s;
-    case PathRole::Bridge:
-      return feed.bridge_mm_s;
-    case PathRole::Support:
-      return feed.support_mm_s;
-    case PathRole::SupportInterface:
-      return feed.support_interface_mm_s;
-    case PathRole::TopSkin:
-      return feed.top_skin_mm_s;
-    case PathRole::Skin:
-    case PathRole::BottomSkin:
-      return feed.skin_mm_s;
-    default:
-      return feed.infill_mm_s;
-  }
-}
-
 bool isAnchored(const PlanContext& context) {
   return context.bed && context.settings.anchoring.strategy == Anchoring::SupportedStart;
 }
@@ -102,6 +79,7 @@ class LayerPlanner {
  public:
   LayerPlanner(const StackedLayer& stacked, std::size_t index, const PlanContext& context)
       : context_(context),
+        stacked_(stacked),
         settings_(context.settings),
         index_(index),
         nozzle_(anchorOf(*stacked.layer, context)),
@@ -127,7 +105,7 @@ class LayerPlanner {
   /// Once only.
   PlannedLayer plan(const std::vector<Polygon>& contours) {
     const Regions material = unite(simplify(contours, settings_.simplification_mm));
-    travels_.setMaterial(material);
+    setMaterial(material);
     if (aids_ != nullptr)
       for (const AidRuns& aids : *aids_) addAids(aids);
     if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
@@ -165,26 +143,43 @@ class LayerPlanner {
     return contact == WallContact::Fitted && !isSolid(infill_) ? WallContact::Overlapping : contact;
   }
 
+  bool takesSkins() const { return cover_ != nullptr && hasSkins(settings_.skins) && !isSolid(infill_); }
+
+  /// @param spans  whether something of the island lies over a gap
+  bool needsSkins(bool spans) const {
+    return (takesSkins() && !cover_->isCovered()) || (spans && !isSolid(infill_));
+  }
+
+  /// @param material  of the layer; must outlive this
+  void setMaterial(const Regions& material) {
+    material_ = &material;
+    travels_.setMaterial(material);
+  }
+
   /// @return area [mm²] that gets no bead
   double addIsland(const Region& island) {
     if (laysDrops()) {
       addInfill({island});
       return 0.0;
     }
-    const bool takes_skins = cover_ != nullptr && hasSkins(settings_.skins) && !isSolid(infill_);
+    if (!stacked_.variants.empty()) {
+      const std::vector<IslandPiece> pieces =
+          piecesOf(island, {&context_, cover_, nullptr}, stacked_.variants);
+      if (pieces.size() > 1) return addPieces(island, pieces);
+      if (pieces.front().context != &context_) {
+        double unprinted_mm2 = 0.0;
+        planBy(pieces.front(), [&](LayerPlanner& planner) { unprinted_mm2 = planner.addIsland(island); });
+        return unprinted_mm2;
+      }
+    }
     const bool spans = below_.leavesGaps({island});
-    bool has_skins = (takes_skins && !cover_->isCovered()) || (spans && !isSolid(infill_));
+    bool has_skins = needsSkins(spans);
     Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
-    if (takes_skins && !has_skins && hasSmallInfill(walls)) {
+    if (takesSkins() && !has_skins && hasSmallInfill(walls)) {
       has_skins = true;
       walls = makeWalls({island}, settings_, pitch_, WallContact::Beside);
     }
-    const std::size_t count = walls.walls.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
-      addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
-      addShortest(std::move(walls.walls[k].thin), {});
-    }
+    addWalls(walls);
     if (spans) walls.infill = addBridges(walls.infill);
     const std::size_t before = result_.paths.size();
     if (has_skins) {
@@ -214,6 +209,101 @@ class LayerPlanner {
   void markSince(std::size_t before, double feed_mm_s) {
     for (std::size_t i = before; i < result_.paths.size(); ++i)
       if (result_.paths[i].role != PathRole::Travel) markUnsupported(result_.paths[i], feed_mm_s);
+  }
+
+  void addWalls(Walls& walls) {
+    const std::size_t count = walls.walls.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
+      addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
+      addShortest(std::move(walls.walls[k].thin), {});
+    }
+  }
+
+  /// An island in several pieces: as many walls as the piece with the fewest has go all round; the others
+  /// lie in their pieces.
+  /// @return area [mm²] that gets no bead
+  double addPieces(const Region& island, const std::vector<IslandPiece>& pieces) {
+    PlanSettings fewest = settings_;
+    fewest.walls.count = leastWalls(pieces);
+    Walls walls = makeWalls({island}, fewest, pitch_, WallContact::Beside);
+    const auto addCommonWalls = [&] {
+      const std::size_t before = result_.paths.size();
+      addWalls(walls);
+      for (std::size_t i = before; i < result_.paths.size(); ++i)
+        if (kindOf(result_.paths[i].role) == RoleKind::Wall)
+          result_.paths[i] = withFeedsOf(std::move(result_.paths[i]), pieces, index_);
+    };
+    if (settings_.walls.order == WallOrder::OutsideIn) addCommonWalls();
+    for (const IslandPiece& piece : pieces)
+      planBy(piece, [&](LayerPlanner& planner) {
+        planner.addInnerWalls(island, piece.area, static_cast<std::size_t>(fewest.walls.count));
+      });
+    if (settings_.walls.order == WallOrder::InsideOut) addCommonWalls();
+    for (const IslandPiece& piece : pieces)
+      planBy(piece, [&](LayerPlanner& planner) { planner.fillPiece(island, piece.area); });
+    return walls.unprinted_mm2;
+  }
+
+  /// Goes on by the settings of a piece from where the nozzle is.
+  template <class Step>
+  void planBy(const IslandPiece& piece, const Step& step) {
+    StackedLayer stacked = stacked_;
+    stacked.cover = piece.cover;
+    stacked.cover_below = nullptr;
+    stacked.aids = nullptr;
+    stacked.variants.clear();
+    LayerPlanner planner(stacked, index_, *piece.context);
+    if (material_ != nullptr) planner.setMaterial(*material_);
+    planner.nozzle_ = nozzle_;
+    planner.island_ = island_;
+    step(planner);
+    starts_ += planner.starts_;
+    bridging_ += planner.bridging_;
+    sparse_.insert(sparse_.end(), planner.sparse_.begin(), planner.sparse_.end());
+    std::vector<Path>& paths = planner.result_.paths;
+    if (paths.empty()) return;
+    if (!result_.paths.empty()) addTravelTo(paths.front().firstPoint(), TravelOver::Anything);
+    std::move(paths.begin(), paths.end(), std::back_inserter(result_.paths));
+    nozzle_ = planner.nozzle_;
+  }
+
+  /// Walls beyond the first so many, where they run through the piece.
+  void addInnerWalls(const Region& island, const Regions& piece, std::size_t first) {
+    if (static_cast<std::size_t>(settings_.walls.count) <= first) return;
+    Walls walls = makeWalls({island}, settings_, pitch_, contact());
+    std::vector<FillPath> runs;
+    for (std::size_t k = first; k < walls.walls.size(); ++k) {
+      std::vector<FillPath> whole = std::move(walls.walls[k].thin);
+      const PathRole role = k == 0 ? PathRole::OuterWall : PathRole::InnerWall;
+      for (Polygon& loop : outlines(walls.walls[k].centre_lines))
+        whole.push_back({std::move(loop), true, role, Deposit::Bead, {}});
+      for (const FillPath& run : whole)
+        for (FillPath& part : clipped(run, piece)) runs.push_back(std::move(part));
+    }
+    addShortest(std::move(runs), {});
+  }
+
+  /// Skins and infill, up to the walls of the island and to the border of the piece.
+  void fillPiece(const Region& island, const Regions& piece) {
+    const bool spans = below_.leavesGaps({island});
+    const bool has_skins = needsSkins(spans);
+    const WallContact beside = has_skins ? WallContact::Beside : contact();
+    const double overlap_mm =
+        beside == WallContact::Overlapping ? settings_.infill.wall_overlap * settings_.bead.width_mm : 0.0;
+    Walls walls = makeWalls({island}, settings_, pitch_, beside);
+    Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
+    if (spans) inside = addBridges(inside);
+    if (inside.empty()) return;
+    const std::size_t before = result_.paths.size();
+    if (has_skins) return addSkinsAndInfill(inside, before);
+    if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
+    starts_ += startsOf(inside, fillsSince(before), pitch_);
+    std::vector<FillPath> narrow;
+    for (const FillPath& run : walls.narrow_infill)
+      for (FillPath& part : clipped(run, piece)) narrow.push_back(std::move(part));
+    addShortest(std::move(narrow), {});
+    if (!isSolid(infill_)) sparse_.insert(sparse_.end(), inside.begin(), inside.end());
   }
 
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
@@ -355,7 +445,7 @@ class LayerPlanner {
   void refillVoids(const Regions& material) {
     RefillSettings settings;
     settings.least_area = settings_.voids.least_area;
-    const Regions solid = isSolid(infill_) ? material : difference(material, sparse_);
+    const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
     addShortest(refill(findVoids(solid, result_, {}), settings), material);
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
@@ -398,7 +488,7 @@ class LayerPlanner {
     const std::vector<FillPath>& runs = *aids.runs;
     const auto lay = [&](const FillPath& run) {
       const bool is_inside = aids.area && staysInside(*aids.area, nozzle_, run.points.front());
-      Path path = pathAlong(run, aids.bead, aids.top_mm, feedFor(run.role));
+      Path path = pathAlong(run, aids.bead, aids.top_mm, feedIn(settings_.feed, run.role, index_));
       path.tool = aids.tool;
       layPath(std::move(path), is_inside ? TravelOver::Infill : TravelOver::Anything);
     };
@@ -422,12 +512,8 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    layPath(below_.carried(pathAlong(run, beadOf(run), top_, feedFor(run.role))), over);
-  }
-
-  double feedFor(PathRole role) const {
-    const double feed = feedOf(role, settings_.feed);
-    return index_ == 0 ? std::min(feed, settings_.feed.first_layer_mm_s) : feed;
+    layPath(below_.carried(pathAlong(run, beadOf(run), top_, feedIn(settings_.feed, run.role, index_))),
+            over);
   }
 
   void layPath(Path path, TravelOver over) {
@@ -449,6 +535,7 @@ class LayerPlanner {
   }
 
   const PlanContext& context_;
+  StackedLayer stacked_;
   const PlanSettings& settings_;
   std::size_t index_;
   std::size_t island_ = 0;
@@ -456,6 +543,7 @@ class LayerPlanner {
   Point2 nozzle_;
   Seam seam_;
   LayerTravels travels_;
+  const Regions* material_ = nullptr;
   double top_;
   const LayerCover* cover_;                ///< null without skins, bridges and overhanging walls
   const LayerCover* cover_below_;          ///< of the layer below

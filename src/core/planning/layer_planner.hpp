@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
@@ -32,6 +33,13 @@ struct PlanContext {
   LayerLift lift;  ///< of layers planned in a plan; none of those planned where they are
 };
 
+/// What another plan of the layer is made by, and where it holds (`PlanVariant`).
+struct LayerVariant {
+  const PlanContext* context = nullptr;
+  const LayerCover* cover = nullptr;  ///< null without skins
+  const Regions* area = nullptr;
+};
+
 /// A layer and the one it is laid on, if there is one.
 struct StackedLayer {
   const Layer* layer = nullptr;
@@ -40,7 +48,8 @@ struct StackedLayer {
   const LayerCover* cover_below = nullptr;  ///< of the layer below
   /// For a fill that grows from the layers above; null for others.
   const std::vector<Polyline>* branches = nullptr;
-  const LayerAids* aids = nullptr;  ///< laid first; null for none
+  const LayerAids* aids = nullptr;          ///< laid first; null for none
+  std::vector<LayerVariant> variants = {};  ///< that hold anywhere in it
 };
 
 /// The paths of one layer.

@@ -18,6 +18,7 @@
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/planning/modifiers/plan_variant.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 #include "lamina/planning/plan_settings.hpp"
@@ -187,15 +188,35 @@ struct StackCover {
   std::vector<std::vector<Polyline>> branches;  ///< none for a fill that does not grow
 };
 
-StackedLayer stackedAt(const std::vector<Layer>& layers, const StackCover& stack,
-                       const std::vector<LayerAids>& aids, std::size_t index) {
+const LayerCover* coverAt(const StackCover& stack, std::size_t index) {
+  return stack.covers.empty() ? nullptr : &stack.covers[index];
+}
+
+/// A variant and what it is planned by.
+struct VariantPlan {
+  const std::vector<Regions>& areas;
+  PlanContext context;
+  StackCover stack;
+};
+
+/// What the layers of a plan are planned from.
+struct StackPlan {
+  StackCover stack;
+  PlannedAids aids;
+  std::vector<VariantPlan> variants;
+};
+
+StackedLayer stackedAt(const std::vector<Layer>& layers, const StackPlan& plan, std::size_t index) {
   StackedLayer stacked;
   stacked.layer = &layers[index];
   if (index > 0) stacked.below = &layers[index - 1];
-  if (!stack.covers.empty()) stacked.cover = &stack.covers[index];
-  if (!stack.covers.empty() && index > 0) stacked.cover_below = &stack.covers[index - 1];
-  if (!stack.branches.empty()) stacked.branches = &stack.branches[index];
-  if (!aids.empty()) stacked.aids = &aids[index];
+  stacked.cover = coverAt(plan.stack, index);
+  if (index > 0) stacked.cover_below = coverAt(plan.stack, index - 1);
+  if (!plan.stack.branches.empty()) stacked.branches = &plan.stack.branches[index];
+  if (!plan.aids.layers.empty()) stacked.aids = &plan.aids.layers[index];
+  for (const VariantPlan& variant : plan.variants)
+    if (!variant.areas[index].empty())
+      stacked.variants.push_back({&variant.context, coverAt(variant.stack, index), &variant.areas[index]});
   return stacked;
 }
 
@@ -232,6 +253,28 @@ std::vector<Polyline> moved(std::vector<Polyline> lines, const Point2& by) {
   for (Polyline& line : lines)
     for (Point2& point : line) point += by;
   return lines;
+}
+
+/// Only fills of beads, each within its layer, can lie beside each other.
+void requireBeadsInLayers(const PlanContext& context) {
+  if (context.strategy.deposit == Deposit::Bead && context.strategy.link == LayerLink::Travel) return;
+  throw InvalidConfig("infill.strategy is '" + context.settings.infill.strategy +
+                      "' in a part of which regions have settings of their own; expected one that lays beads "
+                      "within each layer");
+}
+
+std::vector<VariantPlan> variantPlans(const std::vector<Layer>& layers,
+                                      const std::vector<PlanVariant>& variants, const PlanContext& plan,
+                                      Progress& progress) {
+  std::vector<VariantPlan> plans;
+  if (!variants.empty()) requireBeadsInLayers(plan);
+  for (const PlanVariant& variant : variants) {
+    PlanContext context = contextFor(layers, variant.settings);
+    requireBeadsInLayers(context);
+    StackCover stack = stackCover(layers, context, progress);
+    plans.push_back({variant.areas, std::move(context), std::move(stack)});
+  }
+  return plans;
 }
 
 /// An inclined layer far out on a belt is planned near the origin.
@@ -272,10 +315,13 @@ void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) 
   }
 }
 
-Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress) {
+Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
+                   const std::vector<PlanVariant>& of_regions = {}) {
   const PlanContext context = wallContext(of_settings);
-  const StackCover stack = stackCover(layers, of_settings, progress);
-  const PlannedAids aids = planAids(layers, of_settings, progress);
+  StackPlan of_stack;
+  of_stack.stack = stackCover(layers, of_settings, progress);
+  of_stack.aids = planAids(layers, of_settings, progress);
+  of_stack.variants = variantPlans(layers, of_regions, context, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
   const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
@@ -284,13 +330,13 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
       layers.size(),
       [&](std::size_t i) {
         const PlanContext& above = i < base_layers ? base : context;
-        planned[i] = planAnywhere(stackedAt(layers, stack, aids.layers, i), i, i == 0 ? on_bed : above);
+        planned[i] = planAnywhere(stackedAt(layers, of_stack, i), i, i == 0 ? on_bed : above);
         if (i == 0) scaleFlow(planned[i].layer, context.settings.first_layer.flow);
         if (context.lift) liftLayer(planned[i], i, context.lift);
       },
       progress, "plan");
   Plan plan = inOne(std::move(planned));
-  plan.supports = aids.supports;
+  plan.supports = of_stack.aids.supports;
   std::vector<ToolpathLayer>& paths = plan.toolpath.layers;
   const TravelSettings travel_settings = betweenLayers(of_settings.settings.travel);
   const TravelMaker travel =
@@ -317,9 +363,14 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const Box2& bed, Progress& progress) {
+  return planPart(part_name, layers, settings, bed, {}, progress);
+}
+
+Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
+              const Box2& bed, const std::vector<PlanVariant>& variants, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   context.level_bed = bed;
-  Plan plan = planInContext(layers, context, progress);
+  Plan plan = planInContext(layers, context, progress, variants);
   plan.toolpath.part_name = part_name;
   return plan;
 }

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/infill/fill_path.hpp"
+
+namespace lamina {
+
+/// Where the straight line from one point to the other meets the outlines, as shares of the way between 0 and
+/// 1, ascending. Effort: the number of edges.
+std::vector<double> crossings(const Point2& from, const Point2& to, const std::vector<Polygon>& borders);
+
+/// The pieces of a run that lie in the regions. A closed run that nowhere leaves them stays closed; one that
+/// does leaves no seam where it began. Pieces shorter than 1e-3 mm are left out.
+std::vector<FillPath> clipped(const FillPath& run, const Regions& area);
+
+}  // namespace lamina

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Settings that hold in part of a layer.
+#include "lamina/planning/modifiers/plan_variant.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/base/random.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/infill/line_link.hpp"
+#include "planning/modifiers/run_clipping.hpp"
+#include "support/planned_layers.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::rectangle;
+
+constexpr int kVariedLayers = 100;
+
+std::vector<Layer> cube() {
+  return test::layersOf(kVariedLayers, [](int) { return std::vector<Polygon>{rectangle(0, 0, 20, 20)}; });
+}
+
+/// Lines that are not joined, so that the volume is the density's.
+PlanSettings sparse(double density) {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.infill.density = density;
+  settings.infill.links.link = LineLink::None;
+  settings.infill.wall_overlap = 0.0;
+  return settings;
+}
+
+PlanVariant variantOf(const PlanSettings& settings, const Regions& area, int from = 0,
+                      int to = kVariedLayers) {
+  PlanVariant variant{settings, std::vector<Regions>(kVariedLayers)};
+  for (int i = from; i < to; ++i) variant.areas[static_cast<std::size_t>(i)] = area;
+  return variant;
+}
+
+Toolpath variedPlan(const PlanSettings& settings, const std::vector<PlanVariant>& variants) {
+  NoProgress nobody;
+  const Box2 bed{{-100.0, -100.0}, {100.0, 100.0}};
+  Toolpath toolpath = planPart("part", cube(), settings, bed, variants, nobody).toolpath;
+  validate(toolpath);
+  return toolpath;
+}
+
+const Regions kRightHalf = {Region{rectangle(10, -1, 21, 21), {}}};
+
+/// Of paths whose middle lies right of that x.
+double volumeBeyond(const Toolpath& toolpath, double x, RoleKind kind) {
+  double sum_mm3 = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (kindOf(path.role) != kind) continue;
+      Point3 middle = Point3::Zero();
+      for (const Point3& point : path.points) middle += point / static_cast<double>(path.points.size());
+      if (middle.x() > x) sum_mm3 += depositedVolume(path);
+    }
+  return sum_mm3;
+}
+
+double volume(const Toolpath& toolpath, RoleKind kind) { return volumeBeyond(toolpath, -1e9, kind); }
+
+TEST(PlanVariant, FillsEachHalfByItsDensity) {
+  const Toolpath toolpath = variedPlan(sparse(0.15), {variantOf(sparse(0.6), kRightHalf)});
+  const double right = volumeBeyond(toolpath, 10, RoleKind::Infill);
+  const double left = volume(toolpath, RoleKind::Infill) - right;
+  EXPECT_NEAR(right / left, 4.0, 0.08);
+  // Lines end half a bead inside their place: a little less at borders than the density asks for.
+  EXPECT_NEAR(right, 0.5 * volume(test::plan(cube(), sparse(0.6)), RoleKind::Infill), 0.04 * right);
+  EXPECT_NEAR(volume(toolpath, RoleKind::Wall), volume(test::plan(cube(), sparse(0.15)), RoleKind::Wall),
+              1e-6);
+}
+
+TEST(PlanVariant, OfWholeLayersIsTheirPlan) {
+  const Toolpath dense = test::plan(cube(), sparse(0.6));
+  const Toolpath light = test::plan(cube(), sparse(0.15));
+  const Regions all = {Region{rectangle(-1, -1, 21, 21), {}}};
+  const Toolpath toolpath = variedPlan(sparse(0.15), {variantOf(sparse(0.6), all, 40, 60)});
+  for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
+    const Toolpath& same = i >= 40 && i < 60 ? dense : light;
+    EXPECT_NEAR(totals({"", {toolpath.layers[i]}, Eigen::Quaterniond::Identity(), {}}).deposited_mm3,
+                totals({"", {same.layers[i]}, Eigen::Quaterniond::Identity(), {}}).deposited_mm3, 1e-9)
+        << i;
+  }
+}
+
+TEST(PlanVariant, WithoutAreaChangesNothing) {
+  const Toolpath toolpath = variedPlan(sparse(0.15), {variantOf(sparse(0.6), {})});
+  EXPECT_EQ(toolpathId(toolpath), toolpathId(test::plan(cube(), sparse(0.15))));
+}
+
+TEST(PlanVariant, EndsInnerWallsAtItsBorder) {
+  PlanSettings four = sparse(0.0);
+  four.walls.count = 4;
+  const Toolpath toolpath = variedPlan(sparse(0.0), {variantOf(four, kRightHalf)});
+  const double section = crossSection({0.4, 0.2});
+  double expected_mm = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double side = 20.0 - 2.0 * (0.2 + k * test::kLayerPitch);
+    expected_mm += k < 2 ? 4.0 * side : 2.0 * side;  // loops, and halves of two more
+  }
+  EXPECT_NEAR(volume(toolpath, RoleKind::Wall), expected_mm * section * kVariedLayers,
+              1e-4 * expected_mm * section * kVariedLayers);
+  for (const Path& path : toolpath.layers[0].paths) {
+    if (kindOf(path.role) != RoleKind::Wall || path.is_closed) continue;
+    for (const Point3& point : path.points) EXPECT_GE(point.x(), 10.0 - 1e-6);
+  }
+}
+
+TEST(PlanVariant, ChangesFeedsOfWallsOnItsBorder) {
+  PlanSettings slow = sparse(0.15);
+  slow.feed.outer_wall_mm_s = 10.0;
+  const Toolpath toolpath = variedPlan(sparse(0.15), {variantOf(slow, kRightHalf)});
+  double slow_mm = 0.0;
+  double usual_mm = 0.0;
+  for (const Path& path : toolpath.layers[5].paths) {
+    if (path.role != PathRole::OuterWall) continue;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t end = path.motionEnd(m);
+      const double length_mm = (path.points[end] - path.points[m]).norm();
+      (path.feed_mm_s.at(end) == 10.0 ? slow_mm : usual_mm) += length_mm;
+      const double middle = 0.5 * (path.points[end] + path.points[m]).x();
+      EXPECT_EQ(path.feed_mm_s.at(end), middle > 10.0 ? 10.0 : 30.0);
+    }
+  }
+  EXPECT_NEAR(slow_mm, 2 * 19.6, 1e-4);
+  EXPECT_NEAR(usual_mm, 2 * 19.6, 1e-4);
+}
+
+TEST(PlanVariant, HasSkinsOfItsOwn) {
+  PlanSettings closed = sparse(0.15);
+  closed.skins.top_layers = closed.skins.bottom_layers = 4;
+  const Toolpath toolpath = variedPlan(sparse(0.15), {variantOf(closed, kRightHalf)});
+  const double side = 20.0 - 2.0 * (0.2 + 1.5 * test::kLayerPitch);
+  double skins_mm3 = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::TopSkin || path.role == PathRole::Skin || path.role == PathRole::BottomSkin)
+        skins_mm3 += depositedVolume(path);
+  EXPECT_NEAR(skins_mm3, 8 * 0.2 * 0.5 * side * side, 0.02 * skins_mm3);
+}
+
+TEST(PlanVariant, RefusesFillsThatLeaveTheirLayer) {
+  PlanSettings chained = sparse(0.15);
+  chained.infill.strategy = "contour";
+  EXPECT_THROW(variedPlan(sparse(0.15), {variantOf(chained, kRightHalf)}), InvalidConfig);
+  EXPECT_THROW(variedPlan(chained, {variantOf(sparse(0.15), kRightHalf)}), InvalidConfig);
+}
+
+TEST(RunClipping, KeepsWhatLiesInside) {
+  EXPECT_TRUE(rc::check("pieces inside and outside make up the run", [](std::uint64_t seed) {
+    Random random(seed);
+    const Polygon loop = test::star(random, {0, 0}, 3, 10, 12);
+    const Regions area = unite({test::star(random, {4, 1}, 2, 9, 9)});
+    const Regions beyond = difference({Region{rectangle(-30, -30, 30, 30), {}}}, area);
+    const FillPath run{loop, seed % 2 == 0, PathRole::InnerWall, Deposit::Bead, {}};
+    double sum_mm = 0.0;
+    for (const Regions& part : {area, beyond})
+      for (const FillPath& piece : clipped(run, part))
+        sum_mm += piece.is_closed ? perimeter(piece.points) : length(piece.points);
+    const double whole_mm = run.is_closed ? perimeter(loop) : length(loop);
+    RC_ASSERT(std::abs(sum_mm - whole_mm) < 0.02);
+  }));
+}
+
+TEST(RunClipping, LeavesNoSeamWhereALoopBegan) {
+  const FillPath run{rectangle(0, 0, 20, 20), true, PathRole::InnerWall, Deposit::Bead, {}};
+  const std::vector<FillPath> pieces = clipped(run, {Region{rectangle(-1, -1, 10, 21), {}}});
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_FALSE(pieces[0].is_closed);
+  EXPECT_NEAR(length(pieces[0].points), 40.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace lamina
