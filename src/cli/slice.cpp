@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/plate/plate_job.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/picture/region_picture.hpp"
 #include "lamina/slicing/unsliceable.hpp"
@@ -22,7 +23,8 @@ namespace {
 
 /// The command line of `lamina slice` as it was typed.
 struct SliceArguments {
-  std::string part;
+  std::vector<std::string> parts;
+  std::string plate;
   std::string output;
   SettingOptions settings;
   int threads = 0;
@@ -30,12 +32,32 @@ struct SliceArguments {
   bool prints_config = false;
 };
 
-SliceJob jobFrom(const SliceArguments& arguments) {
-  if (arguments.part.empty())
-    throw InvalidInput("no part is given; expected a mesh file or the name of a part");
+/// @param of_plate  settings that any given one by one override
+JobSettings settingsFrom(const SliceArguments& arguments, const std::vector<SettingText>& of_plate) {
   SettingOptions options = arguments.settings;
+  std::vector<std::string> first;
+  for (const SettingText& setting : of_plate) first.push_back(setting.key + "=" + setting.text);
+  options.assignments.insert(options.assignments.begin(), first.begin(), first.end());
   if (arguments.is_strict) options.assignments.emplace_back("input.repair=strict");
-  return {arguments.part, arguments.output, jobSettingsFrom(options)};
+  return jobSettingsFrom(options);
+}
+
+SliceJob jobFrom(const SliceArguments& arguments) {
+  if (arguments.parts.empty())
+    throw InvalidInput("no part is given; expected a mesh file or the name of a part");
+  return {arguments.parts.front(), arguments.output, settingsFrom(arguments, {})};
+}
+
+bool isPlate(const SliceArguments& arguments) {
+  return !arguments.plate.empty() || arguments.parts.size() > 1;
+}
+
+PlateJob plateJobFrom(const SliceArguments& arguments) {
+  if (!arguments.plate.empty() && !arguments.parts.empty())
+    throw InvalidInput("'" + arguments.parts.front() + "' is given besides --plate; expected one of them");
+  Plate plate = arguments.plate.empty() ? plateOf(arguments.parts) : readPlateFile(arguments.plate);
+  JobSettings settings = settingsFrom(arguments, plate.settings);
+  return {std::move(plate), arguments.output, std::move(settings)};
 }
 
 double perLayer(std::size_t count, std::size_t layers) {
@@ -80,8 +102,8 @@ void printSupports(const SupportTotals& supports) {
   std::printf("\n");
 }
 
-void printJson(const SliceSummary& s, const std::string& output) {
-  const nlohmann::ordered_json json = {
+nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) {
+  return {
       {"mode", s.mode},
       {"mode_reason", s.mode_reason},
       {"notes", s.notes},
@@ -137,7 +159,28 @@ void printJson(const SliceSummary& s, const std::string& output) {
       {"wall_s", s.wall_s},
       {"peak_memory_mb", s.peak_memory_mb},
   };
-  std::printf("%s\n", json.dump(2).c_str());
+}
+
+nlohmann::ordered_json jsonOf(const PlatedPart& part) {
+  return {{"name", part.name},
+          {"file", part.file},
+          {"at_mm", {part.at_mm.x(), part.at_mm.y()}},
+          {"arranged_turn_deg", part.arranged_turn_deg},
+          {"size_mm", {part.size_mm.x(), part.size_mm.y(), part.size_mm.z()}},
+          {"layers", part.summary.layers},
+          {"mesh_volume_mm3", part.summary.mesh_volume_mm3},
+          {"deposition_mm", part.summary.deposition_mm},
+          {"deposited_mm3", part.summary.deposited_mm3},
+          {"unprinted_mm3", part.summary.unprinted_mm3}};
+}
+
+void printParts(const std::vector<PlatedPart>& parts) {
+  for (const PlatedPart& part : parts) {
+    std::printf("part        %s at (%.2f, %.2f)", part.name.c_str(), part.at_mm.x(), part.at_mm.y());
+    if (part.arranged_turn_deg != 0.0) std::printf(", turned by %.0f deg", part.arranged_turn_deg);
+    std::printf(": %.4g x %.4g x %.4g mm, %zu layers, %.2f cm3\n", part.size_mm.x(), part.size_mm.y(),
+                part.size_mm.z(), part.summary.layers, part.summary.deposited_mm3 / 1e3);
+  }
 }
 
 void printText(const SliceSummary& s, const std::string& output) {
@@ -186,6 +229,20 @@ SliceSummary runShown(const SliceJob& job) {
   }
 }
 
+void slicePlate(const SliceArguments& arguments, OutputFormat format) {
+  const PlateJob job = plateJobFrom(arguments);
+  requireApart({job.output}, {arguments.plate, arguments.settings.config});
+  TerminalProgress progress;
+  const SlicedPlate plate = runPlateJob(job, progress);
+  if (format == OutputFormat::Text) {
+    printParts(plate.parts);
+    return printText(plate.sliced.summary, job.output);
+  }
+  nlohmann::ordered_json json = jsonOf(plate.sliced.summary, job.output);
+  for (const PlatedPart& part : plate.parts) json["parts"].push_back(jsonOf(part));
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
 void slice(const SliceArguments& arguments, OutputFormat format) {
   if (arguments.prints_config) {
     JobSettings settings;
@@ -193,13 +250,14 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
     describe(schema, settings);
     return printConfig(schema, format);
   }
-  const SliceJob job = jobFrom(arguments);
-  requireApart({job.output}, {job.part, arguments.settings.config});
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
+  if (isPlate(arguments)) return slicePlate(arguments, format);
+  const SliceJob job = jobFrom(arguments);
+  requireApart({job.output}, {job.part, arguments.settings.config});
   const SliceSummary summary = runShown(job);
   if (format == OutputFormat::Json)
-    printJson(summary, job.output);
+    std::printf("%s\n", jsonOf(summary, job.output).dump(2).c_str());
   else
     printText(summary, job.output);
 }
@@ -209,8 +267,11 @@ void slice(const SliceArguments& arguments, OutputFormat format) {
 void addSlice(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand("slice", "Slice a part and write its program");
   const auto arguments = std::make_shared<SliceArguments>();
-  subcommand->add_option("part", arguments->part,
-                         "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part");
+  subcommand->add_option(
+      "part", arguments->parts,
+      "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part; several share the bed");
+  subcommand->add_option("--plate", arguments->plate,
+                         "File of parts that share the bed, their places and settings (YAML)");
   subcommand->add_option("-o,--output", arguments->output,
                          "File to write: .gcode, .mod or .csv; without it nothing is written");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");

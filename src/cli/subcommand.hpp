@@ -53,6 +53,7 @@ void addFillVoids(CLI::App& app, Chosen& chosen);
 void addHeights(CLI::App& app, Chosen& chosen);
 void addIncline(CLI::App& app, Chosen& chosen);
 void addInfo(CLI::App& app, Chosen& chosen);
+void addLay(CLI::App& app, Chosen& chosen);
 void addMetrics(CLI::App& app, Chosen& chosen);
 void addOptimise(CLI::App& app, Chosen& chosen);
 void addOverhang(CLI::App& app, Chosen& chosen);

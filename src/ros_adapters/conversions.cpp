@@ -42,6 +42,9 @@ lamina_msgs::ToolpathEvent eventMessage(const PathEvent& placed) {
   } else if (const auto* const pause = std::get_if<OperatorPause>(&placed.event)) {
     message.kind = Message::PAUSE;
     message.text = pause->message;
+  } else if (const auto* const mark = std::get_if<PartMark>(&placed.event)) {
+    message.kind = Message::PART;
+    message.text = mark->name;
   } else {
     const auto& code = std::get<MachineCode>(placed.event);
     message.kind = code.moves_axes ? Message::MOVING_CODE : Message::CODE;
@@ -59,6 +62,8 @@ ToolpathEvent fromMessage(const lamina_msgs::ToolpathEvent& message) {
       return FanShare{message.value};
     case Message::PAUSE:
       return OperatorPause{message.text};
+    case Message::PART:
+      return PartMark{message.text};
     case Message::CODE:
       return MachineCode{message.text, false};
     case Message::MOVING_CODE:

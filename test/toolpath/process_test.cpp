@@ -68,6 +68,7 @@ TEST(ToolpathEvent, IsRefusedWhereItCannotBe) {
   EXPECT_TRUE(holds(refusalOfEvent(0, Dwell{std::numeric_limits<double>::infinity()}), "dwell is inf"));
   EXPECT_TRUE(holds(refusalOfEvent(0, FanShare{1.1}), "fan share is 1.100000"));
   EXPECT_TRUE(holds(refusalOfEvent(0, OperatorPause{"a\nb"}), "control character"));
+  EXPECT_TRUE(holds(refusalOfEvent(0, PartMark{"a\nb"}), "name of a part"));
   EXPECT_TRUE(holds(refusalOfEvent(0, MachineCode{}), "code is empty"));
   EXPECT_EQ(refusalOfEvent(0, MachineCode{"M300\nM117 hot\n"}), "");
   EXPECT_TRUE(holds(saidOf(

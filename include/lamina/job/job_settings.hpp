@@ -10,6 +10,7 @@
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
+#include "lamina/job/plate/plate_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
@@ -54,6 +55,9 @@ struct JobSettings {
   InputSettings input;
   Placement placement = Placement::Centre;
   CopySettings copies;
+  std::string
+      modifiers;  ///< file of regions with settings of their own (`readModifiersFile`); empty for none
+  PlateSettings plate;
   MachineSettings machine;
   SlicingSettings slicing;
   AdaptedSettings adapted;

@@ -30,8 +30,13 @@ struct MachineCode {
   bool moves_axes = false;  ///< position, modes and feed are unknown after it
 };
 
+/// What is laid from then on is of that part of a plate. Asks nothing of the machine.
+struct PartMark {
+  std::string name;  ///< one line; empty for what is of no part
+};
+
 /// What happens between two motions, or holds from there on.
-using ToolpathEvent = std::variant<Dwell, FanShare, OperatorPause, MachineCode>;
+using ToolpathEvent = std::variant<Dwell, FanShare, OperatorPause, MachineCode, PartMark>;
 
 /// An event of a path.
 struct PathEvent {
@@ -39,7 +44,7 @@ struct PathEvent {
   ToolpathEvent event;
 };
 
-/// As named in files and messages: "dwell", "fan", "pause", "code".
+/// As named in files and messages: "dwell", "fan", "pause", "code", "part".
 const char* nameOf(const ToolpathEvent& event);
 
 /// Events of one motion, in their order.
@@ -62,8 +67,8 @@ EventRange eventsBefore(const std::vector<PathEvent>& events, std::size_t motion
 /// Waiting of the events that come before a motion [s].
 double dwellBefore(const std::vector<PathEvent>& events, std::size_t motion);
 
-/// Why an event cannot be: a duration that is negative, a share outside 0 to 1, a message of several lines.
-/// Empty if it can.
+/// Why an event cannot be: a duration that is negative, a share outside 0 to 1, a message or name of several
+/// lines. Empty if it can.
 std::string defectOf(const ToolpathEvent& event);
 
 }  // namespace lamina

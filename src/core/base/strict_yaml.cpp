@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "study/strict_yaml.hpp"
+#include "base/strict_yaml.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +13,7 @@
 namespace lamina {
 namespace {
 
-constexpr int kDeepest = 10;  // an alias may lead back to itself
+constexpr int kDeepestKeys = 10;  // an alias may lead back to itself
 
 }  // namespace
 
@@ -119,7 +119,7 @@ std::vector<SettingText> StrictYaml::settings() const {
 }
 
 void StrictYaml::addSettings(const std::string& prefix, int depth, std::vector<SettingText>& found) const {
-  if (depth == kDeepest) refuse("keys are nested too deep");
+  if (depth == kDeepestKeys) refuse("keys are nested too deep");
   for (const auto& [name, value] : entries()) {
     if (value.isMap())
       value.addSettings(prefix + name + ".", depth + 1, found);

@@ -26,6 +26,11 @@ void requireConsistentPlane(const JobSettings& settings) {
     throw InvalidConfig(
         "slicing.mode is 'inclined' with slicing.plane.angle_deg 0; expected an angle above 0");
   if (angle_deg == 0.0) return;
+  if (!settings.modifiers.empty())
+    throw InvalidConfig("part.modifiers is '" + settings.modifiers + "' with slicing.plane.angle_deg " +
+                        std::to_string(angle_deg) +
+                        "; expected none: only level layers have regions of "
+                        "their own settings");
   const std::string inclined = " with slicing.plane.angle_deg " + std::to_string(angle_deg);
   if (settings.scan.every_layers != 0)
     throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + inclined +
@@ -93,6 +98,8 @@ void requirePlaneLayersFor(const JobSettings& settings) {
           "0: only level layers are scanned");
   require(!settings.drop_voids.is_on, "drop_voids.fill is true",
           "false: voids between drops are filled in level layers");
+  require(settings.modifiers.empty(), "part.modifiers is '" + settings.modifiers + "'",
+          "none: only level layers have regions of their own settings");
   require(settings.copies.count == 1, "part.copies is " + std::to_string(settings.copies.count),
           "1: the way from copy to copy is known to be clear over plane layers only");
   require(skirts == 0 || skirts == SkirtSettings().count, "skirt.count is " + std::to_string(skirts),
@@ -117,6 +124,9 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
                            {{"centre", Placement::Centre}, {"as_is", Placement::AsIs}},
                            "Put the part in the middle of the bed, or where its file says.");
   describe(schema, settings.copies);
+  schema.text("part.modifiers", settings.modifiers,
+              "YAML file of regions of the part that have settings of their own; empty for none.");
+  describe(schema, settings.plate);
   describe(schema, settings.machine, "Machine that prints the part.");
   schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
                 "Kind of layers; docs/modes.md distinguishes them.");

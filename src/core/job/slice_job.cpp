@@ -12,6 +12,7 @@
 #include "job/flow_control.hpp"
 #include "job/joint_program.hpp"
 #include "job/laps.hpp"
+#include "job/slice_run.hpp"
 #include "job/slicing/part_slicing.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/job/output_files.hpp"
@@ -68,27 +69,36 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
   addHooks(sliced.toolpath, settings.hooks, site);
 }
 
-/// In the build space, whatever head the settings' machine has.
-SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progress) {
-  Laps whole;
-  validate(job.settings);
-  if (!job.output.empty()) outputWriterFor(job.output);
-  requireProgramFor(job, space);
-  requireApart({job.output}, {job.part, job.settings.machine.urdf, job.settings.conformal.base});
-  requireToolAxisFor(job, space);
+SlicedPart readAndSlice(const SliceJob& job, const BuildSpace& space, Progress& progress) {
   Laps laps;
-  progress.report("read", 0.0);
   SourcePart source = readSource(job);
   const double read_s = laps.lap();
   SlicedPart sliced = sliceSource(std::move(source), job, space, progress);
   sliced.summary.read_s = read_s;
+  return sliced;
+}
+
+}  // namespace
+
+SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFunction& slice,
+                 Progress& progress) {
+  Laps whole;
+  validate(job.settings);
+  if (!job.output.empty()) outputWriterFor(job.output);
+  requireProgramFor(job, space);
+  requireApart({job.output},
+               {job.part, job.settings.machine.urdf, job.settings.conformal.base, job.settings.modifiers});
+  requireToolAxisFor(job, space);
+  Laps laps;
+  progress.report("read", 0.0);
+  SlicedPart sliced = slice(job, space, progress);
   limitFlowOf(sliced, job.settings, progress);
   coolPart(sliced, job.settings, progress);
   finishFlowOf(sliced, job.settings, progress);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
-  sliced.summary.plan_s = laps.lap() - sliced.summary.slice_s;
+  sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);
   throwIfCancelled(progress, "write");
   // The estimate is a walk along the whole toolpath by one thread; it refuses nothing that was planned.
@@ -101,18 +111,16 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, Progress& progres
   return sliced;
 }
 
-}  // namespace
-
 SlicedPart runSliceJob(const SliceJob& job, Progress& progress) {
   validate(job.settings);
-  return runIn(buildSpaceOf(job.settings.machine), job, progress);
+  return runIn(buildSpaceOf(job.settings.machine), job, readAndSlice, progress);
 }
 
 SlicedPart runLevelSliceJob(SliceJob job, Progress& progress) {
   job.settings.slicing.plane = {};
   job.settings.slicing.mode = "planar";
   validate(job.settings);
-  return runIn(withUprightHead(buildSpaceOf(job.settings.machine)), job, progress);
+  return runIn(withUprightHead(buildSpaceOf(job.settings.machine)), job, readAndSlice, progress);
 }
 
 }  // namespace lamina

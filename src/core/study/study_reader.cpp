@@ -8,13 +8,13 @@
 #include <set>
 #include <string>
 
+#include "base/strict_yaml.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
 #include "lamina/study/placeholders.hpp"
 #include "lamina/study/search_settings.hpp"
 #include "lamina/study/study.hpp"
-#include "strict_yaml.hpp"
 
 namespace lamina {
 namespace {

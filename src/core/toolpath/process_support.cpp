@@ -16,6 +16,9 @@ bool holds(Supported supported, ProcessElement element) {
   return std::find(supported.begin(), supported.end(), element) != supported.end();
 }
 
+/// Marks ask nothing of who takes them.
+bool asksNothing(const ToolpathEvent& event) { return std::holds_alternative<PartMark>(event); }
+
 ProcessElement elementOf(const ToolpathEvent& event) {
   if (std::holds_alternative<Dwell>(event)) return ProcessElement::Dwell;
   if (std::holds_alternative<FanShare>(event)) return ProcessElement::Fan;
@@ -33,7 +36,8 @@ std::string unsupported(const Path& path, Supported supported) {
   if (!path.values.empty() && !holds(supported, ProcessElement::Value))
     return "process value '" + path.values.front().name + "'";
   for (const PathEvent& placed : path.events)
-    if (!holds(supported, elementOf(placed.event))) return describe(placed.event);
+    if (!asksNothing(placed.event) && !holds(supported, elementOf(placed.event)))
+      return describe(placed.event);
   return {};
 }
 
@@ -50,7 +54,7 @@ void requireSupported(const Toolpath& toolpath, Supported supported, const std::
     }
   }
   for (const ToolpathEvent& event : toolpath.events_at_end)
-    if (!holds(supported, elementOf(event)))
+    if (!asksNothing(event) && !holds(supported, elementOf(event)))
       throw InvalidInput("end of the toolpath: " + describe(event) + " cannot be carried by " + by);
 }
 

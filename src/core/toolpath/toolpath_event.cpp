@@ -36,10 +36,14 @@ std::string defectIn(const MachineCode& code) {
                            : "code has a control character; expected lines of text";
 }
 
+std::string defectIn(const PartMark& mark) {
+  return isOneLine(mark.name) ? "" : "name of a part has a control character; must be one line";
+}
+
 }  // namespace
 
 const char* nameOf(const ToolpathEvent& event) {
-  constexpr std::array<const char*, 4> kNames = {"dwell", "fan", "pause", "code"};
+  constexpr std::array<const char*, 5> kNames = {"dwell", "fan", "pause", "code", "part"};
   return kNames.at(event.index());
 }
 

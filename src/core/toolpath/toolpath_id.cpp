@@ -72,6 +72,7 @@ class Fingerprint {
   void addEvent(const Dwell& dwell) { add(dwell.duration_s); }
   void addEvent(const FanShare& fan) { add(fan.share); }
   void addEvent(const OperatorPause& pause) { add(pause.message); }
+  void addEvent(const PartMark& mark) { add(mark.name); }
   void addEvent(const MachineCode& code) {
     add(code.text);
     add(static_cast<std::uint64_t>(code.moves_axes));

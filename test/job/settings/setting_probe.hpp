@@ -87,6 +87,7 @@ std::vector<SettingProbe> bridgeProbes();
 std::vector<SettingProbe> heightProbes();
 std::vector<SettingProbe> arcProbes();
 std::vector<SettingProbe> hookProbes();
+std::vector<SettingProbe> plateProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -48,6 +48,7 @@ TEST(SettingsCoverage, OfStreaming) { expectEffects(streamProbes()); }
 TEST(SettingsCoverage, OfTheEmulator) { expectEffects(emulatorProbes()); }
 TEST(SettingsCoverage, OfStartup) { expectEffects(startupProbes()); }
 TEST(SettingsCoverage, OfApproaches) { expectEffects(approachProbes()); }
+TEST(SettingsCoverage, OfPlates) { expectEffects(plateProbes()); }
 TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
 TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
 TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }

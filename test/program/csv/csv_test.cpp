@@ -19,7 +19,7 @@ std::string written(const Toolpath& toolpath) {
 
 ToolpathEvent randomEvent(Random& random) {
   const std::string text = "100%, a|b;\t\xc3\xa9=";
-  switch (random.below(5)) {
+  switch (random.below(6)) {
     case 0:
       return Dwell{random.uniform(0.0, 100.0)};
     case 1:
@@ -27,6 +27,8 @@ ToolpathEvent randomEvent(Random& random) {
     case 2:
       return OperatorPause{"100%, a|b"};
     case 3:
+      return PartMark{"100%, a|b"};
+    case 4:
       return MachineCode{text + "\nM5", false};
     default:
       return MachineCode{text, true};
@@ -46,6 +48,7 @@ void addProcess(Path& path, Random& random) {
 bool isSameEvent(const Dwell& a, const Dwell& b) { return a.duration_s == b.duration_s; }
 bool isSameEvent(const FanShare& a, const FanShare& b) { return a.share == b.share; }
 bool isSameEvent(const OperatorPause& a, const OperatorPause& b) { return a.message == b.message; }
+bool isSameEvent(const PartMark& a, const PartMark& b) { return a.name == b.name; }
 bool isSameEvent(const MachineCode& a, const MachineCode& b) {
   return a.text == b.text && a.moves_axes == b.moves_axes;
 }

@@ -127,12 +127,14 @@ TEST(Conversions, CarryEventsToolsAndProcessValues) {
   path.events = {
       {0, Dwell{1.5}}, {0, FanShare{0.25}}, {1, OperatorPause{"nuts"}}, {1, MachineCode{"M5", true}}};
   path.values = {{"power_w", 900.0}};
+  path.events.push_back({2, lamina::PartMark{"lid 1"}});
   there.toolpath.events_at_end = {MachineCode{"M300", false}};
   const MachineToolpath back = lamina::fromMessage(lamina::toMessage(there));
   const Path& carried = back.toolpath.layers[0].paths[0];
   EXPECT_EQ(carried.role, PathRole::SupportInterface);
   EXPECT_EQ(carried.tool, 3U);
-  ASSERT_EQ(carried.events.size(), 4U);
+  ASSERT_EQ(carried.events.size(), 5U);
+  EXPECT_EQ(std::get<lamina::PartMark>(carried.events[4].event).name, "lid 1");
   EXPECT_EQ(carried.events[2].motion, 1U);
   EXPECT_EQ(std::get<Dwell>(carried.events[0].event).duration_s, 1.5);
   EXPECT_EQ(std::get<FanShare>(carried.events[1].event).share, 0.25);

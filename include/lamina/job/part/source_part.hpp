@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct SourcePart {
   Mesh mesh;
   MeshTopology topology;  ///< of the mesh; without border
   std::vector<std::string> repairs;
+  Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();  ///< where a plate has turned it
   Mesh base;  ///< what it is laid on, in its frame; empty for the bed
 };
 

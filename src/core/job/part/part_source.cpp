@@ -25,7 +25,8 @@ SourcePart readPart(const std::string& part, const InputSettings& settings) {
   Mesh mesh = readOrMake(part, settings);
   if (settings.repair == RepairPolicy::Strict) requireSound(mesh);
   RepairResult repaired = repairMesh(std::move(mesh));
-  SourcePart source = {std::move(repaired.mesh), std::move(repaired.topology), {}, {}};
+  SourcePart source = {
+      std::move(repaired.mesh), std::move(repaired.topology), {}, Eigen::Affine3d::Identity(), {}};
   for (const RepairChange& change : repaired.changes) source.repairs.push_back(toText(change));
   return source;
 }

@@ -37,16 +37,6 @@ std::size_t countEmptyLayers(const std::vector<ToolpathLayer>& layers) {
       last, layers.rend(), [](const ToolpathLayer& layer) { return !lays(layer, carriesPart); }));
 }
 
-void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
-  const ToolpathTotals sums = totals(toolpath);
-  summary.deposition_runs = sums.deposition_runs;
-  summary.deposition_mm = sums.deposition_mm;
-  summary.travel_mm = sums.travel_mm;
-  summary.deposited_mm3 = sums.deposited_mm3;
-  summary.repositions = countRepositions(toolpath);
-  summary.empty_layers = countEmptyLayers(toolpath.layers);
-}
-
 /// A part that is thinner than any bead, or drop, everywhere would leave nothing but its skirt.
 void requireDeposition(const Toolpath& toolpath, const PlanSettings& settings) {
   for (const ToolpathLayer& layer : toolpath.layers)
@@ -92,6 +82,16 @@ void place(const SourcePart& source, const BuildSpace& space, const SliceJob& jo
 }
 
 }  // namespace
+
+void addToolpath(SliceSummary& summary, const Toolpath& toolpath) {
+  const ToolpathTotals sums = totals(toolpath);
+  summary.deposition_runs = sums.deposition_runs;
+  summary.deposition_mm = sums.deposition_mm;
+  summary.travel_mm = sums.travel_mm;
+  summary.deposited_mm3 = sums.deposited_mm3;
+  summary.repositions = countRepositions(toolpath);
+  summary.empty_layers = countEmptyLayers(toolpath.layers);
+}
 
 void requireToolAxisFor(const SliceJob& job, const BuildSpace& space) {
   const SlicingSettings& slicing = job.settings.slicing;

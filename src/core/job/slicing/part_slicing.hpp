@@ -9,6 +9,9 @@
 
 namespace lamina {
 
+/// What the toolpath itself says of a summary: lengths, counts, empty layers.
+void addToolpath(SliceSummary& summary, const Toolpath& toolpath);
+
 /// Plane layers need the tool axis of the build space.
 /// @throws Unreachable
 void requireToolAxisFor(const SliceJob& job, const BuildSpace& space);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "job/laps.hpp"
+#include "job/modifiers/modified_layers.hpp"
 #include "job/slicing/inclined_layers.hpp"
 #include "job/slicing/part_planning.hpp"
 #include "lamina/base/error.hpp"
@@ -62,14 +63,19 @@ PlanSettings withCommonSpacing(PlanSettings settings, const std::vector<Layer>& 
 }
 
 /// In the frame of the layers.
-Plan planOf(const std::vector<Layer>& layers, const PlanningRequest& request, Progress& progress) {
+Plan planOf(ModifiedLayers& modified, const PlanningRequest& request, Progress& progress) {
   const JobSettings& job = request.job.settings;
-  PlanSettings settings =
-      job.slicing.heights == LayerHeights::Equal ? job.planning : withCommonSpacing(job.planning, layers);
-  settings.overhangs.least_feed_mm_s = job.cooling.least_feed_mm_s;
-  const PlaneSettings& plane = request.job.settings.slicing.plane;
+  const std::vector<Layer>& layers = modified.layers;
+  const auto completed = [&](PlanSettings settings) {
+    settings.overhangs.least_feed_mm_s = job.cooling.least_feed_mm_s;
+    return job.slicing.heights == LayerHeights::Equal ? settings
+                                                      : withCommonSpacing(std::move(settings), layers);
+  };
+  const PlanSettings settings = completed(job.planning);
+  for (PlanVariant& variant : modified.variants) variant.settings = completed(std::move(variant.settings));
+  const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
-    return planPart(request.partName(), layers, settings, bedBelowPart(request), progress);
+    return planPart(request.partName(), layers, settings, bedBelowPart(request), modified.variants, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }
@@ -86,16 +92,17 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   const FirstLayerSettings& first_layer = settings.planning.first_layer;
   compensate(layers, settings.compensation, first_layer,
              first_layer.width_factor * settings.planning.bead.width_mm, progress);
+  ModifiedLayers modified = withModifiers(std::move(layers), source, settings, progress);
   PlannedPart planned;
   planned.notes = notesOn(heights, settings.slicing);
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
   source = {};
-  planned.counts = countsOf(layers);
+  planned.counts = countsOf(modified.layers);
   planned.counts.slice_s = laps.lap();
-  planned.plan = planOf(layers, request, progress);
-  layers = {};
+  planned.plan = planOf(modified, request, progress);
+  modified = {};
   Toolpath& toolpath = planned.plan.toolpath;
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,

@@ -31,6 +31,7 @@ std::string shortest(double value) {
 std::string fieldOf(const Dwell& dwell) { return "dwell=" + shortest(dwell.duration_s); }
 std::string fieldOf(const FanShare& fan) { return "fan=" + shortest(fan.share); }
 std::string fieldOf(const OperatorPause& pause) { return "pause=" + escaped(pause.message); }
+std::string fieldOf(const PartMark& mark) { return "part=" + escaped(mark.name); }
 std::string fieldOf(const MachineCode& code) {
   return (code.moves_axes ? "moving_code=" : "code=") + escaped(code.text);
 }
@@ -56,9 +57,12 @@ ToolpathEvent eventFromField(std::string_view field) {
   if (name == "dwell") return Dwell{numberOf(value)};
   if (name == "fan") return FanShare{numberOf(value)};
   if (name == "pause") return OperatorPause{unescaped(value)};
+  if (name == "part") return PartMark{unescaped(value)};
   if (name == "code") return MachineCode{unescaped(value), false};
   if (name == "moving_code") return MachineCode{unescaped(value), true};
-  throw InvalidInput("event is '" + std::string(name) + "'; must be dwell, fan, pause, code or moving_code");
+  throw InvalidInput("event is '" + std::string(name) +
+                     "'; must be dwell, fan, pause, part, code or "
+                     "moving_code");
 }
 
 }  // namespace lamina

@@ -31,11 +31,14 @@ struct EventWords {
   void operator()(const OperatorPause& pause) const {
     text += settings.pause_code + (pause.message.empty() ? "" : " " + pause.message) + "\n";
   }
+  void operator()(const PartMark& mark) const { text += ";PART:" + mark.name + "\n"; }
   void operator()(const MachineCode& code) const {
     text += code.text;
     if (text.back() != '\n') text += '\n';
   }
 };
+
+constexpr std::string_view kPartMark = "PART:";
 
 }  // namespace
 
@@ -52,6 +55,11 @@ std::optional<ToolpathEvent> readEvent(std::string_view command) {
   }
   if (!isAnyCommand(command, kPauses)) return std::nullopt;
   return OperatorPause{std::string(trimmed(command.substr(std::min(command.find(' '), command.size()))))};
+}
+
+std::optional<PartMark> readPartMark(std::string_view comment) {
+  if (comment.substr(0, kPartMark.size()) != kPartMark) return std::nullopt;
+  return PartMark{std::string(trimmed(comment.substr(kPartMark.size())))};
 }
 
 std::optional<std::uint32_t> readTool(std::string_view command) {

@@ -62,6 +62,7 @@ class ToolpathBuilder::State {
     takes_events_ &= comment != "end of the part";
     is_over_ |= comment == kEndCodeBegins;
     if (const auto diameter_mm = statedFilamentDiameter(comment)) stated_diameter_mm_ = *diameter_mm;
+    if (auto mark = readPartMark(comment)) add(std::move(*mark));
     if (!readFrameComment(comment, frame_)) return;
     layers_from_program_ = frame_.bed_from_layers.conjugate() * frame_.bed_from_program;
   }

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// What a modifier does.
+enum class ModifierKind : std::uint8_t {
+  Settings,  ///< other settings hold in it
+  Negative   ///< the part has no material in it
+};
+
+/// A region of a part: a mesh, a box or a range of heights.
+struct Modifier {
+  ModifierKind kind = ModifierKind::Settings;
+  std::string mesh;         ///< path of a mesh file, or the name of a parametric part; empty for none
+  std::optional<Box3> box;  ///< [mm, coordinates of the part's file]
+  std::optional<std::pair<double, double>> heights_mm;  ///< from and to, above the part's lowest point
+  std::vector<SettingText> settings;
+  std::string place;  ///< for messages: file and number, from 0
+};
+
+/// Reads the list `modifiers` of a YAML file. Meshes are relative to its folder unless they are absolute or
+/// name a parametric part.
+/// @throws InvalidConfig naming file, line and key: also for settings that no region can have for itself, and
+///   for kinds that are not known; FileError
+std::vector<Modifier> readModifiersFile(const std::string& path);
+
+/// The same from text.
+/// @param folder  of relative files
+std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& source_name,
+                                    const std::string& folder);
+
+}  // namespace lamina

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/modifiers/modified_layers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "job/part/part_source.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/error_place.hpp"
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/job/modifiers/modifier.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kBeyond = 1.0;  // mm, by which a range of heights reaches over the part
+
+/// Numbers of modifiers, ascending.
+using ModifierSet = std::vector<std::size_t>;
+/// Where in one layer which modifiers hold; apart from each other.
+using Overlay = std::vector<std::pair<ModifierSet, Regions>>;
+
+Mesh boxMesh(const Box3& box) {
+  Mesh mesh;
+  for (int corner = 0; corner < 8; ++corner) {
+    Point3 point = box.low;
+    for (int i = 0; i < 3; ++i)
+      if ((corner >> i & 1) != 0) point[i] = box.high[i];
+    mesh.vertices.push_back(point);
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+Mesh meshOf(const Modifier& modifier, InputSettings input) {
+  if (modifier.box) return boxMesh(*modifier.box);
+  input.repair = RepairPolicy::Strict;
+  Mesh mesh = readPart(modifier.mesh, input).mesh;
+  if (!(volume(mesh) > 0.0))
+    throw InvalidMesh("'" + modifier.mesh + "' encloses " + std::to_string(volume(mesh)) +
+                      " mm3; expected a volume above 0");
+  return mesh;
+}
+
+/// Sections of the modifiers of a part.
+class ModifierSections {
+ public:
+  ModifierSections(const std::vector<Layer>& layers, const SourcePart& source, const InputSettings& input)
+      : layers_(layers), source_(source), input_(input), part_(boundingBox(source.mesh)) {
+    for (const Layer& layer : layers) heights_.push_back(layer.bounds.cut());
+  }
+
+  /// By layer.
+  std::vector<Regions> of(const Modifier& modifier, Progress& progress) const {
+    try {
+      return modifier.heights_mm ? between(*modifier.heights_mm) : within(modifier, progress);
+    } catch (...) {
+      rethrowAt(modifier.place);
+    }
+  }
+
+ private:
+  std::vector<Regions> between(const std::pair<double, double>& heights_mm) const {
+    const Point2 low = part_.low.head<2>() - Point2::Constant(kBeyond);
+    const Point2 high = part_.high.head<2>() + Point2::Constant(kBeyond);
+    const Region whole{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}};
+    std::vector<Regions> areas(layers_.size());
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      const double height_mm = heights_[i] - part_.low.z();
+      if (height_mm >= heights_mm.first && height_mm < heights_mm.second) areas[i] = {whole};
+    }
+    return areas;
+  }
+
+  std::vector<Regions> within(const Modifier& modifier, Progress& progress) const {
+    Mesh mesh = meshOf(modifier, input_);
+    for (Point3& vertex : mesh.vertices) vertex = source_.part_from_file * vertex;
+    const std::vector<Section> sections = sliceMesh(mesh, heights_, progress);
+    std::vector<Regions> areas(sections.size());
+    parallelFor(
+        areas.size(), [&](std::size_t i) { areas[i] = unite(sections[i].contours); }, progress, "slice");
+    return areas;
+  }
+
+  const std::vector<Layer>& layers_;
+  const SourcePart& source_;
+  const InputSettings& input_;
+  Box3 part_;
+  std::vector<double> heights_;
+};
+
+/// Lays one more modifier over those of a layer.
+Overlay overlaid(const Overlay& before, std::size_t modifier, const Regions& area) {
+  if (area.empty()) return before;
+  Overlay after;
+  Regions rest = area;
+  for (const auto& [set, there] : before) {
+    Regions common = intersection(there, area);
+    if (common.empty()) {
+      after.emplace_back(set, there);
+      continue;
+    }
+    rest = difference(rest, there);
+    Regions alone = difference(there, area);
+    if (!alone.empty()) after.emplace_back(set, std::move(alone));
+    ModifierSet both = set;
+    both.push_back(modifier);
+    after.emplace_back(std::move(both), std::move(common));
+  }
+  if (!rest.empty()) after.emplace_back(ModifierSet{modifier}, std::move(rest));
+  return after;
+}
+
+PlanSettings settingsIn(const ModifierSet& set, const std::vector<Modifier>& modifiers,
+                        const JobSettings& of_part) {
+  JobSettings settings = of_part;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const std::size_t i : set) {
+    try {
+      for (const SettingText& setting : modifiers[i].settings) schema.set(setting.key, setting.text);
+      validate(settings);
+    } catch (...) {
+      rethrowAt(modifiers[i].place);
+    }
+  }
+  return settings.planning;
+}
+
+std::vector<PlanVariant> variantsOf(std::vector<Overlay> layers, const std::vector<Modifier>& modifiers,
+                                    const JobSettings& settings) {
+  std::map<ModifierSet, PlanVariant> variants;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    for (auto& [set, area] : layers[i]) {
+      PlanVariant& variant = variants[set];
+      variant.areas.resize(layers.size());
+      Regions& there = variant.areas[i];
+      there.insert(there.end(), std::make_move_iterator(area.begin()), std::make_move_iterator(area.end()));
+    }
+  std::vector<PlanVariant> found;
+  for (auto& [set, variant] : variants) {
+    variant.settings = settingsIn(set, modifiers, settings);
+    found.push_back(std::move(variant));
+  }
+  return found;
+}
+
+void cutAway(Layer& layer, const Regions& negative) {
+  if (negative.empty()) return;
+  layer.section.contours = outlines(difference(unite(layer.section.contours), negative));
+}
+
+}  // namespace
+
+ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source, const JobSettings& settings,
+                             Progress& progress) {
+  if (settings.modifiers.empty()) return {std::move(layers), {}};
+  const std::vector<Modifier> modifiers = readModifiersFile(settings.modifiers);
+  const ModifierSections sections(layers, source, settings.input);
+  std::vector<Overlay> overlays(layers.size());
+  for (std::size_t m = 0; m < modifiers.size(); ++m) {
+    const std::vector<Regions> areas = sections.of(modifiers[m], progress);
+    const bool cuts = modifiers[m].kind == ModifierKind::Negative;
+    const auto apply = [&](std::size_t i) {
+      if (cuts)
+        cutAway(layers[i], areas[i]);
+      else
+        overlays[i] = overlaid(overlays[i], m, areas[i]);
+    };
+    parallelFor(layers.size(), apply, progress, "slice");
+  }
+  std::vector<PlanVariant> variants = variantsOf(std::move(overlays), modifiers, settings);
+  return {std::move(layers), std::move(variants)};
+}
+
+}  // namespace lamina

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/modifiers/modifier.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+
+#include "base/strict_yaml.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+
+namespace lamina {
+namespace {
+
+/// Groups that end with a point, and single keys.
+constexpr std::array<std::string_view, 11> kRegionSettings = {
+    "contour.", "feed.",  "hilbert.",   "hybrid.",     "infill.",    "perimeters.",
+    "raster.",  "skins.", "smoothing.", "walls.count", "walls.order"};
+/// Walls are one thing all round an island.
+constexpr std::array<std::string_view, 2> kLayerSettings = {"seam.", "walls.order"};
+/// Not of any region.
+constexpr std::string_view kSkirtFeed = "feed.skirt_mm_s";
+
+template <std::size_t count>
+bool stands(const std::string& key, const std::array<std::string_view, count>& entries) {
+  return std::any_of(entries.begin(), entries.end(), [&](std::string_view entry) {
+    return entry.back() == '.' ? key.compare(0, entry.size(), entry) == 0 : key == entry;
+  });
+}
+
+void requireRegionSettings(const StrictYaml& yaml, const Modifier& modifier) {
+  for (const SettingText& setting : modifier.settings) {
+    const bool is_of_layers = stands(setting.key, kLayerSettings);
+    if (is_of_layers && !modifier.heights_mm)
+      yaml.refuse("'" + setting.key + "' holds for whole layers only; expected from_mm and to_mm");
+    if ((!is_of_layers && !stands(setting.key, kRegionSettings)) || setting.key == kSkirtFeed)
+      yaml.refuse("'" + setting.key +
+                  "' cannot be set for a region; expected infill.*, skins.*, walls.count, feed.* but for the "
+                  "skirt's, or a setting of a fill strategy; over a range of heights also walls.order and "
+                  "seam.*");
+  }
+}
+
+ModifierKind kindFrom(const StrictYaml& yaml) {
+  const std::string name = yaml.text();
+  if (name == "settings") return ModifierKind::Settings;
+  if (name == "negative") return ModifierKind::Negative;
+  for (const std::string_view known : {"support_blocker", "support_enforcer", "seam_here"})
+    if (name == known) yaml.refuse("'" + name + "' is not supported yet; expected settings or negative");
+  yaml.refuse("kind is '" + name + "'; expected settings or negative");
+}
+
+Box3 boxFrom(const StrictYaml& yaml) {
+  const std::vector<StrictYaml> corners = yaml.pieces();
+  Box3 box;
+  for (const StrictYaml& corner : corners) {
+    const std::vector<double> numbers = corner.numbers();
+    if (numbers.size() != 3) corner.refuse("expected three numbers, [x, y, z]");
+    box.include({numbers[0], numbers[1], numbers[2]});
+  }
+  if (corners.size() != 2 || !(box.size().minCoeff() > 0.0))
+    yaml.refuse("expected two corners of a box, [[x, y, z], [x, y, z]], that differ in x, y and z");
+  return box;
+}
+
+/// A file beside that of the modifiers; a parametric part is none.
+std::string besideModifiers(const std::string& folder, const std::string& file) {
+  if (folder.empty()) return file;
+  const std::string beside = (std::filesystem::path(folder) / file).lexically_normal().string();
+  std::error_code unreachable;
+  return std::filesystem::exists(beside, unreachable) ? beside : file;
+}
+
+void requireOneRegion(const StrictYaml& yaml, const Modifier& modifier) {
+  const int regions = static_cast<int>(!modifier.mesh.empty()) + static_cast<int>(modifier.box.has_value()) +
+                      static_cast<int>(modifier.heights_mm.has_value());
+  if (regions != 1) yaml.refuse("expected one of mesh, box_mm, and from_mm with to_mm");
+  if (modifier.heights_mm && !(modifier.heights_mm->first < modifier.heights_mm->second))
+    yaml.refuse("from_mm is " + std::to_string(modifier.heights_mm->first) + " and to_mm " +
+                std::to_string(modifier.heights_mm->second) + "; expected the former below the latter");
+  if (modifier.kind == ModifierKind::Settings && modifier.settings.empty())
+    yaml.refuse("expected 'settings', or kind: negative");
+  if (modifier.kind == ModifierKind::Negative && !modifier.settings.empty())
+    yaml.refuse("what is cut away has no settings");
+}
+
+Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
+  Modifier modifier;
+  const auto heights = [&modifier]() -> std::pair<double, double>& {
+    if (!modifier.heights_mm)
+      modifier.heights_mm.emplace(-std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::infinity());
+    return *modifier.heights_mm;
+  };
+  for (const auto& [key, value] : yaml.entries({"mesh", "box_mm", "from_mm", "to_mm", "kind", "settings"})) {
+    if (key == "mesh") modifier.mesh = besideModifiers(folder, value.text());
+    if (key == "box_mm") modifier.box = boxFrom(value);
+    if (key == "from_mm") heights().first = value.number();
+    if (key == "to_mm") heights().second = value.number();
+    if (key == "kind") modifier.kind = kindFrom(value);
+    if (key == "settings") modifier.settings = value.settings();
+  }
+  requireOneRegion(yaml, modifier);
+  requireRegionSettings(yaml, modifier);
+  return modifier;
+}
+
+}  // namespace
+
+std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& source_name,
+                                    const std::string& folder) {
+  std::vector<Modifier> modifiers;
+  try {
+    const StrictYaml document(YAML::Load(yaml), source_name, "");
+    for (const auto& [key, value] : document.entries({"modifiers"}))
+      for (const StrictYaml& piece : value.pieces()) {
+        modifiers.push_back(modifierFrom(piece, folder));
+        modifiers.back().place = source_name + ", modifier " + std::to_string(modifiers.size() - 1);
+      }
+  } catch (const YAML::Exception& error) {
+    throw InvalidConfig(source_name + ":" + std::to_string(error.mark.line + 1) + ": " + error.msg);
+  }
+  return modifiers;
+}
+
+std::vector<Modifier> readModifiersFile(const std::string& path) {
+  return readModifiers(readFile(path), path, std::filesystem::path(path).parent_path().string());
+}
+
+}  // namespace lamina

@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/plate/plate_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "job/laps.hpp"
+#include "job/part/part_source.hpp"
+#include "job/plate/arrangement.hpp"
+#include "job/plate/head_clearance.hpp"
+#include "job/plate/plate_overlap.hpp"
+#include "job/plate/plate_toolpath.hpp"
+#include "job/slice_run.hpp"
+#include "job/slicing/oriented_planning.hpp"
+#include "job/slicing/part_slicing.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/error_place.hpp"
+#include "lamina/geometry/polygon/convex_hull.hpp"
+#include "lamina/infill/strategy.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/slicing/slicing_mode.hpp"
+
+namespace lamina {
+namespace {
+
+/// A part or copy on its way from the request to the plate.
+struct PlateItem {
+  PlatePart part;
+  std::string name;                    ///< no two alike
+  JobSettings settings;                ///< with its own
+  const SourcePart* source = nullptr;  ///< as read
+  Mesh mesh;                           ///< standing; its box over the origin
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();
+  PlatePlace place;
+};
+
+void requirePlateSettings(const JobSettings& settings) {
+  const std::string& mode = settings.slicing.mode;
+  if (!hasPlaneLayers(mode) || settings.slicing.plane.angle_deg != 0.0)
+    throw InvalidConfig("slicing.mode is '" + mode + "' with slicing.plane.angle_deg " +
+                        std::to_string(settings.slicing.plane.angle_deg) +
+                        "; parts of a plate are sliced in level layers: expected 'planar' and 0");
+  if (settings.copies.count != 1)
+    throw InvalidConfig("part.copies is " + std::to_string(settings.copies.count) +
+                        "; expected 1: parts of a plate have 'copies' of their own");
+  if (settings.scan.every_layers != 0)
+    throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) +
+                        "; expected 0: plates are not scanned");
+  if (settings.drop_voids.is_on)
+    throw InvalidConfig("drop_voids.fill is true; expected false: plates keep their voids between drops");
+}
+
+/// A vase rises by itself from layer to layer.
+void requireMergeable(const std::vector<PlateItem>& items, PlateOrder order) {
+  if (items.size() < 2 || order == PlateOrder::ByPart) return;
+  for (const PlateItem& item : items) {
+    const std::string& strategy = item.settings.planning.infill.strategy;
+    if (infillStrategy(strategy).link != LayerLink::Travel)
+      throw InvalidConfig("part '" + item.name + "' has infill.strategy '" + strategy +
+                          "', which goes on from layer to layer; expected plate.order by_part");
+  }
+}
+
+JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
+  JobSettings settings = of_plate;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const SettingText& setting : part.settings) {
+    requirePartSetting(setting, part.file);
+    schema.set(setting.key, setting.text);
+  }
+  settings.placement = Placement::Centre;
+  settings.planning.skirt.count = 0;
+  validate(settings);
+  return settings;
+}
+
+std::string stemOf(const PlatePart& part) {
+  return part.name.empty() ? std::filesystem::path(part.file).stem().string() : part.name;
+}
+
+/// Parts of one name are numbered.
+std::vector<PlateItem> itemsOf(const Plate& plate, const JobSettings& settings) {
+  std::map<std::string, int> counts;
+  for (const PlatePart& part : plate.parts) counts[stemOf(part)] += part.copies;
+  std::map<std::string, int> used;
+  std::vector<PlateItem> items;
+  for (const PlatePart& part : plate.parts) {
+    const std::string stem = stemOf(part);
+    PlateItem item;
+    item.part = part;
+    try {
+      item.settings = settingsOf(part, settings);
+    } catch (...) {
+      rethrowAt("part '" + stem + "'");
+    }
+    for (int copy = 0; copy < part.copies; ++copy) {
+      item.name = stem;
+      if (counts[stem] > 1) do
+          item.name = stem + " " + std::to_string(++used[stem]);
+        while (counts.count(item.name) > 0);
+      items.push_back(item);
+    }
+  }
+  return items;
+}
+
+/// Each file once.
+class Sources {
+ public:
+  explicit Sources(const InputSettings& input) : input_(input) {}
+
+  const SourcePart& of(const PlatePart& part) {
+    std::unique_ptr<SourcePart>& source = sources_[part.file];
+    if (source == nullptr) source = std::make_unique<SourcePart>(readPart(part.file, input_));
+    return *source;
+  }
+
+ private:
+  InputSettings input_;
+  std::map<std::string, std::unique_ptr<SourcePart>> sources_;
+};
+
+void stand(PlateItem& item) {
+  item.part_from_file = standing(item.source->mesh, item.turn, item.part.scale);
+  item.mesh = transformed(item.source->mesh, item.part_from_file);
+}
+
+/// Middle of the box of a part where its file has it, turned and scaled.
+Point2 placeInFile(const PlateItem& item) { return -item.part_from_file.translation().head<2>(); }
+
+Polygon hullOf(const Mesh& mesh) {
+  std::vector<Point2> points;
+  points.reserve(mesh.vertices.size());
+  for (const Point3& vertex : mesh.vertices) points.emplace_back(vertex.head<2>());
+  return convexHull(std::move(points));
+}
+
+/// Of the bed, without room for the skirt.
+Box2 roomFor(const Box3& space, const PlanSettings& settings) {
+  const double skirt_mm = settings.skirt.count > 0
+                              ? settings.skirt.distance_mm + settings.skirt.count * settings.bead.width_mm
+                              : 0.0;
+  const Point2 margin = Point2::Constant(skirt_mm);
+  return {space.low.head<2>() + margin, space.high.head<2>() - margin};
+}
+
+void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
+  std::vector<Footprint> footprints;
+  for (PlateItem& item : items) {
+    item.turn = turnOf(item.part.turn_deg);
+    stand(item);
+    std::optional<Point2> at = item.part.at_mm;
+    if (!at && settings.plate.arrangement == PlateArrangement::None) at = placeInFile(item);
+    footprints.push_back({item.name, hullOf(item.mesh), at});
+  }
+  const std::vector<PlatePlace> places =
+      arranged(footprints, roomFor(space, settings.planning), settings.plate);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    PlateItem& item = items[i];
+    item.place = places[i];
+    if (item.place.eighths == 0) continue;
+    item.turn = turnOf({0.0, 0.0, 45.0 * item.place.eighths}) * item.turn;
+    stand(item);
+  }
+}
+
+std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items) {
+  std::vector<StandingPart> parts;
+  for (const PlateItem& item : items)
+    parts.push_back({item.name, &item.mesh, boundingBox(item.mesh), item.place.at_mm});
+  return parts;
+}
+
+/// What is the same for parts that are planned once.
+std::string planKey(const PlateItem& item) {
+  std::string key = item.part.file;
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers, "|%a|%a|%a|%a|%a", item.part.scale, item.turn.x(), item.turn.y(),
+                item.turn.z(), item.turn.w());
+  key += numbers;
+  for (const SettingText& setting : item.part.settings) key += "|" + setting.key + "=" + setting.text;
+  return key;
+}
+
+SlicedPart planned(const PlateItem& item, const SliceJob& of_plate, const BuildSpace& space,
+                   Progress& progress) {
+  const SliceJob job{item.part.file, of_plate.output, item.settings};
+  SourcePart source = *item.source;
+  source.mesh = item.mesh;
+  source.part_from_file = item.part_from_file;
+  try {
+    return sliceSource(std::move(source), job, space, progress);
+  } catch (...) {
+    rethrowAt("part '" + item.name + "'");
+  }
+}
+
+void addSummary(SliceSummary& sum, const PlatedPart& part) {
+  const SliceSummary& of_part = part.summary;
+  for (const std::string& note : of_part.notes) sum.notes.push_back("part '" + part.name + "': " + note);
+  for (const std::string& repair : of_part.repairs)
+    sum.repairs.push_back("part '" + part.name + "': " + repair);
+  if (of_part.lean.steepest_rad > sum.lean.steepest_rad) sum.lean = of_part.lean;
+  sum.triangles += of_part.triangles;
+  sum.contours += of_part.contours;
+  sum.open_contours += of_part.open_contours;
+  sum.mesh_volume_mm3 += of_part.mesh_volume_mm3;
+  sum.sliced_volume_mm3 += of_part.sliced_volume_mm3;
+  sum.unprinted_mm3 += of_part.unprinted_mm3;
+  sum.starts += of_part.starts;
+  sum.anchored.moved += of_part.anchored.moved;
+  sum.anchored.in_air += of_part.anchored.in_air;
+  sum.refilling.runs += of_part.refilling.runs;
+  sum.refilling.deposited_mm3 += of_part.refilling.deposited_mm3;
+}
+
+Polygon moved(Polygon polygon, const Point2& by) {
+  for (Point2& point : polygon) point += by;
+  return polygon;
+}
+
+/// Refuses what the head could touch, part by part.
+std::vector<std::size_t> clearOrder(const std::vector<StandingPart>& parts, const JobSettings& settings) {
+  const std::vector<std::size_t> order = partOrder(parts);
+  const CartesianMachine machine = machineOf(settings.machine);
+  const MovingHead head{axesFromBed(machine), movingBodies(machine)};
+  if (head.bodies.empty())
+    throw InvalidConfig(
+        "plate.order is 'by_part', and no body of the machine " + machine.name +
+        "'s head is described; expected by_layer, or a description with <collision> elements");
+  requireHeadClear(parts, order, head, settings.planning.bead.width_mm);
+  return order;
+}
+
+/// Everything between meshes and the plate's toolpath.
+class PlateSlicer {
+ public:
+  PlateSlicer(const PlateJob& job, const BuildSpace& space) : job_(job), space_(space) {}
+
+  SlicedPart slice(const SliceJob& of_plate, Progress& progress, std::vector<PlatedPart>& reports) {
+    requirePlateSettings(job_.settings);
+    Laps laps;
+    items_ = itemsOf(job_.plate, job_.settings);
+    requireMergeable(items_, job_.settings.plate.order);
+    Sources sources(job_.settings.input);
+    for (PlateItem& item : items_) item.source = &sources.of(item.part);
+    const double read_s = laps.lap();
+    arrange(items_, boundingBox(space_), job_.settings);
+    const std::vector<StandingPart> standing = standingParts(items_);
+    requireOnBed(standing, boundingBox(space_), space_.name);
+    requireNoOverlap(standing, job_.settings.slicing.layer_height_mm, progress);
+    std::vector<std::size_t> order;
+    if (job_.settings.plate.order == PlateOrder::ByPart) order = clearOrder(standing, job_.settings);
+    planAll(of_plate, progress);
+    SlicedPart plate;
+    plate.toolpath = joined(order);
+    summarise(plate, reports);
+    plate.summary.read_s = read_s;
+    requireWithin(space_, of_plate, plate);
+    return plate;
+  }
+
+ private:
+  void planAll(const SliceJob& of_plate, Progress& progress) {
+    for (const PlateItem& item : items_) {
+      const std::string key = planKey(item);
+      if (plans_.count(key) == 0) plans_.emplace(key, planned(item, of_plate, space_, progress));
+    }
+  }
+
+  Toolpath joined(const std::vector<std::size_t>& order) const {
+    std::vector<PlateToolpath> parts;
+    std::vector<LabelledPart> labelled;
+    for (const PlateItem& item : items_) {
+      parts.push_back({item.name, &plans_.at(planKey(item)).toolpath, item.place.at_mm});
+      labelled.push_back({item.name, moved(hullOf(item.mesh), item.place.at_mm)});
+    }
+    const PlanSettings& settings = job_.settings.planning;
+    Toolpath plate =
+        order.empty() ? mergedByLayer(parts, settings.travel) : partAfterPart(parts, order, settings.travel);
+    addSkirt(plate, parts, settings);
+    addLabels(plate, labelled, job_.settings.plate.labels);
+    for (const PlateItem& item : items_) plate.part_name += (plate.part_name.empty() ? "" : ", ") + item.name;
+    return plate;
+  }
+
+  void summarise(SlicedPart& plate, std::vector<PlatedPart>& reports) const {
+    plate.summary.mode = job_.settings.slicing.mode;
+    for (const PlateItem& item : items_) {
+      PlatedPart report;
+      report.name = item.name;
+      report.file = item.part.file;
+      report.at_mm = item.place.at_mm;
+      report.arranged_turn_deg = 45.0 * item.place.eighths;
+      report.size_mm = boundingBox(item.mesh).size();
+      report.summary = plans_.at(planKey(item)).summary;
+      addSummary(plate.summary, report);
+      reports.push_back(std::move(report));
+    }
+    for (const auto& [key, plan] : plans_) plate.summary.slice_s += plan.summary.slice_s;
+    plate.summary.layers = plate.toolpath.layers.size();
+    addToolpath(plate.summary, plate.toolpath);
+  }
+
+  const PlateJob& job_;
+  const BuildSpace& space_;
+  std::vector<PlateItem> items_;
+  std::map<std::string, SlicedPart> plans_;
+};
+
+}  // namespace
+
+SlicedPlate runPlateJob(const PlateJob& job, Progress& progress) {
+  if (job.plate.parts.empty()) throw InvalidInput("the plate has no part; expected one at least");
+  validate(job.settings);
+  std::vector<std::string> files;
+  for (const PlatePart& part : job.plate.parts) files.push_back(part.file);
+  requireApart({job.output}, files);
+  const BuildSpace space = buildSpaceOf(job.settings.machine);
+  SlicedPlate result;
+  const auto slice = [&](const SliceJob& of_plate, const BuildSpace&, Progress& reported) {
+    return PlateSlicer(job, space).slice(of_plate, reported, result.parts);
+  };
+  result.sliced = runIn(space, {job.plate.parts.front().file, job.output, job.settings}, slice, progress);
+  return result;
+}
+
+}  // namespace lamina

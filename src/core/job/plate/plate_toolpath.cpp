@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "job/plate/plate_toolpath.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "lamina/geometry/polygon/convex_hull.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "planning/run_path.hpp"
+#include "planning/skirt.hpp"
+#include "planning/travel/travel.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSameLayer = 1e-6;  // mm
+
+/// A layer of one of the parts.
+struct LayerOfPart {
+  std::size_t part = 0;
+  const ToolpathLayer* layer = nullptr;
+};
+
+/// The paths of a layer, without the travel that led to it.
+std::vector<Path> pathsOn(const ToolpathLayer& layer, const Point2& at) {
+  auto begin = layer.paths.begin();
+  if (begin != layer.paths.end() && begin->role == PathRole::Travel) ++begin;
+  std::vector<Path> paths(begin, layer.paths.end());
+  for (Path& path : paths)
+    for (Point3& point : path.points) point.head<2>() += at;
+  return paths;
+}
+
+/// Puts layers of parts behind each other.
+class PlateBuilder {
+ public:
+  PlateBuilder(const std::vector<PlateToolpath>& parts, const TravelSettings& travel)
+      : parts_(parts), travel_(travel) {}
+
+  void beginLayer(const ToolpathLayer& like) {
+    plate_.layers.emplace_back();
+    plate_.layers.back().z_mm = like.z_mm;
+    plate_.layers.back().height_mm = like.height_mm;
+  }
+
+  void add(const LayerOfPart& added) {
+    std::vector<Path> paths = pathsOn(*added.layer, parts_[added.part].at);
+    if (paths.empty()) return;
+    mark(added.part, paths.front());
+    std::vector<Path>& here = plate_.layers.back().paths;
+    if (last_) {
+      std::optional<Path> travel = travelTo(paths.front().firstPoint());
+      if (travel) here.push_back(std::move(*travel));
+    }
+    std::move(paths.begin(), paths.end(), std::back_inserter(here));
+    last_ = {plate_.layers.size() - 1, here.size() - 1};
+    highest_mm_ = std::max(highest_mm_, added.layer->z_mm);
+  }
+
+  /// Of several layers of one height, the nearest next.
+  void addNearest(std::vector<LayerOfPart> layers) {
+    while (!layers.empty()) {
+      const auto next = std::min_element(
+          layers.begin(), layers.end(),
+          [this](const LayerOfPart& a, const LayerOfPart& b) { return wayTo(a) < wayTo(b); });
+      const LayerOfPart added = *next;
+      layers.erase(next);
+      add(added);
+    }
+  }
+
+  Toolpath finish() && { return std::move(plate_); }
+
+ private:
+  Path& last() { return plate_.layers[last_->first].paths[last_->second]; }
+
+  /// From where the nozzle is; none at the start, so that the first part given comes first.
+  double wayTo(const LayerOfPart& next) {
+    if (!last_) return 0.0;
+    for (const Path& path : next.layer->paths)
+      if (path.role != PathRole::Travel)
+        return (path.firstPoint().head<2>() + parts_[next.part].at - last().lastPoint().head<2>()).norm();
+    return 0.0;
+  }
+
+  void mark(std::size_t part, Path& first) {
+    if (part_ == part) return;
+    part_ = part;
+    Path& before = last_ ? last() : first;
+    PathEvent event;
+    event.motion = last_ ? before.motionCount() : 0;
+    event.event.emplace<PartMark>(PartMark{parts_[part].name});
+    before.events.insert(last_ ? before.events.end() : before.events.begin(), std::move(event));
+  }
+
+  std::optional<Path> travelTo(const Point3& to) {
+    const Point3 from = last().lastPoint();
+    // Down again means over parts that are finished.
+    if (to.z() >= highest_mm_ - kSameLayer) return makeTravel(from, to, travel_);
+    const auto above = [this](const Point3& point) { return Point3(point.x(), point.y(), highest_mm_); };
+    std::optional<Path> travel = makeTravel(above(from), above(to), travel_);
+    if (!travel) return makeTravel(from, to, travel_);
+    travel->points.insert(travel->points.begin(), from);
+    travel->points.push_back(to);
+    travel->points.erase(std::unique(travel->points.begin(), travel->points.end()), travel->points.end());
+    return travel;
+  }
+
+  const std::vector<PlateToolpath>& parts_;
+  const TravelSettings& travel_;
+  Toolpath plate_;
+  std::optional<std::pair<std::size_t, std::size_t>> last_;  ///< layer and path
+  std::optional<std::size_t> part_;
+  double highest_mm_ = 0.0;
+};
+
+bool isBelow(const LayerOfPart& a, const LayerOfPart& b) {
+  if (std::abs(a.layer->z_mm - b.layer->z_mm) > kSameLayer) return a.layer->z_mm < b.layer->z_mm;
+  if (std::abs(a.layer->height_mm - b.layer->height_mm) > kSameLayer)
+    return a.layer->height_mm < b.layer->height_mm;
+  return a.part < b.part;
+}
+
+bool isSameLayer(const ToolpathLayer& a, const ToolpathLayer& b) {
+  return std::abs(a.z_mm - b.z_mm) <= kSameLayer && std::abs(a.height_mm - b.height_mm) <= kSameLayer;
+}
+
+/// Around the beads of the first layer in which each part has any.
+Regions firstLayerHull(const std::vector<PlateToolpath>& parts) {
+  std::vector<Point2> points;
+  double width_mm = 0.0;
+  for (const PlateToolpath& part : parts) {
+    const auto& layers = part.toolpath->layers;
+    const auto first =
+        std::find_if(layers.begin(), layers.end(), [](const auto& l) { return !l.paths.empty(); });
+    if (first == layers.end()) continue;
+    for (const Path& path : first->paths) {
+      if (path.role == PathRole::Travel) continue;
+      width_mm = std::max(width_mm, path.bead.at(0).width_mm);
+      for (const Point3& point : path.points) points.emplace_back(point.head<2>() + part.at);
+    }
+  }
+  const Polygon hull = convexHull(std::move(points));
+  return hull.empty() ? Regions{} : offset({Region{hull, {}}}, 0.5 * width_mm);
+}
+
+}  // namespace
+
+Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel) {
+  std::vector<LayerOfPart> layers;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (const ToolpathLayer& layer : parts[part].toolpath->layers) layers.push_back({part, &layer});
+  std::stable_sort(layers.begin(), layers.end(), isBelow);
+  PlateBuilder builder(parts, travel);
+  for (auto begin = layers.begin(); begin != layers.end();) {
+    const auto end = std::find_if(begin, layers.end(), [&](const LayerOfPart& other) {
+      return !isSameLayer(*other.layer, *begin->layer);
+    });
+    builder.beginLayer(*begin->layer);
+    builder.addNearest({begin, end});
+    begin = end;
+  }
+  return std::move(builder).finish();
+}
+
+Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vector<std::size_t>& order,
+                       const TravelSettings& travel) {
+  PlateBuilder builder(parts, travel);
+  for (const std::size_t part : order)
+    for (const ToolpathLayer& layer : parts[part].toolpath->layers) {
+      builder.beginLayer(layer);
+      builder.add({part, &layer});
+    }
+  return std::move(builder).finish();
+}
+
+void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const PlanSettings& settings) {
+  if (settings.skirt.count == 0 || plate.layers.empty()) return;
+  ToolpathLayer& layer = plate.layers.front();
+  std::vector<Path> paths;
+  for (Polygon& loop : makeSkirt(firstLayerHull(parts), settings)) {
+    const FillPath run{std::move(loop), true, PathRole::Skirt, Deposit::Bead, {}};
+    Path path = pathAlong(run, Bead{settings.bead.width_mm, layer.height_mm}, layer.z_mm,
+                          std::min(settings.feed.skirt_mm_s, settings.feed.first_layer_mm_s));
+    if (!paths.empty())
+      if (auto travel = makeTravel(paths.back().lastPoint(), path.firstPoint(), settings.travel))
+        paths.push_back(std::move(*travel));
+    paths.push_back(std::move(path));
+  }
+  if (paths.empty()) return;
+  if (!layer.paths.empty()) {
+    Path& first = layer.paths.front();
+    // The part, whose mark is the first event, begins with the way to it.
+    first.events.front().motion = paths.back().motionCount();
+    paths.back().events.push_back(std::move(first.events.front()));
+    first.events.erase(first.events.begin());
+    if (auto travel = makeTravel(paths.back().lastPoint(), first.firstPoint(), settings.travel))
+      paths.push_back(std::move(*travel));
+  }
+  layer.paths.insert(layer.paths.begin(), std::make_move_iterator(paths.begin()),
+                     std::make_move_iterator(paths.end()));
+}
+
+}  // namespace lamina

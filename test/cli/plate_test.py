@@ -1,0 +1,77 @@
+"""Several parts on one bed, regions with settings of their own, and how a part is laid."""
+import os
+import tempfile
+import unittest
+
+from lamina_command import lamina, told
+
+
+class Plates(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.box = self.path("box.stl")
+        told("part", "box", "--set", "x_mm=20", "--set", "y_mm=10", "--set", "z_mm=2", "-o", self.box)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def program(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return file.read()
+
+    def test_several_files_share_the_bed(self):
+        summary = told("slice", self.box, self.box, "cylinder", "-o", self.path("plate.gcode"))
+        self.assertEqual([part["name"] for part in summary["parts"]], ["box 1", "box 2", "cylinder"])
+        text = self.program("plate.gcode")
+        for name in ("box 1", "box 2", "cylinder"):
+            self.assertIn(f";PART:{name}\n", text)
+        self.assertEqual(text.count("TYPE:skirt"), 1)
+
+    def test_a_file_says_where_parts_stand(self):
+        plate = self.write("plate.yaml", "plate:\n  parts:\n"
+                           "    - {file: box.stl, at_mm: [50, 60], turn_deg: [0, 0, 90]}\n"
+                           "    - {file: box.stl, at_mm: [100, 60], settings: {infill.density: 1}}\n  labels: m486\n")
+        first, second = told("slice", "--plate", plate, "-o", self.path("plate.gcode"))["parts"]
+        self.assertEqual(first["at_mm"], [50, 60])
+        self.assertAlmostEqual(first["size_mm"][0], 10.0, places=6)
+        self.assertGreater(second["deposited_mm3"], 1.2 * first["deposited_mm3"])
+        self.assertIn("M486 T2\n", self.program("plate.gcode"))
+        # What is set one by one wins.
+        told("slice", "--plate", plate, "--set", "plate.labels=none", "-o", self.path("plate.gcode"))
+        self.assertNotIn("M486", self.program("plate.gcode"))
+
+    def test_overlap_is_refused_and_nothing_written(self):
+        plate = self.write("plate.yaml", "plate:\n  parts:\n    - {file: box.stl, name: left, at_mm: [50, 60]}\n"
+                           "    - {file: box.stl, name: right, at_mm: [69.9, 60]}\n")
+        done = lamina("slice", "--plate", plate, "-o", self.path("plate.gcode"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("'left' and 'right' overlap", done.stderr)
+        self.assertFalse(os.path.exists(self.path("plate.gcode")))
+
+    def test_regions_have_settings_of_their_own(self):
+        modifiers = self.write("modifiers.yaml",
+                               "modifiers:\n  - {box_mm: [[0, -9, -1], [11, 9, 9]], settings: {infill.density: 0.9}}\n")
+        usual = told("slice", self.box)["deposited_mm3"]
+        self.assertGreater(told("slice", self.box, "--set", f"part.modifiers={modifiers}")["deposited_mm3"],
+                           1.1 * usual)
+
+    def test_a_part_is_laid_flat(self):
+        best = told("lay", "box", "--set", "input.scale=2", "--best", "1")["layings"]
+        self.assertEqual(len(best), 1)
+        self.assertAlmostEqual(best[0]["height_mm"], 40.0, places=6)
+        self.assertEqual(best[0]["overhang_mm2"], 0.0)
+
+    def test_what_hangs_is_a_matter_of_the_angle(self):
+        def hanging(angle_deg):
+            return sum(each["overhang_mm2"] for each in told("lay", "cone", "--overhang-deg", angle_deg)["layings"])
+        self.assertGreater(hanging("20"), hanging("70"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Regions of a part with settings of their own, from file to toolpath.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/job/modifiers/modifier.hpp"
+#include "lamina/job/plate/plate_job.hpp"
+#include "lamina/job/slice_job.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+class ModifiersTest : public ::testing::Test {
+ protected:
+  ModifiersTest() {
+    job_.part = folder_.file("cube.stl");
+    writeStl(job_.part, test::boxBetween({0, 0, 0}, {20, 20, 4}));
+    job_.settings.planning.skirt.count = 0;
+    job_.settings.planning.infill.density = 0.0;
+    job_.settings.modifiers = folder_.file("modifiers.yaml");
+  }
+
+  void write(const std::string& list) { std::ofstream(job_.settings.modifiers) << "modifiers:\n" << list; }
+
+  Toolpath run() {
+    NoProgress nobody;
+    Toolpath toolpath = runSliceJob(job_, nobody).toolpath;
+    validate(toolpath);
+    return toolpath;
+  }
+
+  std::string refusal() {
+    try {
+      run();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  test::ScratchFolder folder_;
+  SliceJob job_;
+};
+
+Box3 infillBox(const Toolpath& toolpath) {
+  Box3 box;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::Infill)
+        for (const Point3& point : path.points) box.include(point);
+  return box;
+}
+
+TEST_F(ModifiersTest, HoldInABox) {
+  write("  - {box_mm: [[10, -1, 1], [21, 21, 3]], settings: {infill.density: 0.3}}\n");
+  const Box3 box = infillBox(run());
+  EXPECT_GT(box.low.x(), 10.0 - 0.1);
+  EXPECT_NEAR(box.low.z(), 1.2, 1e-9);  // top of the first layer whose middle lies in it
+  EXPECT_NEAR(box.high.z(), 3.0, 1e-9);
+}
+
+TEST_F(ModifiersTest, HoldInAMesh) {
+  writeStl(folder_.file("boss.stl"), test::boxBetween({5, 5, -1}, {15, 15, 9}));
+  write("  - {mesh: boss.stl, settings: {infill.density: 0.3}}\n");
+  const Box3 box = infillBox(run());
+  EXPECT_GT(box.low.x(), 4.9);
+  EXPECT_LT(box.high.y(), 15.1);
+}
+
+TEST_F(ModifiersTest, HoldInARangeOfHeightsAboveTheFoot) {
+  writeStl(job_.part, test::boxBetween({0, 0, 50}, {20, 20, 54}));
+  write("  - {from_mm: 1, to_mm: 2, settings: {infill.density: 0.3}}\n");
+  const Box3 box = infillBox(run());
+  EXPECT_NEAR(box.low.z(), 51.2, 1e-9);
+  EXPECT_NEAR(box.high.z(), 52.0, 1e-9);
+}
+
+TEST_F(ModifiersTest, AddUpWhereTheyOverlapTheLastOfEachKeyWins) {
+  job_.settings.planning.walls.count = 1;
+  write(
+      "  - {from_mm: 0, settings: {infill.density: 0.3, walls.count: 2}}\n"
+      "  - {from_mm: 2, settings: {walls.count: 3}}\n");
+  const Toolpath toolpath = run();
+  const auto walls = [&](std::size_t layer) {
+    int count = 0;
+    for (const Path& path : toolpath.layers[layer].paths)
+      count += static_cast<int>(kindOf(path.role) == RoleKind::Wall);
+    return count;
+  };
+  EXPECT_EQ(walls(3), 2);
+  EXPECT_EQ(walls(15), 3);
+  EXPECT_NEAR(infillBox(toolpath).high.z(), 4.0, 1e-9);
+}
+
+TEST_F(ModifiersTest, CutAway) {
+  job_.settings.planning.infill.density = 1.0;
+  write("  - {box_mm: [[5, 5, -1], [15, 15, 9]], kind: negative}\n");
+  NoProgress nobody;
+  const SlicedPart sliced = runSliceJob(job_, nobody);
+  EXPECT_NEAR(sliced.summary.sliced_volume_mm3, (400.0 - 100.0) * 4.0, 1e-6);
+  for (const ToolpathLayer& layer : sliced.toolpath.layers)
+    for (const Path& path : layer.paths)
+      for (const Point3& point : path.points)
+        EXPECT_TRUE(path.role == PathRole::Travel ||
+                    (point.head<2>() - Point2(10, 10)).cwiseAbs().maxCoeff() > 5.0);
+}
+
+TEST_F(ModifiersTest, TurnWithTheirPartOnAPlate) {
+  write("  - {box_mm: [[10, -1, -1], [21, 21, 9]], settings: {infill.density: 0.3}}\n");
+  PlateJob plate;
+  plate.settings = job_.settings;
+  plate.plate = plateOf({job_.part});
+  plate.plate.parts[0].at_mm = Point2(100, 100);
+  plate.plate.parts[0].turn_deg = {0, 0, 90};  // what was right is behind
+  NoProgress nobody;
+  const Box3 box = infillBox(runPlateJob(plate, nobody).sliced.toolpath);
+  EXPECT_GT(box.low.y(), 100.0 - 0.1);
+  EXPECT_LT(box.low.x(), 92.0);
+}
+
+TEST_F(ModifiersTest, AreRefusedByNameAndPlace) {
+  write("  - {from_mm: 0, settings: {bead.width_mm: 1}}\n");
+  EXPECT_NE(refusal().find("'bead.width_mm' cannot be set for a region"), std::string::npos) << refusal();
+  write("  - {from_mm: 0, settings: {infill.densty: 1}}\n");
+  EXPECT_NE(refusal().find("modifier 0: "), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("infill.densty"), std::string::npos) << refusal();
+  write("  - {from_mm: 3, to_mm: 2, settings: {infill.density: 1}}\n");
+  EXPECT_NE(refusal().find("from_mm is 3"), std::string::npos) << refusal();
+  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: support_blocker}\n");
+  EXPECT_NE(refusal().find("support_blocker"), std::string::npos) << refusal();
+  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], settings: {seam.placement: rear}}\n");
+  EXPECT_NE(refusal().find("whole layers"), std::string::npos) << refusal();
+  write("  - {mesh: nothing.stl, settings: {infill.density: 1}}\n");
+  EXPECT_NE(refusal().find("modifier 0: "), std::string::npos) << refusal();
+  Mesh open = test::boxBetween({0, 0, 0}, {5, 5, 5});
+  open.triangles.pop_back();
+  writeStl(folder_.file("open.stl"), open);
+  write("  - {mesh: open.stl, settings: {infill.density: 1}}\n");
+  EXPECT_NE(refusal(), "");
+  job_.settings.slicing.mode = "curved";
+  EXPECT_NE(refusal().find("part.modifiers"), std::string::npos) << refusal();
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/plate/plate_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh_io/mesh_writer.hpp"
+#include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "lamina/slicing/planar/planar_slicer.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/shapes.hpp"
+#include "support/solids.hpp"
+
+namespace lamina {
+namespace {
+
+class PlateJobTest : public ::testing::Test {
+ protected:
+  /// A box of that size in a file of that name.
+  std::string box(const std::string& name, const Point3& size) {
+    const std::string path = folder_.file(name + ".stl");
+    writeStl(path, test::boxBetween(Point3::Zero(), size));
+    return path;
+  }
+
+  PlatePart& add(const std::string& file, std::optional<Point2> at = std::nullopt) {
+    job_.plate.parts.emplace_back();
+    job_.plate.parts.back().file = file;
+    job_.plate.parts.back().at_mm = at;
+    return job_.plate.parts.back();
+  }
+
+  SlicedPlate run() {
+    NoProgress nobody;
+    SlicedPlate plate = runPlateJob(job_, nobody);
+    validate(plate.sliced.toolpath);
+    return plate;
+  }
+
+  std::string refusal() {
+    try {
+      run();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  test::ScratchFolder folder_;
+  PlateJob job_;
+};
+
+/// What is deposited, by the part that the marks name; empty for none.
+std::map<std::string, double> volumesByPart(const Toolpath& toolpath) {
+  std::map<std::string, double> volumes;
+  std::string part;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      std::string next = part;
+      for (const PathEvent& placed : path.events)
+        if (const auto* const mark = std::get_if<PartMark>(&placed.event)) {
+          next = mark->name;
+          if (placed.motion == 0) part = next;
+        }
+      volumes[part] += depositedVolume(path);
+      part = next;
+    }
+  return volumes;
+}
+
+double laidIn(const Toolpath& toolpath) { return totals(toolpath).deposited_mm3; }
+
+TEST_F(PlateJobTest, TurnsContoursExactly) {
+  for (const double angle_deg : {0.0, 30.0, 45.0, 90.0}) {
+    Mesh mesh = test::boxBetween({3, 4, 5}, {23, 24, 7});
+    const Eigen::Affine3d part_from_file = standing(mesh, turnOf({0, 0, angle_deg}), 1.0);
+    mesh = transformed(std::move(mesh), part_from_file);
+    NoProgress nobody;
+    const std::vector<Section> sections = sliceMesh(mesh, {1.0}, nobody);
+    ASSERT_EQ(sections[0].contours.size(), 1U);
+    const double angle = angle_deg * M_PI / 180.0;
+    for (const Point2& corner : test::rectangle(-10, -10, 10, 10)) {
+      const Point2 turned(std::cos(angle) * corner.x() - std::sin(angle) * corner.y(),
+                          std::sin(angle) * corner.x() + std::cos(angle) * corner.y());
+      EXPECT_LT(test::distanceToOutline(sections[0].contours, turned), 1e-9) << angle_deg;
+    }
+    EXPECT_NEAR(signedArea(sections[0].contours), 400.0, 1e-9);
+  }
+}
+
+TEST_F(PlateJobTest, TurnsAboutFixedAxesInOrder) {
+  // x to y about z comes last: the box's x edge, up by the turn about y, stays up.
+  const Mesh mesh = test::boxBetween({0, 0, 0}, {10, 20, 30});
+  const Box3 box = boundingBox(transformed(mesh, standing(mesh, turnOf({90, 0, 90}), 2.0)));
+  EXPECT_LT((box.size() - Point3(60, 20, 40)).norm(), 1e-9);
+  EXPECT_LT((box.low - Point3(-30, -10, 0)).norm(), 1e-9);
+}
+
+TEST_F(PlateJobTest, LaysWhatSinglePartsLay) {
+  const std::string file = box("box", {20, 10, 2});
+  double singles_mm3 = 0.0;
+  job_.settings.planning.skirt.count = 0;
+  double x = 30;
+  for (const double angle_deg : {0.0, 30.0, 45.0, 90.0}) {
+    add(file, Point2(x += 30, 100)).turn_deg.z() = angle_deg;
+    const std::string turned = folder_.file("turned" + std::to_string(int(angle_deg)) + ".stl");
+    const Mesh mesh = test::boxBetween(Point3::Zero(), {20, 10, 2});
+    writeStl(turned, transformed(mesh, standing(mesh, turnOf({0, 0, angle_deg}), 1.0)));
+    NoProgress nobody;
+    singles_mm3 += laidIn(runSliceJob({turned, "", job_.settings}, nobody).toolpath);
+  }
+  const SlicedPlate plate = run();
+  EXPECT_NEAR(laidIn(plate.sliced.toolpath) / singles_mm3, 1.0, 1e-6);
+  EXPECT_EQ(plate.sliced.toolpath.layers.size(), 10U);
+  ASSERT_EQ(plate.parts.size(), 4U);
+  EXPECT_EQ(plate.parts[1].name, "box 2");
+}
+
+TEST_F(PlateJobTest, RefusesPartsThatOverlapByBothNames) {
+  add(box("left", {20, 20, 5}), Point2(100, 100));
+  add(box("right", {20, 20, 3}), Point2(119.9, 100));
+  const std::string text = refusal();
+  EXPECT_NE(text.find("'left' and 'right' overlap by 2 mm2"), std::string::npos) << text;
+  job_.plate.parts[1].at_mm = Point2(120.0, 100);
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PlateJobTest, LetsPartsStandInEachOthersBoxes) {
+  // An L of two boxes, and a box in its corner.
+  const std::string path = folder_.file("L.stl");
+  writeStl(path,
+           test::joined(test::boxBetween({0, 0, 0}, {30, 10, 2}), test::boxBetween({0, 10, 0}, {10, 30, 2})));
+  add(path, Point2(100, 100));
+  add(box("corner", {10, 10, 2}), Point2(105, 105));
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PlateJobTest, RefusesPartsOffTheBedByName) {
+  add(box("outside", {20, 20, 5}), Point2(5, 100));
+  EXPECT_NE(refusal().find("part 'outside' reaches to x -5 mm"), std::string::npos) << refusal();
+}
+
+TEST_F(PlateJobTest, RefusesWhatFindsNoRoom) {
+  job_.plate.parts.clear();
+  add(box("large", {120, 120, 1})).copies = 2;
+  for (const PlateArrangement arrangement : {PlateArrangement::Rows, PlateArrangement::Pack}) {
+    job_.settings.plate.arrangement = arrangement;
+    EXPECT_NE(refusal().find("part 'large 2' of 120 x 120 mm finds no room"), std::string::npos) << refusal();
+  }
+}
+
+TEST_F(PlateJobTest, MergesLayersOfDifferentHeightsByTheirTops) {
+  const std::string file = box("box", {10, 10, 1.2});
+  add(file);
+  add(file).settings = {{"slicing.layer_height_mm", "0.3"}, {"slicing.first_layer_height_mm", "0.3"}};
+  const Toolpath toolpath = run().sliced.toolpath;
+  std::vector<double> tops;
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    EXPECT_TRUE(tops.empty() || layer.z_mm >= tops.back() - 1e-9);
+    tops.push_back(layer.z_mm);
+    for (const Path& path : layer.paths)
+      EXPECT_TRUE(path.role == PathRole::Travel || std::abs(path.firstPoint().z() - layer.z_mm) < 1e-9);
+  }
+  EXPECT_EQ(tops.size(), 10U);  // 0.2, 0.3, 0.4, 0.6 twice, ..., 1.2 twice
+  const auto volumes = volumesByPart(toolpath);
+  EXPECT_NEAR(volumes.at("box 1") / volumes.at("box 2"), 1.0, 0.1);
+}
+
+TEST_F(PlateJobTest, GivesPartsSettingsOfTheirOwn) {
+  const std::string file = box("box", {20, 20, 2});
+  job_.settings.planning.walls.count = 0;
+  add(file).name = "dense";
+  job_.plate.parts.back().settings = {{"infill.density", "1"}};
+  add(file).name = "sparse";
+  const auto volumes = volumesByPart(run().sliced.toolpath);
+  EXPECT_NEAR(volumes.at("dense"), 20 * 20 * 2, 0.05 * 800);
+  EXPECT_LT(volumes.at("sparse"), 0.35 * volumes.at("dense"));
+  job_.plate.parts[0].settings = {{"program.flow", "2"}};
+  EXPECT_NE(refusal().find("'program.flow'"), std::string::npos) << refusal();
+}
+
+TEST_F(PlateJobTest, LaysOneSkirtAroundAll) {
+  const std::string file = box("box", {10, 10, 1});
+  add(file, Point2(60, 100));
+  add(file, Point2(140, 100));
+  const Toolpath toolpath = run().sliced.toolpath;
+  std::size_t skirts = 0;
+  double nearest = 1e9;
+  const std::vector<Polygon> hull = {test::rectangle(55, 95, 145, 105)};
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role != PathRole::Skirt) continue;
+      ++skirts;
+      for (const Point3& point : path.points)
+        nearest = std::min(nearest, test::distanceToOutline(hull, point.head<2>()));
+    }
+  EXPECT_EQ(skirts, 1U);
+  EXPECT_NEAR(nearest, 4.0 + 0.2, 0.01);
+  EXPECT_EQ(toolpath.layers.front().paths.front().role, PathRole::Skirt);
+}
+
+TEST_F(PlateJobTest, MarksPartsThatAreReadBack) {
+  add(box("one", {10, 10, 1}));
+  add(box("two", {12, 10, 1}));
+  job_.output = folder_.file("plate.gcode");
+  for (const ObjectLabels labels : {ObjectLabels::None, ObjectLabels::M486, ObjectLabels::ExcludeObject}) {
+    job_.settings.plate.labels = labels;
+    const auto planned = volumesByPart(run().sliced.toolpath);
+    const auto read = volumesByPart(toolpathFromGcodeFile(job_.output, job_.settings.program));
+    ASSERT_EQ(read.size(), 3U);
+    for (const auto& [name, volume_mm3] : planned) EXPECT_NEAR(read.at(name), volume_mm3, 1e-2) << name;
+  }
+}
+
+TEST_F(PlateJobTest, LabelsPartsForFirmware) {
+  add(box("my part", {10, 10, 1})).copies = 2;
+  job_.output = folder_.file("plate.gcode");
+  job_.settings.plate.labels = ObjectLabels::M486;
+  run();
+  const std::string marlin = readFile(job_.output);
+  EXPECT_NE(marlin.find("M486 T2\n"), std::string::npos);
+  EXPECT_NE(marlin.find(";PART:my part 1\nM486 S0\n"), std::string::npos);
+  EXPECT_NE(marlin.find(";PART:my part 2\nM486 S1\n"), std::string::npos);
+  EXPECT_NE(marlin.find("M486 S-1\n; end of the part"), std::string::npos);
+  job_.settings.plate.labels = ObjectLabels::ExcludeObject;
+  run();
+  const std::string klipper = readFile(job_.output);
+  EXPECT_NE(klipper.find("EXCLUDE_OBJECT_DEFINE NAME=my_part_1 CENTER="), std::string::npos);
+  EXPECT_NE(klipper.find("EXCLUDE_OBJECT_END NAME=my_part_1\nEXCLUDE_OBJECT_START NAME=my_part_2\n"),
+            std::string::npos);
+  job_.settings.plate.labels = ObjectLabels::None;
+  run();
+  EXPECT_EQ(readFile(job_.output).find("M486"), std::string::npos);
+}
+
+TEST_F(PlateJobTest, PrintsPartAfterPartTheLowestFirst) {
+  job_.settings.plate.order = PlateOrder::ByPart;
+  add(box("high", {10, 10, 4}), Point2(60, 60));
+  add(box("low", {10, 10, 2}), Point2(120, 60));
+  const Toolpath toolpath = run().sliced.toolpath;
+  ASSERT_EQ(toolpath.layers.size(), 30U);
+  EXPECT_NEAR(toolpath.layers[9].z_mm, 2.0, 1e-9);
+  EXPECT_NEAR(toolpath.layers[10].z_mm, 0.2, 1e-9);
+  const Path& way = toolpath.layers[10].paths.front();
+  ASSERT_EQ(way.role, PathRole::Travel);
+  EXPECT_TRUE(way.process.is_retracted);
+  for (std::size_t i = 1; i + 1 < way.points.size(); ++i) EXPECT_GE(way.points[i].z(), 2.0);
+}
+
+TEST_F(PlateJobTest, RefusesAnOrderInWhichTheHeadWouldTouchAFinishedPart) {
+  job_.settings.plate.order = PlateOrder::ByPart;
+  // The head of the gantry is a box of 40 mm, 25 mm above the tip.
+  add(box("first", {10, 10, 30}), Point2(60, 60));
+  add(box("second", {10, 10, 31}), Point2(80, 60));
+  const std::string text = refusal();
+  EXPECT_NE(text.find("while part 'second' is printed, link 'head'"), std::string::npos) << text;
+  EXPECT_NE(text.find("over the finished part 'first'"), std::string::npos) << text;
+  job_.plate.parts[1].at_mm = Point2(100, 60);
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(PlateJobTest, RefusesWhatPlatesDoNotTake) {
+  add(box("box", {10, 10, 1}));
+  job_.settings.slicing.mode = "curved";
+  EXPECT_NE(refusal().find("slicing.mode"), std::string::npos);
+  job_.settings.slicing.mode = "planar";
+  job_.settings.scan.every_layers = 2;
+  EXPECT_NE(refusal().find("scan.every_layers"), std::string::npos);
+  job_.settings.scan.every_layers = 0;
+  job_.plate.parts.clear();
+  EXPECT_NE(refusal().find("no part"), std::string::npos);
+}
+
+TEST(PlateFile, IsReadWithPlacesTurnsAndSettings) {
+  const Plate plate = readPlate(R"(
+plate:
+  parts:
+    - {file: box, at_mm: [50, 60], turn_deg: [0, 0, 30], scale: 2, settings: {infill.density: 0.2}}
+    - {file: cone, copies: 3, name: hat}
+  arrange: pack
+  spacing_mm: 3
+  order: by_part
+)",
+                                "plate.yaml", "");
+  ASSERT_EQ(plate.parts.size(), 2U);
+  EXPECT_EQ(*plate.parts[0].at_mm, Point2(50, 60));
+  EXPECT_EQ(plate.parts[0].turn_deg, Point3(0, 0, 30));
+  EXPECT_EQ(plate.parts[0].scale, 2.0);
+  ASSERT_EQ(plate.parts[0].settings.size(), 1U);
+  EXPECT_EQ(plate.parts[0].settings[0].key, "infill.density");
+  EXPECT_EQ(plate.parts[1].copies, 3);
+  EXPECT_EQ(plate.parts[1].name, "hat");
+  ASSERT_EQ(plate.settings.size(), 3U);
+  EXPECT_EQ(plate.settings[0].key, "plate.arrange");
+}
+
+TEST(PlateFile, IsRefusedByLineAndKey) {
+  const auto refusalOf = [](const std::string& part) {
+    try {
+      readPlate("plate:\n  parts:\n    - " + part + "\n", "plate.yaml", "");
+    } catch (const InvalidConfig& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusalOf("{at_mm: [1, 2]}").find("plate.yaml:3"), std::string::npos);
+  EXPECT_NE(refusalOf("{file: box, colour: red}").find("unknown key"), std::string::npos);
+  EXPECT_NE(refusalOf("{file: box, at_mm: [1]}").find("two numbers"), std::string::npos);
+  EXPECT_NE(refusalOf("{file: box, scale: 0}").find("above 0"), std::string::npos);
+  EXPECT_NE(refusalOf("{file: box, settings: {machine.name: belt_45}}").find("machine.name"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace lamina
