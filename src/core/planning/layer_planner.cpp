@@ -25,6 +25,7 @@
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
+#include "planning/bridges/hollow_below.hpp"
 #include "planning/bridges/layer_below.hpp"
 #include "planning/modifiers/island_pieces.hpp"
 #include "planning/modifiers/run_clipping.hpp"
@@ -180,10 +181,10 @@ class LayerPlanner {
       walls = makeWalls({island}, settings_, pitch_, WallContact::Beside);
     }
     addWalls(walls);
-    if (spans) walls.infill = addBridges(walls.infill);
+    if (spans) walls.infill = addBridges(below_.bridged(walls.infill, pitch_));
     const std::size_t before = result_.paths.size();
     if (has_skins) {
-      addSkinsAndInfill(walls.infill, before);
+      addSkinsAndInfill(std::move(walls.infill), before);
       return walls.unprinted_mm2;
     }
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
@@ -195,14 +196,27 @@ class LayerPlanner {
 
   /// Lays what spans a gap within walls, and what hangs over one.
   /// @return what is left to fill
-  Regions addBridges(const Regions& inside) {
-    BridgedAreas areas = below_.bridged(inside, pitch_);
+  Regions addBridges(BridgedAreas areas) {
     bridging_ += areas.counts;
     for (LaidBridge& bridge : areas.bridges) addShortest(std::move(bridge.threads), bridge.area);
     const std::size_t before = result_.paths.size();
     addSkin(areas.hanging, PathRole::BottomSkin);
     markSince(before, settings_.feed.skin_mm_s * settings_.overhangs.feed_factors.back());
     return std::move(areas.rest);
+  }
+
+  bool bridgesInfill() const {
+    return settings_.bridges.is_used && settings_.bridges.is_over_infill && cover_below_ != nullptr &&
+           index_ > 0;
+  }
+
+  /// Without infill the lowest skin spans from wall to wall.
+  Regions addBridgesOverHollow(const Regions& inside) {
+    const HollowBelow below = hollowBelow(inside, *cover_, *cover_below_, skinMeasures(settings_, pitch_));
+    if (below.room.empty()) return inside;
+    std::vector<Polygon> rest = outlines(addBridges(below_.bridgedOver(below.carrying, below.room, pitch_)));
+    for (Polygon& outline : outlines(below.hollow)) rest.push_back(std::move(outline));
+    return unite(rest);
   }
 
   /// Over nothing: what was deposited since there were so many paths.
@@ -293,10 +307,10 @@ class LayerPlanner {
         beside == WallContact::Overlapping ? settings_.infill.wall_overlap * settings_.bead.width_mm : 0.0;
     Walls walls = makeWalls({island}, settings_, pitch_, beside);
     Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
-    if (spans) inside = addBridges(inside);
+    if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
     const std::size_t before = result_.paths.size();
-    if (has_skins) return addSkinsAndInfill(inside, before);
+    if (has_skins) return addSkinsAndInfill(std::move(inside), before);
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
     starts_ += startsOf(inside, fillsSince(before), pitch_);
     std::vector<FillPath> narrow;
@@ -309,7 +323,8 @@ class LayerPlanner {
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
   /// @param inside  walls
   /// @param before  how many paths there were before
-  void addSkinsAndInfill(const Regions& inside, std::size_t before) {
+  void addSkinsAndInfill(Regions inside, std::size_t before) {
+    if (bridgesInfill() && infill_.spacing_mm == 0.0) inside = addBridgesOverHollow(inside);
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
     areas.skin = withoutLowest(std::move(areas.skin), inside);
     addSkin(areas.bottom_skin, PathRole::BottomSkin);
@@ -335,8 +350,7 @@ class LayerPlanner {
   /// Lays the lowest skin over a sparse infill across its lines, if that is asked for.
   /// @return the other skins
   Regions withoutLowest(Regions skin, const Regions& inside) {
-    const bool is_asked = settings_.bridges.is_used && settings_.bridges.is_over_infill;
-    if (!is_asked || cover_below_ == nullptr || index_ == 0 || infill_.spacing_mm == 0.0) return skin;
+    if (!bridgesInfill() || infill_.spacing_mm == 0.0) return skin;
     const SkinAreas beneath = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
     const Regions lowest = intersection(skin, beneath.sparse);
     if (lowest.empty()) return skin;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Threads over gaps, as they are planned.
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 #include <set>
@@ -9,6 +10,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/bridges/bridge_threads.hpp"
+#include "planning/bridges/bridged_areas.hpp"
 #include "support/planned_layers.hpp"
 #include "support/shapes.hpp"
 
@@ -197,7 +199,7 @@ TEST(Bridges, OnBothSidesOfAPierShareIt) {
   // Two gaps of 6 mm, a pier of 1 mm between them: both anchors end in its middle.
   const Regions below = unite({rectangle(0, 0, 5, 10), rectangle(11, 0, 12, 10), rectangle(18, 0, 23, 10)});
   const Regions inside = unite({rectangle(1, 1, 22, 9)});
-  const ThreadLayout layout{0.0, kThreadPitch, 1.0, 0.5 * kThreadPitch};
+  const ThreadLayout layout{0.0, kThreadPitch, 1.0};
   const auto left = bridgeThreads({rectangle(5, 1, 11, 9), {}}, below, inside, layout);
   const auto right = bridgeThreads({rectangle(12, 1, 18, 9), {}}, below, inside, layout);
   ASSERT_EQ(left.size(), right.size());
@@ -213,11 +215,11 @@ TEST(Bridges, KeepWithinTheWalls) {
   // The ledge that holds them is narrower than the anchor.
   const Regions below = unite({rectangle(0, 0, 20, 10), test::reversed(rectangle(1, 1, 19, 9))});
   const Regions inside = unite({rectangle(0.7, 0.7, 19.3, 9.3)});
-  const ThreadLayout layout{0.5 * M_PI, kThreadPitch, 1.0, 0.5 * kThreadPitch};
+  const ThreadLayout layout{0.5 * M_PI, kThreadPitch, 1.0};
   for (const FillPath& thread : bridgeThreads({rectangle(1, 1, 19, 9), {}}, below, inside, layout))
     for (const Point2& end : thread.points) {
-      EXPECT_GE(end.y(), 0.7 + 0.5 * kThreadPitch - 1e-4);
-      EXPECT_LE(end.y(), 9.3 - 0.5 * kThreadPitch + 1e-4);
+      EXPECT_GE(end.y(), 0.7 + 0.48 * kThreadPitch);
+      EXPECT_LE(end.y(), 9.3 - 0.48 * kThreadPitch);
     }
 }
 
@@ -247,6 +249,50 @@ TEST(Bridges, OverInfillCrossItsLines) {
     else
       EXPECT_LT(across, 0.1 * all + 1e-9) << l;
   }
+}
+
+TEST(Bridges, CloseAHollowPartFromWallToWall) {
+  const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{rectangle(0, 0, 30, 18)}; });
+  PlanSettings settings = spanning();
+  settings.infill.density = 0.0;
+  settings.bridges.is_over_infill = true;
+  const Plan plan = plannedPart(layers, settings);
+  EXPECT_EQ(plan.bridging.bridges, 1U);
+  EXPECT_NEAR(plan.bridging.longest_mm, 18.0 - 2.0 * kTwoWalls, 1e-3) << "the shorter way";
+  const double volume = (30.0 - 2.0 * kTwoWalls) * (18.0 - 2.0 * kTwoWalls) * 0.2;
+  for (std::size_t l = 0; l < 20; ++l) {
+    const double laid = threadVolume(threadsOf(plan.toolpath.layers[l]));
+    if (l == 16)
+      EXPECT_NEAR(laid, volume, 0.03 * volume);
+    else
+      EXPECT_EQ(laid, 0.0) << l;
+  }
+}
+
+TEST(BridgedAreas, ShareOutTheAreaOnce) {
+  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+    Random random(seed);
+    const Regions inside = unite({rectangle(-15, -15, 15, 15)});
+    std::vector<Polygon> pillars;
+    for (int i = 0; i < 4; ++i)
+      pillars.push_back(test::star(random, {random.uniform(-15, 15), random.uniform(-15, 15)}, 3.0, 9.0, 9));
+    const Regions below = unite(pillars);
+    BridgeMeasures measures;
+    measures.thread_pitch_mm = kThreadPitch;
+    const BridgedAreas areas = bridgedAreas(inside, below, measures);
+    std::vector<Polygon> covered;
+    for (const LaidBridge& bridge : areas.bridges) {
+      for (const Polygon& outline : outlines(bridge.area)) covered.push_back(outline);
+      for (const FillPath& thread : bridge.threads)
+        for (const Point2& end : thread.points)
+          RC_ASSERT(end.cwiseAbs().maxCoeff() < 15.0 - 0.3 * kThreadPitch);
+    }
+    const double shared = area(unite(covered)) + area(areas.hanging) + area(areas.rest);
+    RC_ASSERT(std::abs(shared - 900.0) < 1e-2);
+    // Nothing of what is wider than a bead and over nothing is left to the usual skins.
+    RC_ASSERT(area(intersection(areas.rest, overNothing(inside, below, measures.narrowest_mm))) < 0.05);
+    RC_ASSERT(areas.counts.bridges == areas.bridges.size());
+  }));
 }
 
 TEST(Bridges, ChangeNothingWhereNothingHangs) {

@@ -15,6 +15,7 @@ namespace lamina {
 namespace {
 
 constexpr double kTouch = 1e-3;           // mm: above what areas are off by
+constexpr double kFromWalls = 0.49;       // spacings: the outermost threads lie half a spacing from them
 constexpr double kShortestThread = 0.05;  // mm
 
 /// From one place of a line to another [mm, raster frame].
@@ -43,12 +44,6 @@ class StretchesOf {
   Raster raster_;
 };
 
-std::optional<Stretch> holding(const std::vector<Stretch>& stretches, double x) {
-  for (const Stretch& each : stretches)
-    if (each.first <= x && x <= each.second) return each;
-  return std::nullopt;
-}
-
 /// The one that begins before or at x, or a little beyond, and goes on after it.
 std::optional<Stretch> goingOn(const std::vector<Stretch>& stretches, double x, double slack) {
   for (const Stretch& each : stretches)
@@ -76,7 +71,7 @@ class ThreadLayer {
         lines_(linesAcross(piece, layout)),
         piece_({piece}, lines_.spacing_mm, lines_.frame),
         below_(below, lines_.spacing_mm, lines_.frame),
-        inside_(inside, lines_.spacing_mm, lines_.frame) {}
+        inside_(offset(inside, -kFromWalls * lines_.spacing_mm), lines_.spacing_mm, lines_.frame) {}
 
   std::vector<FillPath> lay() const {
     std::vector<FillPath> threads;
@@ -106,16 +101,16 @@ class ThreadLayer {
     const std::vector<Stretch> below = below_.on(line);
     const std::vector<Stretch> inside = inside_.on(line);
     std::vector<Stretch> laid;
-    for (const Stretch& free : piece_.on(line)) {
-      const std::optional<Stretch> room = holding(inside, 0.5 * (free.first + free.second));
-      if (!room) continue;
-      const Stretch thread = {std::max(begin(free, below, *room), room->first + layout_.inset_mm),
-                              std::min(end(free, below, *room), room->second - layout_.inset_mm)};
-      if (!laid.empty() && thread.first <= laid.back().second)
-        laid.back().second = thread.second;
-      else
-        laid.push_back(thread);
-    }
+    for (const Stretch& free : piece_.on(line))
+      for (const Stretch& room : inside) {
+        if (room.second <= free.first || room.first >= free.second) continue;
+        const Stretch thread = {std::max(begin(free, below, room), room.first),
+                                std::min(end(free, below, room), room.second)};
+        if (!laid.empty() && thread.first <= laid.back().second)
+          laid.back().second = thread.second;
+        else
+          laid.push_back(thread);
+      }
     const double y = static_cast<double>(line) * lines_.spacing_mm;
     for (const Stretch& thread : laid) {
       if (thread.second - thread.first < kShortestThread) continue;

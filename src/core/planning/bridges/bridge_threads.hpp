@@ -14,7 +14,6 @@ struct ThreadLayout {
   double angle_rad = 0.0;
   double pitch_mm = 0.36;  ///< taken a little closer or wider, so that threads fill the piece
   double anchor_mm = 1.0;  ///< by which threads go on over what holds them
-  double inset_mm = 0.18;  ///< between the end of a thread and the walls
 };
 
 /// Straight threads over a piece that lies over nothing, side by side. Each goes on over the layer below by

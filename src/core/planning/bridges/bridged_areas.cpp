@@ -63,8 +63,7 @@ class AreaSharer {
       unheld.push_back(piece);
       return;
     }
-    const ThreadLayout layout{direction.angle_rad, measures_.thread_pitch_mm, settings.anchor_mm,
-                              measures_.wall_inset_mm};
+    const ThreadLayout layout{direction.angle_rad, measures_.thread_pitch_mm, settings.anchor_mm};
     LaidBridge bridge{coveredByThreads(piece, inside_, layout), bridgeThreads(piece, near, inside_, layout)};
     append(covered, bridge.area);
     areas_.bridges.push_back(std::move(bridge));

@@ -15,8 +15,7 @@ struct BridgeMeasures {
   BridgeSettings settings;
   double narrowest_mm = 0.4;  ///< what is narrower is carried by its sides
   double thread_pitch_mm = 0.36;
-  double wall_inset_mm = 0.18;  ///< between the ends of threads and the walls
-  double fringe_mm = 0.8;       ///< by which what hangs goes on over what holds it
+  double fringe_mm = 0.8;  ///< by which what hangs goes on over what holds it
 };
 
 /// One bridge.

@@ -24,13 +24,16 @@ bool LayerBelow::leavesGaps(const Regions& regions) const {
 }
 
 BridgedAreas LayerBelow::bridged(const Regions& inside, double pitch_mm) const {
+  return bridgedOver(*carrying_, inside, pitch_mm);
+}
+
+BridgedAreas LayerBelow::bridgedOver(const Regions& carrying, const Regions& inside, double pitch_mm) const {
   BridgeMeasures measures;
   measures.settings = settings_->bridges;
   measures.narrowest_mm = settings_->bead.width_mm;
   measures.thread_pitch_mm = threadPitch(settings_->bridges, settings_->bead.width_mm, pitch_mm);
-  measures.wall_inset_mm = 0.5 * pitch_mm;
   measures.fringe_mm = settings_->bead.width_mm + settings_->walls.count * pitch_mm;
-  return bridgedAreas(inside, *carrying_, measures);
+  return bridgedAreas(inside, carrying, measures);
 }
 
 Path LayerBelow::carried(Path path) const {

@@ -33,6 +33,8 @@ class LayerBelow {
   /// @param inside    walls
   /// @param pitch_mm  at which beads are laid side by side
   BridgedAreas bridged(const Regions& inside, double pitch_mm) const;
+  /// The same over other material.
+  BridgedAreas bridgedOver(const Regions& carrying, const Regions& inside, double pitch_mm) const;
 
   /// A path as it is laid over the layer below: walls where they overhang, others as they are.
   Path carried(Path path) const;
