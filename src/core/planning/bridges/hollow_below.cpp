@@ -5,6 +5,15 @@
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
+namespace {
+
+constexpr double kLeastHollow = 3.0;  // narrowest skins: a bridge goes on over less, to what holds it
+
+Regions wideParts(const Regions& regions, double width_mm) {
+  return regions.empty() ? regions : offset(offset(regions, -0.5 * width_mm), 0.5 * width_mm);
+}
+
+}  // namespace
 
 HollowBelow hollowBelow(const Regions& inside, const LayerCover& cover, const LayerCover& cover_below,
                         const SkinMeasures& measures) {
@@ -13,7 +22,7 @@ HollowBelow hollowBelow(const Regions& inside, const LayerCover& cover, const La
   const Regions here = skinAreas(inside, cover, measures).sparse;
   if (difference(below, here).empty()) return {};
   HollowBelow found;
-  found.hollow = intersection(below, here);
+  found.hollow = wideParts(intersection(below, here), kLeastHollow * measures.narrowest_mm);
   found.room = found.hollow.empty() ? inside : difference(inside, found.hollow);
   found.carrying = difference(*cover_below.material, below);
   return found;

@@ -12,7 +12,7 @@ namespace lamina {
 struct HollowBelow {
   Regions room;      ///< within the walls, without what is hollow in both
   Regions carrying;  ///< walls and skins of the layer below, and whatever it has beyond these walls
-  Regions hollow;    ///< in both
+  Regions hollow;    ///< in both, but for narrow places
 };
 
 /// What lies below an area of a part without infill. No room if the area has no skin over a hollow.
