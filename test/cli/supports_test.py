@@ -6,6 +6,7 @@
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,27 @@ class Supports(unittest.TestCase):
         self.assertIn("supports.use", told["error"]["message"])
         told = self.run_json("slice", self.part, *HELD, "--set", "infill.strategy=drops_raster", code=1)
         self.assertIn("supports.use", told["error"]["message"])
+
+    def test_a_raft_lifts_the_part(self):
+        plain, _ = self.sliced("plain.gcode", "--set", "skirt.count=0")
+        raised, program = self.sliced("raised.gcode", "--set", "skirt.count=0", "--set", "raft.layers=3",
+                                      "--set", "prime.line=front")
+        self.assertAlmostEqual(raised["raft_mm"], 0.3 + 2 * 0.2 + 0.15, places=9)
+        self.assertGreater(raised["deposited_mm3"], plain["deposited_mm3"])
+        self.assertEqual(raised["empty_layers"], 0)
+        self.assertLess(program.index(";TYPE:prime\n"), program.index(";TYPE:raft\n"))
+        self.assertLess(program.index(";TYPE:raft\n"), program.index(";TYPE:outer_wall\n"))
+        heights = [float(z) for z in re.findall(r"^G[01] .*?Z([0-9.]+)", program, re.MULTILINE)]
+        self.assertAlmostEqual(max(heights), 25.0 + raised["raft_mm"], delta=1.0)
+        self.assertGreater(min(heights), 0.0)
+
+    def test_a_brim_surrounds_the_first_layer(self):
+        _, program = self.sliced("brim.gcode", "--set", "brim.width_mm=5")
+        self.assertEqual(program.count(";TYPE:brim\n"), 1)
+        told = self.run_json("slice", self.part, "--set", "brim.width_mm=5", "--set", "raft.layers=2", code=1)
+        self.assertIn("brim.width_mm is 5", told["error"]["message"])
+        told = self.run_json("slice", self.part, "--set", "raft.layers=2", "--set", "slicing.mode=curved", code=1)
+        self.assertIn("raft.layers is 2", told["error"]["message"])
 
 
 if __name__ == "__main__":

@@ -19,6 +19,25 @@ void describe(SettingsSchema& schema, InputSettings& input) {
                               "Whether a broken mesh is repaired or refused.");
 }
 
+/// Level layers alone have what lies on the bed beside the part.
+/// @param layers_are  which ones these are
+void requireNothingOnBed(const PlanSettings& settings, const std::string& layers_are) {
+  const SkirtSettings usual;
+  const auto require = [&](bool is_met, const std::string& key_is, const std::string& expected) {
+    if (!is_met)
+      throw InvalidConfig(key_is + layers_are + "; expected " + expected + ": only level layers have one");
+  };
+  const AdhesionSettings& adhesion = settings.adhesion;
+  const int count = settings.skirt.count;
+  require(count == 0 || count == usual.count, "skirt.count is " + std::to_string(count),
+          "0 or the default " + std::to_string(usual.count));
+  require(settings.skirt.layers == usual.layers, "skirt.layers is " + std::to_string(settings.skirt.layers),
+          "the default " + std::to_string(usual.layers));
+  require(adhesion.brim.width_mm == 0.0, "brim.width_mm is " + std::to_string(adhesion.brim.width_mm), "0");
+  require(adhesion.raft.layers == 0, "raft.layers is " + std::to_string(adhesion.raft.layers), "0");
+  require(adhesion.prime.line == PrimeLine::None, "prime.line is set", "'none'");
+}
+
 /// Over inclined layers no line of a sensor lies level, and no loop round them keeps to the bed.
 void requireConsistentPlane(const JobSettings& settings) {
   const double angle_deg = settings.slicing.plane.angle_deg;
@@ -41,12 +60,7 @@ void requireConsistentPlane(const JobSettings& settings) {
   if (settings.program.arcs_tolerance_mm > 0.0)
     throw InvalidConfig("program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) +
                         inclined + "; expected 0: arcs lie in level layers only");
-  const SkirtSettings usual;
-  const int count = settings.planning.skirt.count;
-  if (count != 0 && count != usual.count)
-    throw InvalidConfig("skirt.count is " + std::to_string(count) + inclined +
-                        "; expected 0 or the default " + std::to_string(usual.count) +
-                        ": only level layers have a skirt");
+  requireNothingOnBed(settings.planning, inclined);
 }
 
 bool takesFirstLayerHeight(const std::string& mode) {
@@ -84,7 +98,6 @@ void requirePlaneLayersFor(const JobSettings& settings) {
   };
   const SlicingSettings usual;
   const SlicingSettings& slicing = settings.slicing;
-  const int skirts = settings.planning.skirt.count;
   require(slicing.plane.angle_deg == 0.0,
           "slicing.plane.angle_deg is " + std::to_string(slicing.plane.angle_deg),
           "0: only plane layers are inclined");
@@ -102,8 +115,7 @@ void requirePlaneLayersFor(const JobSettings& settings) {
           "none: only level layers have regions of their own settings");
   require(settings.copies.count == 1, "part.copies is " + std::to_string(settings.copies.count),
           "1: the way from copy to copy is known to be clear over plane layers only");
-  require(skirts == 0 || skirts == SkirtSettings().count, "skirt.count is " + std::to_string(skirts),
-          "0 or the default: only level layers have a skirt");
+  requireNothingOnBed(settings.planning, " with slicing.mode '" + mode + "'");
   require(!settings.planning.supports.use, "supports.use is true",
           "false: only layers in parallel planes have supports");
   require(infillStrategy(settings.planning.infill.strategy).link != LayerLink::Rising,

@@ -71,6 +71,9 @@ void requireConsistentDrops(const PlanSettings& settings) {
   if (first.flow != 1.0) refuse("first_layer.flow is " + text(first.flow), settings, "the default 1");
   if (settings.travel.comb != Combing::None)
     refuse("travel.comb is not 'none'", settings, "'none': nothing is retracted between drops");
+  if (isUsed(settings.adhesion))
+    refuse("a brim, raft or prime line is set", settings,
+           "brim.width_mm 0, raft.layers 0 and prime.line 'none': they are of beads");
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);
@@ -97,6 +100,13 @@ void requireConsistentSkins(const SkinSettings& skins) {
   if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
   throw InvalidConfig("skins.strategy is '" + skins.strategy +
                       "'; must be one that fills each layer with beads, such as zigzag");
+}
+
+void requireConsistentAdhesion(const AdhesionSettings& adhesion) {
+  if (adhesion.brim.width_mm == 0.0 || adhesion.raft.layers == 0) return;
+  throw InvalidConfig("brim.width_mm is " + text(adhesion.brim.width_mm) + " with raft.layers " +
+                      std::to_string(adhesion.raft.layers) +
+                      "; expected 0 of one of them: a raft has no brim");
 }
 
 void requireConsistentHybrid(const PlanSettings& settings) {
@@ -127,6 +137,7 @@ void requireConsistent(const PlanSettings& settings) {
   if (strategy.link == LayerLink::Rising) requireConsistentVase(settings);
   if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
   if (strategy.growth == FillGrowth::FromAbove) requireRoofs(settings);
+  requireConsistentAdhesion(settings.adhesion);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
   requireConsistent(settings.overhangs);
 }

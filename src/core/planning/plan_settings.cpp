@@ -83,6 +83,9 @@ void describe(SettingsSchema& schema, SkirtSettings& skirt) {
                  "Number of loops round the first layer; inclined layers have none.");
   schema.number("skirt.distance_mm", skirt.distance_mm, {0.0, 1000.0, false},
                 "Free space between the skirt and what it goes round.");
+  schema.integer("skirt.layers", skirt.layers, {1, 100000, false}, "Number of layers that have a skirt.");
+  schema.number("skirt.least_length_mm", skirt.least_length_mm, {0.0, 1e5, false},
+                "Loops are added until a skirt is as long.");
 }
 
 void describe(SettingsSchema& schema, AdaptedWallSettings& adapted) {
@@ -152,6 +155,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.fill);
   describe(schema, settings.voids);
   describe(schema, settings.skirt);
+  describe(schema, settings.adhesion);
   describe(schema, settings.supports);
   describe(schema, settings.anchoring);
   describe(schema, settings.seam);

@@ -7,8 +7,11 @@
 #include <memory>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
+#include "planning/adhesion/brim.hpp"
+#include "planning/adhesion/prime_line.hpp"
 #include "planning/skirt.hpp"
 #include "planning/supports/overhang_areas.hpp"
 #include "planning/supports/stacked_material.hpp"
@@ -18,66 +21,169 @@
 namespace lamina {
 namespace {
 
-AidRuns loopsOf(std::vector<Polygon> loops, PathRole role, const LayerBounds& bounds, double width_mm) {
-  std::vector<FillPath> runs;
-  runs.reserve(loops.size());
-  for (Polygon& loop : loops) runs.push_back({std::move(loop), true, role, Deposit::Bead, {}});
+AidRuns runsOf(std::vector<FillPath> runs, const LayerBounds& bounds, double width_mm, RunOrder order) {
   AidRuns aids;
   aids.runs = std::make_shared<const std::vector<FillPath>>(std::move(runs));
   aids.bead = {width_mm, bounds.height()};
   aids.top_mm = bounds.top_mm;
-  aids.order = RunOrder::AsGiven;
+  aids.order = order;
   return aids;
 }
 
-/// Areas of supports in each layer, and their lines.
-struct PlannedSupports {
-  std::vector<LayerAids> layers;
-  Regions on_bed;
-  SupportTotals totals;
-};
-
-PlannedSupports planSupports(const std::vector<Layer>& layers, const PlanContext& context,
-                             Progress& progress) {
-  const PlanSettings& settings = context.settings;
-  const double width = settings.bead.width_mm;
-  const StackedMaterial stack = stackedMaterial(layers, settings.simplification_mm, context.bed, progress);
-  const std::vector<Regions> overhangs = overhangAreas(stack, settings.supports, progress);
-  SupportAreas areas = supportAreas(stack, overhangs, settings.supports, width, progress);
-  PlannedSupports planned;
-  planned.totals = areas.totals;
-  planned.layers =
-      supportLattice(areas.layers, settings, layers[layers.size() / 2].bounds.height(), progress);
-  addVolumes(planned.totals, planned.layers);
-  for (const SupportSection& section : areas.layers.front())
+Regions regionsOf(const LayerSupport& sections) {
+  Regions all;
+  for (const SupportSection& section : sections)
     for (const SharedRegions& regions : {section.lattice, section.interface})
-      planned.on_bed.insert(planned.on_bed.end(), regions->begin(), regions->end());
-  return planned;
+      all.insert(all.end(), regions->begin(), regions->end());
+  return all;
 }
+
+void cutOut(LayerSupport& sections, const Regions& taken) {
+  for (SupportSection& section : sections)
+    for (SharedRegions* const regions : {&section.lattice, &section.interface})
+      *regions = std::make_shared<const Regions>(difference(**regions, taken));
+}
+
+void append(const Regions& added, Regions& regions) {
+  regions.insert(regions.end(), added.begin(), added.end());
+}
+
+/// Plans what stands beside the part, from its first layer out.
+class AidPlanner {
+ public:
+  AidPlanner(const std::vector<Layer>& layers, const PlanContext& context)
+      : layers_(layers), context_(context), settings_(context.settings) {
+    first_ = unite(simplify(layers.front().section.contours, settings_.simplification_mm));
+  }
+
+  PlannedAids plan(Progress& progress) {
+    planned_.layers.resize(layers_.size());
+    supports_.layers.resize(layers_.size());
+    if (settings_.supports.use) findSupports(progress);
+    if (!context_.bed) addBrim();
+    if (settings_.supports.use) addSupports(progress);
+    if (context_.bed) return std::move(planned_);
+    addRaft();
+    addSkirt();
+    addPrimeLine();
+    return std::move(planned_);
+  }
+
+ private:
+  double layerHeight() const { return layers_[layers_.size() / 2].bounds.height(); }
+  double width() const { return settings_.bead.width_mm; }
+
+  void findSupports(Progress& progress) {
+    const StackedMaterial stack =
+        stackedMaterial(layers_, settings_.simplification_mm, context_.bed, progress);
+    const std::vector<Regions> overhangs = overhangAreas(stack, settings_.supports, progress);
+    supports_ = supportAreas(stack, overhangs, settings_.supports, width(), progress);
+  }
+
+  /// Supports stand on a brim's outer side, or on the brim.
+  void addBrim() {
+    const LayerBounds& bounds = layers_.front().bounds;
+    const BrimSettings& settings = settings_.adhesion.brim;
+    if (settings.width_mm == 0.0) return;
+    brim_ = makeBrim(first_, settings, planWidth({width(), bounds.height()}), context_.level_bed);
+    if (brim_.runs.empty()) return;
+    cutOut(supports_.layers.front(), brim_.area);
+    const RunOrder order = settings.ears ? RunOrder::Shortest : RunOrder::AsGiven;
+    planned_.layers.front().push_back(runsOf(std::move(brim_.runs), bounds, width(), order));
+  }
+
+  void addSupports(Progress& progress) {
+    std::vector<LayerAids> lattice = supportLattice(supports_.layers, settings_, layerHeight(), progress);
+    planned_.supports = supports_.totals;
+    addVolumes(planned_.supports, lattice);
+    for (std::size_t i = 0; i < lattice.size(); ++i)
+      std::move(lattice[i].begin(), lattice[i].end(), std::back_inserter(planned_.layers[i]));
+  }
+
+  Regions onFirstLayer() const {
+    Regions all = first_;
+    append(regionsOf(supports_.layers.front()), all);
+    append(brim_.area, all);
+    return all;
+  }
+
+  void addRaft() {
+    const RaftSettings& settings = settings_.adhesion.raft;
+    if (settings.layers == 0) return;
+    raft_area_ = raftArea(onFirstLayer(), settings);
+    const double part_mm = layers_.front().bounds.bottom_mm;
+    planned_.raft = makeRaft(raft_area_, settings_, part_mm, layerHeight());
+    planned_.raft_mm = part_mm - planned_.raft.front().bounds.bottom_mm;
+  }
+
+  /// What the skirt goes round: all of the first layer, and what is above it in other layers that have a
+  /// skirt.
+  Regions withinSkirt() const {
+    Regions all = onFirstLayer();
+    append(raft_area_, all);
+    const auto count = static_cast<std::size_t>(settings_.skirt.layers);
+    for (std::size_t i = 1; i + planned_.raft.size() < count && i < layers_.size(); ++i) {
+      for (const Polygon& contour : layers_[i].section.contours) all.push_back({contour, {}});
+      append(regionsOf(supports_.layers[i]), all);
+    }
+    return all;
+  }
+
+  void addSkirt() {
+    if (settings_.skirt.count == 0) return;
+    std::vector<FillPath> runs;
+    for (Polygon& loop : makeSkirt(withinSkirt(), settings_))
+      runs.push_back({std::move(loop), true, PathRole::Skirt, Deposit::Bead, {}});
+    if (!runs.empty()) skirt_ = {{runs.front().points, {}}};
+    const std::size_t count =
+        std::min(static_cast<std::size_t>(settings_.skirt.layers), planned_.raft.size() + layers_.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      LayerAids& aids = aidsOf(i);
+      aids.insert(aids.begin(), runsOf(runs, boundsOf(i), width(), RunOrder::AsGiven));
+    }
+  }
+
+  void addPrimeLine() {
+    const PrimeSettings& settings = settings_.adhesion.prime;
+    if (settings.line == PrimeLine::None) return;
+    if (!context_.level_bed)
+      throw InvalidConfig("prime.line is set for a plan without a bed; expected 'none'");
+    Regions occupied = onFirstLayer();
+    append(raft_area_, occupied);
+    append(offset(skirt_, 0.5 * width()), occupied);
+    LayerAids& aids = aidsOf(0);
+    aids.insert(aids.begin(), makePrimeLine(settings, boundsOf(0), *context_.level_bed, occupied));
+  }
+
+  /// From the bed up, those of a raft counted.
+  LayerAids& aidsOf(std::size_t index) {
+    const std::size_t below = planned_.raft.size();
+    return index < below ? planned_.raft[index].aids : planned_.layers[index - below];
+  }
+  const LayerBounds& boundsOf(std::size_t index) const {
+    const std::size_t below = planned_.raft.size();
+    return index < below ? planned_.raft[index].bounds : layers_[index - below].bounds;
+  }
+
+  const std::vector<Layer>& layers_;
+  const PlanContext& context_;
+  const PlanSettings& settings_;
+  Regions first_;  ///< layer of the part
+  SupportAreas supports_;
+  Brim brim_;
+  Regions raft_area_;
+  Regions skirt_;  ///< within its outermost loop
+  PlannedAids planned_;
+};
 
 }  // namespace
 
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
   const PlanSettings& settings = context.settings;
-  PlannedAids planned;
-  if (context.lift || context.strategy.deposit == Deposit::Drops || layers.empty()) return planned;
-  const bool has_skirt = settings.skirt.count > 0 && !context.bed;
-  if (!has_skirt && !settings.supports.use) return planned;
-  planned.layers.resize(layers.size());
-  PlannedSupports supports;
-  if (settings.supports.use) {
-    supports = planSupports(layers, context, progress);
-    planned.supports = supports.totals;
-    planned.layers = std::move(supports.layers);
-  }
-  if (has_skirt) {
-    Regions around = unite(simplify(layers.front().section.contours, settings.simplification_mm));
-    std::move(supports.on_bed.begin(), supports.on_bed.end(), std::back_inserter(around));
-    LayerAids& first = planned.layers.front();
-    first.insert(first.begin(), loopsOf(makeSkirt(around, settings), PathRole::Skirt, layers.front().bounds,
-                                        settings.bead.width_mm));
-  }
-  return planned;
+  if (context.lift || context.strategy.deposit == Deposit::Drops || layers.empty()) return {};
+  const bool lies_on_bed = settings.skirt.count > 0 || isUsed(settings.adhesion);
+  if (!settings.supports.use && (!lies_on_bed || context.bed)) return {};
+  return AidPlanner(layers, context).plan(progress);
 }
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/planner.hpp"
+#include "planning/adhesion/raft.hpp"
 #include "planning/build_aids.hpp"
 #include "planning/layer_planner.hpp"
 
@@ -14,12 +15,15 @@ namespace lamina {
 /// What is laid beside a part, and holds it.
 struct PlannedAids {
   std::vector<LayerAids> layers;  ///< as many as the part has; none if there are no aids at all
+  std::vector<RaftLayer> raft;    ///< below these, from the bed up
+  double raft_mm = 0.0;           ///< from the bed to the part
   SupportTotals supports;
 };
 
-/// Supports of layers in parallel planes, and the skirt of level ones. Lifted layers have none, parts of
-/// drops neither.
+/// Supports of layers in parallel planes; skirt, brim, raft and prime line of level ones. Lifted layers have
+/// none, parts of drops neither.
 /// @param layers  in the frame of the layers
+/// @throws InvalidConfig if a prime line has no room
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress);
 
 }  // namespace lamina

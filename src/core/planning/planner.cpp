@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -315,6 +316,22 @@ void liftLayer(PlannedLayer& planned, std::size_t index, const LayerLift& lift) 
   }
 }
 
+/// Below the layers of the part, whose coordinates stay.
+void putOnRaft(Plan& plan, const PlannedAids& aids, const PlanContext& context, Progress& progress) {
+  std::vector<ToolpathLayer> raft(aids.raft.size());
+  const auto plan_layer = [&](std::size_t i) {
+    const Layer layer{aids.raft[i].bounds, {}};
+    StackedLayer stacked;
+    stacked.layer = &layer;
+    stacked.aids = &aids.raft[i].aids;
+    raft[i] = planLayer(stacked, i, context).layer;
+  };
+  parallelFor(raft.size(), plan_layer, progress, "plan");
+  plan.raft_mm = aids.raft_mm;
+  std::vector<ToolpathLayer>& layers = plan.toolpath.layers;
+  layers.insert(layers.begin(), std::make_move_iterator(raft.begin()), std::make_move_iterator(raft.end()));
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
                    const std::vector<PlanVariant>& of_regions = {}) {
   const PlanContext context = wallContext(of_settings);
@@ -344,6 +361,7 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
   if (context.strategy.link == LayerLink::Chained)
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
+  putOnRaft(plan, of_stack.aids, context, progress);
   joinLayers(paths, travel);
   travelWithToolOfPathBefore(paths);
   if (context.bed)

@@ -10,7 +10,8 @@
 namespace lamina {
 
 /// Loops round the convex hull of the first layer, outermost first: between hull and innermost bead the
-/// skirt's distance is left free. None round nothing.
+/// skirt's distance is left free. More loops than `skirt.count` where `skirt.least_length_mm` asks for
+/// them. None round nothing.
 std::vector<Polygon> makeSkirt(const Regions& first_layer, const PlanSettings& settings);
 
 }  // namespace lamina

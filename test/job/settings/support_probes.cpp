@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds up a part, and is taken away.
+// What holds a part up and down, and is taken away.
 #include <filesystem>
 #include <utility>
 
@@ -42,6 +42,27 @@ std::string tableOnPlate(const SettingTexts& set) {
   return toolpathId(runSliceJob({file, "", settingsWith<JobSettings>(set)}, nobody).toolpath);
 }
 
+SettingProbe adhesionProbe() {
+  return {"a plate sticks to the bed",
+          "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8;infill.density=0;"
+          "skirt.count=0",
+          toolpathOf("through_hole_plate x_mm=20 y_mm=20 z_mm=1.2 hole_radius_mm=6"),
+          {{"skirt.layers=2", "skirt.count=1"},
+           {"skirt.least_length_mm=400", "skirt.count=1"},
+           {"brim.width_mm=4"},
+           {"brim.gap_mm=0.3", "brim.width_mm=4"},
+           {"brim.where=both", "brim.width_mm=4"},
+           {"brim.ears=true", "brim.width_mm=4"},
+           {"raft.layers=3"},
+           {"raft.base_height_mm=0.5", "raft.layers=3"},
+           {"raft.top_layers=1", "raft.layers=3"},
+           {"raft.margin_mm=5", "raft.layers=3"},
+           {"raft.gap_mm=0.3", "raft.layers=3"},
+           {"prime.line=left"},
+           {"prime.length_mm=60", "prime.line=front"},
+           {"prime.section_mm2=0.7", "prime.line=front"}}};
+}
+
 SettingProbe sphereProbe() {
   return {"a sphere is held up",
           kHeldUp,
@@ -64,6 +85,7 @@ SettingProbe sphereProbe() {
 
 std::vector<SettingProbe> supportProbes() {
   return {sphereProbe(),
+          adhesionProbe(),
           {"a table is held up over its plate",
            kHeldUp,
            tableOnPlate,

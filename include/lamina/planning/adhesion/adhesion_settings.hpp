@@ -41,6 +41,11 @@ struct AdhesionSettings {
   PrimeSettings prime;
 };
 
+/// Whether there is any of it.
+inline bool isUsed(const AdhesionSettings& settings) {
+  return settings.brim.width_mm > 0.0 || settings.raft.layers > 0 || settings.prime.line != PrimeLine::None;
+}
+
 /// Adds the keys brim.*, raft.* and prime.*.
 void describe(SettingsSchema& schema, AdhesionSettings& adhesion);
 

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/infill/fill_path.hpp"
+#include "lamina/planning/adhesion/adhesion_settings.hpp"
+
+namespace lamina {
+
+/// Loops that hold a part down, and the area that they cover.
+struct Brim {
+  std::vector<FillPath> runs;  ///< the farthest from the part first; open where bed or ears end them
+  Regions area;
+};
+
+/// As many loops round the first layer as come nearest to `brim.width_mm`, a pitch apart, the innermost half
+/// a pitch and `brim.gap_mm` off the part. Loops round neighbours that meet are one. With `brim.ears` what is
+/// left of them lies within the width of a convex corner sharper than 100 deg.
+/// @param pitch_mm  plan width of a bead
+/// @param bed       beyond which nothing is laid; none if that is not known
+Brim makeBrim(const Regions& first_layer, const BrimSettings& settings, double pitch_mm,
+              const std::optional<Box2>& bed);
+
+/// The pieces of a closed loop that lie within regions; the loop itself if all of it does.
+std::vector<FillPath> piecesWithin(const Polygon& loop, const Regions& regions, PathRole role);
+
+}  // namespace lamina

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/adhesion/adhesion_settings.hpp"
+#include "lamina/slicing/planar/layer_stack.hpp"
+#include "planning/build_aids.hpp"
+
+namespace lamina {
+
+/// A straight bead along the front or left edge of the bed, a bead's width inside it, from the corner of
+/// both.
+/// @param layer     the lowest one
+/// @param bed       where the nozzle may be [mm]
+/// @param occupied  what else is laid in that layer
+/// @throws InvalidConfig if the bed is shorter than the line, or the line crosses what is laid there
+AidRuns makePrimeLine(const PrimeSettings& settings, const LayerBounds& layer, const Box2& bed,
+                      const Regions& occupied);
+
+}  // namespace lamina

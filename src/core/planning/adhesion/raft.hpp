@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/slicing/planar/layer_stack.hpp"
+#include "planning/build_aids.hpp"
+
+namespace lamina {
+
+/// A layer below the part.
+struct RaftLayer {
+  LayerBounds bounds;
+  LayerAids aids;
+};
+
+/// What a raft covers: what stands on it, gaps narrower than 10 mm closed, and its margin.
+Regions raftArea(const Regions& standing, const RaftSettings& settings);
+
+/// Layers of lines, each across the one below: a base and middle layers of lines two pitches apart, and solid
+/// top layers. Their uppermost lies `raft.gap_mm` below the part.
+/// @param part_mm          where the part begins [frame of the layers]
+/// @param layer_height_mm  of all but the base
+/// @return from the bed up
+std::vector<RaftLayer> makeRaft(const Regions& area, const PlanSettings& settings, double part_mm,
+                                double layer_height_mm);
+
+}  // namespace lamina
