@@ -42,7 +42,11 @@
 namespace lamina {
 namespace {
 
-bool laysBeads(const Path& path) { return path.role != PathRole::Travel && path.deposit == Deposit::Bead; }
+/// Of the part: supports begin on what the part does not show.
+bool laysBeads(const Path& path) {
+  const RoleKind kind = kindOf(path.role);
+  return (kind == RoleKind::Wall || kind == RoleKind::Infill) && path.deposit == Deposit::Bead;
+}
 
 /// Whether the first path of a layer goes on where the layer before ended.
 bool continues(const ToolpathLayer& layer, const ToolpathLayer* before) {

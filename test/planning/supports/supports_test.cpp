@@ -302,6 +302,48 @@ TEST(Supports, StandOutsideTheSkirtOfThePartAlone) {
   }
 }
 
+/// The tee in layers of 45 deg about x, by their own x and height along the layer: its slab lies beyond 20
+/// mm, its ends beyond 20 mm to both sides.
+std::vector<Layer> inclinedTee() {
+  std::vector<Layer> layers;
+  const double root = std::sqrt(0.5);
+  for (int i = 0; i < 229; ++i) {
+    Layer layer{{-20 * root + kLayerHeight * i, -20 * root + kLayerHeight * (i + 1)}, {}};
+    const double n = layer.bounds.cut();
+    const auto lay = [&](double half_width, double from_z, double to_z) {
+      const double low = std::max(from_z / root - n, n - 20 / root);
+      const double high = std::min(to_z / root - n, n + 20 / root);
+      if (high > low) layer.section.contours.push_back(rectangle(-half_width, low, half_width, high));
+    };
+    lay(5, 0, 20);
+    lay(20, 20, 25);
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+TEST(Supports, FallAlongGravityThroughInclinedLayers) {
+  NoProgress nobody;
+  const double root = std::sqrt(0.5);
+  const StackedMaterial stack = stackedMaterial(inclinedTee(), 0.005, BedPlane{{0, root, root}, 0.0}, nobody);
+  SupportSettings settings = withSupports(30.0).supports;
+  const SupportAreas areas =
+      supportAreas(stack, overhangAreas(stack, settings, nobody), settings, 0.4, nobody);
+  // Amid the part each layer cuts the columns from the bed to the gap below the slab.
+  for (const std::size_t l : {90U, 110U, 130U}) {
+    double sum = 0.0;
+    double lowest = 100.0;
+    for (const SupportSection& section : areas.layers[l])
+      for (const SharedRegions& regions : {section.lattice, section.interface}) {
+        sum += area(*regions);
+        for (const Region& region : *regions)
+          for (const Point2& point : region.outer) lowest = std::min(lowest, point.y());
+      }
+    EXPECT_NEAR(sum, 2 * (15 - kSideGap) * (20 / root - kSideGap), 2.0) << l;
+    EXPECT_NEAR(lowest, -stack.bounds[l].cut(), 1e-3) << "on the bed";
+  }
+}
+
 TEST(OverhangAreas, ReachUpToTheWallTheyHangOn) {
   const Regions below = {{rectangle(-5, -20, 5, 20), {}}};
   const Regions layer = {{rectangle(-20, -20, 20, 20), {}}};

@@ -15,7 +15,8 @@ namespace {
 constexpr double kSameHeight = 1e-6;     // mm: rounding of layer borders
 constexpr double kLeastOnBed = 0.25;     // of a layer: a lower bead on the bed has no room for the nozzle
 constexpr double kFallingDetail = 0.15;  // bead widths
-constexpr double kTolerance = 0.05;      // bead widths: the outlines of a support need no more
+constexpr int kSweepSteps = 4;
+constexpr double kTolerance = 0.05;  // bead widths: the outlines of a support need no more
 
 const SharedRegions& nothing() {
   static const SharedRegions empty = std::make_shared<const Regions>();
@@ -39,6 +40,15 @@ bool hasGapWithin(const Regions& regions, double gap_mm) {
     boxes.push_back(own);
   }
   return false;
+}
+
+/// What regions pass over on a short way.
+Regions swept(const Regions& regions, const Point2& way) {
+  std::vector<Polygon> passed;
+  for (int i = 0; i <= kSweepSteps; ++i)
+    for (Polygon& border : outlines(shifted(regions, static_cast<double>(i) / kSweepSteps * way)))
+      passed.push_back(std::move(border));
+  return unite(passed);
 }
 
 /// What ends in a layer.
@@ -71,6 +81,13 @@ class ColumnStack {
   LayerSupport sectionsOf(std::size_t layer) const;
   double unsupported(std::size_t layer) const;
 
+  /// What columns of a layer hold up: in inclined layers all that it sweeps as it falls by its own height, so
+  /// that one layer's columns stand beside those of the next.
+  Regions heldUp(std::size_t layer) const {
+    const Regions& hangs = overhangs_[layer];
+    const Regions held = settings_.expand_mm > 0.0 ? offset(hangs, settings_.expand_mm) : hangs;
+    return isLevel() ? held : swept(held, stack_.fall() * stack_.bounds[layer].height());
+  }
   double narrowest() const { return std::max(width_, settings_.least_width_mm); }
   bool isLevel() const { return !stack_.bed; }
   /// Down from the underside of a layer, or its top, to the top of another.
@@ -100,8 +117,7 @@ void ColumnStack::placeTops() {
     if (overhangs_[j].empty()) continue;
     const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, j, settings_.top_gap_mm);
     if (!top) continue;
-    const Regions held =
-        settings_.expand_mm > 0.0 ? offset(overhangs_[j], settings_.expand_mm) : overhangs_[j];
+    const Regions held = top->caps.empty() ? Regions{} : heldUp(j);
     if (top->full_layers > 0) joins_[top->full_layers - 1].push_back(j);
     count_ = std::max(count_, top->full_layers);
     for (const ColumnTop::Cap& cap : top->caps) {
@@ -148,11 +164,8 @@ void ColumnStack::drop() {
     }
     Regions area =
         is_top ? Regions{} : shifted(*falling_[k + 1], fallBetween(stack_.bounds[k + 1].top_mm, k));
-    for (const std::size_t j : joins_[k]) {
-      const Regions held =
-          settings_.expand_mm > 0.0 ? offset(overhangs_[j], settings_.expand_mm) : overhangs_[j];
-      area = united(area, shifted(held, fallBetween(stack_.bounds[j].bottom_mm, k)));
-    }
+    for (const std::size_t j : joins_[k])
+      area = united(area, shifted(heldUp(j), fallBetween(stack_.bounds[j].bottom_mm, k)));
     if (area.empty()) continue;
     const Regions stops = united(within(*stack_.material[k], boxOf(area), 1.0), stack_.bedIn(k));
     falling_[k] = share(simplified(difference(area, stops), kFallingDetail * width_));
