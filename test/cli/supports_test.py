@@ -4,6 +4,7 @@
 
     supports_test.py LAMINA
 """
+import csv
 import json
 import os
 import re
@@ -86,6 +87,31 @@ class Supports(unittest.TestCase):
         self.assertIn("supports.use", told["error"]["message"])
         told = self.run_json("slice", self.part, *HELD, "--set", "infill.strategy=drops_raster", code=1)
         self.assertIn("supports.use", told["error"]["message"])
+
+    def test_branches_take_less_than_columns(self):
+        columns, _ = self.sliced("columns.gcode", *HELD)
+        branches, program = self.sliced("branches.gcode", *HELD, "--set", "supports.kind=tree")
+        self.assertEqual(branches["dropped_branches"], 0)
+        self.assertAlmostEqual(branches["unsupported_mm2"], 0.0, places=3)
+        self.assertLess(branches["support_mm3"], columns["support_mm3"] + columns["support_interface_mm3"])
+        self.assertIn(";TYPE:support\n", program)
+
+    def test_columns_of_inclined_layers_are_upright(self):
+        belt = ["--set", "machine.name=belt_45", "--set", "slicing.plane.angle_deg=45"]
+        told = self.run_json("slice", self.part, "-o", self.path("belt.csv"), *belt, "--set", "supports.use=true",
+                             "--set", "supports.angle_deg=30")
+        self.assertGreater(told["support_mm3"], 100.0)
+        places = set()  # in squares of 1 mm, and their heights
+        with open(self.path("belt.csv")) as file:
+            for row in csv.DictReader(line for line in file if not line.startswith("#")):
+                if row["role"].startswith("support"):
+                    places.add(tuple(float(row[key]) for key in ("x_mm", "y_mm", "z_mm")))
+        self.assertTrue(places)
+        for x, _, z in places:
+            self.assertGreater(abs(x), 5.0 + 0.6, "beside the stem")
+            self.assertLess(z, 20.0 - 0.2, "a gap below the slab")
+        told = self.run_json("slice", self.part, *belt, *HELD, "--set", "supports.kind=tree", code=1)
+        self.assertIn("supports.kind is 'tree'", told["error"]["message"])
 
     def test_a_raft_lifts_the_part(self):
         plain, _ = self.sliced("plain.gcode", "--set", "skirt.count=0")

@@ -61,6 +61,10 @@ void requireConsistentPlane(const JobSettings& settings) {
     throw InvalidConfig("program.arcs_tolerance_mm is " + std::to_string(settings.program.arcs_tolerance_mm) +
                         inclined + "; expected 0: arcs lie in level layers only");
   requireNothingOnBed(settings.planning, inclined);
+  const SupportSettings& supports = settings.planning.supports;
+  if (supports.use && supports.kind == SupportKind::Tree)
+    throw InvalidConfig("supports.kind is 'tree'" + inclined +
+                        "; expected 'lattice': branches grow below level layers only");
 }
 
 bool takesFirstLayerHeight(const std::string& mode) {

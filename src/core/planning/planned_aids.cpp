@@ -13,10 +13,13 @@
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
 #include "planning/skirt.hpp"
+#include "planning/supports/branch_loops.hpp"
+#include "planning/supports/branch_tips.hpp"
 #include "planning/supports/overhang_areas.hpp"
 #include "planning/supports/stacked_material.hpp"
 #include "planning/supports/support_areas.hpp"
 #include "planning/supports/support_lattice.hpp"
+#include "planning/supports/support_tree.hpp"
 
 namespace lamina {
 namespace {
@@ -74,10 +77,14 @@ class AidPlanner {
   double width() const { return settings_.bead.width_mm; }
 
   void findSupports(Progress& progress) {
+    const SupportSettings& settings = settings_.supports;
     const StackedMaterial stack =
         stackedMaterial(layers_, settings_.simplification_mm, context_.bed, progress);
-    const std::vector<Regions> overhangs = overhangAreas(stack, settings_.supports, progress);
-    supports_ = supportAreas(stack, overhangs, settings_.supports, width(), progress);
+    overhangs_ = overhangAreas(stack, settings, progress);
+    if (settings.kind == SupportKind::Lattice)
+      supports_ = supportAreas(stack, overhangs_, settings, width(), progress);
+    else
+      tree_ = growBranches(stack, branchTips(stack, overhangs_, settings), settings, progress);
   }
 
   /// Supports stand on a brim's outer side, or on the brim.
@@ -93,16 +100,25 @@ class AidPlanner {
   }
 
   void addSupports(Progress& progress) {
-    std::vector<LayerAids> lattice = supportLattice(supports_.layers, settings_, layerHeight(), progress);
-    planned_.supports = supports_.totals;
-    addVolumes(planned_.supports, lattice);
-    for (std::size_t i = 0; i < lattice.size(); ++i)
-      std::move(lattice[i].begin(), lattice[i].end(), std::back_inserter(planned_.layers[i]));
+    std::vector<LayerAids> supports;
+    if (settings_.supports.kind == SupportKind::Lattice) {
+      supports = supportLattice(supports_.layers, settings_, layerHeight(), progress);
+      planned_.supports = supports_.totals;
+      for (const LayerSupport& layer : supports_.layers) support_areas_.push_back(regionsOf(layer));
+    } else {
+      BranchLoops loops = branchLoops(tree_, brim_.area, settings_, progress);
+      planned_.supports = branchTotals(overhangs_, tree_, loops, settings_.supports);
+      supports = std::move(loops.layers);
+      support_areas_ = std::move(loops.areas);
+    }
+    addVolumes(planned_.supports, supports);
+    for (std::size_t i = 0; i < supports.size(); ++i)
+      std::move(supports[i].begin(), supports[i].end(), std::back_inserter(planned_.layers[i]));
   }
 
   Regions onFirstLayer() const {
     Regions all = first_;
-    append(regionsOf(supports_.layers.front()), all);
+    if (!support_areas_.empty()) append(support_areas_.front(), all);
     append(brim_.area, all);
     return all;
   }
@@ -124,7 +140,7 @@ class AidPlanner {
     const auto count = static_cast<std::size_t>(settings_.skirt.layers);
     for (std::size_t i = 1; i + planned_.raft.size() < count && i < layers_.size(); ++i) {
       for (const Polygon& contour : layers_[i].section.contours) all.push_back({contour, {}});
-      append(regionsOf(supports_.layers[i]), all);
+      if (!support_areas_.empty()) append(support_areas_[i], all);
     }
     return all;
   }
@@ -169,7 +185,10 @@ class AidPlanner {
   const PlanContext& context_;
   const PlanSettings& settings_;
   Regions first_;  ///< layer of the part
-  SupportAreas supports_;
+  std::vector<Regions> overhangs_;
+  SupportAreas supports_;               ///< of a lattice
+  SupportTree tree_;                    ///< or a tree
+  std::vector<Regions> support_areas_;  ///< of each layer, of both; none without supports
   Brim brim_;
   Regions raft_area_;
   Regions skirt_;  ///< within its outermost loop

@@ -78,6 +78,11 @@ SettingProbe sphereProbe() {
            {"supports.least_width_mm=3"},
            {"supports.expand_mm=1"},
            {"supports.interface_tool=1"},
+           {"supports.kind=tree"},
+           {"supports.tip_spacing_mm=3", "supports.kind=tree"},
+           {"supports.branch_angle_deg=20", "supports.kind=tree"},
+           {"supports.branch_taper_deg=10", "supports.kind=tree"},
+           {"supports.branch_mm=1", "supports.kind=tree"},
            {"feed.support_interface_mm_s=21"}}};
 }
 

@@ -9,6 +9,19 @@ constexpr Bounds kGap{0.0, 100.0, false};
 constexpr Bounds kDensity{0.0, 1.0, true};
 constexpr Bounds kTool{-1, 255, false};
 
+void describeBranches(SettingsSchema& schema, SupportSettings& supports) {
+  schema.number("supports.tip_mm", supports.tip_mm, {0.01, 100.0, false},
+                "Diameter of what holds up a hanging point, and of the tips of branches.");
+  schema.number("supports.tip_spacing_mm", supports.tip_spacing_mm, {0.1, 100.0, false},
+                "Distance of neighbouring tips of branches.");
+  schema.number("supports.branch_angle_deg", supports.branch_angle_deg, {0.0, 80.0, false},
+                "Most lean of a branch from the vertical.");
+  schema.number("supports.branch_taper_deg", supports.branch_taper_deg, {0.0, 45.0, false},
+                "Angle by which each side of a branch widens towards its foot.");
+  schema.number("supports.branch_mm", supports.branch_mm, {0.1, 100.0, false},
+                "Greatest diameter of a branch.");
+}
+
 void describeSizes(SettingsSchema& schema, SupportSettings& supports) {
   schema.number("supports.top_gap_mm", supports.top_gap_mm, kGap,
                 "Distance between a support and what it holds up; 0 touches.");
@@ -24,14 +37,15 @@ void describeSizes(SettingsSchema& schema, SupportSettings& supports) {
   schema.number("supports.join_mm", supports.join_mm, kGap, "Narrower gaps between columns are closed.");
   schema.number("supports.expand_mm", supports.expand_mm, kGap,
                 "By how much supports are wider than what they hold up.");
-  schema.number("supports.tip_mm", supports.tip_mm, {0.01, 100.0, false},
-                "Diameter of what holds up a hanging point.");
 }
 
 }  // namespace
 
 void describe(SettingsSchema& schema, SupportSettings& supports) {
   schema.flag("supports.use", supports.use, "Whether overhangs of level or inclined layers are held up.");
+  schema.choice<SupportKind>("supports.kind", supports.kind,
+                             {{"lattice", SupportKind::Lattice}, {"tree", SupportKind::Tree}},
+                             "Columns filled with lines, or branches.");
   schema.choice<SupportFoot>("supports.foot", supports.foot,
                              {{"bed", SupportFoot::Bed}, {"everywhere", SupportFoot::Everywhere}},
                              "Whether supports stand on the bed only, or on the part too.");
@@ -42,6 +56,7 @@ void describe(SettingsSchema& schema, SupportSettings& supports) {
                 "Direction of the lines in all layers, from x.");
   schema.integer("supports.walls", supports.walls, {0, 100, false}, "Number of loops round each column.");
   describeSizes(schema, supports);
+  describeBranches(schema, supports);
   schema.integer("supports.tool", supports.tool, kTool,
                  "Tool that lays supports; -1 takes that of the part.");
   schema.integer("supports.interface_tool", supports.interface_tool, kTool,

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Branches that hold up what hangs over.
+#include "planning/supports/support_tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/parallel.hpp"
+#include "planning/supports/branch_loops.hpp"
+#include "planning/supports/overhang_areas.hpp"
+#include "support/planned_layers.hpp"
+#include "support/shapes.hpp"
+
+namespace lamina {
+namespace {
+
+using test::kLayerHeight;
+using test::rectangle;
+
+/// A stem of 10 x 40 x 20 mm with a slab of 40 x 40 x 5 mm on it.
+std::vector<Layer> teeForBranches() {
+  return test::layersOf(125, [](int l) {
+    return std::vector<Polygon>{l < 100 ? rectangle(-5, -20, 5, 20) : rectangle(-20, -20, 20, 20)};
+  });
+}
+
+SupportSettings branching() {
+  SupportSettings settings;
+  settings.use = true;
+  settings.kind = SupportKind::Tree;
+  settings.angle_deg = 45.0;
+  return settings;
+}
+
+SupportTree treeBelow(const std::vector<Layer>& layers, const SupportSettings& settings) {
+  NoProgress nobody;
+  const StackedMaterial stack = stackedMaterial(layers, 0.005, {}, nobody);
+  return growBranches(stack, branchTips(stack, overhangAreas(stack, settings, nobody), settings), settings,
+                      nobody);
+}
+
+Plan plannedWithBranches(const std::vector<Layer>& layers, const SupportSettings& supports) {
+  PlanSettings settings;
+  settings.skirt.count = 0;
+  settings.supports = supports;
+  NoProgress nobody;
+  Plan plan = planPart("part", layers, settings, nobody);
+  validate(plan.toolpath);
+  return plan;
+}
+
+TEST(SupportTree, HasATipNearEveryPlaceThatHangsOver) {
+  const SupportTree tree = treeBelow(teeForBranches(), branching());
+  EXPECT_EQ(tree.dropped, 0U);
+  double farthest = 0.0;
+  for (double x = 5.0; x <= 20.0; x += 0.25)
+    for (double y = -20.0; y <= 20.0; y += 0.25)
+      for (const double side : {-1.0, 1.0}) {
+        double nearest = 100.0;
+        for (const BranchTip& tip : tree.tips)
+          nearest = std::min(nearest, (tip.at - Point2(side * x, y)).norm());
+        farthest = std::max(farthest, nearest);
+      }
+  EXPECT_LE(farthest, branching().tip_spacing_mm);
+  for (const BranchTip& tip : tree.tips) EXPECT_EQ(tip.top.full_layers, 99U);
+}
+
+TEST(SupportTree, LeansNoMoreThanItsAngle) {
+  const SupportTree tree = treeBelow(teeForBranches(), branching());
+  const double step = kLayerHeight * std::tan(branching().branch_angle_deg * M_PI / 180.0);
+  for (std::size_t l = 0; l + 1 < 99; ++l) {
+    EXPECT_FALSE(tree.layers[l].empty()) << l;
+    // Each disc is carried by one of the layer below.
+    for (const BranchDisc& disc : tree.layers[l + 1]) {
+      double nearest = 100.0;
+      for (const BranchDisc& below : tree.layers[l]) nearest = std::min(nearest, (below.at - disc.at).norm());
+      EXPECT_LE(nearest, step + 1e-9) << l;
+    }
+  }
+  EXPECT_LT(tree.layers[0].size(), tree.layers[98].size() / 8) << "branches have met";
+}
+
+TEST(SupportTree, KeepsItsDistanceFromThePart) {
+  const SupportTree tree = treeBelow(teeForBranches(), branching());
+  for (const BranchDisc& disc : tree.layers[50])
+    EXPECT_GE(std::abs(disc.at.x()) - 5.0 - disc.radius_mm, 0.6 - 1e-6);
+  const Plan plan = plannedWithBranches(teeForBranches(), branching());
+  for (std::size_t l = 0; l < 100; ++l)
+    for (const Path& path : plan.toolpath.layers[l].paths) {
+      if (path.role != PathRole::Support) continue;
+      for (const Point3& point : path.points) EXPECT_GE(std::abs(point.x()), 5.0 + 0.6 + 0.17);
+    }
+}
+
+TEST(SupportTree, TakesNoMoreThanTheLattice) {
+  SupportSettings lattice = branching();
+  lattice.kind = SupportKind::Lattice;
+  const SupportTotals columns = plannedWithBranches(teeForBranches(), lattice).supports;
+  const SupportTotals branches = plannedWithBranches(teeForBranches(), branching()).supports;
+  EXPECT_LE(branches.support_mm3, columns.support_mm3 + columns.interface_mm3);
+  EXPECT_GT(branches.support_mm3, 100.0);
+  EXPECT_NEAR(branches.overhang_mm2, 1200.0, 1e-6);
+  EXPECT_NEAR(branches.unsupported_mm2, 0.0, 1e-6);
+}
+
+TEST(SupportTree, MeetsTheGapExactly) {
+  for (const double gap_mm : {0.0, 0.2, 0.25, 0.35}) {
+    SupportSettings settings = branching();
+    settings.top_gap_mm = gap_mm;
+    double highest = 0.0;
+    for (const ToolpathLayer& layer : plannedWithBranches(teeForBranches(), settings).toolpath.layers)
+      for (const Path& path : layer.paths)
+        if (path.role == PathRole::Support) highest = std::max(highest, path.firstPoint().z());
+    EXPECT_NEAR(highest, 20.0 - gap_mm, 1e-9);
+  }
+}
+
+/// A roof of 30 mm on a post, over a plate of that many millimetres.
+std::vector<Layer> roofOverPlate(double plate_mm) {
+  return test::layersOf(110, [plate_mm](int l) {
+    if (l < 10) return std::vector<Polygon>{rectangle(-plate_mm, -plate_mm, plate_mm, plate_mm)};
+    if (l < 100) return std::vector<Polygon>{rectangle(-2, -2, 2, 2)};
+    return std::vector<Polygon>{rectangle(-15, -15, 15, 15)};
+  });
+}
+
+TEST(SupportTree, StandsOnThePartOnlyWhereItMay) {
+  SupportSettings settings = branching();
+  const SupportTree everywhere = treeBelow(roofOverPlate(20), settings);
+  EXPECT_EQ(everywhere.dropped, 0U);
+  EXPECT_FALSE(everywhere.tips.empty());
+  for (std::size_t l = 0; l < 11; ++l) EXPECT_TRUE(everywhere.layers[l].empty()) << "gap above the plate";
+  EXPECT_FALSE(everywhere.layers[11].empty());
+  settings.foot = SupportFoot::Bed;
+  // Round a plate of 12 mm the bed is within reach of all tips; 60 mm are too far for those in the middle.
+  const SupportTree beside = treeBelow(roofOverPlate(12), settings);
+  EXPECT_EQ(beside.dropped, 0U);
+  for (const BranchDisc& disc : beside.layers[5])
+    EXPECT_GE(disc.at.cwiseAbs().maxCoeff(), 12.0 + 0.6 + disc.radius_mm - 1e-6);
+  EXPECT_TRUE(treeBelow(roofOverPlate(60), settings).tips.empty());
+}
+
+TEST(SupportTree, DoesNotDependOnThreads) {
+  const std::string many = toolpathId(plannedWithBranches(roofOverPlate(20), branching()).toolpath);
+  const ThreadLimit limit(1);
+  EXPECT_EQ(toolpathId(plannedWithBranches(roofOverPlate(20), branching()).toolpath), many);
+}
+
+}  // namespace
+}  // namespace lamina
