@@ -44,6 +44,7 @@ SettingProbe flowProbe() {
            {"flow.coast_longest_mm=0.3", "flow.coast_mm3=0.2"},
            {"flow.advance_s=0.05"},
            {"flow.advance_word=klipper", "flow.advance_s=0.05"},
+           {"flow.advance_by_role=infill=0.06", "flow.advance_s=0.05"},
            {"flow.lag_s=0.05"},
            {"flow.dead_time_s=0.02"}}};
 }

@@ -221,6 +221,33 @@ TEST(PressureAdvance, IsToldInTheWordsOfTheFirmware) {
   EXPECT_EQ(firstCode(AdvanceWord::RepRapFirmware), "M572 D0 S0.05");
 }
 
+TEST(PressureAdvance, IsToldWhereItChangesWithTheRole) {
+  FlowSettings settings;
+  settings.advance_s = 0.05;
+  settings.advance_by_role = "outer_wall=0.04, infill = 0.06";
+  std::vector<Path> paths;
+  for (const PathRole role : {PathRole::Skirt, PathRole::InnerWall, PathRole::OuterWall, PathRole::Infill,
+                              PathRole::Infill, PathRole::GapFill}) {
+    paths.push_back(beadLine({{0, 0, 0.2}, {50, 0, 0.2}}, {0.4, 0.2}, 60.0));
+    paths.back().role = role;
+  }
+  Toolpath toolpath = of(paths);
+  addAdvance(toolpath, settings);
+  std::string told;
+  for (const Path& path : toolpath.layers[0].paths)
+    told += path.events.empty() ? "-;" : std::get<MachineCode>(path.events[0].event).text + ";";
+  EXPECT_EQ(told, "M900 K0.05;-;M900 K0.04;M900 K0.06;-;M900 K0.05;");
+}
+
+TEST(PressureAdvance, RefusesWhatIsNoAdvanceOfARole) {
+  for (const char* const text :
+       {"outer_wall", "roof=0.1", "infill=", "infill=-1", "infill=0.1 s", "infill=11"}) {
+    FlowSettings settings;
+    settings.advance_by_role = text;
+    EXPECT_THROW(requireConsistent(settings), InvalidConfig) << text;
+  }
+}
+
 TEST(PressureAdvance, IsNotToldTogetherWithFeedForward) {
   FlowSettings settings;
   settings.advance_s = 0.05;

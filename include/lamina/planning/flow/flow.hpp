@@ -47,7 +47,8 @@ struct FeedForward {
 FeedForward feedForward(Toolpath& toolpath, const FlowSettings& settings, const MotionLimits& limits,
                         double flow_factor);
 
-/// Tells the firmware `advance_s` before the first motion; 0 changes nothing.
+/// Tells the firmware the advance of the first path that deposits, and others where they change. An advance
+/// of 0 for all roles changes nothing.
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings);
 
 }  // namespace lamina

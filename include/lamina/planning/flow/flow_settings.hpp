@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "lamina/base/settings.hpp"
 
@@ -17,7 +18,8 @@ struct FlowSettings {
   double greatest_slope_mm3_s2 = 0.0;  ///< of its change along a run; 0 for no limit
   double coast_mm3 = 0.0;              ///< at the end of each run, which is left to the pressure; 0 for none
   double coast_longest_mm = 2.0;
-  double advance_s = 0.0;  ///< pressure advance of the firmware; 0 leaves it alone
+  double advance_s = 0.0;       ///< pressure advance of the firmware; 0 leaves it alone
+  std::string advance_by_role;  ///< as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
   AdvanceWord advance_word = AdvanceWord::Marlin;
   double lag_s = 0.0;        ///< by which what leaves the nozzle lags behind what is pushed; 0 for none
   double dead_time_s = 0.0;  ///< before anything follows at all
@@ -26,7 +28,8 @@ struct FlowSettings {
 /// Adds the keys flow.*.
 void describe(SettingsSchema& schema, FlowSettings& settings);
 
-/// @throws InvalidConfig if both firmware and program are to make up for the lag
+/// @throws InvalidConfig if both firmware and program are to make up for the lag, or the advances by role are
+///   none
 void requireConsistent(const FlowSettings& settings);
 
 }  // namespace lamina

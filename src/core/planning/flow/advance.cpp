@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <cstdio>
 #include <string>
 #include <utility>
 
 #include "lamina/planning/flow/flow.hpp"
+#include "planning/flow/role_advances.hpp"
 
 namespace lamina {
 namespace {
@@ -26,16 +28,18 @@ std::string advanceLine(AdvanceWord word, double advance_s) {
 }  // namespace
 
 void addAdvance(Toolpath& toolpath, const FlowSettings& settings) {
-  if (settings.advance_s == 0.0) return;
-  for (ToolpathLayer& layer : toolpath.layers) {
-    if (layer.paths.empty()) continue;
-    PathEvent told;
-    told.event.emplace<MachineCode>(
-        MachineCode{advanceLine(settings.advance_word, settings.advance_s), false});
-    std::vector<PathEvent>& events = layer.paths.front().events;
-    events.insert(events.begin(), std::move(told));
-    return;
-  }
+  if (!hasAdvance(settings)) return;
+  const std::array<double, kPathRoles> advances = advancesOf(settings);
+  double told_s = -1.0;
+  for (ToolpathLayer& layer : toolpath.layers)
+    for (Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) continue;
+      const double advance_s = advances[static_cast<std::size_t>(path.role)];
+      if (std::exchange(told_s, advance_s) == advance_s) continue;
+      PathEvent change;
+      change.event.emplace<MachineCode>(MachineCode{advanceLine(settings.advance_word, advance_s), false});
+      path.events.insert(path.events.begin(), std::move(change));
+    }
 }
 
 }  // namespace lamina

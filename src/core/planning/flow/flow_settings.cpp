@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "planning/flow/role_advances.hpp"
 
 namespace lamina {
 
@@ -19,6 +20,8 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
                 "Longest way that is laid so; at most half the run.");
   schema.number("flow.advance_s", flow.advance_s, {0.0, 10.0, false},
                 "Pressure advance that the firmware is told; 0 leaves it alone.");
+  schema.text("flow.advance_by_role", flow.advance_by_role,
+              "Roles that have another, as 'outer_wall=0.04, infill=0.06'.");
   schema.choice<AdvanceWord>("flow.advance_word", flow.advance_word,
                              {{"marlin", AdvanceWord::Marlin},
                               {"klipper", AdvanceWord::Klipper},
@@ -31,8 +34,9 @@ void describe(SettingsSchema& schema, FlowSettings& flow) {
 }
 
 void requireConsistent(const FlowSettings& flow) {
+  advancesOf(flow);
   const bool makes_up = flow.lag_s > 0.0 || flow.dead_time_s > 0.0;
-  if (flow.advance_s == 0.0 || !makes_up) return;
+  if (!hasAdvance(flow) || !makes_up) return;
   throw InvalidConfig(
       "flow.advance_s is " + std::to_string(flow.advance_s) + " s with flow.lag_s " +
       std::to_string(flow.lag_s) + " s and flow.dead_time_s " + std::to_string(flow.dead_time_s) +
