@@ -14,6 +14,7 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/overhangs/overhanging_walls.hpp"
 #include "lamina/planning/supports/support_settings.hpp"
+#include "lamina/planning/tools/tool_settings.hpp"
 
 namespace lamina {
 
@@ -157,6 +158,7 @@ struct PlanSettings {
   TravelSettings travel;
   FeedSettings feed;
   FirstLayerSettings first_layer;
+  ToolSettings tools;
   double simplification_mm = 0.005;  ///< how far a planned outline may leave the sliced one
 };
 
@@ -167,7 +169,7 @@ inline bool isLoneWall(const PlanSettings& settings) {
 
 /// Adds the keys bead.*, walls.*, infill.*, skins.*, bridges.*, overhangs.*, those of the fill strategies,
 /// voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.*,
-/// first_layer.* and planning.*.
+/// first_layer.*, tool.*, tools.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 
 }  // namespace lamina

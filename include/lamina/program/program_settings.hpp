@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/geometry/vector.hpp"
 #include "lamina/program/drops/drop_dialect.hpp"
 #include "lamina/program/five_axis/five_axis_settings.hpp"
 #include "lamina/program/rapid/rapid_settings.hpp"
@@ -31,6 +33,9 @@ struct ProgramSettings {
   double arcs_tolerance_mm = 0.0;  ///< by which runs of waypoints may leave the
                                    ///< arcs that stand for them; 0: none
   std::string pause_code = "M0";   ///< that waits for the operator; `pause.code` of jobs
+  /// Of the nozzle of each tool from that of tool 0 [mm], which the program
+  /// takes into account; none beyond.
+  std::vector<Point3> tool_offsets_mm;
   DropDialect drops;
   FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints;
                                ///< keys of its own

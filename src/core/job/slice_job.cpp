@@ -19,6 +19,7 @@
 #include "lamina/job/output_writer.hpp"
 #include "lamina/planning/cooling/cooling.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
+#include "lamina/planning/tools/tool_heating.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -35,6 +36,8 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
   if (job.output.empty()) return;
   ProgramSettings program = startedFor(job.settings.planning.first_layer, job.settings.program);
   program.strategy = job.settings.planning.infill.strategy;
+  for (const Tool& tool : toolsOf(job.settings.planning.tools))
+    program.tool_offsets_mm.push_back(tool.offset_mm);
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
   if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program);
@@ -57,7 +60,7 @@ void coolPart(SlicedPart& sliced, const JobSettings& settings, Progress& progres
   addFan(sliced.toolpath, settings.fan, settings.motion);
 }
 
-/// Pauses, and code of the user's own.
+/// Temperatures of tools, pauses, and code of the user's own.
 void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space) {
   HookSite site;
   site.bed_from_part = sliced.bed_from_part;
@@ -65,6 +68,7 @@ void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace&
   site.nozzle_temperature_c = settings.program.nozzle_temperature_c;
   site.bed_temperature_c = settings.program.bed_temperature_c;
   site.limits = settings.motion;
+  addToolHeating(sliced.toolpath, toolsOf(settings.planning.tools), site.nozzle_temperature_c, site.limits);
   addPauses(sliced.toolpath, settings.pauses, settings.cooling, site);
   addHooks(sliced.toolpath, settings.hooks, site);
 }

@@ -129,6 +129,16 @@ void requireRoofs(const PlanSettings& settings) {
                       "', which holds up skins, and there are none; expected skins.top_layers of 1 or more");
 }
 
+/// Runs that go on from layer to layer are those of one tool.
+void requireConsistentTools(const ToolSettings& tools, const InfillStrategy& strategy) {
+  requireConsistent(tools);
+  if (!usesTools(tools)) return;
+  if (strategy.deposit == Deposit::Drops || strategy.link != LayerLink::Travel)
+    throw InvalidConfig(
+        "tool.* asks for several tools with drops, or with runs that go on from layer to layer; expected "
+        "one");
+}
+
 }  // namespace
 
 void requireConsistent(const PlanSettings& settings) {
@@ -140,6 +150,7 @@ void requireConsistent(const PlanSettings& settings) {
   requireConsistentAdhesion(settings.adhesion);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
   requireConsistent(settings.overhangs);
+  requireConsistentTools(settings.tools, strategy);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

@@ -162,6 +162,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.travel);
   describe(schema, settings.feed);
   describe(schema, settings.first_layer);
+  describe(schema, settings.tools);
   schema.number("planning.simplification_mm", settings.simplification_mm, {0.0, 10.0, false},
                 "How far a planned outline may leave the sliced one.");
 }

@@ -34,6 +34,7 @@
 #include "planning/planned_aids.hpp"
 #include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
+#include "planning/tools/tool_order.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/travel/wiping.hpp"
@@ -152,16 +153,6 @@ void joinLayers(std::vector<ToolpathLayer>& layers, const TravelMaker& travel_be
     }
     previous = &paths.back();
   }
-}
-
-/// Tools change where something is laid with another one, not on the way there.
-void travelWithToolOfPathBefore(std::vector<ToolpathLayer>& layers) {
-  std::uint32_t tool = 0;
-  for (ToolpathLayer& layer : layers)
-    for (Path& path : layer.paths) {
-      if (path.role == PathRole::Travel) path.tool = tool;
-      tool = path.tool;
-    }
 }
 
 /// Where a chain of layers starts. On lifted ones the planner's anchor is a place of the plan.
@@ -336,6 +327,21 @@ void putOnRaft(Plan& plan, const PlannedAids& aids, const PlanContext& context, 
   layers.insert(layers.begin(), std::make_move_iterator(raft.begin()), std::make_move_iterator(raft.end()));
 }
 
+/// @throws InvalidConfig if there is to be a prime tower over layers that are not level
+void requireTower(const PlanContext& context) {
+  if (context.settings.tools.purge_mm3.empty() || (!context.bed && !context.lift)) return;
+  throw InvalidConfig("tools.purge_mm3 is set for " + std::string(context.bed ? "inclined" : "curved") +
+                      " layers; expected none: a prime tower stands on level ones");
+}
+
+/// Joins layers, tool by tool if there are several.
+void joinByTools(std::vector<ToolpathLayer>& layers, const PlanContext& context, const TravelMaker& travel) {
+  if (!usesTools(context.settings.tools)) return joinLayers(layers, travel);
+  requireTower(context);
+  arrangeTools(layers, context.settings, travel);
+  joinLayers(layers, travel);
+}
+
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
                    const std::vector<PlanVariant>& of_regions = {}) {
   const PlanContext context = wallContext(of_settings);
@@ -366,8 +372,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
   putOnRaft(plan, of_stack.aids, context, progress);
-  joinLayers(paths, travel);
-  travelWithToolOfPathBefore(paths);
+  joinByTools(paths, of_settings, travel);
+  giveTravelsTools(paths);
   if (context.bed)
     plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
   addWipes(paths, travel_settings);

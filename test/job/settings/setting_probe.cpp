@@ -98,7 +98,7 @@ std::vector<SettingProbe> allProbes() {
         programProbes(), jointProbes(),    motionProbes(),   measureProbes(), platformProbes(),
         inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),  emulatorProbes(),
         startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes(),
-        heightProbes(),  arcProbes(),      hookProbes(),     plateProbes()})
+        heightProbes(),  arcProbes(),      hookProbes(),     plateProbes(),   toolProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

@@ -88,6 +88,7 @@ std::vector<SettingProbe> heightProbes();
 std::vector<SettingProbe> arcProbes();
 std::vector<SettingProbe> hookProbes();
 std::vector<SettingProbe> plateProbes();
+std::vector<SettingProbe> toolProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -10,6 +10,7 @@
 #include "program/gcode/extrusion.hpp"
 #include "program/gcode/fixed_point.hpp"
 #include "program/gcode/process_words.hpp"
+#include "program/gcode/tool_offsets.hpp"
 
 namespace lamina {
 namespace {
@@ -43,6 +44,7 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
                          const ProgramSettings& settings)
     : linear_(frame.program_from_bed.linear() * frame.bed_from_part.linear()),
       translation_(frame.program_from_bed * frame.bed_from_part.translation()),
+      frame_(frame),
       is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
       rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
       filament_per_volume_(filamentPerVolume(settings)),
@@ -64,6 +66,7 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
   const Path* previous = nullptr;  // deposition path that ends where the next one starts
   PathRole role = PathRole::Travel;
   std::uint32_t tool = start.tool;
+  modal.shift = -toolOffset(tool, settings_, frame_);
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     const bool next_is_retracted =
@@ -75,8 +78,10 @@ void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std
       writeDrops(path, modal, text);
       continue;
     }
-    if (std::exchange(tool, path.tool) != path.tool)
+    if (std::exchange(tool, path.tool) != path.tool) {
       text.append("T").append(std::to_string(path.tool)).append("\n");
+      modal.shift = -toolOffset(path.tool, settings_, frame_);
+    }
     if (path.role != PathRole::Travel) {
       if (path.role != role || previous != nullptr)
         text.append(";TYPE:").append(toString(path.role)).append("\n");
@@ -105,11 +110,11 @@ void LayerWriter::writeDrops(const Path& path, Modal& modal, std::string& text) 
   }
 }
 
-std::optional<PathArcs> LayerWriter::arcsOf(const Path& path) const {
+std::optional<PathArcs> LayerWriter::arcsOf(const Path& path, const Modal& modal) const {
   if (settings_.arcs_tolerance_mm == 0.0 || path.role == PathRole::Travel) return std::nullopt;
-  std::vector<Point3> places = {placeOf(path.firstPoint())};
+  std::vector<Point3> places = {placeOf(path.firstPoint(), modal)};
   for (std::size_t m = 0; m < path.motionCount(); ++m)
-    places.push_back(placeOf(path.points[path.motionEnd(m)]));
+    places.push_back(placeOf(path.points[path.motionEnd(m)], modal));
   // Positions are rounded when they are written.
   return PathArcs(
       path, places,
@@ -118,7 +123,7 @@ std::optional<PathArcs> LayerWriter::arcsOf(const Path& path) const {
 
 void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) const {
   const PathExtrusion extrusion(path, filament_per_volume_);
-  const std::optional<PathArcs> arcs = arcsOf(path);
+  const std::optional<PathArcs> arcs = arcsOf(path, modal);
   const std::size_t motions = path.motionCount();
   for (std::size_t m = 0; m < motions; ++m) {
     writeEvents(path, m, modal, text);
@@ -189,7 +194,7 @@ void LayerWriter::writeHeight(double height_mm, Modal& modal, std::string& text)
 }
 
 void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal, std::string& text) const {
-  const Point3 target = placeOf(end);
+  const Point3 target = placeOf(end, modal);
   char line[kLongestWrittenLine];
   char* out = line + 2;
   out = writeChanged(out, 'X', toUnits(target.x(), kPositionScale), modal.x);
@@ -213,9 +218,9 @@ void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal,
 
 void LayerWriter::writeArc(const Path& path, std::size_t motion, const FittedArc& arc, Modal& modal,
                            std::string& text) const {
-  const Point3 target = placeOf(path.points[path.motionEnd(arc.last - 1)]);
+  const Point3 target = placeOf(path.points[path.motionEnd(arc.last - 1)], modal);
   // From where the nozzle is by the words before, which are rounded.
-  const Point3 start = placeOf(path.points[motion]);
+  const Point3 start = placeOf(path.points[motion], modal);
   const std::int64_t i = toUnits(arc.centre.x(), kPositionScale) - toUnits(start.x(), kPositionScale);
   const std::int64_t j = toUnits(arc.centre.y(), kPositionScale) - toUnits(start.y(), kPositionScale);
   char line[kLongestWrittenLine];

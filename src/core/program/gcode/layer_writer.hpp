@@ -43,6 +43,7 @@ class LayerWriter {
     std::int64_t height = kUnknown;  ///< of the beads
     std::int64_t filament = 0;       ///< sum of all E so far
     double filament_mm = 0.0;        ///< the same before rounding
+    Point3 shift = Point3::Zero();   ///< of the axes, for the tool at work
   };
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
@@ -58,16 +59,19 @@ class LayerWriter {
   void writeRetraction(double length_mm, Modal& modal, std::string& text) const;
 
   /// None if there are to be none.
-  std::optional<PathArcs> arcsOf(const Path& path) const;
+  std::optional<PathArcs> arcsOf(const Path& path, const Modal& modal) const;
 
   /// In the program.
-  Point3 placeOf(const Point3& point) const { return linear_ * point + translation_; }
+  Point3 placeOf(const Point3& point, const Modal& modal) const {
+    return linear_ * point + translation_ + modal.shift;
+  }
 
   /// Of the axes over that of the nozzle.
   double feedFactor(const Point3& start, const Point3& end) const;
 
   Eigen::Matrix3d linear_;  ///< program_from_part
   Point3 translation_;
+  ProgramFrame frame_;
   bool is_askew_;   ///< lengths along the axes differ from those over the bed
   double rise_mm_;  ///< of the part along the layers' normal
   double filament_per_volume_;

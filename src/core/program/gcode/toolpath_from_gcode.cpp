@@ -16,6 +16,7 @@
 #include "program/gcode/path_builder.hpp"
 #include "program/gcode/process_words.hpp"
 #include "program/gcode/slicer_comments.hpp"
+#include "program/gcode/tool_offsets.hpp"
 
 namespace lamina {
 namespace {
@@ -63,13 +64,23 @@ class ToolpathBuilder::State {
     is_over_ |= comment == kEndCodeBegins;
     if (const auto diameter_mm = statedFilamentDiameter(comment)) stated_diameter_mm_ = *diameter_mm;
     if (auto mark = readPartMark(comment)) add(std::move(*mark));
+    readToolOffset(comment, tool_offsets_mm_);
     if (!readFrameComment(comment, frame_)) return;
     layers_from_program_ = frame_.bed_from_layers.conjugate() * frame_.bed_from_program;
   }
 
-  void addProgramMotion(const GcodeMotion& motion) {
+  void addProgramMotion(GcodeMotion motion) {
     if (is_over_) return;
-    layers_from_program_ ? add(inLayers(motion)) : add(motion);
+    if (tool_ < tool_offsets_mm_.size()) {
+      motion.start += tool_offsets_mm_[tool_];
+      motion.end += tool_offsets_mm_[tool_];
+    }
+    if (layers_from_program_) motion = inLayers(motion);
+    // The carriage stays where it is when another nozzle is taken.
+    if (motion.start != motion.end && std::exchange(is_tool_new_, false) && reached_ &&
+        motion.extrusion_mm == 0.0)
+      motion.start = *reached_;
+    add(motion);
   }
 
   void add(ToolpathEvent event) {
@@ -77,6 +88,7 @@ class ToolpathBuilder::State {
   }
   void changeTool(std::uint32_t tool) {
     if (is_over_ || !takes_events_) return;
+    is_tool_new_ |= tool_ != tool;
     tool_ = tool;
     is_interrupted_ = true;
   }
@@ -195,7 +207,9 @@ class ToolpathBuilder::State {
   std::optional<Point3> reached_;  ///< by the motions that are kept
   bool is_retracted_ = false;
   std::uint32_t tool_ = 0;
-  std::vector<ToolpathEvent> pending_;  ///< before the motion to come
+  std::vector<Point3> tool_offsets_mm_;  ///< as comments state them
+  bool is_tool_new_ = false;             ///< since the last motion
+  std::vector<ToolpathEvent> pending_;   ///< before the motion to come
   bool has_layer_marks_ = false;
   bool takes_events_ = true;
   bool is_interrupted_ = false;      ///< by a motion of the filament alone, or another tool

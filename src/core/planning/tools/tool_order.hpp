@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/planning/plan_settings.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/travel/travel.hpp"
+
+namespace lamina {
+
+/// Gives each path the tool that its role asks for, and lays each layer tool by tool: first the one that
+/// ended the layer before, then the others by their numbers, each in the order that was planned. Travels
+/// between paths that follow each other no longer are made anew; those to another tool are retracted. With
+/// `tools.purge_mm3` the tool that is taken first lays that volume into a prime tower, before anything else.
+/// Layers are not joined yet.
+/// @throws InvalidConfig if the tower is too small for its purges, or stands on the part
+void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
+                  const TravelMaker& travel);
+
+/// Gives travels the tool of the path that they lead to.
+void giveTravelsTools(std::vector<ToolpathLayer>& layers);
+
+}  // namespace lamina
