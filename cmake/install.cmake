@@ -72,7 +72,14 @@ foreach(target ${installed_targets})
 endforeach()
 
 install(DIRECTORY include/lamina DESTINATION include)
-install(DIRECTORY config urdf DESTINATION ${LAMINA_SHARE_DIR})
+install(DIRECTORY config urdf profiles DESTINATION ${LAMINA_SHARE_DIR})
+# What is built finds them as what is installed does: in the share beside the core library.
+set(LAMINA_BUILT_SHARE ${PROJECT_BINARY_DIR}/share/lamina)
+if(LAMINA_WITH_ROS)
+  set(LAMINA_BUILT_SHARE ${CATKIN_DEVEL_PREFIX}/share/lamina)
+endif()
+file(MAKE_DIRECTORY ${LAMINA_BUILT_SHARE})
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/profiles ${LAMINA_BUILT_SHARE}/profiles SYMBOLIC)
 install(DIRECTORY examples DESTINATION share/doc/lamina)
 # What is there to be read is no package to be found: rospack looks no further.
 file(WRITE ${PROJECT_BINARY_DIR}/rospack_nosubdirs "")

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "arguments/profile_options.hpp"
 #include "arguments/setting_options.hpp"
 #include "arguments/toolpath_input.hpp"
 #include "lamina/base/atomic_file.hpp"
@@ -110,9 +112,15 @@ void writeReport(const MachineCheck& check, const std::string& file) {
 void check(const CheckArguments& arguments, Chosen& chosen) {
   requireApart({arguments.report}, {arguments.input, arguments.settings.config});
   SettingOptions options = arguments.settings;
-  if (!arguments.machine.empty()) options.assignments.push_back("machine.name=" + arguments.machine);
-  const JobSettings settings = jobSettingsFrom(options);
-  validate(settings);
+  ProfileOptions profiles;
+  const std::vector<std::string> names = kinematicModelNames();
+  if (std::find(names.begin(), names.end(), arguments.machine) != names.end())
+    options.assignments.push_back("machine.name=" + arguments.machine);
+  else
+    profiles.machine = arguments.machine;
+  const LayeredSettings layered = layeredSettingsFrom(profiles, options);
+  validate(layered);
+  const JobSettings& settings = layered.settings;
   const auto model = kinematicModelOf(settings.machine);
   ToolpathInput input = readInclinedToolpath(arguments.input, settings);
   // Programs state where on the bed they stand.
@@ -146,8 +154,9 @@ void addCheck(CLI::App& app, Chosen& chosen) {
       ->add_option("input", arguments->input,
                    "Toolpath (.csv), program (.gcode, .mod), mesh file or name of a part")
       ->required();
-  subcommand->add_option("--machine", arguments->machine, "Machine that runs it, as the setting machine.name")
-      ->check(CLI::IsMember(kinematicModelNames()));
+  subcommand->add_option(
+      "--machine", arguments->machine,
+      "Machine that runs it: a profile (lamina profiles), one of machine.name, or a file (.yaml, .urdf)");
   subcommand->add_option("--report", arguments->report, "File (.csv) for all waypoints that it cannot run");
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML) for slicing, reading and the joints");
   addJsonFlag(*subcommand, chosen);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments/profile_options.hpp"
 #include "arguments/setting_options.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
@@ -26,7 +27,9 @@ struct SliceArguments {
   std::vector<std::string> parts;
   std::string plate;
   std::string output;
+  ProfileOptions profiles;
   SettingOptions settings;
+  std::string explained;  ///< key
   int threads = 0;
   bool is_strict = false;
   bool prints_config = false;
@@ -39,7 +42,9 @@ JobSettings settingsFrom(const SliceArguments& arguments, const std::vector<Sett
   for (const SettingText& setting : of_plate) first.push_back(setting.key + "=" + setting.text);
   options.assignments.insert(options.assignments.begin(), first.begin(), first.end());
   if (arguments.is_strict) options.assignments.emplace_back("input.repair=strict");
-  return jobSettingsFrom(options);
+  const LayeredSettings layered = layeredSettingsFrom(arguments.profiles, options);
+  validate(layered);
+  return layered.settings;
 }
 
 SliceJob jobFrom(const SliceArguments& arguments) {
@@ -58,6 +63,24 @@ PlateJob plateJobFrom(const SliceArguments& arguments) {
   Plate plate = arguments.plate.empty() ? plateOf(arguments.parts) : readPlateFile(arguments.plate);
   JobSettings settings = settingsFrom(arguments, plate.settings);
   return {std::move(plate), arguments.output, std::move(settings)};
+}
+
+/// Says what every source makes of a setting; the last one counts.
+void explain(const SliceArguments& arguments, OutputFormat format) {
+  const LayeredSettings layered = layeredSettingsFrom(arguments.profiles, arguments.settings);
+  const std::vector<SettingOrigin> said = layered.explain(arguments.explained);
+  nlohmann::ordered_json json = {
+      {"key", arguments.explained}, {"value", said.back().text}, {"set_by", said.back().layer}};
+  if (format == OutputFormat::Text)
+    std::printf("%s = %s, set by %s\n", arguments.explained.c_str(), said.back().text.c_str(),
+                said.back().layer.c_str());
+  for (const SettingOrigin& origin : said) {
+    json["layers"].push_back({{"layer", origin.layer}, {"place", origin.place}, {"value", origin.text}});
+    if (format == OutputFormat::Text)
+      std::printf("  %-12s%s%s%s\n", origin.layer.c_str(), origin.text.c_str(),
+                  origin.place.empty() ? "" : "  ", origin.place.c_str());
+  }
+  if (format == OutputFormat::Json) std::printf("%s\n", json.dump(2).c_str());
 }
 
 double perLayer(std::size_t count, std::size_t layers) {
@@ -245,16 +268,19 @@ void slicePlate(const SliceArguments& arguments, OutputFormat format) {
 
 void slice(const SliceArguments& arguments, OutputFormat format) {
   if (arguments.prints_config) {
-    JobSettings settings;
+    JobSettings settings = layeredSettingsFrom(arguments.profiles, arguments.settings).settings;
     SettingsSchema schema;
     describe(schema, settings);
     return printConfig(schema, format);
   }
+  if (!arguments.explained.empty()) return explain(arguments, format);
   std::optional<ThreadLimit> limit;
   if (arguments.threads > 0) limit.emplace(arguments.threads);
   if (isPlate(arguments)) return slicePlate(arguments, format);
   const SliceJob job = jobFrom(arguments);
-  requireApart({job.output}, {job.part, arguments.settings.config});
+  const ProfileOptions& profiles = arguments.profiles;
+  requireApart({job.output}, {job.part, arguments.settings.config, profiles.like, profiles.machine,
+                              profiles.material, profiles.process});
   const SliceSummary summary = runShown(job);
   if (format == OutputFormat::Json)
     std::printf("%s\n", jsonOf(summary, job.output).dump(2).c_str());
@@ -274,12 +300,15 @@ void addSlice(CLI::App& app, Chosen& chosen) {
                          "File of parts that share the bed, their places and settings (YAML)");
   subcommand->add_option("-o,--output", arguments->output,
                          "File to write: .gcode, .mod or .csv; without it nothing is written");
+  addProfileOptions(*subcommand, arguments->profiles);
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML); those not given keep their defaults");
   subcommand->add_option("--threads", arguments->threads, "At most this many threads")
       ->check(CLI::Range(1, 1024));
   subcommand->add_flag("--strict", arguments->is_strict, "Refuse a broken mesh instead of repairing it");
   subcommand->add_flag("--print-config", arguments->prints_config,
-                       "Print the default settings as YAML and stop");
+                       "Print the settings, the defaults with all sources on top, as YAML and stop");
+  subcommand->add_option("--explain", arguments->explained,
+                         "Say which of these set a setting, and to what, and stop");
   addJsonFlag(*subcommand, chosen);
   subcommand->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { slice(*arguments, chosen.format); }; });

@@ -60,6 +60,7 @@ void addOverhang(CLI::App& app, Chosen& chosen);
 void addPart(CLI::App& app, Chosen& chosen);
 void addPores(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
+void addProfiles(CLI::App& app, Chosen& chosen);
 void addResume(CLI::App& app, Chosen& chosen);
 void addRotate(CLI::App& app, Chosen& chosen);
 void addScaffold(CLI::App& app, Chosen& chosen);

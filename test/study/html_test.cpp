@@ -23,15 +23,6 @@ TEST(Html, ShowsWhatIsNoUtf8AsQuestionMarks) {
   EXPECT_EQ(escapedHtml("\xe2\x82<"), "??&lt;");
 }
 
-TEST(Html, EncodesTheVectorsOfTheStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 RC_GTEST_PROP(Html, LeavesNoMarkupInText, (const std::string& text)) {
   const std::string escaped = escapedHtml(text);
   RC_ASSERT(escaped.find_first_of("<>\"'") == std::string::npos);

@@ -11,6 +11,7 @@
 #include "lamina/job/part/copies.hpp"
 #include "lamina/job/part/placement.hpp"
 #include "lamina/job/plate/plate_settings.hpp"
+#include "lamina/job/profiles/capabilities.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/kinematics/joint_path/joint_path_settings.hpp"
 #include "lamina/metrics/metrics_settings.hpp"
@@ -48,6 +49,7 @@ enum class RepairPolicy { Repair, Strict };
 struct InputSettings {
   MeshUnits units;
   RepairPolicy repair = RepairPolicy::Repair;
+  double extrude_mm = 0.0;  ///< height of the part that an outline (SVG) becomes; 0 refuses outlines
 };
 
 /// The settings of all stages from mesh to program.
@@ -59,6 +61,8 @@ struct JobSettings {
       modifiers;  ///< file of regions with settings of their own (`readModifiersFile`); empty for none
   PlateSettings plate;
   MachineSettings machine;
+  MachineCapabilities capabilities;
+  MaterialSettings material;
   SlicingSettings slicing;
   AdaptedSettings adapted;
   CurvedSettings curved;
@@ -100,8 +104,8 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
 
 /// Checks what a part is sliced by, whatever way the values came there.
 /// @throws InvalidConfig naming key, value and bound; also if settings contradict the strategy
-///   (`requireConsistent`), if drop_voids.fill is set for beads, or if scans or skirts are asked for on
-///   inclined layers
+///   (`requireConsistent`), if drop_voids.fill is set for beads, if scans or skirts are asked for on
+///   inclined layers, or if the machine cannot do what is asked (`requireCapable`)
 void validate(const JobSettings& settings);
 
 }  // namespace lamina

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/base/registry.hpp"
+#include "lamina/job/annotations/program_annotations.hpp"
 #include "lamina/kinematics/joint_path/joint_path.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/program_frame.hpp"
@@ -61,5 +62,9 @@ OutputWriter outputWriterFor(const std::string& path);
 /// Writes the file whole or not at all; a program in modules has a file for each (`writeRapidFiles`).
 /// @throws InvalidInput as above, or from the writer; FileError
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings);
+
+/// The same with comments round it, of a format that takes one file.
+void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings,
+                 const ProgramAnnotations& annotations);
 
 }  // namespace lamina

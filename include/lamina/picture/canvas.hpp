@@ -8,6 +8,7 @@
 
 #include "lamina/geometry/vector.hpp"
 #include "lamina/picture/colour.hpp"
+#include "lamina/picture/pixel_image.hpp"
 
 namespace lamina {
 
@@ -71,6 +72,7 @@ class Canvas {
   /// @param at  of the anchor on the base line [px]
   void text(const Point2& at, const std::string& text, const TextStyle& style);
 
+  PixelImage pixels() const;
   /// The picture as the bytes of a PNG file.
   std::string png() const;
   /// @throws FileError if it cannot be written; the file appears whole or not at all

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -16,7 +16,7 @@ enum class ProcessElement : std::uint8_t { Dwell, Fan, Pause, Code, MovingCode, 
 /// Refuses a toolpath that asks for more than its taker can do.
 /// @param by  who takes it, for the message: "drop programs"
 /// @throws InvalidInput naming layer, path and the element; a tool other than the first is an element
-void requireSupported(const Toolpath& toolpath, std::initializer_list<ProcessElement> supported,
+void requireSupported(const Toolpath& toolpath, const std::vector<ProcessElement>& supported,
                       const std::string& by);
 
 }  // namespace lamina

@@ -8,7 +8,6 @@
 #include "lamina/base/version.hpp"
 
 namespace lamina {
-namespace {
 
 std::string folderOfTheCore() {
   Dl_info found{};
@@ -18,8 +17,6 @@ std::string folderOfTheCore() {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
 }
-
-}  // namespace
 
 const void* moduleTable(const std::string& name) {
   const std::string path = folderOfTheCore() + "liblamina_" + name + ".so";

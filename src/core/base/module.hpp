@@ -15,4 +15,8 @@ namespace lamina {
 /// @throws FileError if the file cannot be loaded or is no module
 const void* moduleTable(const std::string& name);
 
+/// Folder of the core library with its slash at the end; empty for the one the process runs in.
+/// @throws FileError if it is not known
+std::string folderOfTheCore();
+
 }  // namespace lamina

@@ -29,13 +29,13 @@ class Flattener {
     }
   }
 
-  std::vector<SettingText> found() && { return std::move(found_); }
+  std::vector<PlacedSetting> found() && { return std::move(found_); }
 
  private:
   /// @param named  where messages point to
   void take(const std::string& key, const YAML::Node& value, const YAML::Node& named, int depth) {
     if (value.IsScalar()) {
-      found_.push_back({key, value.Scalar()});
+      add(key, value.Scalar(), named);
     } else if (value.IsMap() || value.IsSequence()) {
       if (depth == kDeepest) refuse(named, "keys are nested too deep");
       value.IsMap() ? visit(key + ".", value, depth + 1) : takeList(key, value, named, depth + 1);
@@ -50,8 +50,12 @@ class Flattener {
       if (list[i].IsScalar()) texts.push_back(list[i].Scalar());
       if (!list[i].IsScalar()) take(key + "." + std::to_string(i), list[i], named, depth);
     }
-    if (texts.size() == list.size()) found_.push_back({key, listed(texts, ",")});
+    if (texts.size() == list.size()) add(key, listed(texts, ","), named);
     if (!texts.empty() && texts.size() < list.size()) refuse(named, "a list holds both values and maps");
+  }
+
+  void add(const std::string& key, const std::string& text, const YAML::Node& at) {
+    found_.push_back({{key, text}, at.Mark().line + 1});
   }
 
   [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
@@ -60,7 +64,7 @@ class Flattener {
 
   std::string source_name_;
   std::set<std::string> seen_;
-  std::vector<SettingText> found_;
+  std::vector<PlacedSetting> found_;
 };
 
 std::string group(const std::string& key) { return key.substr(0, key.find('.')); }
@@ -68,6 +72,13 @@ std::string group(const std::string& key) { return key.substr(0, key.find('.'));
 }  // namespace
 
 std::vector<SettingText> settingsFromYaml(const std::string& yaml, const std::string& source_name) {
+  std::vector<SettingText> settings;
+  for (PlacedSetting& placed : placedSettingsFromYaml(yaml, source_name))
+    settings.push_back(std::move(placed.setting));
+  return settings;
+}
+
+std::vector<PlacedSetting> placedSettingsFromYaml(const std::string& yaml, const std::string& source_name) {
   try {
     const YAML::Node document = YAML::Load(yaml);
     if (document.IsNull()) return {};

@@ -5,6 +5,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
+#include "lamina/picture/thumbnail.hpp"
 #include "lamina/planning/plan_consistency.hpp"
 
 namespace lamina {
@@ -17,6 +18,8 @@ void describe(SettingsSchema& schema, InputSettings& input) {
   schema.choice<RepairPolicy>("input.repair", input.repair,
                               {{"repair", RepairPolicy::Repair}, {"strict", RepairPolicy::Strict}},
                               "Whether a broken mesh is repaired or refused.");
+  schema.number("input.extrude_mm", input.extrude_mm, {0.0, 1e6},
+                "Height of the part that an outline (SVG) becomes; 0 refuses outlines.");
 }
 
 /// Level layers alone have what lies on the bed beside the part.
@@ -144,6 +147,8 @@ void describe(SettingsSchema& schema, JobSettings& settings) {
               "YAML file of regions of the part that have settings of their own; empty for none.");
   describe(schema, settings.plate);
   describe(schema, settings.machine, "Machine that prints the part.");
+  describe(schema, settings.capabilities);
+  describe(schema, settings.material);
   schema.choice("slicing.mode", settings.slicing.mode, slicingModeNames(),
                 "Kind of layers; docs/modes.md distinguishes them.");
   describe(schema, settings.slicing);
@@ -206,6 +211,8 @@ void validate(const JobSettings& settings) {
   validate(settings.joints);
   requireConsistentPlane(settings);
   requirePlaneLayersFor(settings);
+  requireCapable(settings);
+  thumbnailsFrom(settings.program.thumbnails);
   const std::string& strategy = settings.planning.infill.strategy;
   if (settings.slicing.heights != LayerHeights::Equal && infillStrategy(strategy).deposit == Deposit::Drops)
     throw InvalidConfig("slicing.heights is not 'equal' with infill.strategy '" + strategy +

@@ -57,10 +57,17 @@ std::vector<std::string> outputSuffixes() { return programWriters().names(); }
 OutputWriter outputWriterFor(const std::string& path) { return programWriterFor(path).write; }
 
 void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings) {
+  writeOutput(path, placed, settings, {});
+}
+
+void writeOutput(const std::string& path, const PlacedToolpath& placed, const ProgramSettings& settings,
+                 const ProgramAnnotations& annotations) {
   const ProgramWriter writer = programWriterFor(path);
   if (writer.write_files) return writer.write_files(path, placed, settings);
   AtomicFile file(path);
-  writer.write(placed, settings, [&file](std::string_view piece) { file.write(piece); });
+  writeAnnotated(
+      annotations, [&](const TextSink& sink) { writer.write(placed, settings, sink); },
+      [&file](std::string_view piece) { file.write(piece); });
   file.commit();
 }
 

@@ -4,7 +4,9 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -14,12 +16,16 @@
 #include "job/laps.hpp"
 #include "job/slice_run.hpp"
 #include "job/slicing/part_slicing.hpp"
+#include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/job/annotations/program_annotations.hpp"
+#include "lamina/job/annotations/progress_marks.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
 #include "lamina/planning/cooling/cooling.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/timing.hpp"
 
 namespace lamina {
@@ -31,6 +37,20 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+bool writesGcode(const SliceJob& job) { return std::filesystem::path(job.output).extension() == ".gcode"; }
+
+/// What the program says at its start beyond the start code.
+std::string accelerations(const JobSettings& settings) {
+  const GcodeDialect& dialect = gcodeDialect(settings.program.flavour);
+  if (!settings.program.states_accelerations) return "";
+  if (dialect.accelerations.empty())
+    throw InvalidConfig("program.accelerations is true with program.flavour '" + dialect.name +
+                        "', which has no word for it; expected false");
+  return "\n" + dialectLine(dialect.accelerations,
+                            {{"deposit", std::llround(settings.motion.acceleration_mm_s2)},
+                             {"travel", std::llround(settings.motion.travel_acceleration_mm_s2)}});
+}
+
 void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& sliced,
            const std::optional<JointProgram>& joint_program) {
   if (job.output.empty()) return;
@@ -40,10 +60,15 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
     program.tool_offsets_mm.push_back(tool.offset_mm);
   ProgramFrame frame(sliced.bed_from_part);
   frame.program_from_bed = space.program_from_bed;
-  if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program);
+  ProgramAnnotations annotations;
+  if (writesGcode(job)) {
+    annotations = annotationsOf(sliced.toolpath, job.settings);
+    program.start_code += accelerations(job.settings);
+  }
+  if (!joint_program) return writeOutput(job.output, {sliced.toolpath, frame}, program, annotations);
   writeOutput(job.output,
               {joint_program->toolpath, frame, ProgramJoints{*joint_program->model, joint_program->joints}},
-              program);
+              program, annotations);
 }
 
 /// Least layer times and fan, with a note of what was changed.
@@ -101,6 +126,8 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   finishFlowOf(sliced, job.settings, progress);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);
+  if (job.settings.program.states_progress && writesGcode(job))
+    addProgressMarks(sliced.toolpath, gcodeDialect(job.settings.program.flavour), job.settings.motion);
   const std::optional<JointProgram> joint_program = planJointProgram(job, space, sliced, progress);
   sliced.summary.plan_s = laps.lap() - sliced.summary.read_s - sliced.summary.slice_s;
   progress.report("write", 0.0);

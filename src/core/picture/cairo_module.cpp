@@ -117,6 +117,21 @@ class CairoSurface final : public PixelSurface {
     cairo_new_path(context);
   }
 
+  std::vector<std::uint8_t> rgb() const override {
+    cairo_surface_flush(surface_.get());
+    const unsigned char* const bytes = cairo_image_surface_get_data(surface_.get());
+    const int stride = cairo_image_surface_get_stride(surface_.get());
+    std::vector<std::uint8_t> rgb;
+    for (int row = 0; row < cairo_image_surface_get_height(surface_.get()); ++row)
+      for (int column = 0; column < cairo_image_surface_get_width(surface_.get()); ++column) {
+        std::uint32_t pixel = 0;
+        std::memcpy(&pixel, bytes + std::ptrdiff_t{row} * stride + std::ptrdiff_t{4} * column, sizeof pixel);
+        for (const unsigned shift : {16U, 8U, 0U})
+          rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 255U));
+      }
+    return rgb;
+  }
+
   std::string png() const override {
     std::string png;
     const auto write = [](void* closure, const unsigned char* bytes, unsigned int size) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ class PixelSurface {
   /// @param cell    width and height of a cell
   virtual void raster(const Point2& corner, const Point2& cell, const CellColours& cells) = 0;
   virtual void text(const Point2& at, const std::string& text, const TextStyle& style) = 0;
+  virtual std::vector<std::uint8_t> rgb() const = 0;  ///< as in `PixelImage`
   virtual std::string png() const = 0;
 };
 

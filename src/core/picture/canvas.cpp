@@ -83,6 +83,8 @@ void Canvas::text(const Point2& at, const std::string& text, const TextStyle& st
   surface_->text(at, text, style);
 }
 
+PixelImage Canvas::pixels() const { return {width_px_, height_px_, surface_->rgb()}; }
+
 std::string Canvas::png() const { return surface_->png(); }
 
 void Canvas::writePng(const std::string& path) const { writeFile(path, png()); }

@@ -11,6 +11,7 @@
 #include "lamina/picture/annotation.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "picture/bead_drawing.hpp"
+#include "picture/toolpath_drawing.hpp"
 #include "toolpath/deposited_segment.hpp"
 
 namespace lamina {
@@ -113,13 +114,13 @@ std::vector<const ToolpathLayer*> fromFarthest(const Toolpath& toolpath, const P
 }
 
 /// What the colours of heights mean.
-struct HeightRange {
+struct ColouredHeights {
   double low_mm = 0.0;
   double extent_mm = 0.0;
 };
 
 /// Over the bed, or of inclined layers along their normal.
-HeightRange heightsOf(const Toolpath& toolpath, const Box3& box) {
+ColouredHeights heightsOf(const Toolpath& toolpath, const Box3& box) {
   if (!isInclined(toolpath)) return {box.low.z(), box.size().z()};
   const ToolpathLayer& first = toolpath.layers.front();
   const double low = first.z_mm - first.height_mm;
@@ -128,7 +129,7 @@ HeightRange heightsOf(const Toolpath& toolpath, const Box3& box) {
 
 void drawLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                 PictureColour colouring) {
-  const HeightRange heights = heightsOf(toolpath, box);
+  const ColouredHeights heights = heightsOf(toolpath, box);
   double stripe = 1.0;  // every other layer a little darker where layers are large enough to be distinguished
   for (const ToolpathLayer* each : fromFarthest(toolpath, projection)) {
     const ToolpathLayer& layer = *each;
@@ -178,7 +179,7 @@ std::vector<SeenBead> beadsFromFarthest(const Toolpath& toolpath, const Point3& 
 /// Layers that are not plane hide each other here and there.
 void drawCurvedLayers(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
                       PictureColour colouring) {
-  const HeightRange heights{box.low.z(), box.size().z()};
+  const ColouredHeights heights{box.low.z(), box.size().z()};
   for (const SeenBead& bead : beadsFromFarthest(toolpath, projection.towardsViewer())) {
     const double height = bead.to.z() - heights.low_mm;
     const Colour colour = colouring == PictureColour::Role
@@ -275,6 +276,14 @@ void drawTravels(Canvas& canvas, const ToolpathLayer& layer) {
 
 }  // namespace
 
+void drawDeposition(Canvas& canvas, const Projection& projection, const Toolpath& toolpath, const Box3& box,
+                    PictureColour colouring) {
+  if (hasPlaneLayers(toolpath))
+    drawLayers(canvas, projection, toolpath, box, colouring);
+  else
+    drawCurvedLayers(canvas, projection, toolpath, box, colouring);
+}
+
 Colour roleColour(PathRole role) {
   switch (role) {
     case PathRole::Skirt:
@@ -321,10 +330,7 @@ void drawToolpath(const Toolpath& toolpath, const ToolpathPictureSettings& setti
   Canvas canvas(settings.width_px, settings.height_px);
   canvas.show(seenBox(projection, toolpath, box), drawingArea(settings));
   drawGrid(canvas, projection, box);
-  if (hasPlaneLayers(toolpath))
-    drawLayers(canvas, projection, toolpath, box, settings.colour);
-  else
-    drawCurvedLayers(canvas, projection, toolpath, box, settings.colour);
+  drawDeposition(canvas, projection, toolpath, box, settings.colour);
 
   const ToolpathTotals sums = totals(toolpath);
   const Point3 size = partSize(toolpath, box);

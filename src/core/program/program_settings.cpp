@@ -28,6 +28,16 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
   schema.number(
       "program.arcs_tolerance_mm", settings.arcs_tolerance_mm, {0.0, 1.0, false},
       "By how much arcs (G2, G3) may leave the waypoints and chords that they stand for; 0 for none.");
+  schema.text("program.thumbnails", settings.thumbnails,
+              "Pictures of the part in G-code, with commas between them: \"220x124 png, 16x16 qoi\".");
+  schema.flag("program.closing_comments", settings.states_summary,
+              "Whether G-code ends with its time, its filament and the layer height as comments.");
+  schema.flag("program.settings_in_file", settings.states_settings,
+              "Whether G-code ends with all settings as comments, by which the slice can be repeated.");
+  schema.flag("program.progress", settings.states_progress,
+              "Whether G-code tells the machine how much is done and how long the rest takes (M73).");
+  schema.flag("program.accelerations", settings.states_accelerations,
+              "Whether G-code sets the accelerations of motion.* at its start.");
   describe(schema, settings.drops);
 }
 

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "lamina/base/base64.hpp"
+
 namespace lamina {
 namespace {
 
@@ -81,20 +83,6 @@ std::string escapedHtml(std::string_view text) {
     at += length == 0 ? 1 : length;
   }
   return escaped;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      three = three << 8U | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += at + i > bytes.size() ? '=' : kDigits[three >> (18U - 6U * i) & 63U];
-  }
-  return text;
 }
 
 void HtmlPage::heading(const std::string& text) { body_ += "<h2>" + escapedHtml(text) + "</h2>\n"; }

@@ -12,9 +12,6 @@ namespace lamina {
 /// cannot be shown becomes a question mark.
 std::string escapedHtml(std::string_view text);
 
-/// Bytes as base64 (RFC 4648).
-std::string base64(std::string_view bytes);
-
 /// Rows of a table.
 struct HtmlTable {
   std::vector<std::string> head;

@@ -10,7 +10,7 @@
 namespace lamina {
 namespace {
 
-using Supported = std::initializer_list<ProcessElement>;
+using Supported = const std::vector<ProcessElement>&;
 
 bool holds(Supported supported, ProcessElement element) {
   return std::find(supported.begin(), supported.end(), element) != supported.end();

@@ -98,7 +98,8 @@ std::vector<SettingProbe> allProbes() {
         programProbes(), jointProbes(),    motionProbes(),   measureProbes(), platformProbes(),
         inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),  emulatorProbes(),
         startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes(),
-        heightProbes(),  arcProbes(),      hookProbes(),     plateProbes(),   toolProbes()})
+        heightProbes(),  arcProbes(),      hookProbes(),     plateProbes(),   toolProbes(),
+        profileProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

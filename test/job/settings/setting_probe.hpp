@@ -70,6 +70,7 @@ std::vector<SettingProbe> layerProbes();
 std::vector<SettingProbe> fillProbes();
 std::vector<SettingProbe> flowProbes();
 std::vector<SettingProbe> dropProbes();
+std::vector<SettingProbe> profileProbes();
 std::vector<SettingProbe> programProbes();
 std::vector<SettingProbe> jointProbes();
 std::vector<SettingProbe> motionProbes();

@@ -36,6 +36,7 @@ TEST(SettingsCoverage, OfSupports) { expectEffects(supportProbes()); }
 TEST(SettingsCoverage, OfLayers) { expectEffects(layerProbes()); }
 TEST(SettingsCoverage, OfFills) { expectEffects(fillProbes()); }
 TEST(SettingsCoverage, OfDrops) { expectEffects(dropProbes()); }
+TEST(SettingsCoverage, OfProfiles) { expectEffects(profileProbes()); }
 TEST(SettingsCoverage, OfPrograms) { expectEffects(programProbes()); }
 TEST(SettingsCoverage, OfJoints) { expectEffects(jointProbes()); }
 TEST(SettingsCoverage, OfMotion) { expectEffects(motionProbes()); }

@@ -124,6 +124,23 @@ TEST(FiveAxis, WritesTipCoordinatesBetweenTheCodesOfTheDialect) {
       << text;
 }
 
+TEST(FiveAxis, NamesRotaryJointsAsTheMachineDoes) {
+  FiveAxisSettings settings = settingsOf(FiveAxisCoordinates::ToolTip);
+  settings.letters = "a=U, c=V";
+  const std::string text = fiveAxisWritten(turningLine(), settings);
+  EXPECT_NE(text.find(";FIVE_AXIS:tool_tip X Y Z U V\n"), std::string::npos);
+  EXPECT_NE(text.find("\nG1 X30 V30 E0.29691 F1800\n"), std::string::npos) << text;
+  const Toolpath read = readFiveAxis(text, kTable, settings, {}, "part");
+  EXPECT_NEAR(toolAxisAngle(read.layers[0].paths[0].orientation.at(1),
+                            turningLine().layers[0].paths[0].orientation.at(1)),
+              0.0, 1e-6);
+  EXPECT_THROW(readBack(text), InvalidProgram) << "by the letters of the joints";
+  for (const char* bad : {"a=X", "x=U", "b=U", "a=U,c=U", "a=C", "a", "a=UV", "a:U"}) {
+    settings.letters = bad;
+    EXPECT_THROW(fiveAxisWritten(turningLine(), settings), InvalidConfig) << bad;
+  }
+}
+
 TEST(FiveAxis, WritesJointsWithInverseTimeThatSumsUpToTheTimeOfTheToolpath) {
   const std::string text = fiveAxisWritten(turningLine(), settingsOf(FiveAxisCoordinates::Joints));
   double minutes = 0.0;

@@ -31,6 +31,7 @@ struct FiveAxisSettings {
   FiveAxisDialect dialect = FiveAxisDialect::Generic;
   std::string tip_control_on;        ///< empty for that of the dialect
   std::string tip_control_off;       ///< empty for that of the dialect
+  std::string letters;               ///< of rotary joints that have another one in programs: "b=U,c=V"
   double chord_tolerance_mm = 0.05;  ///< by which the tip may leave its line between two lines of joints
 };
 

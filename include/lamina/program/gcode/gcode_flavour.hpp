@@ -19,7 +19,7 @@ namespace lamina {
 using GcodeFlavour = std::function<void(const Toolpath& toolpath, const ProgramFrame& frame,
                                         const ProgramSettings& settings, const TextSink& sink)>;
 
-/// All flavours of G-code, those of plug-ins too: "marlin" (`writeGcode`), "fullcontrol"
+/// All flavours of G-code, those of plug-ins too: those of `gcodeDialects` (`writeGcode`), "fullcontrol"
 /// (`writeFullControl`). Whoever adds one calls `gcodeFlavours().add("name", write)`.
 Registry<GcodeFlavour>& gcodeFlavours();
 

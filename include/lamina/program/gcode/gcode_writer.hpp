@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Writes the toolpath as G-code (Marlin flavour), in the coordinates that the frame's axes give: those of
-/// the bed as a rule.
+/// Writes the toolpath as G-code in the dialect that `program.flavour` names (`gcodeDialect`), in the
+/// coordinates that the frame's axes give: those of the bed as a rule.
 ///
 /// After the start code the program is in mm (G21), absolute (G90), with relative extrusion (M83). Each layer
 /// opens with `;LAYER:k`, `;Z:` and `;HEIGHT:` and a motion that states X, Y, Z and F; from there on only

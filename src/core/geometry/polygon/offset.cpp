@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/polygon/clipper_units.hpp"
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "geometry/polygon/nesting.hpp"
 #include "geometry/polygon/outline_crossings.hpp"
@@ -19,55 +20,14 @@
 namespace lamina {
 namespace {
 
-constexpr double kUnitsPerMm = 1e5;
-/// Within this, Clipper stays with 64-bit integers.
-constexpr double kFarthestMm = 10000.0;
 constexpr double kMitreLimit = 2.0;
 constexpr double kArcToleranceUnits = 0.005 * kUnitsPerMm;
 
-void refuseFarPoints(const Polygon& polygon) {
-  for (const Point2& point : polygon)
-    if (!(point.cwiseAbs().maxCoeff() <= kFarthestMm))
-      throw InvalidInput("outline point (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) +
-                         ") mm; must be within 10 m of the origin");
-}
-
 void refuseFarPoints(const Regions& regions) {
   for (const Region& region : regions) {
-    refuseFarPoints(region.outer);
-    for (const Polygon& hole : region.holes) refuseFarPoints(hole);
+    requireWithinReach(region.outer);
+    for (const Polygon& hole : region.holes) requireWithinReach(hole);
   }
-}
-
-ClipperLib::Path toUnits(const Polygon& polygon) {
-  ClipperLib::Path path;
-  path.reserve(polygon.size());
-  for (const Point2& point : polygon)
-    path.emplace_back(std::llround(point.x() * kUnitsPerMm), std::llround(point.y() * kUnitsPerMm));
-  return path;
-}
-
-Polygon fromUnits(const ClipperLib::Path& path) {
-  Polygon polygon;
-  polygon.reserve(path.size());
-  for (const ClipperLib::IntPoint& point : path)
-    polygon.emplace_back(static_cast<double>(point.X) / kUnitsPerMm,
-                         static_cast<double>(point.Y) / kUnitsPerMm);
-  return polygon;
-}
-
-/// Clipper's tree alternates outer outlines and holes level by level.
-Regions fromTree(const ClipperLib::PolyTree& tree) {
-  Regions regions;
-  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
-    if (node->IsHole()) continue;
-    Region region;
-    region.outer = fromUnits(node->Contour);
-    region.holes.reserve(node->Childs.size());
-    for (const ClipperLib::PolyNode* hole : node->Childs) region.holes.push_back(fromUnits(hole->Contour));
-    regions.push_back(std::move(region));
-  }
-  return regions;
 }
 
 void add(ClipperLib::Clipper& clipper, const Regions& regions, ClipperLib::PolyType type) {
@@ -132,7 +92,7 @@ Regions insetEach(const Regions& regions, double distance_mm) {
 }  // namespace
 
 Regions unite(const std::vector<Polygon>& polygons) {
-  for (const Polygon& polygon : polygons) refuseFarPoints(polygon);
+  for (const Polygon& polygon : polygons) requireWithinReach(polygon);
   if (areSurelyApart(polygons)) {
     if (std::optional<Regions> nested = nest(polygons)) return std::move(*nested);
   }

@@ -4,14 +4,29 @@
 
 #include <algorithm>
 
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/extrusion.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/parts/parts.hpp"
+#include "lamina/geometry/svg/svg_reader.hpp"
 
 namespace lamina {
 
 namespace {
 
+/// The part that an outline becomes; the unit of meshes does not count, for an outline states its own.
+Mesh extrudedOutline(const std::string& part, const InputSettings& settings) {
+  if (settings.extrude_mm == 0.0)
+    throw InvalidConfig("input.extrude_mm is 0 with the outline '" + part +
+                        "'; expected the height of the part");
+  Mesh mesh = extruded(readSvg(readFile(part), part), settings.extrude_mm);
+  for (Point3& vertex : mesh.vertices) vertex.head<2>() *= settings.units.scale;
+  return mesh;
+}
+
 Mesh readOrMake(const std::string& part, const InputSettings& settings) {
+  if (isSvgName(part)) return extrudedOutline(part, settings);
   const std::vector<std::string> names = partNames();
   if (std::find(names.begin(), names.end(), part) == names.end()) return readMesh(part, settings.units);
   Mesh mesh = makePart(part);

@@ -5,11 +5,42 @@
 #include <algorithm>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr std::string_view kLetters = "XYZABC";
+constexpr std::string_view kLetters = "XYZABCUVW";
+constexpr std::string_view kRotaryLetters = "ABCUVW";
+
+[[noreturn]] void refuseRenaming(const std::string& renamed, const std::string& why) {
+  throw InvalidConfig(
+      "five_axis.letters is '" + renamed + "'" + why +
+      "; expected rotary joints of the machine, each with a letter of A, B, C, U, V, W of its own, "
+      "as \"b=U,c=V\"");
+}
+
+/// Gives joints the letters that they are renamed to.
+void rename(std::vector<AxisLetter>& letters, const KinematicModel& machine, const std::string& renamed) {
+  std::string_view rest = renamed;
+  while (!rest.empty()) {
+    const std::string_view each = trimmed(rest.substr(0, rest.find(',')));
+    rest.remove_prefix(std::min(rest.size(), std::min(rest.find(','), rest.size()) + 1));
+    const bool is_one =
+        each.size() == 3 && each[1] == '=' && kRotaryLetters.find(each[2]) != std::string_view::npos;
+    if (!is_one) refuseRenaming(renamed, "");
+    const auto found = std::find_if(letters.begin(), letters.end(), [&](const AxisLetter& axis) {
+      return axis.kind != JointKind::Linear &&
+             machine.joints()[static_cast<std::size_t>(axis.joint)].name == each.substr(0, 1);
+    });
+    if (found == letters.end()) refuseRenaming(renamed, "");
+    found->letter = each[2];
+  }
+  for (const AxisLetter& axis : letters)
+    if (std::count_if(letters.begin(), letters.end(),
+                      [&](const AxisLetter& other) { return other.letter == axis.letter; }) > 1)
+      refuseRenaming(renamed, std::string(", which gives the letter ") + axis.letter + " twice");
+}
 
 char letterOf(const DrivenJoint& joint, const std::string& machine) {
   const bool is_letter = joint.name.size() == 1;
@@ -23,12 +54,13 @@ char letterOf(const DrivenJoint& joint, const std::string& machine) {
 
 }  // namespace
 
-std::vector<AxisLetter> axisLetters(const KinematicModel& machine) {
+std::vector<AxisLetter> axisLetters(const KinematicModel& machine, const std::string& renamed) {
   std::vector<AxisLetter> letters;
   for (std::size_t j = 0; j < machine.joints().size(); ++j) {
     const DrivenJoint& joint = machine.joints()[j];
     letters.push_back({letterOf(joint, machine.name()), joint.kind, static_cast<Eigen::Index>(j)});
   }
+  rename(letters, machine, renamed);
   std::sort(letters.begin(), letters.end(), [](const AxisLetter& a, const AxisLetter& b) {
     return kLetters.find(a.letter) < kLetters.find(b.letter);
   });

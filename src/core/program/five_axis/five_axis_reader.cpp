@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/error.hpp"
@@ -12,6 +13,7 @@
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "program/five_axis/five_axis_letters.hpp"
+#include "program/gcode/process_words.hpp"
 #include "program/gcode/slicer_comments.hpp"
 
 namespace lamina {
@@ -42,7 +44,7 @@ class FiveAxisInterpreter {
                       const ProgramSettings& filament)
       : machine_(machine),
         settings_(settings),
-        letters_(axisLetters(machine)),
+        letters_(axisLetters(machine, settings.letters)),
         builder_(filament),
         values_(letters_.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
@@ -104,6 +106,8 @@ class FiveAxisInterpreter {
   void readCommand(std::string_view command) {
     if (command == "G93" || command == "G94") {
       has_inverse_time_ = command == "G93";
+    } else if (auto event = readEvent(command)) {
+      builder_.add(std::move(*event));
     } else if (command != tipControlOn(settings_)) {
       refuse("found '" + std::string(command.substr(0, 40)) +
              "'; expected G0, G1, G93, G94 or what turns tool-tip coordinates on");

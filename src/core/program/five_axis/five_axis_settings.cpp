@@ -22,6 +22,8 @@ void describe(SettingsSchema& schema, FiveAxisSettings& settings) {
               "Line that turns tool-tip coordinates on; empty for that of the dialect.");
   schema.text("five_axis.tip_control_off", settings.tip_control_off,
               "Line that turns tool-tip coordinates off; empty for that of the dialect.");
+  schema.text("five_axis.letters", settings.letters,
+              "Letters of rotary joints that programs name otherwise: \"b=U,c=V\".");
   schema.number("five_axis.chord_tolerance_mm", settings.chord_tolerance_mm, {0.0, 10.0, true},
                 "By how much the tip may leave its line while joints move from one line to the next.");
 }

@@ -179,7 +179,7 @@ std::string fixed(char letter, std::int64_t units) {
 FiveAxisLines::FiveAxisLines(const KinematicModel& machine, const FiveAxisSettings& settings,
                              const ProgramSettings& program)
     : machine_(machine),
-      letters_(axisLetters(machine)),
+      letters_(axisLetters(machine, settings.letters)),
       has_joints_(settings.coordinates == FiveAxisCoordinates::Joints),
       retraction_feed_mm_s_(program.retraction_feed_mm_s),
       axes_(letters_.size(), kUnknown) {}
@@ -299,7 +299,7 @@ class FiveAxisProgram {
       : motion_(motion),
         settings_(settings),
         program_(program),
-        letters_(axisLetters(motion.machine)),
+        letters_(axisLetters(motion.machine, settings.letters)),
         paths_(listedPaths(motion.toolpath)),
         rise_mm_((motion.bed_from_part.linear() * layerNormal(motion.toolpath))
                      .dot(motion.bed_from_part.translation())) {

@@ -2,14 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/program/gcode/gcode_flavour.hpp"
 
+#include <map>
+
 #include "lamina/program/gcode/full_control_writer.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/program/gcode/gcode_writer.hpp"
 
 namespace lamina {
+namespace {
+
+std::map<std::string, GcodeFlavour> flavours() {
+  std::map<std::string, GcodeFlavour> flavours = {{"fullcontrol", writeFullControl}};
+  for (const GcodeDialect& dialect : gcodeDialects()) flavours[dialect.name] = writeGcode;
+  return flavours;
+}
+
+}  // namespace
 
 Registry<GcodeFlavour>& gcodeFlavours() {
-  static Registry<GcodeFlavour> registry("program.flavour",
-                                         {{"fullcontrol", writeFullControl}, {"marlin", writeGcode}});
+  static Registry<GcodeFlavour> registry("program.flavour", flavours());
   return registry;
 }
 

@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/process_support.hpp"
 #include "lamina/toolpath/wipe.hpp"
@@ -164,24 +165,14 @@ const Path* requireDropsAlike(const Toolpath& toolpath) {
 }
 
 /// Of the values of a process, wipes alone have words.
-void requireValues(const Toolpath& toolpath) {
+void requireValues(const Toolpath& toolpath, const GcodeDialect& dialect) {
   for (std::size_t l = 0; l < toolpath.layers.size(); ++l)
     for (std::size_t p = 0; p < toolpath.layers[l].paths.size(); ++p)
       for (const ProcessValue& value : toolpath.layers[l].paths[p].values)
         if (value.name != kWipeShare)
           throw InvalidInput("toolpath layer " + std::to_string(l) + ", path " + std::to_string(p) +
-                             ": process value '" + value.name +
-                             "' cannot be carried by G-code of flavour marlin");
-}
-
-void requireCarried(const Toolpath& toolpath, Deposit deposit) {
-  using Element = ProcessElement;
-  if (deposit == Deposit::Drops) return requireSupported(toolpath, {}, "programs of drops");
-  requireSupported(toolpath,
-                   {Element::Dwell, Element::Fan, Element::Pause, Element::Code, Element::MovingCode,
-                    Element::Tool, Element::Value},
-                   "G-code of flavour marlin");
-  requireValues(toolpath);
+                             ": process value '" + value.name + "' cannot be carried by G-code of flavour " +
+                             dialect.name);
 }
 
 /// Arcs lie across Z.
@@ -194,6 +185,39 @@ void requireArcs(const Toolpath& toolpath, const ProgramFrame& frame, const Prog
   const bool is_askew = !frame.program_from_bed.linear().isUnitary(kSameToolAxis);
   if (is_askew || normal.head<2>().norm() > kSameToolAxis)
     refuseArcs(settings, "layers that do not lie in a plane of two axes");
+}
+
+void requireCarried(const Toolpath& toolpath, Deposit deposit, const GcodeDialect& dialect) {
+  using Element = ProcessElement;
+  if (deposit == Deposit::Drops) return requireSupported(toolpath, {}, "programs of drops");
+  std::vector<Element> elements = {Element::Dwell, Element::Code, Element::MovingCode, Element::Value};
+  if (dialect.has_fan) elements.push_back(Element::Fan);
+  if (dialect.has_pause) elements.push_back(Element::Pause);
+  if (dialect.has_tools) elements.push_back(Element::Tool);
+  requireSupported(toolpath, elements, "G-code of flavour " + dialect.name);
+  requireValues(toolpath, dialect);
+}
+
+void requireNoHeat(const std::string& key, double temperature_c, const GcodeDialect& dialect) {
+  if (!dialect.has_heaters && temperature_c > 0.0)
+    throw InvalidConfig(key + " is " + std::to_string(temperature_c) + " degrees C with program.flavour '" +
+                        dialect.name + "', which knows no heaters; expected 0");
+}
+
+/// @throws InvalidConfig if temperatures are set, or stand in the code, that the dialect does not know
+void requireNoHeat(const ProgramSettings& settings, const GcodeDialect& dialect) {
+  if (dialect.has_heaters) return;
+  requireNoHeat("program.nozzle_temperature_c", settings.nozzle_temperature_c, dialect);
+  requireNoHeat("program.bed_temperature_c", settings.bed_temperature_c, dialect);
+  for (const char* const command : {"M104 S0", "M109 S0", "M140 S0", "M190 S0"})
+    if (settings.end_code.find(command) != std::string::npos)
+      throw InvalidConfig(std::string("program.end_code holds '") + command + "' with program.flavour '" +
+                          dialect.name + "', which knows no heaters; expected code of its own");
+}
+
+/// Units, coordinates and extrusion of the part.
+std::string modes(const GcodeDialect& dialect, bool lays_drops) {
+  return lays_drops || !dialect.has_extruder ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n";
 }
 
 std::string oneLine(std::string text) {
@@ -256,9 +280,11 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
                 const TextSink& sink) {
   const Path& first = firstPath(toolpath);
   const Path* drops = requireDropsAlike(toolpath);
+  const GcodeDialect& dialect = gcodeDialect(settings.flavour);
   const Deposit deposit = drops != nullptr ? Deposit::Drops : Deposit::Bead;
-  requireCarried(toolpath, deposit);
+  requireCarried(toolpath, deposit, dialect);
   requireArcs(toolpath, frame, settings, deposit);
+  requireNoHeat(settings, dialect);
   std::vector<LayerStart> starts = checkLayers(toolpath, toolAxisOf(first), settings);
   connectRetractions(toolpath, starts);
   const std::string start_code = expandCode("program.start_code", settings.start_code, settings, frame);
@@ -268,12 +294,13 @@ void writeGcode(const Toolpath& toolpath, const ProgramFrame& frame, const Progr
        (drops != nullptr ? dropHeader(*drops, settings) : "") +
        ";LAYER_COUNT:" + std::to_string(toolpath.layers.size()) + "\n" +
        frameComments(statedFrame(toolpath, frame)) + toolOffsetComments(settings, frame) + start_code +
-       (drops != nullptr ? "G21\nG90\n" : "G21\nG90\nM83\nG92 E0\n"));
+       modes(dialect, drops != nullptr));
   sink("; start of the part\n" + approach(first,
                                           frame.program_from_bed * (frame.bed_from_part * first.firstPoint()),
                                           approachFeed(toolpath)));
   ProgramSettings written = settings;
-  if (drops != nullptr) written.retraction_length_mm = 0.0;  // there is no filament to pull back
+  const bool has_filament = drops == nullptr && dialect.has_extruder;
+  if (!has_filament) written.retraction_length_mm = 0.0;  // there is nothing to pull back
   const LayerWriter writer(frame, layerNormal(toolpath), written);
   writeLayers(
       toolpath, [&](std::size_t l, std::string& text) { writer.write(toolpath.layers[l], starts[l], text); },

@@ -47,8 +47,9 @@ LayerWriter::LayerWriter(const ProgramFrame& frame, const Point3& layer_normal,
       frame_(frame),
       is_askew_(frame.program_from_bed.linear() != Eigen::Matrix3d::Identity()),
       rise_mm_((frame.bed_from_part.linear() * layer_normal).dot(frame.bed_from_part.translation())),
-      filament_per_volume_(filamentPerVolume(settings)),
-      settings_(settings) {}
+      filament_per_volume_(gcodeDialect(settings.flavour).has_extruder ? filamentPerVolume(settings) : 0.0),
+      settings_(settings),
+      dialect_(gcodeDialect(settings.flavour)) {}
 
 void LayerWriter::write(const ToolpathLayer& layer, const LayerStart& start, std::string& text) const {
   const bool lays_drops = std::any_of(layer.paths.begin(), layer.paths.end(),
@@ -125,6 +126,7 @@ void LayerWriter::writePath(const Path& path, Modal& modal, std::string& text) c
   const PathExtrusion extrusion(path, filament_per_volume_);
   const std::optional<PathArcs> arcs = arcsOf(path, modal);
   const std::size_t motions = path.motionCount();
+  modal.is_depositing = path.role != PathRole::Travel;
   for (std::size_t m = 0; m < motions; ++m) {
     writeEvents(path, m, modal, text);
     const std::optional<FittedArc> arc = arcs ? arcs->from(m) : std::nullopt;
@@ -173,7 +175,7 @@ void LayerWriter::writeEvents(const Path& path, std::size_t motion, Modal& modal
     writeEvent(placed.event, settings_, text);
     const auto* const code = std::get_if<MachineCode>(&placed.event);
     if (code == nullptr || !code->moves_axes) continue;
-    text += "G21\nG90\nM83\n";
+    text += dialect_.has_extruder ? "G21\nG90\nM83\n" : "G21\nG90\n";
     modal.x = modal.y = modal.z = modal.feed = kUnknown;
     const Point3& here = motion < path.points.size() ? path.points[motion] : path.lastPoint();
     writeMotion(here, path.feed_mm_s.at(path.motionEnd(std::min(motion, path.motionCount() - 1))), modal,
@@ -203,7 +205,7 @@ void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal,
   if (out == line + 2) return;  // shorter than the last decimal: its material goes to the next motion
   const std::int64_t filament = toUnits(modal.filament_mm, kFilamentScale);
   line[0] = 'G';
-  line[1] = '0';
+  line[1] = modal.is_depositing && !dialect_.has_extruder ? '1' : '0';
   if (filament != modal.filament) {
     line[1] = '1';
     *out++ = ' ';

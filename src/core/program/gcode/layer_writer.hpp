@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "lamina/program/program_frame.hpp"
 #include "lamina/program/program_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
@@ -44,6 +45,7 @@ class LayerWriter {
     std::int64_t filament = 0;       ///< sum of all E so far
     double filament_mm = 0.0;        ///< the same before rounding
     Point3 shift = Point3::Zero();   ///< of the axes, for the tool at work
+    bool is_depositing = false;      ///< which E does not say where there is none
   };
 
   void writeDrops(const Path& path, Modal& modal, std::string& text) const;
@@ -76,6 +78,7 @@ class LayerWriter {
   double rise_mm_;  ///< of the part along the layers' normal
   double filament_per_volume_;
   ProgramSettings settings_;
+  const GcodeDialect& dialect_;
 };
 
 }  // namespace lamina

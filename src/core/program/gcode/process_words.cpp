@@ -9,7 +9,9 @@
 #include <cstdint>
 
 #include "lamina/base/text.hpp"
+#include "lamina/program/gcode/gcode_dialect.hpp"
 #include "program/gcode/command_words.hpp"
+#include "program/gcode/fixed_point.hpp"
 
 namespace lamina {
 namespace {
@@ -22,7 +24,13 @@ struct EventWords {
   std::string& text;
 
   void operator()(const Dwell& dwell) const {
-    text += "G4 P" + std::to_string(std::llround(dwell.duration_s * 1e3)) + "\n";
+    // Whole milliseconds; in seconds with 3 decimals.
+    const long long thousandths = std::llround(1e3 * dwell.duration_s);
+    char digits[32];
+    char* const end = gcodeDialect(settings.flavour).dwells_in_seconds
+                          ? writeFixed<3>(digits, thousandths)
+                          : std::to_chars(digits, digits + sizeof digits, thousandths).ptr;
+    text.append("G4 P").append(digits, end).append("\n");
   }
   void operator()(const FanShare& fan) const {
     const auto steps = std::llround(fan.share * kFanSteps);

@@ -12,8 +12,8 @@
 
 namespace lamina {
 
-/// Appends an event as lines of G-code: `G4 P` in ms, `M106 S` of 255 or `M107`, `pause.code` with the
-/// message, `;PART:` with the name; code as it is.
+/// Appends an event as lines of G-code: `G4 P` in the units of the dialect, `M106 S` of 255 or `M107`,
+/// `pause.code` with the message, `;PART:` with the name; code as it is.
 void writeEvent(const ToolpathEvent& event, const ProgramSettings& settings, std::string& text);
 
 /// The event of a command that is no motion: `M106`, `M107`, `M0`, `M1`, `M600`, `M601`, `PAUSE`. Fans other

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/polygon/polygon.hpp"
+
+namespace lamina {
+
+/// The prism over regions, from z = 0 to `height_mm`: closed, its triangles facing outwards. Walls are
+/// divided where the triangles of top and bottom need it. Empty for no regions.
+/// @param height_mm  positive
+/// @throws InvalidInput if outlines cross, as `triangulated`
+Mesh extruded(const Regions& regions, double height_mm);
+
+}  // namespace lamina

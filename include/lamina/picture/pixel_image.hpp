@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// A picture by its pixels, row by row from the top.
+struct PixelImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< red, green and blue of each, 3 * width * height
+};
+
+/// The bytes of a QOI file, three channels, sRGB [Szablewski2022].
+std::string qoiFile(const PixelImage& image);
+
+}  // namespace lamina

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/profiles/capabilities.hpp"
+
+#include <cstdio>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/job_settings.hpp"
+
+namespace lamina {
+namespace {
+
+std::string textOf(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+/// A setting and the capability that it is bounded by.
+struct Asked {
+  const char* key;
+  double value;
+  const char* unit;
+};
+
+void requireAtMost(const Asked& asked, const char* capability, double greatest, const std::string& because) {
+  if (greatest > 0.0 && asked.value > greatest)
+    throw InvalidConfig(std::string(asked.key) + " is " + textOf(asked.value) + " " + asked.unit +
+                        "; must be at most " + capability + ", " + textOf(greatest) + " " + asked.unit +
+                        because);
+}
+
+void requireTemperatures(const JobSettings& settings) {
+  const MachineCapabilities& machine = settings.capabilities;
+  const std::string material = settings.material.name.empty() ? "the material" : settings.material.name;
+  requireAtMost({"program.nozzle_temperature_c", settings.program.nozzle_temperature_c, "degrees C"},
+                "machine.greatest_nozzle_c", machine.greatest_nozzle_c,
+                ": the nozzle of the machine cannot melt " + material);
+  const double bed_c = settings.program.bed_temperature_c;
+  if (!machine.has_bed_heater && bed_c > 0.0)
+    throw InvalidConfig("program.bed_temperature_c is " + textOf(bed_c) +
+                        " degrees C with machine.has_bed_heater false; expected 0");
+  requireAtMost({"program.bed_temperature_c", bed_c, "degrees C"}, "machine.greatest_bed_c",
+                machine.greatest_bed_c, "");
+}
+
+void requireLayerHeight(const char* key, double height_mm, const MachineCapabilities& machine) {
+  const Asked height{key, height_mm, "mm"};
+  requireAtMost(height, "machine.greatest_layer_mm", machine.greatest_layer_mm, "");
+  if (height_mm < machine.least_layer_mm)
+    throw InvalidConfig(std::string(key) + " is " + textOf(height_mm) +
+                        " mm; must be at least machine.least_layer_mm, " + textOf(machine.least_layer_mm) +
+                        " mm");
+}
+
+}  // namespace
+
+void describe(SettingsSchema& schema, MachineCapabilities& capabilities) {
+  const Bounds length{0.0, 100.0};
+  const Bounds heat{0.0, 500.0};
+  schema.number("machine.nozzle_mm", capabilities.nozzle_mm, length,
+                "Diameter of the nozzle, which bounds the height of layers; 0 if not known.");
+  schema.number("machine.greatest_nozzle_c", capabilities.greatest_nozzle_c, heat,
+                "Greatest temperature of the nozzle; 0 if not known.");
+  schema.number("machine.greatest_bed_c", capabilities.greatest_bed_c, heat,
+                "Greatest temperature of the bed; 0 if not known.");
+  schema.number("machine.least_layer_mm", capabilities.least_layer_mm, length,
+                "Least height of layers; 0 for any.");
+  schema.number("machine.greatest_layer_mm", capabilities.greatest_layer_mm, length,
+                "Greatest height of layers; 0 for any.");
+  schema.flag("machine.has_bed_heater", capabilities.has_bed_heater, "Whether the bed can be heated.");
+  schema.flag("machine.has_fan", capabilities.has_fan, "Whether there is a fan that cools the part.");
+}
+
+void describe(SettingsSchema& schema, MaterialSettings& material) {
+  schema.text("material.name", material.name, "Name of the material, in messages.");
+  schema.number("material.density_g_cm3", material.density_g_cm3, {0.0, 30.0},
+                "Density of the material, by which programs state its mass; 0 if not known.");
+}
+
+void requireCapable(const JobSettings& settings) {
+  const MachineCapabilities& machine = settings.capabilities;
+  requireTemperatures(settings);
+  if (settings.fan.is_used && !machine.has_fan)
+    throw InvalidConfig("fan.use is true with machine.has_fan false; expected false");
+  requireLayerHeight("slicing.layer_height_mm", settings.slicing.layer_height_mm, machine);
+  requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
+  requireAtMost({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, "machine.nozzle_mm",
+                machine.nozzle_mm, ": a layer is no higher than the nozzle is wide");
+}
+
+}  // namespace lamina

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/profiles/layered_settings.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "lamina/job/profiles/stated_settings.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+
+namespace lamina {
+namespace {
+
+std::string placeOf(const std::string& path, int line) { return path + ":" + std::to_string(line); }
+
+bool isOneOf(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Sets settings, one source after the other, and notes where each came from.
+class LayeredLoad {
+ public:
+  explicit LayeredLoad(LayeredSettings& layered) : layered_(layered) { describe(schema_, layered.settings); }
+
+  void set(const SettingText& setting, const std::string& layer, const std::string& place) {
+    schema_.set(setting.key, setting.text);
+    const Setting* const known = schema_.find(setting.key);
+    layered_.origins[known->key].push_back({layer, place, known->get()});
+  }
+
+  void setPlaced(const PlacedSetting& placed, const std::string& layer, const std::string& path) {
+    const std::string place = placeOf(path, placed.line);
+    try {
+      set(placed.setting, layer, place);
+    } catch (const InvalidConfig& error) {
+      throw InvalidConfig(place + ": " + error.what());
+    }
+  }
+
+  /// Materials state the bed that suits them; a machine without heater prints them on a cold one.
+  void setProfiles(const std::vector<Profile>& chain, const std::string& layer) {
+    for (const Profile& profile : chain)
+      for (const PlacedSetting& placed : profile.settings) {
+        const bool is_for_heater = profile.kind == ProfileKind::Material &&
+                                   placed.setting.key == "program.bed_temperature_c" &&
+                                   !layered_.settings.capabilities.has_bed_heater;
+        if (!is_for_heater) setPlaced(placed, layer, profile.path);
+      }
+  }
+
+  void setConfig(const std::string& path) {
+    applySettings(schema_, path, {});
+    for (const PlacedSetting& placed : placedSettingsFromYaml(readFile(path), path))
+      setPlaced(placed, "--config", path);
+  }
+
+ private:
+  LayeredSettings& layered_;
+  SettingsSchema schema_;
+};
+
+/// The profiles of a machine; none if it has none.
+std::vector<Profile> loadMachine(LayeredLoad& load, const std::string& machine,
+                                 const ProfileLibrary& library) {
+  if (machine.empty()) return {};
+  const bool is_profile = library.has(ProfileKind::Machine, machine);
+  if (!is_profile && isOneOf(kinematicModelNames(), machine)) {
+    load.set({"machine.name", machine}, "--machine", "");
+    return {};
+  }
+  if (std::filesystem::path(machine).extension() == ".urdf") {
+    load.set({"machine.urdf", machine}, "--machine", "");
+    return {};
+  }
+  if (!is_profile && std::filesystem::path(machine).extension() != ".yaml")
+    throw InvalidConfig("there is no machine '" + machine + "'; expected a profile, one of " +
+                        listed(library.names(ProfileKind::Machine)) + "; a machine, one of " +
+                        listed(kinematicModelNames()) + "; or a file (.yaml, .urdf)");
+  std::vector<Profile> chain = library.find(ProfileKind::Machine, machine);
+  load.setProfiles(chain, "--machine");
+  return chain;
+}
+
+/// A machine fits if the profile is for it, or for one that it inherits from.
+void requireForMachine(const Profile& profile, const std::vector<Profile>& machine) {
+  if (profile.for_machines.empty() || machine.empty()) return;
+  const bool fits = std::any_of(machine.begin(), machine.end(), [&](const Profile& each) {
+    return isOneOf(profile.for_machines, each.name);
+  });
+  if (!fits)
+    throw InvalidConfig(profile.path + ": " + toString(profile.kind) + " '" + profile.name + "' is for " +
+                        listed(profile.for_machines) + ", not for '" + machine.back().name + "'");
+}
+
+void loadProfile(LayeredLoad& load, ProfileKind kind, const std::string& name, const ProfileLibrary& library,
+                 const std::vector<Profile>& machine) {
+  if (name.empty()) return;
+  const std::vector<Profile> chain = library.find(kind, name);
+  for (const Profile& profile : chain) requireForMachine(profile, machine);
+  load.setProfiles(chain, "--" + std::string(toString(kind)));
+}
+
+/// Whether the key stands in the text as a word.
+bool names(const std::string& text, const std::string& key) {
+  const auto isPart = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+    const std::size_t end = at + key.size();
+    if ((at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end]))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<SettingOrigin> LayeredSettings::explain(const std::string& key) const {
+  JobSettings defaults;
+  SettingsSchema schema;
+  describe(schema, defaults);
+  const Setting* const setting = schema.find(key);
+  if (setting == nullptr) schema.set(key, "");
+  std::vector<SettingOrigin> said = {{"built-in", "", setting->get()}};
+  const auto found = origins.find(setting->key);
+  if (found != origins.end()) said.insert(said.end(), found->second.begin(), found->second.end());
+  return said;
+}
+
+LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary& library) {
+  LayeredSettings layered;
+  LayeredLoad load(layered);
+  if (!sources.like.empty())
+    for (const PlacedSetting& placed : statedSettings(sources.like))
+      load.setPlaced(placed, "--like", sources.like);
+  const std::vector<Profile> machine = loadMachine(load, sources.machine, library);
+  loadProfile(load, ProfileKind::Material, sources.material, library, machine);
+  loadProfile(load, ProfileKind::Process, sources.process, library, machine);
+  if (!sources.config.empty()) load.setConfig(sources.config);
+  for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
+  return layered;
+}
+
+void validate(const LayeredSettings& layered) {
+  try {
+    validate(layered.settings);
+  } catch (const InvalidConfig& error) {
+    std::string message = error.what();
+    std::vector<std::string> places;
+    for (const auto& [key, said] : layered.origins)
+      if (!said.back().place.empty() && names(message, key))
+        places.push_back(key + " at " + said.back().place);
+    throw InvalidConfig(places.empty() ? message : message + " (" + listed(places) + ")");
+  }
+}
+
+}  // namespace lamina

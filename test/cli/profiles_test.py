@@ -1,0 +1,74 @@
+"""`lamina profiles`, and `lamina slice` with machines, materials and processes by their names."""
+import os
+import re
+import tempfile
+import unittest
+
+from lamina_command import lamina, told
+
+
+class Profiles(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.box = self.path("box.stl")
+        told("part", "box", "--set", "x_mm=12", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.box)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def sliced(self, name, *arguments):
+        told("slice", self.box, *arguments, "-o", self.path(name))
+        with open(self.path(name), encoding="ascii") as file:
+            return file.read()
+
+    def test_are_listed(self):
+        listed = told("profiles")
+        machines = [entry["name"] for entry in listed["machine"]]
+        for name in ("creality_cr_30", "ideaformer_ir3", "prusa_mk3s", "prusa_mk4", "creality_ender_3", "voron_2_4_250",
+                     "voron_2_4_300", "voron_2_4_350", "open5x_i3", "open5x_jubilee", "duet_large", "bigrep_class"):
+            self.assertIn(name, machines)
+        self.assertEqual([entry["name"] for entry in listed["material"]], ["abs", "asa", "pa_cf", "petg", "pla", "pp", "tpu"])
+        self.assertIn("prusa_mk4", lamina("profiles").stdout)
+
+    def test_a_belt_printer_and_a_material_are_all_that_a_slice_needs(self):
+        program = self.sliced("belt.gcode", "--machine", "creality_cr_30", "--material", "pla")
+        self.assertIn(";BED_FROM_AXES:", program)
+        self.assertIn("M109 S210\n", program)
+        self.assertRegex(program, r"; filament used \[g\] = 0\.\d\d\n")
+        self.assertIn("creality_cr_30", lamina("check", self.path("belt.gcode"), "--machine", "creality_cr_30").stdout)
+
+    def test_thumbnails_are_those_of_the_machine(self):
+        program = self.sliced("mk4.gcode", "--machine", "prusa_mk4", "--material", "petg", "--process", "draft")
+        found = re.findall(r"; (thumbnail\w*) begin (\d+x\d+) ", program)
+        self.assertEqual(found, [("thumbnail_QOI", "16x16"), ("thumbnail_QOI", "313x173"), ("thumbnail_QOI", "440x240"),
+                                 ("thumbnail_QOI", "480x240"), ("thumbnail", "640x480")])
+        self.assertIn("; layer_height = 0.28\n", program)
+        again = self.sliced("again.gcode", "--like", self.path("mk4.gcode"))
+        self.assertEqual(again, program)
+
+    def test_a_setting_is_explained(self):
+        layers = ["--machine", "prusa_mk4", "--material", "tpu", "--process", "fine", "--set", "walls.count=5"]
+        told_of = told("slice", "--explain", "walls.count", *layers)
+        self.assertEqual((told_of["value"], told_of["set_by"]), ("5", "--set"))
+        self.assertEqual([layer["layer"] for layer in told_of["layers"]], ["built-in", "--process", "--set"])
+        self.assertRegex(told_of["layers"][1]["place"], r"processes/fine\.yaml:\d+$")
+        self.assertIn("walls.count = 5, set by --set", lamina("slice", "--explain", "walls.count", *layers).stdout)
+
+    def test_what_a_machine_cannot_do_is_refused_by_file_and_line(self):
+        refused = lamina("slice", self.box, "--machine", "creality_ender_3", "--material", "pa_cf", "-o", self.path("no.gcode"))
+        self.assertEqual(refused.returncode, 1)
+        self.assertRegex(refused.stderr, r"cannot melt PA-CF \(.*creality_ender_3\.yaml:\d+.*pa_cf\.yaml:\d+")
+        self.assertFalse(os.path.exists(self.path("no.gcode")))
+        self.assertIn("expected a profile", lamina("slice", self.box, "--machine", "ender").stderr)
+
+    def test_an_outline_is_extruded(self):
+        outline = self.path("ring.svg")
+        with open(outline, "w", encoding="ascii") as file:
+            file.write("<svg width='30mm' height='30mm' viewBox='0 0 30 30'>"
+                       "<path fill-rule='evenodd' d='M5 5h20v20H5z M20 15a5 5 0 1 0-10 0a5 5 0 1 0 10 0'/></svg>")
+        self.assertAlmostEqual(told("slice", outline, "--set", "input.extrude_mm=2")["mesh_volume_mm3"], 2 * (400 - 78.54), delta=0.3)
+
+
+if __name__ == "__main__":
+    unittest.main()

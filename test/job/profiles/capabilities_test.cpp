@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/job/profiles/capabilities.hpp"
+
+#include <gtest/gtest.h>
+
+#include "lamina/base/error.hpp"
+#include "lamina/job/job_settings.hpp"
+
+namespace lamina {
+namespace {
+
+/// What settings are refused with; empty if they are not.
+std::string refusalOf(const std::vector<SettingText>& set) {
+  const JobSettings settings = loadJobSettings("", set);
+  try {
+    validate(settings);
+    return "";
+  } catch (const InvalidConfig& error) {
+    return error.what();
+  }
+}
+
+struct Bounded {
+  const char* key;      ///< of the machine
+  const char* enough;   ///< for the defaults: 210 and 60 degrees C, layers of 0.2 mm, fan
+  const char* lacking;  ///< for them
+  const char* asked;    ///< what is refused then
+};
+
+class Capabilities : public testing::TestWithParam<Bounded> {};
+
+TEST_P(Capabilities, BoundWhatIsAsked) {
+  const SettingText fan = {"fan.use", "true"};
+  EXPECT_EQ(refusalOf({fan, {GetParam().key, GetParam().enough}}), "");
+  const std::string refusal = refusalOf({fan, {GetParam().key, GetParam().lacking}});
+  EXPECT_EQ(refusal.rfind(GetParam().asked, 0), 0U) << refusal;
+  EXPECT_NE(refusal.find(GetParam().key), std::string::npos) << refusal;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, Capabilities,
+    testing::Values(Bounded{"machine.greatest_nozzle_c", "210", "209.5",
+                            "program.nozzle_temperature_c is 210"},
+                    Bounded{"machine.greatest_bed_c", "60", "59", "program.bed_temperature_c is 60"},
+                    Bounded{"machine.has_bed_heater", "true", "false", "program.bed_temperature_c is 60"},
+                    Bounded{"machine.has_fan", "true", "false", "fan.use is true"},
+                    Bounded{"machine.least_layer_mm", "0.2", "0.25", "slicing.layer_height_mm is 0.2"},
+                    Bounded{"machine.greatest_layer_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"},
+                    Bounded{"machine.nozzle_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"}));
+
+TEST(UnknownCapabilities, RefuseNothing) {
+  EXPECT_EQ(refusalOf({{"program.nozzle_temperature_c", "500"}}), "");
+}
+
+}  // namespace
+}  // namespace lamina
