@@ -50,6 +50,10 @@ class Tree(unittest.TestCase):
         self.assertIn("slice", run(TREE / "bin/lamina", "--help"))
         run_commands_with_libraries_of_their_own(TREE)
 
+    def test_profiles_are_found_in_the_tree(self):
+        place = run(TREE / "bin/lamina", "slice", "--explain", "program.flavour", "--machine", "voron_2_4_250")
+        self.assertIn(str(TREE / "share/lamina/profiles/machines/klipper_printer.yaml"), place)
+
     @unittest.skipUnless(HAS_ROS, "built without ROS")
     def test_ros_finds_package_nodes_and_launch_files(self):
         def in_environment(command):

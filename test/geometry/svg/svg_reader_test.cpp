@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/random.hpp"
 #include "lamina/geometry/mesh/extrusion.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
@@ -125,6 +126,25 @@ TEST(SvgReader, RefusesWhatItCannotTakeNamingTheLine) {
       EXPECT_EQ(std::string(error.what()).rfind("bad.svg:", 0), 0U) << error.what();
     }
   }
+}
+
+TEST(SvgReader, ReadsOrRefusesAnyMutatedText) {
+  const std::string page = pageOf("<g transform='rotate(30)'><path style='fill-rule:evenodd' d='" +
+                                  std::string(kHoleByArcs) + "c1 2 3 4 5 6s1 2 3 4q1 2 3 4t5 6'/></g>");
+  Random random(1);
+  int read = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = page;
+    for (int change = 0; change < 3; ++change)
+      text[static_cast<std::size_t>(random.below(text.size()))] =
+          page[static_cast<std::size_t>(random.below(page.size()))];
+    try {
+      readSvg(text, "mutated.svg");
+      ++read;
+    } catch (const Error&) {
+    }
+  }
+  EXPECT_GT(read, 100);
 }
 
 TEST(Extrusion, IsAClosedPrism) {
