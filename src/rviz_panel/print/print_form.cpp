@@ -10,6 +10,8 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/profiles/layered_settings.hpp"
+#include "lamina/job/profiles/profile_library.hpp"
 
 namespace lamina {
 namespace {
@@ -20,6 +22,8 @@ void describe(SettingsSchema& schema, PrintForm& form) {
   schema.text("part", form.part, "Part to print");
   schema.text("program", form.program, "Program to write");
   schema.text("machine", form.machine, "That prints");
+  schema.text("material", form.material, "That is laid");
+  schema.text("process", form.process, "How it is laid");
   schema.text("settings", form.settings, "Lines of key = value");
 }
 
@@ -46,6 +50,20 @@ std::vector<SettingText> settingsIn(const std::string& text) {
   return settings;
 }
 
+/// The last word on each setting that the form says anything of.
+std::vector<SettingText> setBy(const PrintForm& form) {
+  SettingsSources sources;
+  sources.machine = form.machine;
+  sources.material = form.material;
+  sources.process = form.process;
+  sources.overrides = settingsIn(form.settings);
+  const LayeredSettings layered = loadLayered(sources, ProfileLibrary(profileFolders()));
+  validate(layered);
+  std::vector<SettingText> settings;
+  for (const auto& [key, origins] : layered.origins) settings.push_back({key, origins.back().text});
+  return settings;
+}
+
 }  // namespace
 
 bool isProgram(const std::string& part) { return boost::algorithm::iends_with(part, kProgramSuffix); }
@@ -60,13 +78,12 @@ std::string programOf(const PrintForm& form) {
 SliceRequest requestOf(const PrintForm& form) {
   if (form.part.empty()) throw InvalidInput("no part is chosen; choose a mesh file, or drop one here");
   if (isProgram(form.part)) throw InvalidInput("'" + form.part + "' is a program already; press Print");
-  SliceRequest request{form.part, programOf(form), settingsIn(form.settings)};
+  SliceRequest request{form.part, programOf(form), {}};
   if (request.program.empty())
     throw InvalidInput("the part '" + form.part + "' is no file; say which program to write");
   requireSuffix(request.program, {kProgramSuffix});
   requireApart({request.program}, {request.part});
-  if (!form.machine.empty())
-    request.settings.insert(request.settings.begin(), {"machine.name", form.machine});
+  request.settings = setBy(form);
   return request;
 }
 

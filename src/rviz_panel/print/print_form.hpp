@@ -13,7 +13,9 @@ namespace lamina {
 struct PrintForm {
   std::string part;      ///< mesh file, parametric part as in `lamina part`, or a program ready to print
   std::string program;   ///< G-code to write; empty for the default beside the part
-  std::string machine;   ///< empty for what the node is configured for
+  std::string machine;   ///< profile or machine; empty for what the node is configured for
+  std::string material;  ///< profile; empty for none
+  std::string process;   ///< the same
   std::string settings;  ///< lines of `key = value`, as YAML and command line name them; # begins a comment
 };
 
@@ -24,8 +26,10 @@ struct SliceRequest {
   std::vector<SettingText> settings;
 };
 
+/// What profiles and settings set is asked for, setting by setting; all else is as the node has it.
 /// @throws InvalidInput if there is no part, no program to write or it is not .gcode, or a line of the
 ///         settings has no `=`
+/// @throws InvalidConfig if there is no such profile or setting, or the machine cannot do what is asked
 SliceRequest requestOf(const PrintForm& form);
 
 /// Whether what was chosen is a program already, which needs no slicing.

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "fields/path_field.hpp"
+#include "lamina/job/profiles/profile_library.hpp"
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 
 namespace lamina {
@@ -26,26 +27,49 @@ QString fileOf(const QMimeData& dragged) {
   return dragged.hasUrls() ? dragged.urls().front().toLocalFile() : QString();
 }
 
+std::vector<std::string> profiles(ProfileKind kind) { return ProfileLibrary(profileFolders()).names(kind); }
+
+/// Those that people own first, then those that are described without a profile.
+std::vector<std::string> machinesToPrintOn() {
+  std::vector<std::string> names = profiles(ProfileKind::Machine);
+  for (std::string& name : machineNames())
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  return names;
+}
+
+QComboBox* choices(const char* name, const std::vector<std::string>& names, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->addItem("as the node has it", "");
+  for (const std::string& each : names)
+    box->addItem(QString::fromStdString(each), QString::fromStdString(each));
+  return box;
+}
+
+void choose(QComboBox& box, const std::string& name) {
+  box.setCurrentIndex(std::max(0, box.findData(QString::fromStdString(name))));
+}
+
 }  // namespace
 
 PrintFormWidget::PrintFormWidget(QWidget* parent)
     : QWidget(parent),
       part_(new PathField("part", PathField::Mode::Open, kPartFilter, this)),
       program_(new PathField("program", PathField::Mode::Save, kPrintedFilter, this)),
-      machine_(new QComboBox(this)),
+      machine_(choices("machine", machinesToPrintOn(), this)),
+      material_(choices("material", profiles(ProfileKind::Material), this)),
+      process_(choices("process", profiles(ProfileKind::Process), this)),
       settings_(new QPlainTextEdit(this)) {
   auto* rows = new QFormLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addRow("Part", part_);
   rows->addRow("Program", program_);
   rows->addRow("Machine", machine_);
+  rows->addRow("Material", material_);
+  rows->addRow("Process", process_);
   rows->addRow("Settings", settings_);
   part_->setHint("part.stl; or drop a file here");
   program_->setHint("beside the part");
-  machine_->setObjectName("machine");
-  machine_->addItem("as the node has it", "");
-  for (const std::string& name : machineNames())
-    machine_->addItem(QString::fromStdString(name), QString::fromStdString(name));
   settings_->setObjectName("settings");
   settings_->setPlaceholderText("infill.density = 0.15\nskins.top_layers = 4");
   settings_->setMaximumHeight(kSettingsHeight);
@@ -56,7 +80,8 @@ PrintFormWidget::PrintFormWidget(QWidget* parent)
   };
   part_->chosen = [this] { choosePart(); };
   part_->edited = program_->edited = notify;
-  connect(machine_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, notify);
+  for (QComboBox* choice : {machine_, material_, process_})
+    connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, notify);
   connect(settings_, &QPlainTextEdit::textChanged, this, notify);
 }
 
@@ -81,13 +106,17 @@ PrintForm PrintFormWidget::form() const {
   form.part = part_->path().toStdString();
   form.program = program_->path().toStdString();
   form.machine = machine_->currentData().toString().toStdString();
+  form.material = material_->currentData().toString().toStdString();
+  form.process = process_->currentData().toString().toStdString();
   form.settings = settings_->toPlainText().toStdString();
   return form;
 }
 
 void PrintFormWidget::setForm(const PrintForm& form) {
   program_->setPath(QString::fromStdString(form.program));
-  machine_->setCurrentIndex(std::max(0, machine_->findData(QString::fromStdString(form.machine))));
+  choose(*machine_, form.machine);
+  choose(*material_, form.material);
+  choose(*process_, form.process);
   settings_->setPlainText(QString::fromStdString(form.settings));
   part_->setPath(QString::fromStdString(form.part));
   choosePart();

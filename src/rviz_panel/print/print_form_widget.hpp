@@ -35,6 +35,8 @@ class PrintFormWidget : public QWidget {
   PathField* part_;
   PathField* program_;
   QComboBox* machine_;
+  QComboBox* material_;
+  QComboBox* process_;
   QPlainTextEdit* settings_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "lamina/base/error.hpp"
 
 namespace {
@@ -20,6 +22,12 @@ PrintForm formOf(const std::string& part) {
   return form;
 }
 
+std::map<std::string, std::string> byKey(const lamina::SliceRequest& request) {
+  std::map<std::string, std::string> settings;
+  for (const auto& [key, text] : request.settings) settings[key] = text;
+  return settings;
+}
+
 TEST(PrintForm, AsksForAProgramBesideTheMesh) {
   PrintForm form = formOf("/parts/Bracket v1.2.STL");
   EXPECT_EQ(requestOf(form).program, "/parts/Bracket v1.2.gcode");
@@ -28,15 +36,30 @@ TEST(PrintForm, AsksForAProgramBesideTheMesh) {
   EXPECT_EQ(requestOf(form).program, "/out/b.gcode");
 }
 
-TEST(PrintForm, SetsTheMachineFirstSoThatASettingCanChangeIt) {
+TEST(PrintForm, AsksForWhatProfilesAndSettingsSet) {
   PrintForm form = formOf("a.stl");
   form.machine = "gantry_45";
   form.settings = "# thick\nslicing.layer_height_mm = 0.3\n\n  walls.count=3  # strong\n";
-  const auto settings = requestOf(form).settings;
-  ASSERT_EQ(settings.size(), 3U);
-  EXPECT_EQ(settings[0].key + "|" + settings[0].text, "machine.name|gantry_45");
-  EXPECT_EQ(settings[1].key + "|" + settings[1].text, "slicing.layer_height_mm|0.3");
-  EXPECT_EQ(settings[2].key + "|" + settings[2].text, "walls.count|3");
+  std::map<std::string, std::string> asked = byKey(requestOf(form));
+  EXPECT_EQ(asked.size(), 3U);
+  EXPECT_EQ(asked["machine.name"], "gantry_45");
+  EXPECT_EQ(asked["slicing.layer_height_mm"], "0.3");
+  EXPECT_EQ(asked["walls.count"], "3");
+  form.machine = "prusa_mk4";
+  form.material = "petg";
+  form.process = "fine";
+  form.settings = "program.nozzle_temperature_c = 231";
+  asked = byKey(requestOf(form));
+  EXPECT_EQ(asked["slicing.layer_height_mm"], "0.12") << "of the process";
+  EXPECT_EQ(asked["program.nozzle_temperature_c"], "231") << "the settings have the last word";
+  EXPECT_NE(asked["machine.urdf"].find("prusa_mk4.urdf"), std::string::npos) << asked["machine.urdf"];
+}
+
+TEST(PrintForm, RefusesWhatTheMachineCannotDo) {
+  PrintForm form = formOf("a.stl");
+  form.machine = "creality_ender_3";
+  form.material = "pa_cf";
+  EXPECT_THROW(requestOf(form), lamina::InvalidConfig);
 }
 
 TEST(PrintForm, RefusesWhatCannotBeSliced) {
@@ -66,10 +89,12 @@ TEST(PrintForm, PrintsAProgramAsItIs) {
 TEST(PrintForm, IsTheSameAfterItWasSaved) {
   PrintForm form = formOf("a.stl");
   form.machine = "gantry_45";
+  form.material = "pla";
   form.settings = "walls.count = 3\ninfill.density = 0.3";
   const PrintForm loaded = lamina::printFormFrom(textsOf(form));
   EXPECT_EQ(loaded.part, "a.stl");
   EXPECT_EQ(loaded.machine, "gantry_45");
+  EXPECT_EQ(loaded.material, "pla");
   EXPECT_EQ(loaded.settings, form.settings);
 }
 

@@ -113,7 +113,7 @@ std::vector<Polyline> clipped(const std::vector<Polyline>& lines, const Regions&
   refuseFarPoints(regions);
   ClipperLib::Clipper clipper;
   for (const Polyline& line : lines) {
-    refuseFarPoints(line);
+    requireWithinReach(line);
     clipper.AddPath(toUnits(line), ClipperLib::ptSubject, false);
   }
   add(clipper, regions, ClipperLib::ptClip);
