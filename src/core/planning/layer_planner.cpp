@@ -164,10 +164,10 @@ class LayerPlanner {
       return 0.0;
     }
     if (!stacked_.variants.empty()) {
-      const std::vector<IslandPiece> pieces =
-          piecesOf(island, {&context_, cover_, nullptr}, stacked_.variants);
+      const LayerVariant rest{&context_, cover_, cover_below_, branches_, nullptr};
+      const std::vector<IslandPiece> pieces = piecesOf(island, rest, stacked_.variants);
       if (pieces.size() > 1) return addPieces(island, pieces);
-      if (pieces.front().context != &context_) {
+      if (pieces.front().plan != &rest) {
         double unprinted_mm2 = 0.0;
         planBy(pieces.front(), [&](LayerPlanner& planner) { unprinted_mm2 = planner.addIsland(island); });
         return unprinted_mm2;
@@ -246,7 +246,7 @@ class LayerPlanner {
       addWalls(walls);
       for (std::size_t i = before; i < result_.paths.size(); ++i)
         if (kindOf(result_.paths[i].role) == RoleKind::Wall)
-          result_.paths[i] = withFeedsOf(std::move(result_.paths[i]), pieces, index_);
+          result_.paths[i] = withFeedsOf(std::move(result_.paths[i]), pieces, {&settings_.feed, index_});
     };
     if (settings_.walls.order == WallOrder::OutsideIn) addCommonWalls();
     for (const IslandPiece& piece : pieces)
@@ -263,11 +263,12 @@ class LayerPlanner {
   template <class Step>
   void planBy(const IslandPiece& piece, const Step& step) {
     StackedLayer stacked = stacked_;
-    stacked.cover = piece.cover;
-    stacked.cover_below = nullptr;
+    stacked.cover = piece.plan->cover;
+    stacked.cover_below = piece.plan->cover_below;
+    stacked.branches = piece.plan->branches;
     stacked.aids = nullptr;
     stacked.variants.clear();
-    LayerPlanner planner(stacked, index_, *piece.context);
+    LayerPlanner planner(stacked, index_, *piece.plan->context);
     if (material_ != nullptr) planner.setMaterial(*material_);
     planner.nozzle_ = nozzle_;
     planner.island_ = island_;

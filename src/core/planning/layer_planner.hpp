@@ -36,7 +36,9 @@ struct PlanContext {
 /// What another plan of the layer is made by, and where it holds (`PlanVariant`).
 struct LayerVariant {
   const PlanContext* context = nullptr;
-  const LayerCover* cover = nullptr;  ///< null without skins
+  const LayerCover* cover = nullptr;  ///< as those of `StackedLayer`
+  const LayerCover* cover_below = nullptr;
+  const std::vector<Polyline>* branches = nullptr;
   const Regions* area = nullptr;
 };
 

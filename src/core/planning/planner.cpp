@@ -192,8 +192,19 @@ const LayerCover* coverAt(const StackCover& stack, std::size_t index) {
 struct VariantPlan {
   const std::vector<Regions>& areas;
   PlanContext context;
+  PlanContext on_bed;  ///< of the first layer
   StackCover stack;
 };
+
+LayerVariant variantAt(const VariantPlan& plan, std::size_t index) {
+  LayerVariant variant;
+  variant.context = index == 0 ? &plan.on_bed : &plan.context;
+  variant.cover = coverAt(plan.stack, index);
+  if (index > 0) variant.cover_below = coverAt(plan.stack, index - 1);
+  if (!plan.stack.branches.empty()) variant.branches = &plan.stack.branches[index];
+  variant.area = &plan.areas[index];
+  return variant;
+}
 
 /// What the layers of a plan are planned from.
 struct StackPlan {
@@ -211,8 +222,7 @@ StackedLayer stackedAt(const std::vector<Layer>& layers, const StackPlan& plan, 
   if (!plan.stack.branches.empty()) stacked.branches = &plan.stack.branches[index];
   if (!plan.aids.layers.empty()) stacked.aids = &plan.aids.layers[index];
   for (const VariantPlan& variant : plan.variants)
-    if (!variant.areas[index].empty())
-      stacked.variants.push_back({&variant.context, coverAt(variant.stack, index), &variant.areas[index]});
+    if (!variant.areas[index].empty()) stacked.variants.push_back(variantAt(variant, index));
   return stacked;
 }
 
@@ -268,7 +278,8 @@ std::vector<VariantPlan> variantPlans(const std::vector<Layer>& layers,
     PlanContext context = contextFor(layers, variant.settings);
     requireBeadsInLayers(context);
     StackCover stack = stackCover(layers, context, progress);
-    plans.push_back({variant.areas, std::move(context), std::move(stack)});
+    PlanContext on_bed = bedContext(context);
+    plans.push_back({variant.areas, std::move(context), std::move(on_bed), std::move(stack)});
   }
   return plans;
 }

@@ -7,7 +7,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/mesh_io/mesh_reader.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 
 namespace lamina {
 namespace {
@@ -59,6 +59,37 @@ TEST(ThreemfReader, HonoursUnitComponentsAndTransforms) {
   EXPECT_NEAR(volume(mesh), 1000.0 / 3.0, 1e-9);
   EXPECT_NEAR(boundingBox(mesh).low.x(), 20.0, 1e-9);
   EXPECT_NEAR(boundingBox(mesh).high.x(), 70.0, 1e-9);
+}
+
+/// A file of two items of the build list, the second named and shifted.
+std::string twoItems() {
+  Object *model = nullptr, *item = nullptr, *writer = nullptr;
+  EXPECT_EQ(NMR::lib3mf_createmodel(&model), LIB3MF_OK);
+  Object* first = addTetrahedron(model);
+  Object* second = addTetrahedron(model);
+  EXPECT_EQ(NMR::lib3mf_object_setnameutf8(second, "lid"), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, first, nullptr, &item), LIB3MF_OK);
+  NMR::lib3mf_release(item);
+  MODELTRANSFORM shifted = scaledAndShifted(2, 5);
+  EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, second, &shifted, &item), LIB3MF_OK);
+  EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
+  const std::string path = testing::TempDir() + "two_items.3mf";
+  EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
+  for (Object* handle : {writer, item, second, first, model}) NMR::lib3mf_release(handle);
+  return path;
+}
+
+TEST(ThreemfReader, TellsItemsOfTheBuildListApart) {
+  const std::string path = twoItems();
+  const std::vector<MeshObject> objects = readMeshObjects(path, {LengthUnit::Millimetre, 10.0});
+  EXPECT_NEAR(volume(readMesh(path)), 0.5, 1e-9);
+  std::remove(path.c_str());
+  ASSERT_EQ(objects.size(), 2U);
+  EXPECT_EQ(objects[0].name, "");
+  EXPECT_EQ(objects[1].name, "lid");
+  EXPECT_NEAR(volume(objects[0].mesh), 1000.0 / 6.0, 1e-6);
+  EXPECT_NEAR(volume(objects[1].mesh), 1000.0 / 3.0, 1e-6);
+  EXPECT_NEAR(boundingBox(objects[1].mesh).low.x(), 50.0, 1e-6);
 }
 
 TEST(ThreemfReader, RefusesEveryShorterPiece) {

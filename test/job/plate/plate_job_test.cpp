@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "job/plate/plate_toolpath.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
@@ -273,8 +274,41 @@ TEST_F(PlateJobTest, RefusesWhatPlatesDoNotTake) {
   job_.settings.scan.every_layers = 2;
   EXPECT_NE(refusal().find("scan.every_layers"), std::string::npos);
   job_.settings.scan.every_layers = 0;
+  job_.settings.planning.adhesion.prime.line = PrimeLine::Front;
+  EXPECT_NE(refusal().find("prime.line"), std::string::npos);
+  job_.settings.planning.adhesion.prime.line = PrimeLine::None;
+  job_.settings.planning.skirt.layers = 2;
+  EXPECT_NE(refusal().find("skirt.layers"), std::string::npos);
+  job_.settings.planning.skirt.layers = 1;
   job_.plate.parts.clear();
   EXPECT_NE(refusal().find("no part"), std::string::npos);
+}
+
+TEST(PlateToolpath, MergesPartsThatStandOnRaftsByTheirHeightOnThePlate) {
+  // One begins 0.3 mm below its origin, which stands so much above the bed; the other at its origin.
+  const auto partOf = [](double first_mm) {
+    Toolpath toolpath;
+    for (const double z : {first_mm, first_mm + 0.2}) {
+      Path path;
+      path.points = {{0, 0, z}, {5, 0, z}};
+      path.bead = Bead{0.4, 0.2};
+      path.feed_mm_s = 20.0;
+      toolpath.layers.push_back({z, 0.2, {path}});
+    }
+    return toolpath;
+  };
+  const Toolpath raised = partOf(-0.1);
+  const Toolpath level = partOf(0.2);
+  const Toolpath plate =
+      mergedByLayer({{"raised", &raised, {10, 0, 0.3}}, {"level", &level, {30, 0, 0}}}, TravelSettings());
+  validate(plate);
+  ASSERT_EQ(plate.layers.size(), 2U);
+  EXPECT_NEAR(plate.layers[0].z_mm, 0.2, 1e-9);
+  for (const ToolpathLayer& layer : plate.layers) {
+    ASSERT_EQ(layer.paths.back().role, PathRole::Infill);
+    for (const Path& path : layer.paths)
+      EXPECT_TRUE(path.role == PathRole::Travel || std::abs(path.firstPoint().z() - layer.z_mm) < 1e-9);
+  }
 }
 
 TEST(PlateFile, IsReadWithPlacesTurnsAndSettings) {

@@ -137,6 +137,30 @@ TEST(PlanVariant, ChangesFeedsOfWallsOnItsBorder) {
   EXPECT_NEAR(usual_mm, 2 * 19.6, 1e-4);
 }
 
+TEST(PlanVariant, LeavesWallsSlowWhereTheyOverhang) {
+  // Each layer stands out by a bead over the one below, on all sides.
+  const auto layers = test::layersOf(4, [](int i) {
+    return std::vector<Polygon>{rectangle(-0.4 * i, -0.4 * i, 20 + 0.4 * i, 20 + 0.4 * i)};
+  });
+  PlanSettings usual = sparse(0.15);
+  usual.overhangs.is_used = true;
+  PlanSettings slow = usual;
+  slow.feed.outer_wall_mm_s = 0.5 * usual.feed.outer_wall_mm_s;
+  const PlanVariant right{slow, std::vector<Regions>(4, {Region{rectangle(10, -9, 30, 30), {}}})};
+  NoProgress nobody;
+  const Toolpath toolpath =
+      planPart("part", layers, usual, Box2{{-100, -100}, {100, 100}}, {right}, nobody).toolpath;
+  const double overhanging = usual.feed.outer_wall_mm_s * usual.overhangs.feed_factors.back();
+  for (const Path& path : toolpath.layers[3].paths) {
+    if (path.role != PathRole::OuterWall) continue;
+    for (std::size_t m = 0; m < path.motionCount(); ++m) {
+      const std::size_t end = path.motionEnd(m);
+      const bool is_right = 0.5 * (path.points[end] + path.points[m]).x() > 10.0;
+      EXPECT_LE(path.feed_mm_s.at(end), (is_right ? 0.5 : 1.0) * overhanging + 1e-9);
+    }
+  }
+}
+
 TEST(PlanVariant, HasSkinsOfItsOwn) {
   PlanSettings closed = sparse(0.15);
   closed.skins.top_layers = closed.skins.bottom_layers = 4;

@@ -9,6 +9,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/input_file.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "mesh_formats.hpp"
 #include "threemf_module.hpp"
 
@@ -92,6 +93,22 @@ Mesh readMesh(const std::string& path, const MeshUnits& units) {
   if (isPly(start) || !isExactBinaryStl(start, file.size()))
     return readMeshFromBytes(file.readRest(start), path, units);
   return inMillimetres(readExactBinaryStl(file, start, path), factorOf(units), path);
+}
+
+std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units) {
+  InputFile file(path);
+  std::array<char, 4> buffer{};
+  const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
+  std::vector<MeshObject> objects;
+  if (!isThreemf(start)) {
+    objects.push_back({"", readMesh(path, units)});
+    return objects;
+  }
+  const double factor = factorOf({LengthUnit::Millimetre, units.scale});
+  const auto* const module = static_cast<const ThreemfModule*>(moduleTable("threemf"));
+  objects = module->read_objects(file.readRest(start), path);
+  for (MeshObject& object : objects) object.mesh = inMillimetres(std::move(object.mesh), factor, path);
+  return objects;
 }
 
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {

@@ -4,14 +4,18 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 
 namespace lamina {
 
 /// What the module `threemf` offers: lib3mf stays out of commands that read no 3MF.
 struct ThreemfModule {
   Mesh (*read)(std::string_view bytes, const std::string& name);  ///< as `readThreemf`
+  /// The same by items of the build list.
+  std::vector<MeshObject> (*read_objects)(std::string_view bytes, const std::string& name);
 };
 
 }  // namespace lamina

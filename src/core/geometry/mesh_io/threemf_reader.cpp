@@ -3,9 +3,12 @@
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "indexed_faces.hpp"
 #include "lamina/base/error.hpp"
@@ -54,6 +57,24 @@ class ThreemfReader {
   explicit ThreemfReader(const std::string& name) : name_(name) {}
 
   Mesh read(std::string_view bytes) {
+    addItems(bytes, [](const Handle&) {});
+    return weld(faces_, name_);
+  }
+
+  std::vector<MeshObject> readObjects(std::string_view bytes) {
+    std::vector<MeshObject> objects;
+    addItems(bytes, [&](const Handle& object) {
+      const IndexedFaces faces = std::exchange(faces_, {});
+      if (!faces.triangles.empty()) objects.push_back({nameOf(object), weld(faces, name_)});
+    });
+    if (objects.empty()) refuse("no triangle in any item of the build list; expected a part");
+    return objects;
+  }
+
+ private:
+  /// @param added  is called once the faces of an item's object are there
+  template <class Added>
+  void addItems(std::string_view bytes, const Added& added) {
     const Handle model = make([](Object** out) { return NMR::lib3mf_createmodel(out); });
     const Handle reader =
         make([&](Object** out) { return NMR::lib3mf_model_queryreader(model.get(), "3mf", out); });
@@ -64,20 +85,31 @@ class ThreemfReader {
     const double scale = millimetresPerUnit(get<DWORD>(NMR::lib3mf_model_getunit, model));
     const Handle items =
         make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
-    while (get<BOOL>(NMR::lib3mf_builditemiterator_movenext, items)) addBuildItem(items, scale);
-    return weld(faces_, name_);
+    while (get<BOOL>(NMR::lib3mf_builditemiterator_movenext, items)) added(addBuildItem(items, scale));
   }
 
- private:
-  void addBuildItem(const Handle& items, double scale) {
+  /// @return its object
+  Handle addBuildItem(const Handle& items, double scale) {
     const Handle item =
         make([&](Object** out) { return NMR::lib3mf_builditemiterator_getcurrent(items.get(), out); });
-    const Handle object =
+    Handle object =
         make([&](Object** out) { return NMR::lib3mf_builditem_getobjectresource(item.get(), out); });
     Eigen::Affine3d part_from_item = Eigen::Affine3d::Identity();
     if (get<BOOL>(NMR::lib3mf_builditem_hasobjecttransform, item))
       part_from_item = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_builditem_getobjecttransform, item));
     addObject(object, Eigen::Scaling(scale) * part_from_item, 0);
+    return object;
+  }
+
+  std::string nameOf(const Handle& object) const {
+    ULONG length = 0;
+    require(NMR::lib3mf_object_getnameutf8(object.get(), nullptr, 0, &length));
+    std::string name(length + 1, '\0');
+    require(NMR::lib3mf_object_getnameutf8(object.get(), name.data(), length + 1, &length));
+    name.resize(std::min(name.find('\0'), name.size()));
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+    return name;
   }
 
   /// Small files can ask for huge scenes by objects made of objects; hence the limits.
@@ -164,11 +196,15 @@ Mesh readThreemfByLib3mf(std::string_view bytes, const std::string& name) {
   return ThreemfReader(name).read(bytes);
 }
 
+std::vector<MeshObject> readThreemfObjects(std::string_view bytes, const std::string& name) {
+  return ThreemfReader(name).readObjects(bytes);
+}
+
 }  // namespace lamina
 
 // A name of C.
 extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
 extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
-  static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf};
+  static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf, &lamina::readThreemfObjects};
   return &kTable;
 }

@@ -8,6 +8,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh/extrusion.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/geometry/svg/svg_reader.hpp"
 
@@ -25,25 +26,44 @@ Mesh extrudedOutline(const std::string& part, const InputSettings& settings) {
   return mesh;
 }
 
+bool isParametric(const std::string& part) {
+  const std::vector<std::string> names = partNames();
+  return std::find(names.begin(), names.end(), part) != names.end();
+}
+
 Mesh readOrMake(const std::string& part, const InputSettings& settings) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
-  const std::vector<std::string> names = partNames();
-  if (std::find(names.begin(), names.end(), part) == names.end()) return readMesh(part, settings.units);
+  if (!isParametric(part)) return readMesh(part, settings.units);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;
 }
 
+SourcePart fitToSlice(Mesh mesh, RepairPolicy policy) {
+  if (policy == RepairPolicy::Strict) requireSound(mesh);
+  RepairResult repaired = repairMesh(std::move(mesh));
+  SourcePart source;
+  source.mesh = std::move(repaired.mesh);
+  source.topology = std::move(repaired.topology);
+  for (const RepairChange& change : repaired.changes) source.repairs.push_back(toText(change));
+  return source;
+}
+
 }  // namespace
 
 SourcePart readPart(const std::string& part, const InputSettings& settings) {
-  Mesh mesh = readOrMake(part, settings);
-  if (settings.repair == RepairPolicy::Strict) requireSound(mesh);
-  RepairResult repaired = repairMesh(std::move(mesh));
-  SourcePart source = {
-      std::move(repaired.mesh), std::move(repaired.topology), {}, Eigen::Affine3d::Identity(), {}};
-  for (const RepairChange& change : repaired.changes) source.repairs.push_back(toText(change));
-  return source;
+  return fitToSlice(readOrMake(part, settings), settings.repair);
+}
+
+std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings) {
+  std::vector<SourceObject> objects;
+  if (isSvgName(part) || isParametric(part)) {
+    objects.push_back({"", readPart(part, settings)});
+    return objects;
+  }
+  for (MeshObject& object : readMeshObjects(part, settings.units))
+    objects.push_back({std::move(object.name), fitToSlice(std::move(object.mesh), settings.repair)});
+  return objects;
 }
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lamina/job/job_settings.hpp"
 #include "lamina/job/part/source_part.hpp"
@@ -14,5 +15,15 @@ namespace lamina {
 /// @throws InvalidMesh if the mesh cannot be read or repaired, or is not sound and the policy is strict;
 /// FileError
 SourcePart readPart(const std::string& part, const InputSettings& settings);
+
+/// One of the objects of a part's file.
+struct SourceObject {
+  std::string name;  ///< empty if the file gives none
+  SourcePart source;
+};
+
+/// The objects that a file tells apart (`readMeshObjects`), each as `readPart` makes it; of a parametric part
+/// itself.
+std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings);
 
 }  // namespace lamina

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <utility>
 
 #include "job/laps.hpp"
@@ -55,6 +54,14 @@ void requirePlateSettings(const JobSettings& settings) {
                         "; expected 0: plates are not scanned");
   if (settings.drop_voids.is_on)
     throw InvalidConfig("drop_voids.fill is true; expected false: plates keep their voids between drops");
+  const PlanSettings& planning = settings.planning;
+  if (planning.adhesion.prime.line != PrimeLine::None)
+    throw InvalidConfig("prime.line is set; expected none: plates have no prime line");
+  if (!planning.tools.purge_mm3.empty())
+    throw InvalidConfig("tools.purge_mm3 is set; expected none: plates have no prime tower");
+  if (planning.skirt.layers != 1)
+    throw InvalidConfig("skirt.layers is " + std::to_string(planning.skirt.layers) +
+                        "; expected 1: the skirt of a plate stands in its first layer");
 }
 
 /// A vase rises by itself from layer to layer.
@@ -82,51 +89,66 @@ JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
   return settings;
 }
 
-std::string stemOf(const PlatePart& part) {
-  return part.name.empty() ? std::filesystem::path(part.file).stem().string() : part.name;
-}
-
-/// Parts of one name are numbered.
-std::vector<PlateItem> itemsOf(const Plate& plate, const JobSettings& settings) {
-  std::map<std::string, int> counts;
-  for (const PlatePart& part : plate.parts) counts[stemOf(part)] += part.copies;
-  std::map<std::string, int> used;
-  std::vector<PlateItem> items;
-  for (const PlatePart& part : plate.parts) {
-    const std::string stem = stemOf(part);
-    PlateItem item;
-    item.part = part;
-    try {
-      item.settings = settingsOf(part, settings);
-    } catch (...) {
-      rethrowAt("part '" + stem + "'");
-    }
-    for (int copy = 0; copy < part.copies; ++copy) {
-      item.name = stem;
-      if (counts[stem] > 1) do
-          item.name = stem + " " + std::to_string(++used[stem]);
-        while (counts.count(item.name) > 0);
-      items.push_back(item);
-    }
-  }
-  return items;
-}
-
 /// Each file once.
 class Sources {
  public:
   explicit Sources(const InputSettings& input) : input_(input) {}
 
-  const SourcePart& of(const PlatePart& part) {
-    std::unique_ptr<SourcePart>& source = sources_[part.file];
-    if (source == nullptr) source = std::make_unique<SourcePart>(readPart(part.file, input_));
-    return *source;
+  const std::vector<SourceObject>& of(const PlatePart& part) {
+    const auto known = sources_.find(part.file);
+    return (known != sources_.end() ? known : sources_.emplace(part.file, readParts(part.file, input_)).first)
+        ->second;
   }
 
  private:
   InputSettings input_;
-  std::map<std::string, std::unique_ptr<SourcePart>> sources_;
+  std::map<std::string, std::vector<SourceObject>> sources_;
 };
+
+/// An object of the part's file, without a number.
+PlateItem itemOf(const PlatePart& part, const SourceObject& object) {
+  PlateItem item;
+  item.part = part;
+  item.source = &object.source;
+  item.name = !part.name.empty()     ? part.name
+              : !object.name.empty() ? object.name
+                                     : std::filesystem::path(part.file).stem().string();
+  return item;
+}
+
+/// Parts of one name are numbered.
+void number(std::vector<PlateItem>& items) {
+  std::map<std::string, int> counts;
+  for (const PlateItem& item : items) ++counts[item.name];
+  std::map<std::string, int> used;
+  for (PlateItem& item : items) {
+    const std::string stem = item.name;
+    if (counts[stem] < 2) continue;
+    do item.name = stem + " " + std::to_string(++used[stem]);
+    while (counts.count(item.name) > 0);
+  }
+}
+
+std::vector<PlateItem> itemsOf(const Plate& plate, Sources& sources, const JobSettings& settings) {
+  std::vector<PlateItem> items;
+  for (const PlatePart& part : plate.parts) {
+    const std::vector<SourceObject>& objects = sources.of(part);
+    if (part.at_mm && objects.size() > 1)
+      throw InvalidConfig("part '" + part.file + "' has at_mm and " + std::to_string(objects.size()) +
+                          " objects; expected one, or no place");
+    for (const SourceObject& object : objects) {
+      PlateItem item = itemOf(part, object);
+      try {
+        item.settings = settingsOf(part, settings);
+      } catch (...) {
+        rethrowAt("part '" + item.name + "'");
+      }
+      items.insert(items.end(), static_cast<std::size_t>(part.copies), item);
+    }
+  }
+  number(items);
+  return items;
+}
 
 void stand(PlateItem& item) {
   item.part_from_file = standing(item.source->mesh, item.turn, item.part.scale);
@@ -181,11 +203,10 @@ std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items) {
 
 /// What is the same for parts that are planned once.
 std::string planKey(const PlateItem& item) {
-  std::string key = item.part.file;
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "|%a|%a|%a|%a|%a", item.part.scale, item.turn.x(), item.turn.y(),
-                item.turn.z(), item.turn.w());
-  key += numbers;
+  char numbers[192];
+  std::snprintf(numbers, sizeof numbers, "%p|%a|%a|%a|%a|%a", static_cast<const void*>(item.source),
+                item.part.scale, item.turn.x(), item.turn.y(), item.turn.z(), item.turn.w());
+  std::string key = numbers;
   for (const SettingText& setting : item.part.settings) key += "|" + setting.key + "=" + setting.text;
   return key;
 }
@@ -201,6 +222,15 @@ SlicedPart planned(const PlateItem& item, const SliceJob& of_plate, const BuildS
   } catch (...) {
     rethrowAt("part '" + item.name + "'");
   }
+}
+
+void addSupports(SupportTotals& sum, const SupportTotals& of_part) {
+  sum.overhang_mm2 += of_part.overhang_mm2;
+  sum.unsupported_mm2 += of_part.unsupported_mm2;
+  sum.area_mm2 += of_part.area_mm2;
+  sum.support_mm3 += of_part.support_mm3;
+  sum.interface_mm3 += of_part.interface_mm3;
+  sum.dropped_branches += of_part.dropped_branches;
 }
 
 void addSummary(SliceSummary& sum, const PlatedPart& part) {
@@ -219,6 +249,9 @@ void addSummary(SliceSummary& sum, const PlatedPart& part) {
   sum.anchored.moved += of_part.anchored.moved;
   sum.anchored.in_air += of_part.anchored.in_air;
   sum.refilling.runs += of_part.refilling.runs;
+  sum.bridging += of_part.bridging;
+  addSupports(sum.supports, of_part.supports);
+  sum.raft_mm = std::max(sum.raft_mm, of_part.raft_mm);
   sum.refilling.deposited_mm3 += of_part.refilling.deposited_mm3;
 }
 
@@ -248,10 +281,9 @@ class PlateSlicer {
   SlicedPart slice(const SliceJob& of_plate, Progress& progress, std::vector<PlatedPart>& reports) {
     requirePlateSettings(job_.settings);
     Laps laps;
-    items_ = itemsOf(job_.plate, job_.settings);
-    requireMergeable(items_, job_.settings.plate.order);
     Sources sources(job_.settings.input);
-    for (PlateItem& item : items_) item.source = &sources.of(item.part);
+    items_ = itemsOf(job_.plate, sources, job_.settings);
+    requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
     const std::vector<StandingPart> standing = standingParts(items_);
@@ -280,7 +312,9 @@ class PlateSlicer {
     std::vector<PlateToolpath> parts;
     std::vector<LabelledPart> labelled;
     for (const PlateItem& item : items_) {
-      parts.push_back({item.name, &plans_.at(planKey(item)).toolpath, item.place.at_mm});
+      const SlicedPart& plan = plans_.at(planKey(item));
+      const Point2& at = item.place.at_mm;
+      parts.push_back({item.name, &plan.toolpath, {at.x(), at.y(), plan.bed_from_part.translation().z()}});
       labelled.push_back({item.name, moved(hullOf(item.mesh), item.place.at_mm)});
     }
     const PlanSettings& settings = job_.settings.planning;

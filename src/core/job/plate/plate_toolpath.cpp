@@ -22,15 +22,16 @@ constexpr double kSameLayer = 1e-6;  // mm
 struct LayerOfPart {
   std::size_t part = 0;
   const ToolpathLayer* layer = nullptr;
+  double z_mm = 0.0;  ///< on the plate
 };
 
 /// The paths of a layer, without the travel that led to it.
-std::vector<Path> pathsOn(const ToolpathLayer& layer, const Point2& at) {
+std::vector<Path> pathsOn(const ToolpathLayer& layer, const Point3& at) {
   auto begin = layer.paths.begin();
   if (begin != layer.paths.end() && begin->role == PathRole::Travel) ++begin;
   std::vector<Path> paths(begin, layer.paths.end());
   for (Path& path : paths)
-    for (Point3& point : path.points) point.head<2>() += at;
+    for (Point3& point : path.points) point += at;
   return paths;
 }
 
@@ -40,10 +41,10 @@ class PlateBuilder {
   PlateBuilder(const std::vector<PlateToolpath>& parts, const TravelSettings& travel)
       : parts_(parts), travel_(travel) {}
 
-  void beginLayer(const ToolpathLayer& like) {
+  void beginLayer(const LayerOfPart& like) {
     plate_.layers.emplace_back();
     plate_.layers.back().z_mm = like.z_mm;
-    plate_.layers.back().height_mm = like.height_mm;
+    plate_.layers.back().height_mm = like.layer->height_mm;
   }
 
   void add(const LayerOfPart& added) {
@@ -53,11 +54,15 @@ class PlateBuilder {
     std::vector<Path>& here = plate_.layers.back().paths;
     if (last_) {
       std::optional<Path> travel = travelTo(paths.front().firstPoint());
-      if (travel) here.push_back(std::move(*travel));
+      if (travel) {
+        // Tools change where something is laid.
+        travel->tool = last().tool;
+        here.push_back(std::move(*travel));
+      }
     }
     std::move(paths.begin(), paths.end(), std::back_inserter(here));
     last_ = {plate_.layers.size() - 1, here.size() - 1};
-    highest_mm_ = std::max(highest_mm_, added.layer->z_mm);
+    highest_mm_ = std::max(highest_mm_, added.z_mm);
   }
 
   /// Of several layers of one height, the nearest next.
@@ -82,7 +87,7 @@ class PlateBuilder {
     if (!last_) return 0.0;
     for (const Path& path : next.layer->paths)
       if (path.role != PathRole::Travel)
-        return (path.firstPoint().head<2>() + parts_[next.part].at - last().lastPoint().head<2>()).norm();
+        return (path.firstPoint() + parts_[next.part].at - last().lastPoint()).head<2>().norm();
     return 0.0;
   }
 
@@ -118,14 +123,15 @@ class PlateBuilder {
 };
 
 bool isBelow(const LayerOfPart& a, const LayerOfPart& b) {
-  if (std::abs(a.layer->z_mm - b.layer->z_mm) > kSameLayer) return a.layer->z_mm < b.layer->z_mm;
+  if (std::abs(a.z_mm - b.z_mm) > kSameLayer) return a.z_mm < b.z_mm;
   if (std::abs(a.layer->height_mm - b.layer->height_mm) > kSameLayer)
     return a.layer->height_mm < b.layer->height_mm;
   return a.part < b.part;
 }
 
-bool isSameLayer(const ToolpathLayer& a, const ToolpathLayer& b) {
-  return std::abs(a.z_mm - b.z_mm) <= kSameLayer && std::abs(a.height_mm - b.height_mm) <= kSameLayer;
+bool isSameLayer(const LayerOfPart& a, const LayerOfPart& b) {
+  return std::abs(a.z_mm - b.z_mm) <= kSameLayer &&
+         std::abs(a.layer->height_mm - b.layer->height_mm) <= kSameLayer;
 }
 
 /// Around the beads of the first layer in which each part has any.
@@ -140,7 +146,7 @@ Regions firstLayerHull(const std::vector<PlateToolpath>& parts) {
     for (const Path& path : first->paths) {
       if (path.role == PathRole::Travel) continue;
       width_mm = std::max(width_mm, path.bead.at(0).width_mm);
-      for (const Point3& point : path.points) points.emplace_back(point.head<2>() + part.at);
+      for (const Point3& point : path.points) points.emplace_back((point + part.at).head<2>());
     }
   }
   const Polygon hull = convexHull(std::move(points));
@@ -152,14 +158,14 @@ Regions firstLayerHull(const std::vector<PlateToolpath>& parts) {
 Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel) {
   std::vector<LayerOfPart> layers;
   for (std::size_t part = 0; part < parts.size(); ++part)
-    for (const ToolpathLayer& layer : parts[part].toolpath->layers) layers.push_back({part, &layer});
+    for (const ToolpathLayer& layer : parts[part].toolpath->layers)
+      layers.push_back({part, &layer, layer.z_mm + parts[part].at.z()});
   std::stable_sort(layers.begin(), layers.end(), isBelow);
   PlateBuilder builder(parts, travel);
   for (auto begin = layers.begin(); begin != layers.end();) {
-    const auto end = std::find_if(begin, layers.end(), [&](const LayerOfPart& other) {
-      return !isSameLayer(*other.layer, *begin->layer);
-    });
-    builder.beginLayer(*begin->layer);
+    const auto end = std::find_if(begin, layers.end(),
+                                  [&](const LayerOfPart& other) { return !isSameLayer(other, *begin); });
+    builder.beginLayer(*begin);
     builder.addNearest({begin, end});
     begin = end;
   }
@@ -171,8 +177,9 @@ Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vecto
   PlateBuilder builder(parts, travel);
   for (const std::size_t part : order)
     for (const ToolpathLayer& layer : parts[part].toolpath->layers) {
-      builder.beginLayer(layer);
-      builder.add({part, &layer});
+      const LayerOfPart next{part, &layer, layer.z_mm + parts[part].at.z()};
+      builder.beginLayer(next);
+      builder.add(next);
     }
   return std::move(builder).finish();
 }

@@ -17,7 +17,7 @@ namespace lamina {
 struct PlateToolpath {
   std::string name;
   const Toolpath* toolpath = nullptr;  ///< level layers [frame of the part]
-  Point2 at = Point2::Zero();          ///< of the part's origin [bed frame]
+  Point3 at = Point3::Zero();          ///< of the part's origin [bed frame]
 };
 
 /// The parts layer by layer, in the frame of the bed: layers of one height are one layer, others follow each

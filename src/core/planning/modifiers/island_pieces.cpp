@@ -15,46 +15,71 @@ namespace {
 
 constexpr double kLeastPiece = 1e-3;  // mm²
 
-/// A path with more waypoints on its way.
-struct FinerPath {
-  std::vector<Point3> points;
-  std::vector<Bead> beads;
-  std::vector<double> feeds;
-
-  void add(const Point3& point, const Bead& bead, double feed_mm_s) {
-    points.push_back(point);
-    beads.push_back(bead);
-    feeds.push_back(feed_mm_s);
-  }
+/// A waypoint of a wall that is divided finer.
+struct FinerPoint {
+  Point3 point = Point3::Zero();
+  std::size_t like = 0;  ///< waypoint that has its bead and values
+  double factor = 1.0;   ///< on the feed
 };
 
-/// Feeds of a role in the pieces of an island.
+/// Feeds of a role in the pieces of an island, against those of the plan.
 class PieceFeeds {
  public:
-  PieceFeeds(const std::vector<IslandPiece>& pieces, PathRole role, std::size_t layer) {
+  PieceFeeds(const std::vector<IslandPiece>& pieces, PathRole role, const WallFeeds& plan) {
+    const double usual = feedIn(*plan.feed, role, plan.layer);
     for (const IslandPiece& piece : pieces) {
       borders_.push_back(outlines(piece.area));
-      feeds_.push_back(feedIn(piece.context->settings.feed, role, layer));
+      factors_.push_back(feedIn(piece.plan->context->settings.feed, role, plan.layer) / usual);
       all_.insert(all_.end(), borders_.back().begin(), borders_.back().end());
     }
   }
 
-  bool areEqual() const {
-    return std::all_of(feeds_.begin(), feeds_.end(), [this](double feed) { return feed == feeds_.front(); });
+  bool areAsPlanned() const {
+    return std::all_of(factors_.begin(), factors_.end(), [](double factor) { return factor == 1.0; });
   }
   const std::vector<Polygon>& borders() const { return all_; }
   /// Outside of all pieces it is that of the last one.
   double at(const Point2& point) const {
-    for (std::size_t i = 0; i + 1 < feeds_.size(); ++i)
-      if (contains(borders_[i], point)) return feeds_[i];
-    return feeds_.back();
+    for (std::size_t i = 0; i + 1 < factors_.size(); ++i)
+      if (contains(borders_[i], point)) return factors_[i];
+    return factors_.back();
   }
 
  private:
   std::vector<std::vector<Polygon>> borders_;
-  std::vector<double> feeds_;
+  std::vector<double> factors_;
   std::vector<Polygon> all_;
 };
+
+std::vector<FinerPoint> dividedBy(const PieceFeeds& feeds, const Path& wall) {
+  std::vector<FinerPoint> finer;
+  if (!wall.is_closed) finer.push_back({wall.points[0], 0, 1.0});
+  for (std::size_t m = 0; m < wall.motionCount(); ++m) {
+    const std::size_t end = wall.motionEnd(m);
+    const Point3& from = wall.points[m];
+    const Point3& to = wall.points[end];
+    std::vector<double> shares = crossings(from.head<2>(), to.head<2>(), feeds.borders());
+    shares.push_back(1.0);
+    double share = 0.0;
+    for (const double next : shares) {
+      if (next - share < 1e-9) continue;
+      const Point3 middle = from + 0.5 * (share + next) * (to - from);
+      finer.push_back({next < 1.0 ? Point3(from + next * (to - from)) : to, end, feeds.at(middle.head<2>())});
+      share = next;
+    }
+  }
+  // The return of a closed wall is what leads to its first waypoint.
+  if (wall.is_closed) std::rotate(finer.begin(), finer.end() - 1, finer.end());
+  return finer;
+}
+
+template <class Value>
+AlongPath<Value> likeBefore(const AlongPath<Value>& along, const std::vector<FinerPoint>& points) {
+  if (along.isCommon()) return along;
+  std::vector<Value> each;
+  for (const FinerPoint& point : points) each.push_back(along.at(point.like));
+  return AlongPath<Value>(std::move(each));
+}
 
 }  // namespace
 
@@ -67,54 +92,30 @@ std::vector<IslandPiece> piecesOf(const Region& island, const LayerVariant& plan
     Regions common = intersection(rest, *variant.area);
     if (area(common) < kLeastPiece) continue;
     rest = difference(rest, *variant.area);
-    pieces.push_back({variant.context, variant.cover, std::move(common)});
+    pieces.push_back({&variant, std::move(common)});
   }
-  if (pieces.empty() || area(rest) >= kLeastPiece)
-    pieces.push_back({plan.context, plan.cover, std::move(rest)});
+  if (pieces.empty() || area(rest) >= kLeastPiece) pieces.push_back({&plan, std::move(rest)});
   if (pieces.size() == 1) pieces.front().area = {island};
   return pieces;
 }
 
 int leastWalls(const std::vector<IslandPiece>& pieces) {
-  int least = pieces.front().context->settings.walls.count;
-  for (const IslandPiece& piece : pieces) least = std::min(least, piece.context->settings.walls.count);
+  int least = pieces.front().plan->context->settings.walls.count;
+  for (const IslandPiece& piece : pieces) least = std::min(least, piece.plan->context->settings.walls.count);
   return least;
 }
 
-Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, std::size_t layer) {
-  const PieceFeeds feeds(pieces, wall.role, layer);
-  if (feeds.areEqual()) {
-    wall.feed_mm_s = feeds.at(wall.firstPoint().head<2>());
-    return wall;
-  }
-  FinerPath finer;
-  const std::size_t motions = wall.motionCount();
-  if (!wall.is_closed) finer.add(wall.points[0], wall.bead.at(0), wall.feed_mm_s.at(0));
-  for (std::size_t m = 0; m < motions; ++m) {
-    const std::size_t end = wall.motionEnd(m);
-    const Point3& from = wall.points[m];
-    const Point3& to = wall.points[end];
-    std::vector<double> shares = crossings(from.head<2>(), to.head<2>(), feeds.borders());
-    shares.push_back(1.0);
-    double share = 0.0;
-    for (const double next : shares) {
-      if (next - share < 1e-9) continue;
-      const Point3 middle = from + 0.5 * (share + next) * (to - from);
-      finer.add(next < 1.0 ? Point3(from + next * (to - from)) : to, wall.bead.at(end),
-                feeds.at(middle.head<2>()));
-      share = next;
-    }
-  }
-  // The return of a closed wall is what leads to its first waypoint.
-  const auto to_front = [](auto& values) { std::rotate(values.begin(), values.end() - 1, values.end()); };
-  if (wall.is_closed) {
-    to_front(finer.points);
-    to_front(finer.beads);
-    to_front(finer.feeds);
-  }
-  if (!wall.bead.isCommon()) wall.bead = AlongPath<Bead>(std::move(finer.beads));
-  wall.points = std::move(finer.points);
-  wall.feed_mm_s = AlongPath<double>(std::move(finer.feeds));
+Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, const WallFeeds& laid_by) {
+  const PieceFeeds feeds(pieces, wall.role, laid_by);
+  if (feeds.areAsPlanned()) return wall;
+  const std::vector<FinerPoint> finer = dividedBy(feeds, wall);
+  std::vector<double> feed_mm_s;
+  for (const FinerPoint& point : finer) feed_mm_s.push_back(wall.feed_mm_s.at(point.like) * point.factor);
+  wall.feed_mm_s = AlongPath<double>(std::move(feed_mm_s));
+  wall.bead = likeBefore(wall.bead, finer);
+  for (ProcessValue& each : wall.values) each.value = likeBefore(each.value, finer);
+  wall.points.clear();
+  for (const FinerPoint& point : finer) wall.points.push_back(point.point);
   return wall;
 }
 

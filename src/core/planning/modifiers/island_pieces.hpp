@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "planning/layer_planner.hpp"
@@ -10,21 +11,29 @@ namespace lamina {
 
 /// A piece of an island and what it is planned by.
 struct IslandPiece {
-  const PlanContext* context = nullptr;
-  const LayerCover* cover = nullptr;
+  const LayerVariant* plan = nullptr;
   Regions area;  ///< those of an island's pieces do not overlap, and together cover it
 };
 
 /// Shares out an island among the variants of a layer and the plan itself, in this order; pieces below
 /// 1e-3 mm² go to what is beside them.
+/// @param plan  its area is what no variant takes
+/// @return one at least, which refer to the arguments
 std::vector<IslandPiece> piecesOf(const Region& island, const LayerVariant& plan,
                                   const std::vector<LayerVariant>& variants);
 
 /// Fewest walls of any piece.
 int leastWalls(const std::vector<IslandPiece>& pieces);
 
-/// Gives the walls of an island that were laid with the feeds of the plan those of the pieces they run
-/// through: waypoints are added where a wall crosses from one piece into another of another feed.
-Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, std::size_t layer);
+/// What walls were laid by.
+struct WallFeeds {
+  const FeedSettings* feed = nullptr;
+  std::size_t layer = 0;
+};
+
+/// Gives a wall of an island that was laid by the feeds of the plan those of the pieces it runs through:
+/// waypoints are added where it crosses from one piece into another of another feed. Where it was slower, as
+/// over nothing, it stays so in the same measure.
+Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, const WallFeeds& laid_by);
 
 }  // namespace lamina
