@@ -13,7 +13,8 @@ PlanSettings onBed(PlanSettings settings) {
   settings.bead.pitch_mm *= first.width_factor;
   FeedSettings& feed = settings.feed;
   for (double* each : {&feed.outer_wall_mm_s, &feed.inner_wall_mm_s, &feed.infill_mm_s, &feed.skin_mm_s,
-                       &feed.top_skin_mm_s, &feed.skirt_mm_s, &feed.first_layer_mm_s})
+                       &feed.top_skin_mm_s, &feed.bridge_mm_s, &feed.skirt_mm_s, &feed.support_mm_s,
+                       &feed.support_interface_mm_s, &feed.first_layer_mm_s})
     *each *= first.feed_factor;
   return settings;
 }
