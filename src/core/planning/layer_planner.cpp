@@ -182,9 +182,11 @@ class LayerPlanner {
     }
     addWalls(walls);
     if (spans) walls.infill = addBridges(below_.bridged(walls.infill, pitch_));
+    if (has_skins && bridgesInfill() && infill_.spacing_mm == 0.0)
+      walls.infill = addBridgesOverHollow(walls.infill);
     const std::size_t before = result_.paths.size();
     if (has_skins) {
-      addSkinsAndInfill(std::move(walls.infill), before);
+      addSkinsAndInfill(walls.infill, before);
       return walls.unprinted_mm2;
     }
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
@@ -324,8 +326,7 @@ class LayerPlanner {
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
   /// @param inside  walls
   /// @param before  how many paths there were before
-  void addSkinsAndInfill(Regions inside, std::size_t before) {
-    if (bridgesInfill() && infill_.spacing_mm == 0.0) inside = addBridgesOverHollow(inside);
+  void addSkinsAndInfill(const Regions& inside, std::size_t before) {
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
     areas.skin = withoutLowest(std::move(areas.skin), inside);
     addSkin(areas.bottom_skin, PathRole::BottomSkin);
