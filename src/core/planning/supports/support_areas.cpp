@@ -15,6 +15,7 @@ namespace {
 constexpr double kSameHeight = 1e-6;     // mm: rounding of layer borders
 constexpr double kLeastOnBed = 0.25;     // of a layer: a lower bead on the bed has no room for the nozzle
 constexpr double kFallingDetail = 0.15;  // bead widths
+constexpr double kOverhangDetail = 0.4;  // where the layers' steps are left out
 constexpr int kSweepSteps = 4;
 constexpr double kTolerance = 0.05;  // bead widths: the outlines of a support need no more
 
@@ -51,6 +52,20 @@ Regions swept(const Regions& regions, const Point2& way) {
   return unite(passed);
 }
 
+std::size_t cornersOf(const Regions& regions) {
+  std::size_t count = 0;
+  for (const Polygon& border : outlines(regions)) count += border.size();
+  return count;
+}
+
+/// All of the regions by fewer corners, a little larger; regions of few corners as they are. The edges of
+/// layers of a wall that leans are as jagged as its lean is near the limit.
+Regions withoutDetail(const Regions& regions, double tolerance_mm) {
+  const std::size_t corners = cornersOf(regions);
+  if (2 * cornersOf(simplified(regions, tolerance_mm)) > corners) return regions;
+  return simplified(offset(regions, tolerance_mm), tolerance_mm);
+}
+
 /// What ends in a layer.
 struct ColumnCap {
   double bottom_mm = 0.0;
@@ -68,7 +83,7 @@ class ColumnStack {
   SupportAreas build(Progress& progress);
 
  private:
-  void placeTops();
+  void placeTops(Progress& progress);
   void findBlocked(Progress& progress);
   void drop();
   void keepAway(Progress& progress);
@@ -81,12 +96,13 @@ class ColumnStack {
   LayerSupport sectionsOf(std::size_t layer) const;
   double unsupported(std::size_t layer) const;
 
-  /// What columns of a layer hold up: in inclined layers all that it sweeps as it falls by its own height, so
-  /// that one layer's columns stand beside those of the next.
+  /// In inclined layers all that it sweeps as it falls by its own height, so that one layer's columns stand
+  /// beside those of the next.
   Regions heldUp(std::size_t layer) const {
     const Regions& hangs = overhangs_[layer];
-    const Regions held = settings_.expand_mm > 0.0 ? offset(hangs, settings_.expand_mm) : hangs;
-    return isLevel() ? held : swept(held, stack_.fall() * stack_.bounds[layer].height());
+    Regions held = settings_.expand_mm > 0.0 ? offset(hangs, settings_.expand_mm) : hangs;
+    if (!isLevel()) held = swept(held, stack_.fall() * stack_.bounds[layer].height());
+    return withoutDetail(held, kOverhangDetail * width_);
   }
   double narrowest() const { return std::max(width_, settings_.least_width_mm); }
   bool isLevel() const { return !stack_.bed; }
@@ -101,6 +117,7 @@ class ColumnStack {
   const std::vector<Regions>& overhangs_;
   const SupportSettings& settings_;
   double width_;
+  std::vector<Regions> held_;                    ///< of each layer, what columns hold up
   std::size_t count_ = 0;                        ///< of layers from the bed that may have support
   std::vector<std::vector<std::size_t>> joins_;  ///< for each, layers whose columns have it as last full one
   std::vector<std::vector<ColumnCap>> caps_;
@@ -110,19 +127,24 @@ class ColumnStack {
   std::vector<SharedRegions> whole_;    ///< with caps
 };
 
-void ColumnStack::placeTops() {
+void ColumnStack::placeTops(Progress& progress) {
+  held_.resize(stack_.size());
+  const auto hold = [&](std::size_t j) {
+    if (!overhangs_[j].empty()) held_[j] = heldUp(j);
+  };
+  parallelFor(stack_.size(), hold, progress, "supports");
   joins_.resize(stack_.size());
   caps_.resize(stack_.size());
   for (std::size_t j = 0; j < stack_.size(); ++j) {
     if (overhangs_[j].empty()) continue;
     const std::optional<ColumnTop> top = columnTopBelow(stack_.bounds, j, settings_.top_gap_mm);
     if (!top) continue;
-    const Regions held = top->caps.empty() ? Regions{} : heldUp(j);
     if (top->full_layers > 0) joins_[top->full_layers - 1].push_back(j);
     count_ = std::max(count_, top->full_layers);
     for (const ColumnTop::Cap& cap : top->caps) {
       const Point2 fall = stack_.fall() * (stack_.bounds[j].bottom_mm - cap.top_mm);
-      caps_[cap.layer].push_back({cap.bottom_mm, cap.top_mm, top->full_layers, share(shifted(held, fall))});
+      caps_[cap.layer].push_back(
+          {cap.bottom_mm, cap.top_mm, top->full_layers, share(shifted(held_[j], fall))});
       count_ = std::max(count_, cap.layer + 1);
     }
   }
@@ -165,7 +187,7 @@ void ColumnStack::drop() {
     Regions area =
         is_top ? Regions{} : shifted(*falling_[k + 1], fallBetween(stack_.bounds[k + 1].top_mm, k));
     for (const std::size_t j : joins_[k])
-      area = united(area, shifted(heldUp(j), fallBetween(stack_.bounds[j].bottom_mm, k)));
+      area = united(area, shifted(held_[j], fallBetween(stack_.bounds[j].bottom_mm, k)));
     if (area.empty()) continue;
     const Regions stops = united(within(*stack_.material[k], boxOf(area), 1.0), stack_.bedIn(k));
     falling_[k] = share(simplified(difference(area, stops), kFallingDetail * width_));
@@ -196,10 +218,10 @@ void ColumnStack::joinAndThin(Progress& progress) {
     if (isShared(k) || columns_[k]->empty()) return;
     const double thin = 0.5 * narrowest();
     const double reach = 0.5 * settings_.join_mm;
-    const Regions thick = offset(*columns_[k], -thin);
+    const Regions thick = offset(simplified(*columns_[k], kFallingDetail * width_), -thin);
     if (thick.empty()) return;
     const bool is_joined = hasGapWithin(thick, settings_.join_mm + narrowest());
-    const Regions grown = offset(simplified(thick, kFallingDetail * width_), is_joined ? thin + reach : thin);
+    const Regions grown = offset(thick, is_joined ? thin + reach : thin);
     joined[k] = share(difference(is_joined ? offset(grown, -reach) : grown, *blocked_[k]));
   };
   parallelFor(count_, join_layer, progress, "supports");
@@ -332,7 +354,7 @@ double ColumnStack::unsupported(std::size_t layer) const {
 SupportAreas ColumnStack::build(Progress& progress) {
   SupportAreas areas;
   areas.layers.resize(stack_.size());
-  placeTops();
+  placeTops(progress);
   drop();
   findBlocked(progress);
   keepAway(progress);
