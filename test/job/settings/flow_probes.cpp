@@ -36,15 +36,15 @@ SettingProbe compensationProbe() {
 
 SettingProbe flowProbe() {
   return {"the flow is kept within limits",
-          kBroad,
-          toolpathOf("pyramid width_mm=10 depth_mm=2 height_mm=2"),
+          std::string(kBroad) + ";infill.density=1",
+          toolpathOf("pyramid width_mm=12 depth_mm=12 height_mm=2"),
           {{"flow.greatest_mm3_s=4"},
            {"flow.greatest_slope_mm3_s2=5"},
            {"flow.coast_mm3=0.2"},
            {"flow.coast_longest_mm=0.3", "flow.coast_mm3=0.2"},
            {"flow.advance_s=0.05"},
            {"flow.advance_word=klipper", "flow.advance_s=0.05"},
-           {"flow.advance_by_role=infill=0.06", "flow.advance_s=0.05"},
+           {"flow.advance_by_role=outer_wall=0.06", "flow.advance_s=0.05"},
            {"flow.lag_s=0.05"},
            {"flow.dead_time_s=0.02"}}};
 }
