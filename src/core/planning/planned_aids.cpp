@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -12,6 +13,7 @@
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
+#include "planning/bridges/bridged_areas.hpp"
 #include "planning/skirt.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/branch_tips.hpp"
@@ -76,11 +78,20 @@ class AidPlanner {
   double layerHeight() const { return layers_[layers_.size() / 2].bounds.height(); }
   double width() const { return settings_.bead.width_mm; }
 
+  /// That hold what they span, if there are any.
+  std::optional<HoldingBridges> bridges() const {
+    const BridgeSettings& settings = settings_.bridges;
+    if (!settings.is_used || settings_.supports.under_bridges) return std::nullopt;
+    const double pitch = planWidth({width(), layerHeight()});
+    return HoldingBridges{{settings.anchor_mm, threadPitch(settings, width(), pitch), settings.least_held},
+                          settings.longest_mm};
+  }
+
   void findSupports(Progress& progress) {
     const SupportSettings& settings = settings_.supports;
     const StackedMaterial stack =
         stackedMaterial(layers_, settings_.simplification_mm, context_.bed, progress);
-    overhangs_ = overhangAreas(stack, settings, progress);
+    overhangs_ = overhangAreas(stack, settings, progress, bridges());
     if (settings.kind == SupportKind::Lattice)
       supports_ = supportAreas(stack, overhangs_, settings, width(), progress);
     else

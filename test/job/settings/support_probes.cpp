@@ -100,7 +100,11 @@ std::vector<SettingProbe> supportProbes() {
             {"supports.join_mm=12"},
             {"supports.tip_mm=3"},
             {"supports.tool=1"},
-            {"feed.support_mm_s=31"}}}};
+            {"feed.support_mm_s=31"}}},
+          {"a bridge is held up too",
+           kHeldUp,
+           toolpathOf("bridge"),
+           {{"supports.under_bridges=true", "bridges.use=true"}}}};
 }
 
 }  // namespace lamina::test

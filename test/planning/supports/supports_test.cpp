@@ -344,6 +344,27 @@ TEST(Supports, FallAlongGravityThroughInclinedLayers) {
   }
 }
 
+TEST(Supports, LeaveWhatBridgesSpan) {
+  // A plank over a gap of 20 mm.
+  const auto layers = test::layersOf(60, [](int l) {
+    if (l >= 50) return std::vector<Polygon>{rectangle(-20, -10, 20, 10)};
+    return std::vector<Polygon>{rectangle(-20, -10, -10, 10), rectangle(10, -10, 20, 10)};
+  });
+  PlanSettings settings = withSupports();
+  EXPECT_NEAR(plannedWith(layers, settings).supports.overhang_mm2, 400.0, 1e-6);
+  settings.bridges.is_used = true;
+  EXPECT_EQ(plannedWith(layers, settings).supports.overhang_mm2, 0.0);
+  settings.bridges.longest_mm = 15.0;
+  EXPECT_NEAR(plannedWith(layers, settings).supports.overhang_mm2, 400.0, 1e-6) << "too long";
+  settings.bridges.longest_mm = 25.0;
+  EXPECT_EQ(plannedWith(layers, settings).supports.overhang_mm2, 0.0);
+  settings.supports.under_bridges = true;
+  EXPECT_NEAR(plannedWith(layers, settings).supports.overhang_mm2, 400.0, 1e-6);
+  // The wings of a tee are held on one side only.
+  settings.supports.under_bridges = false;
+  EXPECT_NEAR(plannedWith(tee(), settings).supports.overhang_mm2, 1200.0, 1e-6);
+}
+
 TEST(OverhangAreas, ReachUpToTheWallTheyHangOn) {
   const Regions below = {{rectangle(-5, -20, 5, 20), {}}};
   const Regions layer = {{rectangle(-20, -20, 20, 20), {}}};

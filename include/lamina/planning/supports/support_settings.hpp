@@ -19,7 +19,8 @@ struct SupportSettings {
   bool use = false;
   SupportKind kind = SupportKind::Lattice;
   SupportFoot foot = SupportFoot::Everywhere;
-  double angle_deg = 50.0;  ///< of a wall from the layers' normal; what leans more is held up
+  bool under_bridges = false;  ///< whether what bridges span is held up too
+  double angle_deg = 50.0;     ///< of a wall from the layers' normal; what leans more is held up
   double density = 0.15;
   double raster_angle_deg = 0.0;  ///< of the lines, in all layers; interfaces lie across
   int walls = 0;                  ///< loops round each column

@@ -56,15 +56,29 @@ Regions toHoldUp(const Regions& overhang, const Regions& held) {
   return overhang.empty() || held.empty() ? overhang : difference(overhang, held);
 }
 
+Regions heldByBridges(const Regions& overhang, const Regions& below, const HoldingBridges& bridges) {
+  Regions held;
+  for (const Region& piece : overhang) {
+    const double reach = 2.0 * bridges.search.anchor_mm + bridges.search.pitch_mm;
+    const BridgeDirection threads =
+        bridgeDirection(piece, within(below, boxOf({piece}), reach), bridges.search);
+    const bool is_short = bridges.longest_mm == 0.0 || threads.span_mm <= bridges.longest_mm;
+    if (threads.held >= bridges.search.least_held && is_short) held.push_back(piece);
+  }
+  return held;
+}
+
 std::vector<Regions> overhangAreas(const StackedMaterial& stack, const SupportSettings& settings,
-                                   Progress& progress) {
+                                   Progress& progress, const std::optional<HoldingBridges>& bridges) {
   std::vector<Regions> overhangs(stack.size());
   const double lean = std::tan(settings.angle_deg * M_PI / 180.0);
   const auto find = [&](std::size_t i) {
     if (i == 0 || stack.material[i] == stack.material[i - 1]) return;
     const Regions below = united(*stack.material[i - 1], stack.bedIn(i - 1));
     const Regions hangs = overhangOf(*stack.material[i], below, lean * stack.bounds[i].height());
-    if (!hangs.empty()) overhangs[i] = withTips(toHoldUp(hangs, {}), below, settings);
+    if (hangs.empty()) return;
+    const Regions held = bridges ? heldByBridges(hangs, below, *bridges) : Regions{};
+    overhangs[i] = withTips(toHoldUp(hangs, held), below, settings);
   };
   parallelFor(stack.size(), find, progress, "supports");
   return overhangs;

@@ -49,6 +49,8 @@ void describe(SettingsSchema& schema, SupportSettings& supports) {
   schema.choice<SupportFoot>("supports.foot", supports.foot,
                              {{"bed", SupportFoot::Bed}, {"everywhere", SupportFoot::Everywhere}},
                              "Whether supports stand on the bed only, or on the part too.");
+  schema.flag("supports.under_bridges", supports.under_bridges,
+              "Whether overhangs that bridges span are held up too.");
   schema.number("supports.angle_deg", supports.angle_deg, {0.0, 89.0, false},
                 "Lean of walls from the layers' normal beyond which they are held up.");
   schema.number("supports.density", supports.density, kDensity, "Part of the columns that is filled.");
