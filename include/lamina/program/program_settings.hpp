@@ -36,10 +36,10 @@ struct ProgramSettings {
   /// Of the nozzle of each tool from that of tool 0 [mm], which the program
   /// takes into account; none beyond.
   std::vector<Point3> tool_offsets_mm;
-  std::string thumbnails;          ///< pictures in the program, as `thumbnailsFrom` reads them
-  bool states_summary = false;     ///< time, filament and layer height as comments at the end
-  bool states_settings = false;    ///< all settings of the job as comments at the end
-  bool states_progress = false;    ///< share and time left, each time a hundredth is done
+  std::string thumbnails;        ///< pictures in the program, as `thumbnailsFrom` reads them
+  bool states_summary = false;   ///< time, filament and layer height as comments at the end
+  bool states_settings = false;  ///< all settings of the job as comments at the end
+  bool states_progress = false;  ///< share and time left, each time a hundredth is done
   bool states_accelerations = false;
   DropDialect drops;
   FiveAxisSettings five_axis;  ///< of programs for machines with rotary joints;
