@@ -130,9 +130,15 @@ void requireRoofs(const PlanSettings& settings) {
 }
 
 /// Runs that go on from layer to layer are those of one tool.
-void requireConsistentTools(const ToolSettings& tools, const InfillStrategy& strategy) {
+void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& strategy) {
+  const ToolSettings& tools = settings.tools;
   requireConsistent(tools);
   if (!usesTools(tools)) return;
+  const std::size_t count = toolsOf(tools).size();
+  for (const int tool : {settings.supports.tool, settings.supports.interface_tool})
+    if (tool >= static_cast<int>(count))
+      throw InvalidConfig("supports.tool or supports.interface_tool is " + std::to_string(tool) +
+                          "; tools.list has " + std::to_string(count) + " tools, counted from 0");
   if (strategy.deposit == Deposit::Drops || strategy.link != LayerLink::Travel)
     throw InvalidConfig(
         "tool.* asks for several tools with drops, or with runs that go on from layer to layer; expected "
@@ -150,7 +156,7 @@ void requireConsistent(const PlanSettings& settings) {
   requireConsistentAdhesion(settings.adhesion);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
   requireConsistent(settings.overhangs);
-  requireConsistentTools(settings.tools, strategy);
+  requireConsistentTools(settings, strategy);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

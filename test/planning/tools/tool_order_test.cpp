@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "lamina/base/error.hpp"
 #include "lamina/planning/planner.hpp"
@@ -94,6 +95,23 @@ TEST(Tools, AreNotChangedByDefault) {
   PlanSettings none = listed;
   none.tools = {};
   EXPECT_EQ(toolpathId(plannedByTools(listed)), toolpathId(plannedByTools(none)));
+}
+
+TEST(Tools, OfSupportsAreThoseThatTheyName) {
+  PlanSettings settings = twoTools();
+  settings.supports.use = true;
+  settings.supports.interface_tool = 2;
+  NoProgress nobody;
+  // A table of 20 mm on a foot of 6 mm.
+  std::vector<Layer> layers = squareLayers();
+  for (std::size_t i = 0; i < 4; ++i) layers[i].section.contours = {{{7, 7}, {13, 7}, {13, 13}, {7, 13}}};
+  std::set<std::uint32_t> of_interfaces;
+  for (const ToolpathLayer& layer : planToolpath("table", layers, settings, nobody).layers)
+    for (const Path& path : layer.paths)
+      if (path.role == PathRole::SupportInterface) of_interfaces.insert(path.tool);
+  EXPECT_EQ(of_interfaces, (std::set<std::uint32_t>{2}));
+  settings.supports.interface_tool = 3;
+  EXPECT_THROW(planToolpath("table", layers, settings, nobody), InvalidConfig);
 }
 
 /// What is primed between a change of tools and the first bead of the part [mm³], layer by layer.

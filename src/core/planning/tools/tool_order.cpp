@@ -54,6 +54,15 @@ ToolRuns runsOf(std::vector<Path> paths, const std::vector<std::uint32_t>& tools
   return runs;
 }
 
+/// Supports that `supports.*` gave a tool keep it, unless `tool.*` names another.
+std::uint32_t toolOf(const Path& path, const ToolSettings& settings) {
+  const bool is_support = path.role == PathRole::Support && settings.support < 0;
+  const bool is_interface =
+      path.role == PathRole::SupportInterface && settings.interface < 0 && settings.support < 0;
+  if (path.tool > 0 && (is_support || is_interface)) return path.tool;
+  return static_cast<std::uint32_t>(toolFor(path.role, settings));
+}
+
 double purgeVolume(std::uint32_t from, std::uint32_t to, const ToolSettings& settings) {
   const std::vector<double>& volumes = settings.purge_mm3;
   if (volumes.empty()) return 0.0;
@@ -138,7 +147,7 @@ void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settin
     std::vector<Path>& paths = layers[l].paths;
     for (Path& path : paths) {
       if (path.role == PathRole::Travel) continue;
-      path.tool = static_cast<std::uint32_t>(toolFor(path.role, settings.tools));
+      path.tool = toolOf(path, settings.tools);
       if (!at_work) at_work = path.tool;
     }
     const std::vector<std::uint32_t> tools = orderedTools(layers[l], at_work.value_or(0));
