@@ -37,7 +37,16 @@ CALLS = [
     *((command + " FILE", ANY) for command in ("check", "preview")),
     *((command + " FILE", ("", PROGRAM)) for command in ("coordinates", "deposit", "overhang", "pores", "stiffness", "sweep")),
     ("info FILE", ("", MESH, ".obj", ".ply", ".3mf")),
-    ("slice FILE", ("", MESH, ".obj", ".ply", ".3mf")),
+    ("slice FILE", ("", MESH, ".obj", ".ply", ".3mf", ".svg")),
+    ("slice FILE box", ("", MESH, ".svg")),
+    ("slice --plate FILE", ("", YAML)),
+    ("slice box --machine FILE", (YAML, URDF)),
+    ("slice box --material FILE", (YAML,)),
+    ("slice box --like FILE", ("", PROGRAM)),
+    ("slice box --set part.modifiers=FILE", ("", YAML)),
+    ("slice box --set slicing.heights=file --set slicing.heights_file=FILE", ("", TABLE)),
+    ("heights FILE", ("", MESH)),
+    ("lay FILE", ("", MESH)),
     ("rotate FILE -o OUT.stl", ("", MESH)),
     ("metrics FILE --part box", (PROGRAM, MODULE)),
     ("metrics OWN --part FILE", (MESH,)),
@@ -63,7 +72,7 @@ CALLS = [
     ("slice box --set slicing.mode=conformal --set slicing.base=FILE", (MESH,)),
     ("slice box --plugin FILE", ("",)),
 ]
-READS_NO_FILE = {"emulate", "part"}
+READS_NO_FILE = {"emulate", "part", "profiles"}
 
 
 class ForeignFiles(unittest.TestCase):
