@@ -41,6 +41,14 @@ class Hooks(unittest.TestCase):
             file.write(SETTINGS)
         return self.lines("--config", self.path("hooks.yaml"))
 
+    def test_stand_in_five_axis_programs_too(self):
+        lines = self.lines("--set", "machine.name=five_axis_head_table", "--set", "five_axis.use=always",
+                           "--set", "hooks.layer_start=;H {layer}", "--set", "fan.use=true",
+                           "--set", "pause.at_layers=3")
+        self.assertEqual([line for line in lines if line.startswith(";H ")], [f";H {layer}" for layer in range(20)])
+        self.assertEqual(lines.count("M0"), 1)
+        self.assertTrue(any(line.startswith("M106 ") for line in lines))
+
     def test_stand_once_each(self):
         lines = self.configured()
         self.assertEqual([line for line in lines if line.startswith("M117") and " of " in line],

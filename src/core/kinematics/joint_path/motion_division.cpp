@@ -59,12 +59,24 @@ AlongPath<Bead> beadsAlong(const Path& path, const std::vector<Place>& where) {
   return AlongPath<Bead>(std::move(beads));
 }
 
+/// Each before the motion that it was before.
+std::vector<PathEvent> eventsAlong(const Path& path, const std::vector<Place>& where) {
+  std::vector<PathEvent> events = path.events;
+  for (PathEvent& placed : events)
+    placed.motion += static_cast<std::size_t>(std::count_if(
+        where.begin(), where.end(),
+        [motion = placed.motion](const Place& place) { return place.isNew() && place.start < motion; }));
+  return events;
+}
+
 Path dividedPath(const Path& path, const std::vector<Place>& where) {
   Path result;
   result.role = path.role;
   result.is_closed = path.is_closed;
   result.deposit = path.deposit;
   result.process = path.process;
+  result.tool = path.tool;
+  result.events = eventsAlong(path, where);
   result.points.reserve(where.size());
   for (const Place& place : where) {
     const Point3& end = path.points[place.end];
@@ -129,6 +141,7 @@ DividedToolpath divided(const DividedToolpath& from, const std::vector<int>& ste
   DividedToolpath result;
   result.toolpath.part_name = from.toolpath.part_name;
   result.toolpath.part_from_layers = from.toolpath.part_from_layers;
+  result.toolpath.events_at_end = from.toolpath.events_at_end;
   const int* own = steps.data();
   for (std::size_t l = 0; l < from.toolpath.layers.size(); ++l) {
     const ToolpathLayer& layer = from.toolpath.layers[l];
