@@ -28,6 +28,18 @@ class Tools(unittest.TestCase):
         self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1", "T0"] * 5)
         self.assertIn(";TOOL_OFFSET:1 30 0 0", lines)
 
+    def test_the_first_tool_at_work_is_heated(self):
+        tools = "tools.list=[{name: a, temperature_c: 240, standby_c: 150}, {name: b, temperature_c: 200, standby_c: 150}]"
+        of_one = ("--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
+        lines = self.lines("heated.gcode", "--set", tools, *of_one)
+        first_bead = next(i for i, line in enumerate(lines) if line.startswith("G1") and " E" in line)
+        self.assertIn("M109 T1 S200", lines[lines.index("T1"):first_bead])
+        lines = self.lines("heated.gcode", "--set", tools)
+        self.assertIn("M109 T0 S240", lines)
+        done = lamina("slice", self.part, "--set", tools, "--set", "first_layer.nozzle_temperature_c=220")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("first_layer.nozzle_temperature_c", done.stderr)
+
     def test_offsets_are_read_back(self):
         self.lines("two.gcode", *TOOLS)
         self.lines("one.gcode")

@@ -102,6 +102,20 @@ void requireConsistentSkins(const SkinSettings& skins) {
                       "'; must be one that fills each layer with beads, such as zigzag");
 }
 
+/// What is laid on the bed is then the raft.
+void requirePlainFirstLayer(const FirstLayerSettings& first_layer, int raft_layers) {
+  const auto require = [raft_layers](const char* key, double value, double usual) {
+    if (value == usual) return;
+    throw InvalidConfig(std::string(key) + " is " + text(value) + " with raft.layers " +
+                        std::to_string(raft_layers) + "; expected " + text(usual) +
+                        ": the first layer of the part does not lie on the bed");
+  };
+  if (raft_layers == 0) return;
+  require("first_layer.flow", first_layer.flow, 1.0);
+  require("first_layer.width_factor", first_layer.width_factor, 1.0);
+  require("first_layer.inset_mm", first_layer.inset_mm, 0.0);
+}
+
 void requireConsistentAdhesion(const AdhesionSettings& adhesion) {
   if (adhesion.brim.width_mm == 0.0 || adhesion.raft.layers == 0) return;
   throw InvalidConfig("brim.width_mm is " + text(adhesion.brim.width_mm) + " with raft.layers " +
@@ -133,12 +147,16 @@ void requireRoofs(const PlanSettings& settings) {
 void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& strategy) {
   const ToolSettings& tools = settings.tools;
   requireConsistent(tools);
-  if (!usesTools(tools)) return;
   const std::size_t count = toolsOf(tools).size();
+  if (count > 0 && settings.first_layer.nozzle_temperature_c != 0.0)
+    throw InvalidConfig("first_layer.nozzle_temperature_c is " +
+                        text(settings.first_layer.nozzle_temperature_c) +
+                        " degrees C with tools.list; expected 0: each tool has its own temperature");
   for (const int tool : {settings.supports.tool, settings.supports.interface_tool})
-    if (tool >= static_cast<int>(count))
+    if (count > 0 && tool >= static_cast<int>(count))
       throw InvalidConfig("supports.tool or supports.interface_tool is " + std::to_string(tool) +
                           "; tools.list has " + std::to_string(count) + " tools, counted from 0");
+  if (!usesTools(tools)) return;
   if (strategy.deposit == Deposit::Drops || strategy.link != LayerLink::Travel)
     throw InvalidConfig(
         "tool.* asks for several tools with drops, or with runs that go on from layer to layer; expected "
@@ -154,6 +172,7 @@ void requireConsistent(const PlanSettings& settings) {
   if (settings.infill.strategy == "hybrid") requireConsistentHybrid(settings);
   if (strategy.growth == FillGrowth::FromAbove) requireRoofs(settings);
   requireConsistentAdhesion(settings.adhesion);
+  requirePlainFirstLayer(settings.first_layer, settings.adhesion.raft.layers);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
   requireConsistent(settings.overhangs);
   requireConsistentTools(settings, strategy);

@@ -139,7 +139,8 @@ std::vector<Point2> PrimeTower::lines(std::size_t layer, double spacing) const {
   return points;
 }
 
-Path PrimeTower::path(std::vector<Point2> points, std::size_t layer, std::uint32_t tool, double z_mm) const {
+Path PrimeTower::path(const std::vector<Point2>& points, std::size_t layer, std::uint32_t tool,
+                      double z_mm) const {
   Path path;
   path.role = PathRole::Prime;
   path.tool = tool;

@@ -48,7 +48,7 @@ class PrimeTower {
   void place(const Box2& part);
   std::vector<Point2> walls(std::size_t layer) const;
   std::vector<Point2> lines(std::size_t layer, double spacing) const;
-  Path path(std::vector<Point2> points, std::size_t layer, std::uint32_t tool, double z_mm) const;
+  Path path(const std::vector<Point2>& points, std::size_t layer, std::uint32_t tool, double z_mm) const;
 
   std::vector<TowerLayer> layers_;
   PlanSettings settings_;

@@ -51,6 +51,7 @@ class ToolHeating {
 
   void add() const {
     const std::vector<ToolUse> uses = usesOf(paths_);
+    if (!uses.empty() && !isHeatedAtStart(uses.front().tool)) heat(uses.front().tool, 0, 0);
     for (std::size_t u = 1; u < uses.size(); ++u) {
       const ToolUse& use = uses[u];
       if (!isHeated(use.tool)) continue;
@@ -70,6 +71,11 @@ class ToolHeating {
   }
 
  private:
+  /// The program's start heats tool 0 to the temperature of the program.
+  bool isHeatedAtStart(std::uint32_t tool) const {
+    if (tool >= tools_.size() || temperature(tool) == 0.0) return true;
+    return tool == 0 && temperature(tool) == nozzle_temperature_c_;
+  }
   bool isHeated(std::uint32_t tool) const {
     return tool < tools_.size() && temperature(tool) > 0.0 &&
            (tools_[tool].temperature_c > 0.0 || tools_[tool].standby_c > 0.0);
