@@ -33,6 +33,14 @@ class Plates(unittest.TestCase):
             self.assertIn(f";PART:{name}\n", text)
         self.assertEqual(text.count("TYPE:skirt"), 1)
 
+    def test_parking_passes_above_parts_that_are_done(self):
+        told("slice", self.box, self.box, "--set", "plate.order=by_part", "--set", "plate.spacing_mm=60",
+             "--set", "pause.at_layers=12", "-o", self.path("plate.gcode"))
+        lines = self.program("plate.gcode").splitlines()
+        pause = lines.index("M0")
+        lift = next(line for line in reversed(lines[:pause]) if line.startswith("G0 Z"))
+        self.assertGreaterEqual(float(lift[4:]), 4.0, "2 mm above the first part, which is 2 mm high")
+
     def test_a_file_says_where_parts_stand(self):
         plate = self.write("plate.yaml", "plate:\n  parts:\n"
                            "    - {file: box.stl, at_mm: [50, 60], turn_deg: [0, 0, 90]}\n"

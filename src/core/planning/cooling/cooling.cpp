@@ -104,7 +104,8 @@ class Cooler {
       : toolpath_(toolpath),
         settings_(settings),
         limits_(limits),
-        ground_{depositionBox(toolpath), layerNormal(toolpath)} {}
+        ground_{depositionBox(toolpath), layerNormal(toolpath)},
+        heights_(heightsUpTo(toolpath, ground_.up)) {}
 
   CooledLayer coolLayer(std::size_t index) const {
     ToolpathLayer& layer = toolpath_.layers[index];
@@ -126,17 +127,20 @@ class Cooler {
       cooled.is_too_fast = true;
       return cooled;
     }
-    cooled.dwell_s = wait(layer, wanted_s - time_s);
+    cooled.dwell_s = wait(index, wanted_s - time_s);
     return cooled;
   }
 
  private:
   /// The ways to the place and back count.
   /// @return how long it dwells [s]
-  double wait(ToolpathLayer& layer, double lacking_s) const {
+  double wait(std::size_t index, double lacking_s) const {
+    ToolpathLayer& layer = toolpath_.layers[index];
     const Path& last = layer.paths.back();
+    ParkingGround ground = ground_;
+    ground.highest_mm = heights_[index];
     Path path =
-        parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer), ground_, settings_);
+        parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer), ground, settings_);
     Toolpath ways;
     ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
     const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
@@ -149,6 +153,7 @@ class Cooler {
   const CoolingSettings& settings_;
   const MotionLimits& limits_;
   ParkingGround ground_;
+  std::vector<double> heights_;  ///< of what is deposited up to and with each layer
 };
 
 }  // namespace

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/cooling/parking.hpp"
 
+#include <algorithm>
+
 namespace lamina {
 namespace {
 
-constexpr double kBeside = 5.0;  // mm
+constexpr double kBeside = 5.0;       // mm
+constexpr double kSameHeight = 1e-6;  // mm
 
 /// Where the nozzle waits, at the height where it is.
 Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
@@ -23,15 +26,31 @@ Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
 }  // namespace
 
 double travelFeed(const ToolpathLayer& layer) {
+  double greatest_mm_s = 0.0;  // others are ends of runs
   for (const Path& path : layer.paths)
-    if (path.role == PathRole::Travel) return path.feed_mm_s.at(0);
-  return layer.paths.back().feed_mm_s.at(0);
+    if (path.role == PathRole::Travel) greatest_mm_s = std::max(greatest_mm_s, path.feed_mm_s.at(0));
+  return greatest_mm_s > 0.0 ? greatest_mm_s : layer.paths.back().feed_mm_s.at(0);
+}
+
+std::vector<double> heightsUpTo(const Toolpath& toolpath, const Point3& up) {
+  std::vector<double> heights;
+  heights.reserve(toolpath.layers.size());
+  double highest_mm = -std::numeric_limits<double>::infinity();
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel)
+        for (const Point3& point : path.points) highest_mm = std::max(highest_mm, point.dot(up));
+    heights.push_back(highest_mm);
+  }
+  return heights;
 }
 
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings) {
   const Point3 here = at.points[waypoint];
-  const Point3 lift = settings.lift_mm * ground.up;
+  const double above_mm = ground.highest_mm - here.dot(ground.up);
+  const double lift_mm = settings.lift_mm + (above_mm > kSameHeight ? above_mm : 0.0);
+  const Point3 lift = lift_mm * ground.up;
   const Point3 park = parkAt(here, ground.part, settings.park);
   Path path;
   path.role = PathRole::Travel;
@@ -40,12 +59,12 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   path.orientation = at.orientation.at(waypoint);
   path.feed_mm_s = travel_feed_mm_s;
   path.points = {here};
-  if (settings.lift_mm > 0.0) path.points.push_back(here + lift);
+  if (lift_mm > 0.0) path.points.push_back(here + lift);
   if (park != here) path.points.push_back(park + lift);
   path.events.emplace_back();
   path.events.back().motion = path.points.size() - 1;
   path.events.back().event.emplace<Dwell>();
-  if (park != here && settings.lift_mm > 0.0) path.points.push_back(here + lift);
+  if (park != here && lift_mm > 0.0) path.points.push_back(here + lift);
   path.points.push_back(here);
   return path;
 }

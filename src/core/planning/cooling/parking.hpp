@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+#include <vector>
+
 #include "lamina/planning/cooling/cooling_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -14,6 +17,8 @@ double travelFeed(const ToolpathLayer& layer);
 struct ParkingGround {
   Box3 part;  ///< box of what is deposited
   Point3 up;  ///< away from the layers
+  /// Of what is deposited by then, along `up` [mm]: other parts of a plate may be higher than the nozzle.
+  double highest_mm = -std::numeric_limits<double>::infinity();
 };
 
 /// Retracted, up, to where the nozzle waits, and back to where it was. Its only event is a dwell of no time,
@@ -22,5 +27,8 @@ struct ParkingGround {
 /// @param waypoint  of that path
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
                 const CoolingSettings& settings);
+
+/// Greatest height of what is deposited up to and with each layer, along `up` [mm].
+std::vector<double> heightsUpTo(const Toolpath& toolpath, const Point3& up);
 
 }  // namespace lamina

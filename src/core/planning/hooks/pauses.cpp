@@ -19,10 +19,12 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
     paused.insert(places.layer(static_cast<std::size_t>(layer), "pause.at_layers"));
   for (const double height_mm : settings.at_heights_mm)
     paused.insert(places.above(height_mm, "pause.at_heights_mm"));
-  const ParkingGround ground{depositionBox(toolpath), layerNormal(toolpath)};
+  ParkingGround ground{depositionBox(toolpath), layerNormal(toolpath)};
+  const std::vector<double> heights = heightsUpTo(toolpath, ground.up);
   for (const std::size_t index : paused) {
     ToolpathLayer& layer = toolpath.layers[index];
     const std::size_t bead = firstBead(layer);
+    ground.highest_mm = heights[index];
     Path path = parkedWait(layer.paths[bead], 0, travelFeed(layer), ground, parking);
     path.events.front().event.emplace<OperatorPause>();
     layer.paths.insert(layer.paths.begin() + static_cast<std::ptrdiff_t>(bead), std::move(path));

@@ -267,9 +267,13 @@ StatedFrame statedFrame(const Toolpath& toolpath, const ProgramFrame& frame) {
 
 /// Feed of the first travel, or of the first path if there is no travel.
 double approachFeed(const Toolpath& toolpath) {
-  for (const ToolpathLayer& layer : toolpath.layers)
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    double greatest_mm_s = 0.0;  // others are ends of runs
     for (const Path& path : layer.paths)
-      if (path.role == PathRole::Travel) return path.feed_mm_s.at(path.points.size() - 1);
+      if (path.role == PathRole::Travel)
+        greatest_mm_s = std::max(greatest_mm_s, path.feed_mm_s.at(path.points.size() - 1));
+    if (greatest_mm_s > 0.0) return greatest_mm_s;
+  }
   const Path& path = firstPath(toolpath);
   return path.feed_mm_s.at(path.points.size() - 1);
 }
