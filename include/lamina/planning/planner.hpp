@@ -10,6 +10,7 @@
 #include "lamina/base/progress.hpp"
 #include "lamina/planning/bridges/bridge_settings.hpp"
 #include "lamina/planning/lift/layer_lift.hpp"
+#include "lamina/planning/modifiers/plan_variant.hpp"
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/seams/fill_starts.hpp"
@@ -47,7 +48,11 @@ struct Plan {
   double raft_mm = 0.0;  ///< from the bed to the part, which keeps its coordinates: the raft lies below
 };
 
-struct PlanVariant;
+/// The bed of a part whose layers have regions of their own settings.
+struct VariedBed {
+  Box2 bed;  ///< where the nozzle may be [mm, part frame]
+  const std::vector<PlanVariant>& variants;
+};
 
 /// How inclined layers stand.
 struct LayerIncline {
@@ -69,7 +74,7 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 /// The same with other settings in part of the layers. Only fills of beads within a layer take that.
 /// @throws as `planToolpath`; InvalidConfig if a strategy lays drops or goes on from layer to layer
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const Box2& bed, const std::vector<PlanVariant>& variants, Progress& progress);
+              const VariedBed& varied, Progress& progress);
 
 /// The plan of a part in inclined layers, in the frame of the layers: without skirt, which would leave the
 /// bed, and with the starts of runs as `anchoring.strategy` says.

@@ -61,11 +61,13 @@ class QoiWriter {
  private:
   void put(Byte byte) { bytes_ += static_cast<char>(byte); }
 
-  /// Differences wrap round, as bytes do.
+  /// Between -128 and 127, as bytes wrap round.
+  static int wrapped(int difference) { return ((difference + 128) & 0xFF) - 128; }
+
   void addDifference(const Pixel& pixel) {
-    const int red = static_cast<std::int8_t>(pixel.red - last_.red);
-    const int green = static_cast<std::int8_t>(pixel.green - last_.green);
-    const int blue = static_cast<std::int8_t>(pixel.blue - last_.blue);
+    const int red = wrapped(pixel.red - last_.red);
+    const int green = wrapped(pixel.green - last_.green);
+    const int blue = wrapped(pixel.blue - last_.blue);
     const auto isWithin = [](int value, int half) { return value >= -half && value < half; };
     if (isWithin(red, 2) && isWithin(green, 2) && isWithin(blue, 2)) {
       put(static_cast<Byte>(kDifferenceTag | (red + 2) << 4 | (green + 2) << 2 | (blue + 2)));

@@ -313,7 +313,7 @@ class LayerPlanner {
     if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
     const std::size_t before = result_.paths.size();
-    if (has_skins) return addSkinsAndInfill(std::move(inside), before);
+    if (has_skins) return addSkinsAndInfill(inside, before);
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
     starts_ += startsOf(inside, fillsSince(before), pitch_);
     std::vector<FillPath> narrow;
@@ -513,6 +513,7 @@ class LayerPlanner {
       return;
     }
     std::vector<RunEnds> ends;
+    ends.reserve(runs.size());
     for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
     for (const OrderedRun& next : orderRuns(ends, nozzle_))
       lay(next.is_reversed ? reversed(runs[next.run]) : runs[next.run]);

@@ -402,14 +402,14 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
               const Box2& bed, Progress& progress) {
-  return planPart(part_name, layers, settings, bed, {}, progress);
+  return planPart(part_name, layers, settings, VariedBed{bed, {}}, progress);
 }
 
 Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, const PlanSettings& settings,
-              const Box2& bed, const std::vector<PlanVariant>& variants, Progress& progress) {
+              const VariedBed& varied, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
-  context.level_bed = bed;
-  Plan plan = planInContext(layers, context, progress, variants);
+  context.level_bed = varied.bed;
+  Plan plan = planInContext(layers, context, progress, varied.variants);
   plan.toolpath.part_name = part_name;
   return plan;
 }

@@ -48,7 +48,7 @@ PlanVariant variantOf(const PlanSettings& settings, const Regions& area, int fro
 Toolpath variedPlan(const PlanSettings& settings, const std::vector<PlanVariant>& variants) {
   NoProgress nobody;
   const Box2 bed{{-100.0, -100.0}, {100.0, 100.0}};
-  Toolpath toolpath = planPart("part", cube(), settings, bed, variants, nobody).toolpath;
+  Toolpath toolpath = planPart("part", cube(), settings, VariedBed{bed, variants}, nobody).toolpath;
   validate(toolpath);
   return toolpath;
 }
@@ -149,7 +149,7 @@ TEST(PlanVariant, LeavesWallsSlowWhereTheyOverhang) {
   const PlanVariant right{slow, std::vector<Regions>(4, {Region{rectangle(10, -9, 30, 30), {}}})};
   NoProgress nobody;
   const Toolpath toolpath =
-      planPart("part", layers, usual, Box2{{-100, -100}, {100, 100}}, {right}, nobody).toolpath;
+      planPart("part", layers, usual, VariedBed{{{-100, -100}, {100, 100}}, {right}}, nobody).toolpath;
   const double overhanging = usual.feed.outer_wall_mm_s * usual.overhangs.feed_factors.back();
   for (const Path& path : toolpath.layers[3].paths) {
     if (path.role != PathRole::OuterWall) continue;

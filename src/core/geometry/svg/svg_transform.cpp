@@ -31,10 +31,11 @@ std::optional<double> takeNumber(std::string_view& text) {
   return value;
 }
 
-Eigen::Affine2d affine(double a, double b, double c, double d, double e, double f) {
+/// Column by column.
+Eigen::Affine2d affine(const std::array<double, 6>& v) {
   Eigen::Affine2d map = Eigen::Affine2d::Identity();
-  map.linear() << a, c, b, d;
-  map.translation() << e, f;
+  map.linear() << v[0], v[2], v[1], v[3];
+  map.translation() << v[4], v[5];
   return map;
 }
 
@@ -46,14 +47,14 @@ std::optional<Eigen::Affine2d> rotation(const std::vector<double>& v) {
 }
 
 std::optional<Eigen::Affine2d> single(std::string_view name, const std::vector<double>& v) {
-  if (name == "matrix" && v.size() == 6) return affine(v[0], v[1], v[2], v[3], v[4], v[5]);
+  if (name == "matrix" && v.size() == 6) return affine({v[0], v[1], v[2], v[3], v[4], v[5]});
   if (name == "translate" && (v.size() == 1 || v.size() == 2))
-    return affine(1.0, 0.0, 0.0, 1.0, v[0], v.size() == 2 ? v[1] : 0.0);
+    return affine({1.0, 0.0, 0.0, 1.0, v[0], v.size() == 2 ? v[1] : 0.0});
   if (name == "scale" && (v.size() == 1 || v.size() == 2))
-    return affine(v[0], 0.0, 0.0, v.size() == 2 ? v[1] : v[0], 0.0, 0.0);
+    return affine({v[0], 0.0, 0.0, v.size() == 2 ? v[1] : v[0], 0.0, 0.0});
   if (name == "rotate") return rotation(v);
-  if (name == "skewX" && v.size() == 1) return affine(1.0, 0.0, std::tan(v[0] * kDegree), 1.0, 0.0, 0.0);
-  if (name == "skewY" && v.size() == 1) return affine(1.0, std::tan(v[0] * kDegree), 0.0, 1.0, 0.0, 0.0);
+  if (name == "skewX" && v.size() == 1) return affine({1.0, 0.0, std::tan(v[0] * kDegree), 1.0, 0.0, 0.0});
+  if (name == "skewY" && v.size() == 1) return affine({1.0, std::tan(v[0] * kDegree), 0.0, 1.0, 0.0, 0.0});
   return std::nullopt;
 }
 

@@ -40,6 +40,7 @@ void addProgressMarks(Toolpath& toolpath, const GcodeDialect& dialect, const Mot
   const double total_s = estimateTime(toolpath, limits).total_s;
   if (total_s <= 0.0) return;
   std::vector<WaypointIndex> at;
+  at.reserve(kParts);
   ToolpathPlayer player(toolpath, limits);
   for (int percent = 0; percent < kParts; ++percent)
     at.push_back(player.at(total_s * percent / kParts).heading_for);

@@ -29,7 +29,7 @@ Box3 sweptBox(const MachineBody& body, const Box3& tips, const Eigen::Affine3d& 
   return swept;
 }
 
-Box3 grown(Box3 box, double margin_mm) {
+Box3 grown(const Box3& box, double margin_mm) {
   const Point3 margin(margin_mm, margin_mm, 0.0);
   return {box.low - margin, box.high + margin};
 }

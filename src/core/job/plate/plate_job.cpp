@@ -196,6 +196,7 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
 
 std::vector<StandingPart> standingParts(const std::vector<PlateItem>& items) {
   std::vector<StandingPart> parts;
+  parts.reserve(items.size());
   for (const PlateItem& item : items)
     parts.push_back({item.name, &item.mesh, boundingBox(item.mesh), item.place.at_mm});
   return parts;
@@ -262,7 +263,7 @@ Polygon moved(Polygon polygon, const Point2& by) {
 
 /// Refuses what the head could touch, part by part.
 std::vector<std::size_t> clearOrder(const std::vector<StandingPart>& parts, const JobSettings& settings) {
-  const std::vector<std::size_t> order = partOrder(parts);
+  std::vector<std::size_t> order = partOrder(parts);
   const CartesianMachine machine = machineOf(settings.machine);
   const MovingHead head{axesFromBed(machine), movingBodies(machine)};
   if (head.bodies.empty())

@@ -75,7 +75,8 @@ Plan planOf(ModifiedLayers& modified, const PlanningRequest& request, Progress& 
   for (PlanVariant& variant : modified.variants) variant.settings = completed(std::move(variant.settings));
   const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
-    return planPart(request.partName(), layers, settings, bedBelowPart(request), modified.variants, progress);
+    return planPart(request.partName(), layers, settings, VariedBed{bedBelowPart(request), modified.variants},
+                    progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }

@@ -108,6 +108,7 @@ std::vector<FillPath> piecesWithin(const Polygon& loop, const Regions& regions, 
     pieces.pop_back();
   }
   std::vector<FillPath> runs;
+  runs.reserve(pieces.size());
   for (Polyline& piece : pieces) runs.push_back({std::move(piece), false, role, Deposit::Bead, {}});
   return runs;
 }

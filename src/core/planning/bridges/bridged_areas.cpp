@@ -91,7 +91,7 @@ class AreaSharer {
 
 Regions overNothing(const Regions& inside, const Regions& below, double narrowest_mm) {
   if (inside.empty()) return {};
-  const Regions free = difference(inside, touching(below, boundingBox(outlines(inside)), 0.0));
+  Regions free = difference(inside, touching(below, boundingBox(outlines(inside)), 0.0));
   if (free.empty() || narrowest_mm == 0.0) return free;
   return offset(offset(free, -0.5 * narrowest_mm), 0.5 * narrowest_mm);
 }

@@ -14,10 +14,10 @@
 namespace lamina {
 namespace {
 
-constexpr double kPartsOfLag = 50.0;    // so finely a change is followed
-constexpr double kShortest_s = 0.5e-3;  // the shortest piece in time
-constexpr double kShortest_mm = 0.02;   // and in length
-constexpr double kSteady = 1e-6;        // of a flow: what does not change
+constexpr double kPartsOfLag = 50.0;      // so finely a change is followed
+constexpr double kShortestTime = 0.5e-3;  // s; the shortest piece
+constexpr double kShortestWay = 0.02;     // mm; the same
+constexpr double kSteady = 1e-6;          // of a flow: what does not change
 
 /// A motion, and how it is run.
 struct TimedMotion {
@@ -68,7 +68,7 @@ class RunPusher {
       : toolpath_(toolpath),
         lag_s_(settings.lag_s),
         dead_s_(settings.dead_time_s),
-        step_s_(std::max(kShortest_s, (lag_s_ + dead_s_) / kPartsOfLag)),
+        step_s_(std::max(kShortestTime, (lag_s_ + dead_s_) / kPartsOfLag)),
         greatest_mm3_s_(settings.greatest_mm3_s > 0.0 ? settings.greatest_mm3_s / flow_factor
                                                       : std::numeric_limits<double>::infinity()) {}
 
@@ -141,7 +141,7 @@ class RunPusher {
     const std::vector<double> ends_s = ends(motion, start_s, desired);
     for (std::size_t i = 0; i < ends_s.size(); ++i) {
       const double to_mm = motion.profile.distanceAt(ends_s[i]);
-      const bool is_short = to_mm - from_mm < kShortest_mm || motion.profile.length_mm - to_mm < kShortest_mm;
+      const bool is_short = to_mm - from_mm < kShortestWay || motion.profile.length_mm - to_mm < kShortestWay;
       if (is_short && i + 1 < ends_s.size()) continue;
       const double whole_mm3 = pushed(start_s + from_s, start_s + ends_s[i], desired);
       const double most_mm3 = greatest_mm3_s_ * (ends_s[i] - from_s);

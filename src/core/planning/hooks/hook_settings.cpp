@@ -21,7 +21,7 @@ constexpr std::string_view kMoving[] = {"G0",  "G1",  "G2",  "G3",  "G5",  "G20"
 std::string movingLine(const std::string& code) {
   for (std::size_t begin = 0; begin < code.size();) {
     const std::size_t end = std::min(code.find('\n', begin), code.size());
-    const std::string line = code.substr(begin, end - begin);
+    std::string line = code.substr(begin, end - begin);
     const std::size_t first = std::min(line.find_first_not_of(" \t"), line.size());
     const std::string word = line.substr(first, line.find_first_of(" \t;", first) - first);
     if (std::find(std::begin(kMoving), std::end(kMoving), word) != std::end(kMoving)) return line;

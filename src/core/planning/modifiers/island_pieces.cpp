@@ -77,6 +77,7 @@ template <class Value>
 AlongPath<Value> likeBefore(const AlongPath<Value>& along, const std::vector<FinerPoint>& points) {
   if (along.isCommon()) return along;
   std::vector<Value> each;
+  each.reserve(points.size());
   for (const FinerPoint& point : points) each.push_back(along.at(point.like));
   return AlongPath<Value>(std::move(each));
 }
@@ -110,6 +111,7 @@ Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, const WallFe
   if (feeds.areAsPlanned()) return wall;
   const std::vector<FinerPoint> finer = dividedBy(feeds, wall);
   std::vector<double> feed_mm_s;
+  feed_mm_s.reserve(finer.size());
   for (const FinerPoint& point : finer) feed_mm_s.push_back(wall.feed_mm_s.at(point.like) * point.factor);
   wall.feed_mm_s = AlongPath<double>(std::move(feed_mm_s));
   wall.bead = likeBefore(wall.bead, finer);

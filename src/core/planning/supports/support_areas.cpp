@@ -300,7 +300,7 @@ Regions ColumnStack::uncovered(std::size_t layer, const Regions& own, int step) 
   Regions cover;
   bool is_covered = true;  // by what was looked at so far
   for (int m = 1; m <= settings_.interface_layers; ++m) {
-    const auto at = static_cast<std::ptrdiff_t>(layer) + m * step;
+    const auto at = static_cast<std::ptrdiff_t>(layer) + static_cast<std::ptrdiff_t>(m) * step;
     if (at < 0) break;
     const auto next = static_cast<std::size_t>(at);
     if (next >= count_) return own;

@@ -50,6 +50,15 @@ void startAt(Path& travel, const Point3& start) {
   }
 }
 
+/// Wipes along the run that ends the paths before a retracted travel, which then starts where the wipe ends.
+void wipeBefore(Path& travel, std::vector<Path>& before, const TravelSettings& settings) {
+  Path wipe = wipeAlong(before.back(), travel, settings);
+  const Point3 end = wipe.lastPoint();
+  if (wipe.points.size() < 2 || (travel.lastPoint() - end).head<2>().norm() <= kSameTip) return;
+  startAt(travel, end);
+  before.push_back(std::move(wipe));
+}
+
 }  // namespace
 
 void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings) {
@@ -59,14 +68,8 @@ void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings
     std::vector<Path> joined;
     for (Path& path : layer.paths) {
       std::vector<Path>* from = joined.empty() ? before : &joined;
-      if (from != nullptr && path.process.is_retracted && laysBead(from->back())) {
-        Path wipe = wipeAlong(from->back(), path, settings);
-        const Point3 end = wipe.lastPoint();
-        if (wipe.points.size() > 1 && (path.lastPoint() - end).head<2>().norm() > kSameTip) {
-          startAt(path, end);
-          from->push_back(std::move(wipe));
-        }
-      }
+      if (from != nullptr && path.process.is_retracted && laysBead(from->back()))
+        wipeBefore(path, *from, settings);
       joined.push_back(std::move(path));
     }
     layer.paths = std::move(joined);

@@ -44,6 +44,7 @@ double reachable(double z_mm, double from_mm, double quantum_mm) {
 std::vector<CutStretch> cutAtFlats(StretchCutter& cutter, const std::vector<Flat>& flats, HeightStretch whole,
                                    double quantum_mm) {
   std::vector<double> wanted;
+  wanted.reserve(flats.size() + 1);
   for (const Flat& flat : flats) wanted.push_back(flat.z_mm);
   if (wanted.empty() || wanted.back() < whole.high_mm - kSamePlace) wanted.push_back(whole.high_mm);
   std::vector<CutStretch> stretches;
