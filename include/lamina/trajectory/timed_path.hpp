@@ -28,15 +28,15 @@ struct TimingSettings {
 void validate(const TimingSettings& settings);
 
 /// The fastest motion along a joint path within the limits of joints and path, corners rounded within the
-/// tolerance (docs/timing.md). At rest at both ends, and where beads begin and end. Linear time and memory.
+/// tolerance (docs/timing.md). At rest at both ends, and where beads begin and end. Events, tools and process
+/// values are left out. Linear time and memory.
 class TimedPath final : public JointTrajectory {
  public:
   /// Nothing given is needed afterwards.
   /// @throws InvalidConfig as `validate`
   /// @throws Unreachable if the joint path has faults, or a bead cannot be followed between its waypoints
   /// @throws InvalidInput if path, toolpath and kinematic model do not fit each other, nothing moves, a feed
-  ///   is not positive, drops are deposited, a path has events other than the fan's, another tool or process
-  ///   values, or a bead is too short for the leads of its process
+  ///   is not positive, drops are deposited, or a bead is too short for the leads of its process
   TimedPath(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
             const TimingSettings& settings);
   /// A motion that was planned otherwise.

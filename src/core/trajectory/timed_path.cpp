@@ -3,7 +3,6 @@
 #include "lamina/trajectory/timed_path.hpp"
 
 #include "lamina/base/error.hpp"
-#include "lamina/toolpath/process_support.hpp"
 #include "trajectory/motion_sample.hpp"
 #include "trajectory/timed_motion.hpp"
 
@@ -22,7 +21,6 @@ Waits waitsOf(const TimingSettings& settings) {
 std::shared_ptr<const TimedMotion> timedMotion(const Toolpath& toolpath, const JointPath& path,
                                                const KinematicModel& model, const TimingSettings& settings) {
   validate(settings);
-  requireSupported(toolpath, {ProcessElement::Fan}, "joint trajectories");
   const JointStations stations = jointStations(toolpath, path, model, settings.motion);
   if (stations.each.size() < 2)
     throw InvalidInput("the joint path of '" + toolpath.part_name + "' has no motion to time");
