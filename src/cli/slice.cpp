@@ -39,6 +39,7 @@ struct SliceArguments {
 JobSettings settingsFrom(const SliceArguments& arguments, const std::vector<SettingText>& of_plate) {
   SettingOptions options = arguments.settings;
   std::vector<std::string> first;
+  first.reserve(of_plate.size());
   for (const SettingText& setting : of_plate) first.push_back(setting.key + "=" + setting.text);
   options.assignments.insert(options.assignments.begin(), first.begin(), first.end());
   if (arguments.is_strict) options.assignments.emplace_back("input.repair=strict");

@@ -94,7 +94,7 @@ TEST_F(PrintPanel, SlicesAFileThatIsDroppedAndShowsItsRolesLayerByLayer) {
     EXPECT_NE(text("legend").find(role), std::string::npos) << text("legend");
   EXPECT_EQ(text("legend").find("travel"), std::string::npos);
   EXPECT_TRUE(isEnabled("print_run"));
-  ASSERT_TRUE(waitFor([&] { return layers.segments("outer_wall") == 4U * kBoxLayers; }))
+  ASSERT_TRUE(waitFor([&] { return layers.segments("outer_wall") == 4UL * kBoxLayers; }))
       << layers.segments("outer_wall");
   auto& slider = part<QSlider>(*content_, "layers");
   slider.setFocus();

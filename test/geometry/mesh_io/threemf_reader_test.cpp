@@ -73,7 +73,7 @@ std::string twoItems() {
   MODELTRANSFORM shifted = scaledAndShifted(2, 5);
   EXPECT_EQ(NMR::lib3mf_model_addbuilditem(model, second, &shifted, &item), LIB3MF_OK);
   EXPECT_EQ(NMR::lib3mf_model_querywriter(model, "3mf", &writer), LIB3MF_OK);
-  const std::string path = testing::TempDir() + "two_items.3mf";
+  std::string path = testing::TempDir() + "two_items.3mf";
   EXPECT_EQ(NMR::lib3mf_writer_writetofileutf8(writer, path.c_str()), LIB3MF_OK);
   for (Object* handle : {writer, item, second, first, model}) NMR::lib3mf_release(handle);
   return path;

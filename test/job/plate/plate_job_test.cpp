@@ -25,12 +25,12 @@ class PlateJobTest : public ::testing::Test {
  protected:
   /// A box of that size in a file of that name.
   std::string box(const std::string& name, const Point3& size) {
-    const std::string path = folder_.file(name + ".stl");
+    std::string path = folder_.file(name + ".stl");
     writeStl(path, test::boxBetween(Point3::Zero(), size));
     return path;
   }
 
-  PlatePart& add(const std::string& file, std::optional<Point2> at = std::nullopt) {
+  PlatePart& add(const std::string& file, const std::optional<Point2>& at = std::nullopt) {
     job_.plate.parts.emplace_back();
     job_.plate.parts.back().file = file;
     job_.plate.parts.back().at_mm = at;

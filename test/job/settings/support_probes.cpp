@@ -18,7 +18,7 @@ constexpr char kHeldUp[] =
     "infill.density=0;supports.use=true;supports.angle_deg=40;supports.side_gap_mm=0.4;"
     "supports.join_mm=0;feed.first_layer_mm_s=1000";
 
-void add(Mesh& mesh, Mesh part, const Point3& at, double turn) {
+void add(Mesh& mesh, const Mesh& part, const Point3& at, double turn) {
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Point3& vertex : part.vertices)
     mesh.vertices.push_back(at + Point3(vertex.x(), turn * vertex.y(), turn * vertex.z()));
