@@ -255,38 +255,40 @@ class VariableWidthSlicer {
     }
   }
 
-  /// How far the variable-width line goes on beyond the end of its line between its edge and the outline that
-  /// leaves there; 0 if it does not.
-  double branchLength(const Border& border, Vertical side) const {
+  /// Where the variable-width line ends that goes on beyond the end of its line, between its edge and the
+  /// outline that leaves there; nothing if it does not.
+  std::optional<double> branchEnd(const Border& border, Vertical side) const {
     const Point2& back = border.chain.back();
     const bool turns_back = std::abs(back.y()) < 1e-9;
     const double end_x = turns_back ? 0.5 * (border.from_x + back.x()) : back.x();
-    const double reach = border.outward * (end_x - border.from_x);
     const std::int64_t edge = walk_.lineOf(left_) + (side == Vertical::Up ? 1 : -1);
-    return reach > 0.25 * half_ && walk_.isInside(edge, border.from_x, end_x) ? reach : 0.0;
+    if (border.outward * (end_x - border.from_x) <= 0.25 * half_) return std::nullopt;
+    if (!walk_.isInside(edge, border.from_x, end_x)) return std::nullopt;
+    return end_x;
   }
 
   std::vector<VariableWidthSlice> branch(std::uint32_t crossing, const PassEndShape& end) const {
     if (end.kind == PassEnd::Turn) return {};
     const std::size_t which = crossing == left_ ? 0 : 1;
-    const double up = branchLength(borders_[0][which], Vertical::Up);
-    const double down = branchLength(borders_[1][which], Vertical::Down);
-    if (up == 0.0 && down == 0.0) return {};
-    if (end.kind == PassEnd::Joined && (end.towards == Vertical::Up ? up : down) == 0.0) return {};
-    const bool goes_up = up > 0.0 && (down == 0.0 || end.towards == Vertical::Up);
-    return branchSlices(borders_[goes_up ? 0 : 1][which], goes_up ? up : down, goes_up ? 1.0 : -1.0);
+    const std::optional<double> up = branchEnd(borders_[0][which], Vertical::Up);
+    const std::optional<double> down = branchEnd(borders_[1][which], Vertical::Down);
+    if (!up && !down) return {};
+    if (end.kind == PassEnd::Joined && !(end.towards == Vertical::Up ? up : down)) return {};
+    const bool goes_up = up && (!down || end.towards == Vertical::Up);
+    return branchSlices(borders_[goes_up ? 0 : 1][which], goes_up ? *up : *down, goes_up ? 1.0 : -1.0);
   }
 
-  std::vector<VariableWidthSlice> branchSlices(const Border& border, double reach, double up) const {
-    std::vector<double> along = {0.0, reach};
-    for (const Point2& point : border.chain) {
-      const double x = border.outward * (point.x() - border.from_x);
-      if (x > 0.0 && x < reach) along.push_back(x);
-    }
-    std::sort(along.begin(), along.end());
+  /// The places are those of the chain's points to the last bit: beyond its last one there is no outline.
+  std::vector<VariableWidthSlice> branchSlices(const Border& border, double end_x, double up) const {
+    std::vector<double> along = {border.from_x, end_x};
+    for (const Point2& point : border.chain)
+      if (border.outward * (point.x() - border.from_x) > 0.0 && border.outward * (end_x - point.x()) > 0.0)
+        along.push_back(point.x());
+    std::sort(along.begin(), along.end(),
+              [&border](double a, double b) { return border.outward * a < border.outward * b; });
     std::vector<VariableWidthSlice> slices;
-    for (const double x : along) {
-      const double at = border.from_x + border.outward * x;
+    slices.reserve(along.size());
+    for (const double at : along) {
       // The outline is the floor here, so that it limits how far material goes back to the centre line.
       Reach down{{{0.0, 1.0}}, 0.0};
       edgesAt(border.chain, at, [&](double y, const Point2& a, const Point2& b) {
