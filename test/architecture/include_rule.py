@@ -45,9 +45,11 @@ ARROWS = {
     "kriging": ["optimisation"],
     "study": ["optimisation", "picture"],
     "monitoring": ["toolpath"],
+    "control": ["toolpath"],
+    "control/program": ["control", "gcode_rewrite"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
-            "stiffness", "metrics", "study", "verification/collision", "monitoring"],
+            "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace lamina {
+
+/// What the loop does.
+enum class LoopState : std::uint8_t {
+  Off,
+  Identifying,  ///< learns, corrects nothing
+  Active,
+  Coasting,  ///< no usable measurement: corrects by what it has learnt, not by the error
+  Open,      ///< given up: corrects nothing
+  Blocked    ///< not calibrated, or settings that are not stable
+};
+
+/// `off`, `identifying`, `active`, `coasting`, `open`, `blocked`.
+const char* toString(LoopState state);
+
+}  // namespace lamina

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/cell_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lamina {
+namespace {
+
+constexpr double kGate = 16.0;  // four standard deviations, squared
+constexpr double kAgreement = 4.0;
+constexpr std::uint8_t kProfilesBelieved = 3;
+
+}  // namespace
+
+double readingVariance(const CellReading& reading, double correlation) {
+  const double points = std::max(1, reading.points);
+  return reading.sigma_mm * reading.sigma_mm * (1.0 + (points - 1.0) * correlation) / points;
+}
+
+CellEstimate::CellEstimate(double error_mm, double sigma_mm, double gain)
+    : error_mm_(static_cast<float>(error_mm)),
+      variance_mm2_(static_cast<float>(sigma_mm * sigma_mm)),
+      base_mm_(static_cast<float>(error_mm)),
+      flags_(kKnown) {
+  setGain(gain);
+}
+
+void CellEstimate::setGain(double gain) {
+  gain_ = static_cast<std::uint16_t>(std::lround(std::clamp(gain, kLeastGain, kGreatestGain) * kGainUnits));
+}
+
+void CellEstimate::lay(const LaidGrowth& growth, double spread) {
+  const double commanded = growth.planned_mm * (1.0 + growth.correction);
+  const double expected = gain() * commanded;
+  error_mm_ = static_cast<float>(error() + growth.planned_mm - expected);
+  variance_mm2_ = static_cast<float>(variance() + spread * expected * spread * expected);
+  commanded_mm_ += static_cast<float>(commanded);
+  base_mm_ += static_cast<float>(growth.planned_mm);
+  contests_ = 0;
+  flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
+}
+
+void CellEstimate::press(const LaidGrowth& growth, double spread) {
+  error_mm_ = static_cast<float>(growth.nozzle_error_mm);
+  const double sigma = spread * growth.planned_mm;
+  variance_mm2_ = static_cast<float>(sigma * sigma);
+  contests_ = 0;
+  flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
+}
+
+ReadingOutcome CellEstimate::see(const CellReading& reading, double correlation) {
+  if (!std::isfinite(reading.error_mm) || !(reading.sigma_mm > 0.0) || reading.points < 1)
+    return {ReadingUse::Contested, 0.0};
+  const double noise = readingVariance(reading, correlation);
+  const double innovation = reading.error_mm - error();
+  const double surprise = innovation * innovation / (variance() + noise);
+  const double point = reading.sigma_mm * reading.sigma_mm;
+  if (innovation * innovation > kGate * (variance() + point)) {
+    const bool agrees = contests_ > 0 && std::abs(reading.error_mm - static_cast<double>(contested_mm_)) <=
+                                             kAgreement * reading.sigma_mm;
+    contests_ = agrees ? static_cast<std::uint8_t>(contests_ + 1) : std::uint8_t{1};
+    contested_mm_ = static_cast<float>(reading.error_mm);
+    if (contests_ < kProfilesBelieved) return {ReadingUse::Contested, surprise};
+    believe();
+    return {ReadingUse::Believed, surprise};
+  }
+  const double share = variance() / (variance() + noise);
+  error_mm_ = static_cast<float>(error() + share * innovation);
+  variance_mm2_ = static_cast<float>((1.0 - share) * variance());
+  contests_ = 0;
+  flags_ |= kSeen | kKnown;
+  return {ReadingUse::Used, surprise};
+}
+
+void CellEstimate::believe() {
+  if (contests_ == 0) return;
+  error_mm_ = contested_mm_;
+  variance_mm2_ = static_cast<float>(kStartSigma * kStartSigma);
+  contests_ = 0;
+  flags_ |= kSeen | kKnown | kBroken;
+}
+
+std::optional<double> CellEstimate::contested() const {
+  return contests_ > 0 ? std::optional<double>(static_cast<double>(contested_mm_)) : std::nullopt;
+}
+
+std::optional<double> CellEstimate::takeMeasuredGain() {
+  if (!isSeen()) return std::nullopt;
+  const double commanded = static_cast<double>(commanded_mm_);
+  const double grown = static_cast<double>(base_mm_) - error();
+  const bool is_growth = (flags_ & kBroken) == 0 && commanded > 0.0;
+  commanded_mm_ = 0.0F;
+  base_mm_ = error_mm_;
+  flags_ = static_cast<std::uint8_t>(flags_ & ~kBroken);
+  if (!is_growth) return std::nullopt;
+  return grown / commanded;
+}
+
+}  // namespace lamina

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/height_loop.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/control/path_low_pass.hpp"
+#include "lamina/control/pressed_law.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kBedSigma = 0.05;       // mm
+constexpr double kNearKnown = 2.0;       // standard deviations of the low-pass
+constexpr double kPatchAgreement = 4.0;  // standard deviations of a point
+constexpr double kNotMeasured = -1.0;    // no growth is negative that a gain is learnt of
+constexpr double kLeastSpread = 0.01;
+constexpr double kGreatestSpread = 0.5;
+
+/// Mean gain by region of a layer.
+std::array<double, 3> regionGains(const LayerCells& cells, const std::vector<CellEstimate>& estimates) {
+  std::array<double, 3> sums{};
+  std::array<double, 3> counts{};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto region = static_cast<std::size_t>(cells.region[i]);
+    sums[region] += estimates[i].gain();
+    counts[region] += 1.0;
+    sum += estimates[i].gain();
+  }
+  const double mean = cells.size() > 0 ? sum / static_cast<double>(cells.size()) : 1.0;
+  for (std::size_t r = 0; r < sums.size(); ++r) sums[r] = counts[r] > 0.0 ? sums[r] / counts[r] : mean;
+  return sums;
+}
+
+double meanKnownError(const std::vector<CellEstimate>& estimates) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const CellEstimate& cell : estimates) {
+    if (!cell.isKnown()) continue;
+    sum += cell.error();
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+/// The nearest known cell of the same run for each cell, itself if it is known; its own number where none is
+/// within reach.
+std::vector<std::size_t> nearestKnown(const LayerCells& cells, const std::vector<CellEstimate>& estimates,
+                                      double reach_mm) {
+  std::vector<std::size_t> nearest(cells.size());
+  for (const CellRun& run : cells.runs) {
+    const std::size_t end = run.first + run.count;
+    for (std::size_t i = run.first; i < end; ++i) nearest[i] = i;
+    std::size_t last = end;
+    const auto offer = [&](std::size_t i) {
+      if (estimates[i].isKnown()) {
+        last = i;
+        nearest[i] = i;
+        return;
+      }
+      if (last == end) return;
+      const double way = std::abs(cells.along_mm[i] - cells.along_mm[last]);
+      const double best =
+          nearest[i] == i ? reach_mm : std::abs(cells.along_mm[i] - cells.along_mm[nearest[i]]);
+      if (way < best || (nearest[i] == i && way <= reach_mm)) nearest[i] = last;
+    };
+    for (std::size_t i = run.first; i < end; ++i) offer(i);
+    last = end;
+    for (std::size_t i = end; i-- > run.first;) offer(i);
+  }
+  return nearest;
+}
+
+std::vector<double> errorsOf(const std::vector<CellEstimate>& estimates) {
+  std::vector<double> errors;
+  errors.reserve(estimates.size());
+  for (const CellEstimate& cell : estimates) errors.push_back(cell.error());
+  return errors;
+}
+
+std::vector<double> gainsOf(const std::vector<CellEstimate>& estimates) {
+  std::vector<double> gains;
+  gains.reserve(estimates.size());
+  for (const CellEstimate& cell : estimates) gains.push_back(cell.gain());
+  return gains;
+}
+
+std::vector<double> carried(const std::vector<std::uint32_t>& below, const std::vector<double>& values,
+                            double otherwise) {
+  std::vector<double> taken;
+  taken.reserve(below.size());
+  for (const std::uint32_t cell : below) taken.push_back(cell == kNoCellBelow ? otherwise : values[cell]);
+  return taken;
+}
+
+}  // namespace
+
+HeightLoop::HeightLoop(const LoopSettings& settings, const Eigen::Vector3d& normal)
+    : settings_(settings), normal_(normal), spread_(settings.growth_spread) {}
+
+void HeightLoop::beginLayer(LayerCells cells) {
+  std::vector<CellEstimate> estimates;
+  estimates.reserve(cells.size());
+  if (layers_begun_ == 0) {
+    estimates.assign(cells.size(), CellEstimate(0.0, kBedSigma, 1.0));
+    before_clouds_ = {errorsOf(estimates), gainsOf(estimates)};
+  } else {
+    const std::vector<std::uint32_t> below = cellsBelow(cells, cells_, normal_);
+    const std::array<double, 3> gains = regionGains(cells_, estimates_);
+    CellEstimate guess;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      guess.setGain(gains[static_cast<std::size_t>(cells.region[i])]);
+      estimates.push_back(below[i] == kNoCellBelow ? guess : estimates_[below[i]]);
+    }
+    before_clouds_.error_mm = carried(below, before_clouds_.error_mm, 0.0);
+    before_clouds_.gain = carried(below, before_clouds_.gain, gains[0]);
+    deficit_ = carried(below, deficit_, 0.0);
+  }
+  deficit_.resize(cells.size(), 0.0);
+  cells_ = std::move(cells);
+  estimates_ = std::move(estimates);
+  clouds_below_ = clouds_;
+  ++layers_begun_;
+  clouds_ = readings_ = contested_ = surprises_ = 0;
+  surprise_ = excess_ = limited_share_ = 0.0;
+}
+
+LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<double> gain) const {
+  const double mean = meanKnownError(estimates_);
+  const std::vector<std::size_t> nearest =
+      nearestKnown(cells_, estimates_, kNearKnown * settings_.low_pass_mm);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (estimates_[i].isKnown()) continue;
+    error_mm[i] = nearest[i] == i ? mean : error_mm[nearest[i]];
+    if (nearest[i] != i) gain[i] = gain[nearest[i]];
+  }
+  return {std::move(error_mm), std::move(gain)};
+}
+
+LayerKnowledge HeightLoop::knowledge() const { return filled(errorsOf(estimates_), gainsOf(estimates_)); }
+
+LayerCorrection HeightLoop::law(const LayerKnowledge& known) const {
+  return settings_.process == LoopProcess::Free
+             ? freeCorrection(cells_, known, settings_)
+             : pressedCorrection(cells_, {deficit_, known.gain}, settings_);
+}
+
+LayerCorrection HeightLoop::correction(LoopState state) const {
+  const bool is_learnt_only = layers_begun_ <= static_cast<std::size_t>(settings_.first_layers);
+  LayerCorrection none;
+  none.amount.assign(cells_.size(), 0.0);
+  if (is_learnt_only || (state != LoopState::Active && state != LoopState::Coasting)) return none;
+  if (state == LoopState::Coasting) {
+    const bool learns = settings_.process == LoopProcess::Free;
+    return learns ? learntCorrection(cells_, knowledge().gain, settings_) : none;
+  }
+  LayerCorrection correction = law(knowledge());
+  if (settings_.process == LoopProcess::Free) boundByClouds(correction);
+  return correction;
+}
+
+/// Bounded is the difference to what the law had asked for had nothing been seen: that a layer is corrected
+/// more than the one before for being predicted too low needs no cloud.
+void HeightLoop::boundByClouds(LayerCorrection& correction) const {
+  const double bound = kCloudShare * amountRange(settings_) * static_cast<double>(clouds_below_);
+  if (bound >= amountRange(settings_)) return;
+  const LayerCorrection before = law(filled(before_clouds_.error_mm, before_clouds_.gain));
+  for (std::size_t i = 0; i < correction.amount.size(); ++i)
+    correction.amount[i] =
+        std::clamp(correction.amount[i], before.amount[i] - bound, before.amount[i] + bound);
+}
+
+void HeightLoop::lay(const LayerCorrection& correction) {
+  lay(correction, std::vector<double>(cells_.size(), 0.0));
+}
+
+void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm) {
+  limited_share_ = correction.limited_share;
+  laid_ = correction.amount;
+  is_section_seen_.assign(cells_.size(), false);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const LaidGrowth growth{cells_.height_mm[i], correction.amount[i], nozzle_error_mm[i]};
+    if (settings_.process == LoopProcess::Free)
+      estimates_[i].lay(growth, spread_);
+    else
+      estimates_[i].press(growth, spread_);
+  }
+  before_clouds_ = {errorsOf(estimates_), gainsOf(estimates_)};
+}
+
+ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
+  requireCell(cell);
+  CellEstimate& estimate = estimates_[cell];
+  const bool was_seen = estimate.isSeen();
+  const double prior = estimate.variance();
+  const double expected = estimate.gain() * cells_.height_mm[cell];
+  const ReadingOutcome outcome = estimate.see(reading, settings_.reading_correlation);
+  ++readings_;
+  cloud_sigma_mm_ = std::max(cloud_sigma_mm_, reading.sigma_mm);
+  if (outcome.use == ReadingUse::Contested) ++contested_;
+  if (outcome.use != ReadingUse::Used || was_seen) return outcome;
+  // The first reading of a cell tells of its growth, those that follow of the sensor alone.
+  const double noise = readingVariance(reading, settings_.reading_correlation);
+  const double growth = spread_ * expected;
+  surprise_ += outcome.surprise;
+  excess_ += (outcome.surprise * (prior + noise) - (prior + noise) + growth * growth) / (expected * expected);
+  ++surprises_;
+  return outcome;
+}
+
+void HeightLoop::seeDeficit(std::size_t cell, double share) {
+  requireCell(cell);
+  if (!std::isfinite(share)) return;
+  deficit_[cell] = share;
+  is_section_seen_[cell] = true;
+}
+
+void HeightLoop::requireCell(std::size_t cell) const {
+  if (cell >= cells_.size())
+    throw InvalidInput("a reading is of cell " + std::to_string(cell) + "; expected one of the layer's " +
+                       std::to_string(cells_.size()));
+}
+
+void HeightLoop::endCloud() {
+  ++clouds_;
+  believePatches();
+  cloud_sigma_mm_ = 0.0;
+}
+
+void HeightLoop::believePatches() {
+  for (const CellRun& run : cells_.runs) {
+    const std::size_t end = run.first + run.count;
+    for (std::size_t begin = run.first; begin < end;) {
+      std::size_t last = begin;
+      const auto agrees = [&](std::size_t i) {
+        const auto here = estimates_[i].contested();
+        const auto before = estimates_[i - 1].contested();
+        return here && before && std::abs(*here - *before) <= kPatchAgreement * cloud_sigma_mm_;
+      };
+      while (last + 1 < end && agrees(last + 1)) ++last;
+      const double length = static_cast<double>(last - begin + 1) * run.cellLength();
+      const bool is_patch = last > begin && length >= cells_.width_mm[begin];
+      for (std::size_t i = begin; is_patch && i <= last; ++i) estimates_[i].believe();
+      begin = last + 1;
+    }
+  }
+}
+
+LayerFigures HeightLoop::endLayer() {
+  const LayerFigures before = figures();
+  if (settings_.process == LoopProcess::Pressed)
+    learn(sectionGains());
+  else if (before.is_measured)
+    learn(heightGains());
+  LayerFigures result = figures();
+  result.consistency = before.consistency;
+  return result;
+}
+
+std::vector<double> HeightLoop::heightGains() {
+  std::vector<double> gains(cells_.size(), kNotMeasured);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    gains[i] = estimates_[i].takeMeasuredGain().value_or(kNotMeasured);
+  return gains;
+}
+
+std::vector<double> HeightLoop::sectionGains() const {
+  std::vector<double> gains(cells_.size(), kNotMeasured);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (is_section_seen_[i]) gains[i] = (1.0 - deficit_[i]) / (1.0 + laid_[i]);
+  return gains;
+}
+
+void HeightLoop::learn(const std::vector<double>& measured) {
+  std::vector<double> gains = gainsOf(estimates_);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    if (measured[i] != kNotMeasured) gains[i] = measured[i];
+  const std::vector<double> smooth = lowPassed(gains, cells_, settings_.low_pass_mm);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (measured[i] == kNotMeasured) continue;
+    const double gain = estimates_[i].gain();
+    estimates_[i].setGain(gain + settings_.learning * (smooth[i] - gain));
+  }
+  learnSpread();
+}
+
+void HeightLoop::learnSpread() {
+  if (surprises_ == 0) return;
+  const double squared = std::max(0.0, excess_ / static_cast<double>(surprises_));
+  const double learnt = spread_ * spread_ + settings_.learning * (squared - spread_ * spread_);
+  spread_ = std::clamp(std::sqrt(std::max(0.0, learnt)), kLeastSpread, kGreatestSpread);
+}
+
+LayerFigures HeightLoop::figures() const {
+  LayerFigures result;
+  result.layer = cells_.layer;
+  result.limited_share = limited_share_;
+  result.spread = spread_;
+  if (cells_.size() == 0) return result;
+  std::vector<double> seen(cells_.size());
+  std::vector<double> deviates(cells_.size());
+  double squares = 0.0;
+  result.height_mm = meanOverCells(cells_, cells_.height_mm);
+  result.mean_error_mm = meanOverCells(cells_, errorsOf(estimates_));
+  result.gain_mean = meanOverCells(cells_, gainsOf(estimates_));
+  result.gain_least = result.gain_greatest = estimates_.front().gain();
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const CellEstimate& cell = estimates_[i];
+    seen[i] = cell.isSeen() ? 1.0 : 0.0;
+    deviates[i] = std::abs(cell.error()) > settings_.alarm_layers * cells_.height_mm[i] ? 1.0 : 0.0;
+    squares += cell.error() * cell.error();
+    result.gain_least = std::min(result.gain_least, cell.gain());
+    result.gain_greatest = std::max(result.gain_greatest, cell.gain());
+  }
+  const double mean_square = squares / static_cast<double>(cells_.size());
+  result.rmse_mm = std::sqrt(mean_square);
+  result.flatness_mm = std::sqrt(std::max(0.0, mean_square - result.mean_error_mm * result.mean_error_mm));
+  result.coverage = meanOverCells(cells_, seen);
+  result.is_measured = result.coverage > 0.0 && result.coverage >= settings_.min_coverage;
+  result.deviating_share = meanOverCells(cells_, deviates);
+  if (readings_ > 0)
+    result.contested_share = static_cast<double>(contested_) / static_cast<double>(readings_);
+  if (surprises_ > 0) result.consistency = surprise_ / static_cast<double>(surprises_);
+  return result;
+}
+
+}  // namespace lamina

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/layer_law.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/pressed_law.hpp"
+#include "support/control_layers.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRounding = 1e-12;
+
+LayerKnowledge evenly(const LayerCells& cells, double error_mm, double gain) {
+  return {std::vector<double>(cells.size(), error_mm), std::vector<double>(cells.size(), gain)};
+}
+
+TEST(LayerLaw, CorrectsAShareOfTheErrorAndTheGain) {
+  const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
+  LoopSettings settings;
+  settings.layer_volume = 1.0;
+  const LayerCorrection law = freeCorrection(cells, evenly(cells, 0.15, 0.9), settings);
+  for (const double amount : law.amount) EXPECT_NEAR(amount, (1.0 + 0.5 * 0.15 / 1.5) / 0.9 - 1.0, kRounding);
+  EXPECT_EQ(law.limited_share, 0.0);
+  for (const double amount : learntCorrection(cells, std::vector<double>(cells.size(), 0.9), settings).amount)
+    EXPECT_NEAR(amount, 1.0 / 0.9 - 1.0, kRounding);
+}
+
+TEST(LayerLaw, KeepsTheAmountWithinItsLimitsAndSaysWhere) {
+  const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
+  LoopSettings settings;
+  settings.layer_volume = 1.0;
+  LayerKnowledge known = evenly(cells, 0.0, 1.0);
+  for (std::size_t i = 0; i < 30; ++i) known.error_mm[i] = 30.0;
+  settings.low_pass_mm = 0.01;
+  settings.feeder_rate_s = 1000.0;
+  const LayerCorrection law = freeCorrection(cells, known, settings);
+  EXPECT_EQ(law.amount[10], 0.5);
+  EXPECT_EQ(law.amount[50], 0.0);
+  EXPECT_NEAR(law.limited_share, 0.5, 1e-9);
+}
+
+TEST(LayerLaw, KeepsTheVolumeOfALayer) {
+  const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
+  const LayerCorrection law = freeCorrection(cells, evenly(cells, 1.5, 1.0), LoopSettings());
+  for (const double amount : law.amount) EXPECT_NEAR(amount, 0.2, kRounding);
+  EXPECT_EQ(law.limited_share, 1.0);
+}
+
+LayerKnowledge anyKnowledge(const LayerCells& cells) {
+  LayerKnowledge known;
+  const auto any = rc::gen::inRange(-3000, 3000);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    known.error_mm.push_back(0.001 * *any);
+    known.gain.push_back(0.4 + 2.1 * 0.001 * *rc::gen::inRange(0, 1000));
+  }
+  return known;
+}
+
+void requireWithin(const LayerCells& cells, const std::vector<double>& amount, const LoopSettings& settings) {
+  for (const CellRun& run : cells.runs) {
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+      RC_ASSERT(std::isfinite(amount[i]));
+      RC_ASSERT(amount[i] >= settings.least_amount - kRounding &&
+                amount[i] <= settings.greatest_amount + kRounding);
+      const double step = greatestSlope(settings.feeder_rate_s, 10.0) * run.cellLength();
+      if (i > run.first) RC_ASSERT(std::abs(amount[i] - amount[i - 1]) <= step + kRounding);
+    }
+    const double seam = std::abs(amount[run.first] - amount[run.first + run.count - 1]);
+    const double step = greatestSlope(settings.feeder_rate_s, 10.0) * run.cellLength();
+    if (run.is_closed) RC_ASSERT(seam <= step + kRounding);
+  }
+}
+
+TEST(LayerLaw, StaysWithinAmountAndSlope) {
+  EXPECT_TRUE(rc::check("whatever is known", [] {
+    LayerCells cells = test::straightBeads({0.0, 3.0}, 10.0, 1.0);
+    cells.runs[1].is_closed = *rc::gen::arbitrary<bool>();
+    LoopSettings settings;
+    settings.low_pass_mm = *rc::gen::element(0.01, 1.0, 3.0);
+    const LayerCorrection law = freeCorrection(cells, anyKnowledge(cells), settings);
+    requireWithin(cells, law.amount, settings);
+    requireWithin(cells, ledCorrection(cells, law.amount, {0.3, 0.2}, settings), settings);
+  }));
+}
+
+TEST(LayerLaw, AsksForNothingWhereANumberIsNone) {
+  const LayerCells cells = test::straightBeads({0.0}, 10.0, 1.0);
+  std::vector<double> wanted(cells.size(), std::nan(""));
+  wanted[3] = std::numeric_limits<double>::infinity();
+  for (const double amount : limitedCorrection(cells, wanted, LoopSettings()).amount) EXPECT_EQ(amount, 0.0);
+}
+
+TEST(LayerLaw, FadesNoFasterThanTheFeederFollows) {
+  const LayerCells cells = test::straightBeads({0.0}, 20.0, 1.0);
+  const std::vector<double> from(cells.size(), 0.3);
+  const std::vector<double> to(cells.size(), 0.0);
+  const auto faded = fadedCorrection(cells, from, to, 5, LoopSettings());
+  EXPECT_EQ(faded[4], 0.3);
+  EXPECT_NEAR(faded[5], 0.25, kRounding);  // 0.5 /s at 10 mm/s: 0.05 per mm
+  EXPECT_NEAR(faded[9], 0.05, kRounding);
+  EXPECT_EQ(faded[11], 0.0);
+}
+
+TEST(FeederLead, CommandsWhatIsNeededWhereTheNozzleWillBe) {
+  const LayerCells cells = test::straightBeads({0.0}, 100.0, 0.5);
+  std::vector<double> amount;
+  for (const double s : cells.along_mm) amount.push_back(0.1 * std::sin(2.0 * M_PI * s / 50.0));
+  const auto led = ledCorrection(cells, amount, {1.5, 0.0}, LoopSettings());
+  for (std::size_t i = 0; i + 40 < cells.size(); ++i) EXPECT_NEAR(led[i], amount[i + 30], 1e-9);
+  EXPECT_EQ(ledCorrection(cells, amount, {}, LoopSettings()), amount);
+}
+
+TEST(PressedLaw, FillsWhatIsMissingWithinItsRange) {
+  const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
+  const std::vector<double> gain(cells.size(), 1.0);
+  const auto amount = [&](double deficit) {
+    return pressedCorrection(cells, {std::vector<double>(cells.size(), deficit), gain}, LoopSettings())
+        .amount[9];
+  };
+  EXPECT_NEAR(amount(0.1), 0.05, kRounding);
+  EXPECT_NEAR(amount(0.9), 0.15, kRounding);
+  EXPECT_NEAR(amount(-0.9), -0.15, kRounding);
+}
+
+TEST(PressedLaw, CountsDrops) {
+  EXPECT_EQ(dropDecision(0.24, 0.5), DropDecision::Lay);
+  EXPECT_EQ(dropDecision(-0.24, 0.5), DropDecision::Lay);
+  EXPECT_EQ(dropDecision(0.26, 0.5), DropDecision::LayTwo);
+  EXPECT_EQ(dropDecision(-0.26, 0.5), DropDecision::Leave);
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "lamina/control/layer_cells.hpp"
+
+namespace lamina::test {
+
+/// A layer of straight beads along x at these y, 3 x 1.5 mm, laid at 10 mm/s, with a travel before each but
+/// the first.
+inline ToolpathLayer straightBeadLayer(const std::vector<double>& beads_y, double length_mm,
+                                       double z_mm = 1.5) {
+  ToolpathLayer layer{z_mm, 1.5, {}};
+  for (const double y : beads_y) {
+    Path bead;
+    bead.role = PathRole::Infill;
+    bead.bead = Bead{3.0, 1.5};
+    bead.feed_mm_s = 10.0;
+    bead.points = {{0, y, z_mm}, {length_mm, y, z_mm}};
+    if (!layer.paths.empty()) {
+      Path travel;
+      travel.role = PathRole::Travel;
+      travel.feed_mm_s = 50.0;
+      travel.points = {layer.paths.back().lastPoint(), bead.points[0]};
+      layer.paths.push_back(travel);
+    }
+    layer.paths.push_back(bead);
+  }
+  return layer;
+}
+
+inline LayerCells straightBeads(const std::vector<double>& beads_y, double length_mm, double cell_mm) {
+  return layerCells(straightBeadLayer(beads_y, length_mm), 0, cell_mm);
+}
+
+}  // namespace lamina::test

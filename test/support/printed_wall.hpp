@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "lamina/base/random.hpp"
+#include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/height_loop.hpp"
+#include "lamina/control/z_follow.hpp"
+#include "lamina/deposition/growth_plant.hpp"
+
+namespace lamina::test {
+
+/// A wall that is printed by a disturbed process and measured: one bead per layer, straight or round.
+struct WallCase {
+  PlantSettings plant;
+  LoopSettings loop;
+  LoopState state = LoopState::Active;
+  /// What the loop is in at a layer; `state` where empty.
+  std::function<LoopState(std::size_t layer)> state_at = {};
+  FeederDelay lead;  ///< what the feeder is taken to be
+  std::size_t layers = 40;
+  std::size_t measured_every = 1;
+  double length_mm = 200.0;
+  double cell_mm = 0.5;
+  double layer_mm = 1.5;
+  double speed_mm_s = 10.0;
+  bool is_closed = false;
+  double noise_mm = 0.02;   ///< of a point
+  int points = 6;           ///< of a reading
+  std::size_t clouds = 20;  ///< by which a layer is seen
+  std::uint64_t seed = 1;
+};
+
+/// The figures of a layer, by the true heights.
+struct WallLayer {
+  double mean_error_mm = 0.0;
+  double rmse_mm = 0.0;
+  double flatness_mm = 0.0;
+  double limited_share = 0.0;
+  LayerFigures estimated;
+};
+
+struct PrintedWall {
+  std::vector<WallLayer> layers;
+  std::vector<double> error_mm;  ///< of the last layer
+  std::vector<double> amount;    ///< of the last layer
+
+  /// Root of the mean square over layers, the first of them counted from 1.
+  double rmse(std::size_t first, std::size_t last) const {
+    return meanSquare(first, last, &WallLayer::rmse_mm);
+  }
+  double flatness(std::size_t first, std::size_t last) const {
+    return meanSquare(first, last, &WallLayer::flatness_mm);
+  }
+
+ private:
+  double meanSquare(std::size_t first, std::size_t last, double WallLayer::*figure) const {
+    double sum = 0.0;
+    for (std::size_t k = first; k <= last; ++k) sum += layers[k - 1].*figure * layers[k - 1].*figure;
+    return std::sqrt(sum / static_cast<double>(last - first + 1));
+  }
+};
+
+/// Means of a figure of all seeds from 1 to 5.
+template <class Figure>
+double meanOfSeeds(WallCase wall, Figure figure);
+
+class WallPrinter {
+ public:
+  explicit WallPrinter(const WallCase& wall)
+      : wall_(wall), plant_(wall.plant), loop_(wall.loop), random_(wall.seed) {}
+
+  PrintedWall print() {
+    PrintedWall printed;
+    for (std::size_t k = 0; k < wall_.layers; ++k) printed.layers.push_back(printLayer(k));
+    for (const double height : heights_)
+      printed.error_mm.push_back(wall_.layer_mm * static_cast<double>(wall_.layers) - height);
+    printed.amount = amount_;
+    return printed;
+  }
+
+ private:
+  WallLayer printLayer(std::size_t k) {
+    loop_.beginLayer(layerOf(k));
+    const LayerCells& cells = loop_.cells();
+    if (k == 0) heights_.assign(cells.size(), 0.0);
+    const LoopState state = wall_.state_at ? wall_.state_at(k) : wall_.state;
+    const LayerCorrection correction = loop_.correction(state);
+    amount_ = correction.amount;
+    lay(k, correction);
+    loop_.lay(correction);
+    if ((k + 1) % wall_.measured_every == 0) measure(k);
+    WallLayer layer = figuresOf(k);
+    layer.limited_share = correction.limited_share;
+    layer.estimated = loop_.endLayer();
+    return layer;
+  }
+
+  LayerCells layerOf(std::size_t k) const {
+    const double z = wall_.layer_mm * static_cast<double>(k + 1);
+    Path path;
+    path.role = PathRole::OuterWall;
+    path.is_closed = wall_.is_closed;
+    path.bead = Bead{3.0, wall_.layer_mm};
+    path.feed_mm_s = wall_.speed_mm_s;
+    path.points = {{0, 0, z}, {wall_.length_mm, 0, z}};
+    constexpr int kCorners = 400;
+    if (wall_.is_closed) path.points.clear();
+    for (int i = 0; i < kCorners && wall_.is_closed; ++i) {
+      const double angle = 2.0 * M_PI * i / kCorners;
+      const double radius = wall_.length_mm / (2.0 * M_PI);
+      path.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+    return layerCells({z, wall_.layer_mm, {path}}, k, wall_.cell_mm);
+  }
+
+  void lay(std::size_t k, const LayerCorrection& correction) {
+    const LayerCells& cells = loop_.cells();
+    PlantBead bead;
+    bead.layer = k;
+    bead.layers = wall_.layers;
+    bead.length_mm = cells.runs[0].length_mm;
+    bead.is_closed = wall_.is_closed;
+    bead.layer_s = bead.length_mm / wall_.speed_mm_s;
+    bead.along_mm = cells.along_mm;
+    bead.planned_mm = cells.height_mm;
+    const auto commanded = ledCorrection(cells, correction.amount, wall_.lead, wall_.loop);
+    bead.correction = delayed(commanded, timesOf(cells), wall_.plant);
+    const NozzleRoom room{wall_.layer_mm, -1e9, 0.0};
+    const auto shift = nozzleShift(cells, loop_.knowledge(), shift_mm_, room, wall_.loop);
+    shift_mm_ = meanOverCells(cells, shift);
+    for (std::size_t i = 0; i < heights_.size(); ++i)
+      bead.nozzle_far_mm.push_back(wall_.layer_mm * static_cast<double>(k) - heights_[i] + shift[i]);
+    heights_ = plant_.afterBead(bead, heights_);
+  }
+
+  void measure(std::size_t k) {
+    const double reference = wall_.layer_mm * static_cast<double>(k + 1);
+    const double rho = wall_.loop.reading_correlation;
+    for (std::size_t cloud = 0; cloud < wall_.clouds; ++cloud) {
+      for (std::size_t i = cloud; i < heights_.size(); i += wall_.clouds) {
+        const double common = random_.normal(0.0, wall_.noise_mm * std::sqrt(rho));
+        double mean = 0.0;
+        for (int p = 0; p < wall_.points; ++p)
+          mean += random_.normal(0.0, wall_.noise_mm * std::sqrt(1.0 - rho)) / wall_.points;
+        loop_.see(i, {reference - heights_[i] + common + mean, wall_.points, wall_.noise_mm});
+      }
+      loop_.endCloud();
+    }
+  }
+
+  WallLayer figuresOf(std::size_t k) const {
+    WallLayer layer;
+    const double reference = wall_.layer_mm * static_cast<double>(k + 1);
+    double squares = 0.0;
+    const auto count = static_cast<double>(heights_.size());
+    for (const double height : heights_) {
+      layer.mean_error_mm += (reference - height) / count;
+      squares += (reference - height) * (reference - height) / count;
+    }
+    layer.rmse_mm = std::sqrt(squares);
+    layer.flatness_mm = std::sqrt(std::max(0.0, squares - layer.mean_error_mm * layer.mean_error_mm));
+    return layer;
+  }
+
+  WallCase wall_;
+  GrowthPlant plant_;
+  HeightLoop loop_;
+  Random random_;
+  std::vector<double> heights_;
+  std::vector<double> amount_;
+  double shift_mm_ = 0.0;
+};
+
+inline PrintedWall printedWall(const WallCase& wall) { return WallPrinter(wall).print(); }
+
+template <class Figure>
+double meanOfSeeds(WallCase wall, Figure figure) {
+  constexpr int kSeeds = 5;
+  double sum = 0.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    wall.seed = static_cast<std::uint64_t>(seed);
+    wall.plant.seed = seed;
+    sum += figure(printedWall(wall)) / kSeeds;
+  }
+  return sum;
+}
+
+/// A feeder that gives a tenth too little, soft ends, a slow wave, randomness, and levelling.
+inline PlantSettings disturbedPlant() {
+  PlantSettings plant;
+  plant.gain = 0.9;
+  plant.end_loss = 0.15;
+  plant.end_mm = 10.0;
+  plant.wave = 0.05;
+  plant.wave_mm = 80.0;
+  plant.random = 0.03;
+  plant.random_mm = 5.0;
+  plant.levelling_mm = 1.0;
+  return plant;
+}
+
+}  // namespace lamina::test
