@@ -33,7 +33,7 @@ TEST(GrowthPlant, WithoutDisturbancesLaysWhatIsCommandedToTheLastBit) {
   bead.layer_s = 20.0;
   const auto after = GrowthPlant(PlantSettings()).afterBead(bead, heights);
   for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(after[i], heights[i] + 1.5 * (1.0 + bead.correction[i]));
-  EXPECT_EQ(delayed(bead.correction, bead.along_mm, PlantSettings()), bead.correction);
+  EXPECT_EQ(delayed({bead.along_mm, bead.correction}, bead.along_mm, PlantSettings()), bead.correction);
 }
 
 TEST(GrowthPlant, LosesGrowthAtEndsAndByWear) {
@@ -130,11 +130,11 @@ TEST(GrowthPlant, DelaysWhatIsCommanded) {
     time_s.push_back(0.01 * i);
     commanded.push_back(i < 100 ? 0.0 : 1.0);
   }
-  const auto late = delayed(commanded, time_s, settings);
+  const auto late = delayed({time_s, commanded}, time_s, settings);
   EXPECT_EQ(late[148], 0.0);
   EXPECT_EQ(late[151], 1.0);
   settings.lag_s = 0.4;
-  const auto lagging = delayed(commanded, time_s, settings);
+  const auto lagging = delayed({time_s, commanded}, time_s, settings);
   EXPECT_NEAR(lagging[190], 1.0 - std::exp(-1.0), 0.01);  // a time constant after the dead time
 }
 

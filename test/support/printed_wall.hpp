@@ -129,8 +129,8 @@ class WallPrinter {
     bead.layer_s = bead.length_mm / wall_.speed_mm_s;
     bead.along_mm = cells.along_mm;
     bead.planned_mm = cells.height_mm;
-    const auto commanded = ledCorrection(cells, correction.amount, wall_.lead, wall_.loop);
-    bead.correction = delayed(commanded, timesOf(cells), wall_.plant);
+    const FeederCommands commands = feederCommands(cells, correction.amount, wall_.lead, wall_.loop);
+    bead.correction = delayed({commands.time_s, commands.amount}, timesOf(cells), wall_.plant);
     const NozzleRoom room{wall_.layer_mm, -1e9, 0.0};
     const auto shift = nozzleShift(cells, loop_.knowledge(), shift_mm_, room, wall_.loop);
     shift_mm_ = meanOverCells(cells, shift);

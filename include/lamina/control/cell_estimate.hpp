@@ -37,6 +37,12 @@ struct ReadingOutcome {
   double surprise = 0.0;
 };
 
+/// Growth measured over growth commanded, and how much was commanded since it was measured last [mm].
+struct MeasuredGain {
+  double gain = 1.0;
+  double commanded_mm = 0.0;
+};
+
 /// Variance of the mean of points of one profile whose neighbours correlate [mm²].
 double readingVariance(const CellReading& reading, double correlation);
 
@@ -77,14 +83,17 @@ class CellEstimate {
   /// Whether the height goes back to something that was seen or is known, and is not a guess.
   bool isKnown() const { return (flags_ & kKnown) != 0; }
 
-  /// Growth measured over growth commanded, since it was last asked for; none if nothing was laid or seen
-  /// since, or the height was not grown but believed.
-  std::optional<double> takeMeasuredGain();
+  /// The height that was believed, or is contested: what a neighbour may agree with.
+  std::optional<double> claimed() const;
+
+  /// The gain since it was last asked for; none if nothing was laid or seen since, or the height was believed
+  /// and cannot have grown so.
+  std::optional<MeasuredGain> takeMeasuredGain();
 
  private:
   static constexpr double kGainUnits = 16384.0;
   static constexpr std::uint8_t kSeen = 1;
-  static constexpr std::uint8_t kBroken = 2;  ///< what was measured since is not growth
+  static constexpr std::uint8_t kBroken = 2;  ///< believed since the gain was measured
   static constexpr std::uint8_t kKnown = 4;
 
   float error_mm_ = 0.0F;

@@ -14,9 +14,22 @@ struct FeederDelay {
   double lag_s = 0.0;
 };
 
-/// What to command at each cell so that the correction arrives at its place: m where the nozzle will be when
-/// the feeder acts, by the planned speeds, and m + T v dm/ds for its lag; within the limits of amount and
-/// slope again. Runs follow each other without a pause. Without delay this is the correction itself.
+/// What a feeder is told, by time.
+struct FeederCommands {
+  std::vector<double>
+      time_s;  ///< ascending; from 0 when the nozzle sets out on the layer, before that negative
+  std::vector<double> amount;
+};
+
+/// What to command so that the correction arrives at its place: m where the nozzle will be when the feeder
+/// acts, by the planned speeds, and m + T v dm/ds for its lag; within the limits of amount and slope again.
+/// Runs follow each other without a pause. The commands begin a dead time before the layer does: a feeder
+/// that cannot be told before it starts late.
+FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>& amount,
+                              const FeederDelay& feeder, const LoopSettings& settings);
+
+/// The same commands at the places where the nozzle is when they are given, one value per cell, for programs
+/// that command by place. Without delay this is the correction itself.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
 

@@ -20,14 +20,17 @@ struct LayerFigures {
   double flatness_mm = 0.0;      ///< the same without the mean
   double coverage = 0.0;         ///< seen
   bool is_measured = false;      ///< coverage is enough
-  double contested_share = 0.0;  ///< of the readings
+  double contested_share = 0.0;  ///< contested and not believed, of those that were read
   double limited_share = 0.0;    ///< of the length, as laid
   double deviating_share = 0.0;  ///< off by more than the alarm
   double gain_mean = 1.0;
   double gain_least = 1.0;
   double gain_greatest = 1.0;
-  double consistency = 1.0;  ///< mean of innovations squared over what was expected of them; 1 if none
-  double spread = 0.0;       ///< of growth, as learnt
+  /// Means of innovations squared over what was expected of them; 1 if there were none: of the first reading
+  /// of each cell, which tells of growth, and of further ones, which tell of the sensor.
+  double consistency = 1.0;
+  double repeatability = 1.0;
+  double spread = 0.0;  ///< of growth, as learnt
 };
 
 /// The loop over one print, from layer to layer: estimates the top of each cell, learns what grows of what is
@@ -78,9 +81,9 @@ class HeightLoop {
   void boundByClouds(LayerCorrection& correction) const;
   void requireCell(std::size_t cell) const;
   void believePatches();
-  std::vector<double> heightGains();
-  std::vector<double> sectionGains() const;
-  void learn(const std::vector<double>& measured);
+  std::vector<MeasuredGain> heightGains();
+  std::vector<MeasuredGain> sectionGains() const;
+  void learn(const std::vector<MeasuredGain>& measured);
   void learnSpread();
   LayerFigures figures() const;
 
@@ -98,11 +101,11 @@ class HeightLoop {
   double spread_;
   double limited_share_ = 0.0;
   std::size_t clouds_ = 0;
-  std::size_t readings_ = 0;
-  std::size_t contested_ = 0;
   double surprise_ = 0.0;  ///< sum over readings used
   double excess_ = 0.0;    ///< of squared innovations over noise and prior, in squared growths
   std::size_t surprises_ = 0;
+  double repeat_surprise_ = 0.0;
+  std::size_t repeats_ = 0;
 };
 
 }  // namespace lamina

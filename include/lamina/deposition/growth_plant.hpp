@@ -79,9 +79,15 @@ class GrowthPlant {
   PlantSettings settings_;
 };
 
-/// What arrives of a commanded quantity at the nozzle: after a dead time, and as a first-order lag follows.
-/// @param time_s  at which each value is commanded, ascending; before the first of them it is commanded
-std::vector<double> delayed(const std::vector<double>& commanded, const std::vector<double>& time_s,
+/// A quantity by time; before the first value it is the first, after the last one the last.
+struct TimedValues {
+  std::vector<double> time_s;  ///< ascending
+  std::vector<double> value;
+};
+
+/// What arrives of a commanded quantity at these times, ascending: after a dead time, and as a first-order
+/// lag follows.
+std::vector<double> delayed(const TimedValues& commanded, const std::vector<double>& time_s,
                             const PlantSettings& settings);
 
 /// Standard deviation 1, the same for the same seed and bead: white noise smoothed by a Gaussian.

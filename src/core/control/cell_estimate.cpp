@@ -38,7 +38,7 @@ void CellEstimate::lay(const LaidGrowth& growth, double spread) {
   variance_mm2_ = static_cast<float>(variance() + spread * expected * spread * expected);
   commanded_mm_ += static_cast<float>(commanded);
   base_mm_ += static_cast<float>(growth.planned_mm);
-  contests_ = 0;
+  contested_mm_ += static_cast<float>(growth.planned_mm - expected);  // what is contested grows as well
   flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
 }
 
@@ -86,16 +86,21 @@ std::optional<double> CellEstimate::contested() const {
   return contests_ > 0 ? std::optional<double>(static_cast<double>(contested_mm_)) : std::nullopt;
 }
 
-std::optional<double> CellEstimate::takeMeasuredGain() {
+std::optional<double> CellEstimate::claimed() const {
+  return (flags_ & kBroken) != 0 ? std::optional<double>(error()) : contested();
+}
+
+std::optional<MeasuredGain> CellEstimate::takeMeasuredGain() {
   if (!isSeen()) return std::nullopt;
   const double commanded = static_cast<double>(commanded_mm_);
-  const double grown = static_cast<double>(base_mm_) - error();
-  const bool is_growth = (flags_ & kBroken) == 0 && commanded > 0.0;
+  const double gain = (static_cast<double>(base_mm_) - error()) / commanded;
+  const bool is_plausible = gain >= kLeastGain && gain <= kGreatestGain;
+  const bool is_growth = commanded > 0.0 && ((flags_ & kBroken) == 0 || is_plausible);
   commanded_mm_ = 0.0F;
   base_mm_ = error_mm_;
   flags_ = static_cast<std::uint8_t>(flags_ & ~kBroken);
   if (!is_growth) return std::nullopt;
-  return grown / commanded;
+  return MeasuredGain{gain, commanded};
 }
 
 }  // namespace lamina

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/control/feeder_lead.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace lamina {
 
@@ -19,26 +19,34 @@ std::vector<double> timesOf(const LayerCells& cells) {
   return times;
 }
 
+FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>& amount,
+                              const FeederDelay& feeder, const LoopSettings& settings) {
+  FeederCommands commands{timesOf(cells), amount};
+  if (feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0) return commands;
+  for (std::size_t i = 0; i + 1 < amount.size() && feeder.lag_s > 0.0; ++i)
+    commands.amount[i] +=
+        feeder.lag_s * (amount[i + 1] - amount[i]) / (commands.time_s[i + 1] - commands.time_s[i]);
+  LoopSettings bounded = settings;
+  bounded.layer_volume = amountRange(settings) + 1.0;  // the volume was bounded where it arrives
+  commands.amount = limitedCorrection(cells, std::move(commands.amount), bounded).amount;
+  for (double& time_s : commands.time_s) time_s -= feeder.dead_time_s;
+  return commands;
+}
+
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings) {
-  if ((feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0) || cells.size() == 0) return amount;
+  const FeederCommands commands = feederCommands(cells, amount, feeder, settings);
   const std::vector<double> times = timesOf(cells);
-  std::vector<double> inverted = amount;
-  for (std::size_t i = 0; i + 1 < amount.size() && feeder.lag_s > 0.0; ++i)
-    inverted[i] += feeder.lag_s * (amount[i + 1] - amount[i]) / (times[i + 1] - times[i]);
   std::vector<double> led(amount.size());
   std::size_t k = 0;
   for (std::size_t i = 0; i < led.size(); ++i) {
-    const double acts_s = times[i] + feeder.dead_time_s;
-    while (k + 1 < led.size() && times[k + 1] <= acts_s) ++k;
-    led[i] = inverted[k];
-    if (k + 1 < led.size())
-      led[i] +=
-          (inverted[k + 1] - inverted[k]) * std::max(0.0, acts_s - times[k]) / (times[k + 1] - times[k]);
+    while (k + 1 < led.size() && commands.time_s[k + 1] <= times[i]) ++k;
+    led[i] = commands.amount[k];
+    if (k + 1 == led.size() || times[i] <= commands.time_s[k]) continue;
+    const double part = (times[i] - commands.time_s[k]) / (commands.time_s[k + 1] - commands.time_s[k]);
+    led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
-  LoopSettings unbounded_volume = settings;
-  unbounded_volume.layer_volume = amountRange(settings) + 1.0;  // the volume was bounded where it arrives
-  return limitedCorrection(cells, std::move(led), unbounded_volume).amount;
+  return led;
 }
 
 }  // namespace lamina

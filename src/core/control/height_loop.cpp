@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -18,7 +19,6 @@ namespace {
 constexpr double kBedSigma = 0.05;       // mm
 constexpr double kNearKnown = 2.0;       // standard deviations of the low-pass
 constexpr double kPatchAgreement = 4.0;  // standard deviations of a point
-constexpr double kNotMeasured = -1.0;    // no growth is negative that a gain is learnt of
 constexpr double kLeastSpread = 0.01;
 constexpr double kGreatestSpread = 0.5;
 
@@ -127,8 +127,8 @@ void HeightLoop::beginLayer(LayerCells cells) {
   estimates_ = std::move(estimates);
   clouds_below_ = clouds_;
   ++layers_begun_;
-  clouds_ = readings_ = contested_ = surprises_ = 0;
-  surprise_ = excess_ = limited_share_ = 0.0;
+  clouds_ = surprises_ = repeats_ = 0;
+  surprise_ = repeat_surprise_ = excess_ = limited_share_ = 0.0;
 }
 
 LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<double> gain) const {
@@ -201,10 +201,13 @@ ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
   const double prior = estimate.variance();
   const double expected = estimate.gain() * cells_.height_mm[cell];
   const ReadingOutcome outcome = estimate.see(reading, settings_.reading_correlation);
-  ++readings_;
   cloud_sigma_mm_ = std::max(cloud_sigma_mm_, reading.sigma_mm);
-  if (outcome.use == ReadingUse::Contested) ++contested_;
-  if (outcome.use != ReadingUse::Used || was_seen) return outcome;
+  if (outcome.use != ReadingUse::Used) return outcome;
+  if (was_seen) {
+    repeat_surprise_ += outcome.surprise;
+    ++repeats_;
+    return outcome;
+  }
   // The first reading of a cell tells of its growth, those that follow of the sensor alone.
   const double noise = readingVariance(reading, settings_.reading_correlation);
   const double growth = spread_ * expected;
@@ -239,8 +242,8 @@ void HeightLoop::believePatches() {
     for (std::size_t begin = run.first; begin < end;) {
       std::size_t last = begin;
       const auto agrees = [&](std::size_t i) {
-        const auto here = estimates_[i].contested();
-        const auto before = estimates_[i - 1].contested();
+        const auto here = estimates_[i].claimed();
+        const auto before = estimates_[i - 1].claimed();
         return here && before && std::abs(*here - *before) <= kPatchAgreement * cloud_sigma_mm_;
       };
       while (last + 1 < end && agrees(last + 1)) ++last;
@@ -263,29 +266,32 @@ LayerFigures HeightLoop::endLayer() {
   return result;
 }
 
-std::vector<double> HeightLoop::heightGains() {
-  std::vector<double> gains(cells_.size(), kNotMeasured);
+std::vector<MeasuredGain> HeightLoop::heightGains() {
+  std::vector<MeasuredGain> gains(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    gains[i] = estimates_[i].takeMeasuredGain().value_or(kNotMeasured);
+    gains[i] = estimates_[i].takeMeasuredGain().value_or(MeasuredGain());
   return gains;
 }
 
-std::vector<double> HeightLoop::sectionGains() const {
-  std::vector<double> gains(cells_.size(), kNotMeasured);
+std::vector<MeasuredGain> HeightLoop::sectionGains() const {
+  std::vector<MeasuredGain> gains(cells_.size());
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (is_section_seen_[i]) gains[i] = (1.0 - deficit_[i]) / (1.0 + laid_[i]);
+    if (is_section_seen_[i]) gains[i] = {(1.0 - deficit_[i]) / (1.0 + laid_[i]), cells_.height_mm[i]};
   return gains;
 }
 
-void HeightLoop::learn(const std::vector<double>& measured) {
+/// What several layers tell together is learnt as if each had told it.
+void HeightLoop::learn(const std::vector<MeasuredGain>& measured) {
   std::vector<double> gains = gainsOf(estimates_);
   for (std::size_t i = 0; i < cells_.size(); ++i)
-    if (measured[i] != kNotMeasured) gains[i] = measured[i];
+    if (measured[i].commanded_mm > 0.0) gains[i] = measured[i].gain;
   const std::vector<double> smooth = lowPassed(gains, cells_, settings_.low_pass_mm);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (measured[i] == kNotMeasured) continue;
+    if (measured[i].commanded_mm <= 0.0) continue;
+    const double layers = std::max(1.0, measured[i].commanded_mm / cells_.height_mm[i]);
     const double gain = estimates_[i].gain();
-    estimates_[i].setGain(gain + settings_.learning * (smooth[i] - gain));
+    const double share = 1.0 - std::pow(1.0 - settings_.learning, layers);
+    estimates_[i].setGain(gain + share * (smooth[i] - gain));
   }
   learnSpread();
 }
@@ -305,6 +311,8 @@ LayerFigures HeightLoop::figures() const {
   if (cells_.size() == 0) return result;
   std::vector<double> seen(cells_.size());
   std::vector<double> deviates(cells_.size());
+  std::vector<double> is_read(cells_.size());
+  double contested = 0.0;
   double squares = 0.0;
   result.height_mm = meanOverCells(cells_, cells_.height_mm);
   result.mean_error_mm = meanOverCells(cells_, errorsOf(estimates_));
@@ -313,6 +321,8 @@ LayerFigures HeightLoop::figures() const {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const CellEstimate& cell = estimates_[i];
     seen[i] = cell.isSeen() ? 1.0 : 0.0;
+    is_read[i] = cell.isSeen() || cell.contested() ? 1.0 : 0.0;
+    contested += cell.contested() && !cell.isSeen() ? 1.0 : 0.0;
     deviates[i] = std::abs(cell.error()) > settings_.alarm_layers * cells_.height_mm[i] ? 1.0 : 0.0;
     squares += cell.error() * cell.error();
     result.gain_least = std::min(result.gain_least, cell.gain());
@@ -324,9 +334,10 @@ LayerFigures HeightLoop::figures() const {
   result.coverage = meanOverCells(cells_, seen);
   result.is_measured = result.coverage > 0.0 && result.coverage >= settings_.min_coverage;
   result.deviating_share = meanOverCells(cells_, deviates);
-  if (readings_ > 0)
-    result.contested_share = static_cast<double>(contested_) / static_cast<double>(readings_);
+  const double read = std::accumulate(is_read.begin(), is_read.end(), 0.0);
+  if (read > 0.0) result.contested_share = contested / read;
   if (surprises_ > 0) result.consistency = surprise_ / static_cast<double>(surprises_);
+  if (repeats_ > 0) result.repeatability = repeat_surprise_ / static_cast<double>(repeats_);
   return result;
 }
 

@@ -150,21 +150,22 @@ std::vector<double> GrowthPlant::afterBead(const PlantBead& bead, std::vector<do
   return settings_.levelling_mm > 0.0 ? levelled(heights, bead, settings_.levelling_mm) : heights;
 }
 
-std::vector<double> delayed(const std::vector<double>& commanded, const std::vector<double>& time_s,
+std::vector<double> delayed(const TimedValues& commanded, const std::vector<double>& time_s,
                             const PlantSettings& settings) {
-  if (settings.dead_time_s == 0.0 && settings.lag_s == 0.0) return commanded;
-  std::vector<double> arrived(commanded.size());
+  std::vector<double> arrived(time_s.size());
   std::size_t k = 0;
-  double follows = commanded.empty() ? 0.0 : commanded.front();
-  for (std::size_t i = 0; i < commanded.size(); ++i) {
+  double follows = 0.0;
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
     const double asked_s = time_s[i] - settings.dead_time_s;
-    while (k + 1 < commanded.size() && time_s[k + 1] <= asked_s) ++k;
-    double value = commanded[k];
-    if (asked_s > time_s[k] && k + 1 < commanded.size())
-      value += (commanded[k + 1] - value) * (asked_s - time_s[k]) / (time_s[k + 1] - time_s[k]);
-    const double step_s = i > 0 ? time_s[i] - time_s[i - 1] : 0.0;
-    const double share = settings.lag_s > 0.0 ? 1.0 - std::exp(-step_s / settings.lag_s) : 1.0;
-    follows += share * (value - follows);
+    while (k + 1 < commanded.value.size() && commanded.time_s[k + 1] <= asked_s) ++k;
+    double value = commanded.value[k];
+    if (asked_s > commanded.time_s[k] && k + 1 < commanded.value.size())
+      value += (commanded.value[k + 1] - value) * (asked_s - commanded.time_s[k]) /
+               (commanded.time_s[k + 1] - commanded.time_s[k]);
+    const bool lags = settings.lag_s > 0.0 && i > 0;
+    follows =
+        lags ? follows + (1.0 - std::exp((time_s[i - 1] - time_s[i]) / settings.lag_s)) * (value - follows)
+             : value;
     arrived[i] = follows;
   }
   return arrived;

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lamina/control/layer_law.hpp"
+
+namespace lamina {
+
+/// What a learnt map is good for.
+struct PartIdentity {
+  std::string program;  ///< its hash
+  std::string machine;
+  std::string material;
+};
+
+/// Relative amounts learnt from the parts before, by layer and cell: how to lay the same part again.
+struct PartMap {
+  PartIdentity identity;
+  std::size_t parts = 0;  ///< learnt from
+  std::vector<std::vector<double>> amount;
+};
+
+/// How a layer of a part turned out.
+struct LaidLayer {
+  LayerCells cells;
+  std::vector<double> amount;           ///< relative, as laid
+  std::vector<double> growth_error_mm;  ///< planned less actual growth of this layer alone
+};
+
+/// How a part ended. One that was aborted teaches nothing.
+enum class PartEnd { Complete, Aborted };
+
+/// The map for the next part: u = Q (u + K F e / h) [Bristow2006], u what was laid, e the error of each
+/// layer's own growth, F and Q the loop's low-pass along the path, Q the mean of a layer and its two
+/// neighbours as well where their cells are as many. Within the limits of the loop.
+/// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map
+PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
+                       const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);
+
+/// What differs between a map's part and another: "machine 'a' instead of 'b'"; empty if nothing does. A map
+/// that differs must not be used.
+std::string differenceOf(const PartIdentity& map, const PartIdentity& other);
+
+}  // namespace lamina

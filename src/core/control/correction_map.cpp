@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/correction_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+/// FNV-1a over 64-bit words.
+class MapFingerprint {
+ public:
+  void add(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 0x100000001B3ULL;
+    hash_ ^= hash_ >> 29;
+  }
+  void add(double value) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof word);
+    add(word);
+  }
+  void add(const std::string& text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325ULL;
+};
+
+[[noreturn]] void refuseStation(const PathCorrection& path, std::size_t station, const std::string& what) {
+  throw InvalidInput("correction of path " + std::to_string(path.path) + ", station " +
+                     std::to_string(station) + ": " + what);
+}
+
+void requireStations(const PathCorrection& path) {
+  if (!(path.station_mm > 0.0) || !std::isfinite(path.station_mm))
+    refuseStation(
+        path, 0,
+        "stations are " + std::to_string(path.station_mm) + " mm apart; expected a positive distance");
+  if (path.stations.empty()) refuseStation(path, 0, "there is none; expected one at least");
+  for (std::size_t i = 0; i < path.stations.size(); ++i) {
+    const PlaceCorrection& place = path.stations[i];
+    const bool is_finite =
+        std::isfinite(place.amount) && std::isfinite(place.speed) && std::isfinite(place.dz_mm);
+    if (!is_finite) refuseStation(path, i, "a value is not finite; expected finite ones");
+    if (place.amount <= -1.0)
+      refuseStation(path, i,
+                    "the amount changes by " + std::to_string(place.amount) + "; expected more than -1");
+    if (place.speed <= -1.0)
+      refuseStation(path, i,
+                    "the speed changes by " + std::to_string(place.speed) + "; expected more than -1");
+  }
+}
+
+double valueOr(const std::vector<double>& values, std::size_t i) { return values.empty() ? 0.0 : values[i]; }
+
+}  // namespace
+
+PlaceCorrection correctionAt(const PathCorrection& path, double along_mm) {
+  if (path.stations.empty()) return {};
+  const double place = std::max(0.0, along_mm / path.station_mm - 0.5);
+  const std::size_t last = path.stations.size() - 1;
+  if (place >= static_cast<double>(last)) return path.stations[last];
+  const auto i = static_cast<std::size_t>(place);
+  const double part = place - static_cast<double>(i);
+  const PlaceCorrection& a = path.stations[i];
+  const PlaceCorrection& b = path.stations[i + 1];
+  return {a.amount + part * (b.amount - a.amount), a.speed + part * (b.speed - a.speed),
+          a.dz_mm + part * (b.dz_mm - a.dz_mm)};
+}
+
+CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corrections,
+                            const std::string& toolpath_id, std::uint64_t sequence) {
+  CorrectionMap map{toolpath_id, cells.layer, sequence, {}};
+  for (const CellRun& run : cells.runs) {
+    PathCorrection path{run.path, run.cellLength(), {}};
+    path.stations.reserve(run.count);
+    for (std::size_t i = run.first; i < run.first + run.count; ++i)
+      path.stations.push_back(
+          {valueOr(corrections.amount, i), valueOr(corrections.speed, i), valueOr(corrections.dz_mm, i)});
+    map.paths.push_back(std::move(path));
+  }
+  return map;
+}
+
+std::string digestOf(const CorrectionMap& map) {
+  MapFingerprint fingerprint;
+  fingerprint.add(map.toolpath_id);
+  fingerprint.add(static_cast<std::uint64_t>(map.layer));
+  fingerprint.add(map.sequence);
+  fingerprint.add(static_cast<std::uint64_t>(map.paths.size()));
+  for (const PathCorrection& path : map.paths) {
+    fingerprint.add(static_cast<std::uint64_t>(path.path));
+    fingerprint.add(path.station_mm);
+    fingerprint.add(static_cast<std::uint64_t>(path.stations.size()));
+    for (const PlaceCorrection& place : path.stations) {
+      fingerprint.add(place.amount);
+      fingerprint.add(place.speed);
+      fingerprint.add(place.dz_mm);
+    }
+  }
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(fingerprint.value()));
+  return text;
+}
+
+void validate(const CorrectionMap& map) {
+  for (std::size_t p = 0; p < map.paths.size(); ++p) {
+    if (p > 0 && map.paths[p].path <= map.paths[p - 1].path)
+      refuseStation(
+          map.paths[p], 0,
+          "it stands after path " + std::to_string(map.paths[p - 1].path) + "; expected paths to ascend");
+    requireStations(map.paths[p]);
+  }
+}
+
+}  // namespace lamina

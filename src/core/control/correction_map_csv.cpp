@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "lamina/base/csv_table.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/text.hpp"
+#include "lamina/control/correction_map.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr char kColumns[] = "path,station_mm,amount,speed,dz_mm";
+constexpr std::size_t kMostIndex = 1U << 30U;
+
+void appendNumber(std::string& text, double number) {
+  std::array<char, 32> digits;
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
+}
+
+[[noreturn]] void refuseLine(const std::string& source, std::size_t line, const std::string& what) {
+  throw InvalidInput(source + ", line " + std::to_string(line) + ": " + what);
+}
+
+template <class Number>
+Number numberOf(std::string_view text, const std::string& source, std::size_t line, const char* what) {
+  Number number{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || result.ec != std::errc{} || result.ptr != text.data() + text.size())
+    refuseLine(source, line, std::string(what) + " is '" + std::string(text) + "'; expected a number");
+  return number;
+}
+
+/// The word after "# name ", and the line it stands on.
+struct StatedWord {
+  std::string_view word;
+  std::size_t line = 0;
+};
+
+StatedWord stated(std::string_view text, std::string_view name, const std::string& source) {
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    std::string_view comment = trimmed(text.substr(0, length));
+    text.remove_prefix(std::min(length + 1, text.size()));
+    if (comment.empty() || comment.front() != '#') continue;
+    comment = trimmed(comment.substr(1));
+    if (comment.substr(0, name.size()) != name) continue;
+    const std::string_view word = trimmed(comment.substr(name.size()));
+    if (!word.empty()) return {word, line};
+  }
+  throw InvalidInput(source + ": no comment '# " + std::string(name) + " ...'; expected a correction map");
+}
+
+void requireColumns(const CsvTable& table) {
+  std::string columns;
+  for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ",") + column;
+  if (columns != kColumns)
+    throw InvalidInput(table.source + ": columns are '" + columns + "'; expected '" + kColumns + "'");
+}
+
+void addRow(CorrectionMap& map, const CsvTable& table, std::size_t r) {
+  const std::vector<std::string>& row = table.rows[r];
+  const std::size_t line = table.lines[r];
+  const auto path = numberOf<std::size_t>(row[0], table.source, line, "the path");
+  const auto station_mm = numberOf<double>(row[1], table.source, line, "the distance of stations");
+  if (path > kMostIndex)
+    refuseLine(table.source, line, "the path is " + row[0] + "; expected a path of a layer");
+  if (map.paths.empty() || map.paths.back().path != path) map.paths.push_back({path, station_mm, {}});
+  if (map.paths.back().station_mm != station_mm)
+    refuseLine(table.source, line,
+               "stations of path " + row[0] + " are " + row[1] + " mm apart; expected the same along a path");
+  PlaceCorrection place;
+  place.amount = numberOf<double>(row[2], table.source, line, "the amount");
+  place.speed = numberOf<double>(row[3], table.source, line, "the speed");
+  place.dz_mm = numberOf<double>(row[4], table.source, line, "the height");
+  map.paths.back().stations.push_back(place);
+}
+
+}  // namespace
+
+std::string correctionMapCsv(const CorrectionMap& map) {
+  std::string text = "# toolpath " + map.toolpath_id + "\n# layer " + std::to_string(map.layer) +
+                     "\n# sequence " + std::to_string(map.sequence) + "\n# digest " + digestOf(map) + "\n" +
+                     kColumns + "\n";
+  for (const PathCorrection& path : map.paths) {
+    for (const PlaceCorrection& place : path.stations) {
+      text += std::to_string(path.path);
+      for (const double number : {path.station_mm, place.amount, place.speed, place.dz_mm}) {
+        text += ',';
+        appendNumber(text, number);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+CorrectionMap readCorrectionMap(std::string_view text, const std::string& source) {
+  const CsvTable table = parseCsvTable(text, source);
+  requireColumns(table);
+  CorrectionMap map;
+  map.toolpath_id = stated(text, "toolpath", source).word;
+  const StatedWord layer = stated(text, "layer", source);
+  map.layer = numberOf<std::size_t>(layer.word, source, layer.line, "the layer");
+  const StatedWord sequence = stated(text, "sequence", source);
+  map.sequence = numberOf<std::uint64_t>(sequence.word, source, sequence.line, "the sequence");
+  for (std::size_t r = 0; r < table.rows.size(); ++r) addRow(map, table, r);
+  try {
+    validate(map);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
+  }
+  const StatedWord digest = stated(text, "digest", source);
+  if (digest.word != digestOf(map))
+    refuseLine(source, digest.line,
+               "the digest is " + std::string(digest.word) + "; the map's is " + digestOf(map));
+  return map;
+}
+
+}  // namespace lamina

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/metal_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+
+MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& amount, PowerSource source,
+                           const LoopSettings& settings) {
+  if (settings.speed_exponent == 0.0)
+    throw InvalidConfig("loop.speed_exponent is 0; expected a negative power of the travel speed");
+  MetalCorrection split;
+  split.wire = meanOverCells(cells, amount);
+  std::size_t limited = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double planned = cells.speed_mm_s[i];
+    const double left = (1.0 + amount[i]) / (1.0 + split.wire);
+    const double wanted = planned * std::pow(left, 1.0 / settings.speed_exponent);
+    double least = settings.least_speed_mm_s;
+    double greatest = settings.greatest_speed_mm_s;
+    if (source == PowerSource::Fixed) {
+      least = std::max(least, planned / (1.0 + settings.heat));
+      greatest = std::min(greatest, planned / std::max(1e-6, 1.0 - settings.heat));
+    }
+    const double speed = std::max(std::min(wanted, greatest), least);
+    if (speed != wanted) ++limited;
+    split.speed_mm_s.push_back(speed);
+    // Power that goes all the way with the speed leaves heat per length as it is planned.
+    split.power.push_back(source == PowerSource::Follows ? speed / planned - 1.0 : 0.0);
+  }
+  if (cells.size() > 0)
+    split.limited_share = static_cast<double>(limited) / static_cast<double>(cells.size());
+  return split;
+}
+
+std::optional<double> interpassDwell(const CoolingWall& wall, double interpass_c) {
+  if (wall.temperature_c <= interpass_c) return 0.0;
+  if (interpass_c <= wall.ambient_c) return std::nullopt;
+  return wall.cooling_s * std::log((wall.temperature_c - wall.ambient_c) / (interpass_c - wall.ambient_c));
+}
+
+}  // namespace lamina

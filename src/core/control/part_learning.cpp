@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/part_learning.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lamina/base/error.hpp"
+#include "lamina/control/path_low_pass.hpp"
+
+namespace lamina {
+namespace {
+
+std::string differsIn(const std::string& what, const std::string& is, const std::string& expected) {
+  return is == expected ? std::string() : what + " '" + is + "' instead of '" + expected + "'";
+}
+
+/// A layer counts half, its neighbours a quarter each; at the ends of the part more of itself.
+std::vector<std::vector<double>> smoothAcrossLayers(const std::vector<std::vector<double>>& amount) {
+  std::vector<std::vector<double>> smooth = amount;
+  for (std::size_t k = 0; k < amount.size(); ++k) {
+    const auto& below = k > 0 && amount[k - 1].size() == amount[k].size() ? amount[k - 1] : amount[k];
+    const auto& above =
+        k + 1 < amount.size() && amount[k + 1].size() == amount[k].size() ? amount[k + 1] : amount[k];
+    for (std::size_t i = 0; i < amount[k].size(); ++i)
+      smooth[k][i] = 0.5 * amount[k][i] + 0.25 * below[i] + 0.25 * above[i];
+  }
+  return smooth;
+}
+
+}  // namespace
+
+std::string differenceOf(const PartIdentity& map, const PartIdentity& other) {
+  const std::string differences[] = {differsIn("program", other.program, map.program),
+                                     differsIn("machine", other.machine, map.machine),
+                                     differsIn("material", other.material, map.material)};
+  for (const std::string& difference : differences)
+    if (!difference.empty()) return difference;
+  return {};
+}
+
+PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
+                       const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings) {
+  const bool is_first = before.parts == 0;
+  const std::string difference = is_first ? std::string() : differenceOf(before.identity, identity);
+  if (!difference.empty()) throw InvalidInput("the learnt map is of another part: " + difference);
+  if (!is_first && before.amount.size() != part.size())
+    throw InvalidInput("the part has " + std::to_string(part.size()) + " layers; expected " +
+                       std::to_string(before.amount.size()) + ", as the learnt map");
+  if (end == PartEnd::Aborted) return before;
+  PartMap learnt{identity, before.parts + 1, {}};
+  for (const LaidLayer& layer : part) {
+    const std::vector<double> error = lowPassed(layer.growth_error_mm, layer.cells, settings.low_pass_mm);
+    std::vector<double> amount(layer.amount);
+    for (std::size_t i = 0; i < amount.size(); ++i)
+      amount[i] += settings.part_learning * error[i] / layer.cells.height_mm[i];
+    learnt.amount.push_back(std::move(amount));
+  }
+  learnt.amount = smoothAcrossLayers(learnt.amount);
+  for (std::size_t k = 0; k < part.size(); ++k)
+    learnt.amount[k] = limitedCorrection(part[k].cells, std::move(learnt.amount[k]), settings).amount;
+  return learnt;
+}
+
+}  // namespace lamina

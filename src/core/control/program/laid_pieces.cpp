@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control/program/laid_pieces.hpp"
+
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+/// Places from one end of a stretch to the other between which the correction is linear, and changes by no
+/// more than a split.
+std::vector<double> linearNodes(const PathCorrection& correction, const LaidStretch& stretch,
+                                double split_change) {
+  const double step = correction.station_mm;
+  std::vector<double> coarse{stretch.from_mm};
+  const auto first = static_cast<long>(std::floor(stretch.from_mm / step - 0.5)) + 1;
+  for (long i = first; (static_cast<double>(i) + 0.5) * step < stretch.to_mm; ++i)
+    if ((static_cast<double>(i) + 0.5) * step > stretch.from_mm)
+      coarse.push_back((static_cast<double>(i) + 0.5) * step);
+  coarse.push_back(stretch.to_mm);
+  std::vector<double> nodes{coarse.front()};
+  for (std::size_t i = 1; i < coarse.size(); ++i) {
+    const double change =
+        std::abs(correctionAt(correction, coarse[i]).amount - correctionAt(correction, coarse[i - 1]).amount);
+    const double parts = std::max(1.0, std::ceil(change / split_change - 1e-9));
+    for (double k = 1.0; k <= parts; k += 1.0)
+      nodes.push_back(coarse[i - 1] + (coarse[i] - coarse[i - 1]) * k / parts);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+CorrectionsByPath::CorrectionsByPath(const std::vector<CorrectionMap>& maps) {
+  std::set<std::size_t> layers;
+  for (const CorrectionMap& map : maps) {
+    validate(map);
+    if (!layers.insert(map.layer).second)
+      throw InvalidInput("two correction maps are of layer " + std::to_string(map.layer) +
+                         "; expected one a layer");
+    for (const PathCorrection& path : map.paths) paths_[{map.layer, path.path}] = &path;
+  }
+}
+
+const PathCorrection* CorrectionsByPath::find(std::size_t layer, std::size_t path) const {
+  const auto found = paths_.find({layer, path});
+  return found == paths_.end() ? nullptr : found->second;
+}
+
+std::vector<LaidPiece> laidPieces(const PathCorrection& correction, const LaidStretch& stretch,
+                                  double split_change) {
+  const double length = stretch.to_mm - stretch.from_mm;
+  if (!(length > 0.0)) {
+    const PlaceCorrection here = correctionAt(correction, stretch.to_mm);
+    return {{1.0, here, here.dz_mm}};
+  }
+  const std::vector<double> nodes = linearNodes(correction, stretch, split_change);
+  std::vector<LaidPiece> pieces;
+  PlaceCorrection sum;
+  double begin = nodes.front();
+  PlaceCorrection last = correctionAt(correction, begin);
+  double first_amount = last.amount;
+  const auto close = [&](double end) {
+    const double of_piece = end - begin;
+    pieces.push_back({of_piece / length,
+                      {sum.amount / of_piece, sum.speed / of_piece, sum.dz_mm / of_piece},
+                      correctionAt(correction, end).dz_mm});
+    sum = {};
+    begin = end;
+  };
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const PlaceCorrection next = correctionAt(correction, nodes[i]);
+    const bool changes = std::abs(next.amount - first_amount) > split_change * (1.0 + 1e-9);
+    if (changes && nodes[i - 1] > begin) {
+      close(nodes[i - 1]);
+      first_amount = last.amount;
+    }
+    const double half = 0.5 * (nodes[i] - nodes[i - 1]);
+    sum.amount += half * (last.amount + next.amount);
+    sum.speed += half * (last.speed + next.speed);
+    sum.dz_mm += half * (last.dz_mm + next.dz_mm);
+    last = next;
+  }
+  close(nodes.back());
+  return pieces;
+}
+
+}  // namespace lamina

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "control/program/deposit_cursor.hpp"
+#include "lamina/control/correction_map.hpp"
+
+namespace lamina {
+
+/// A piece of a motion that is laid with one amount.
+struct LaidPiece {
+  double share = 1.0;  ///< of the motion's length
+  PlaceCorrection mean;
+  double end_dz_mm = 0.0;
+};
+
+/// The maps of a toolpath by layer and path. The maps must outlive this.
+class CorrectionsByPath {
+ public:
+  /// @throws InvalidInput if two maps are of one layer
+  explicit CorrectionsByPath(const std::vector<CorrectionMap>& maps);
+
+  /// None if nothing is known of the path.
+  const PathCorrection* find(std::size_t layer, std::size_t path) const;
+
+ private:
+  std::map<std::pair<std::size_t, std::size_t>, const PathCorrection*> paths_;
+};
+
+/// Pieces of a stretch of a path, in each of which the amount changes by that much at most. Their means are
+/// exact for corrections that are linear between stations.
+std::vector<LaidPiece> laidPieces(const PathCorrection& correction, const LaidStretch& stretch,
+                                  double split_change);
+
+}  // namespace lamina

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/replanning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace lamina {
+namespace {
+
+constexpr double kLeastScale = 0.7;
+constexpr double kGreatestScale = 1.3;
+constexpr double kWholeLayer = 0.75;  // layers off, from which one is added or left out
+constexpr double kWideRegion = 3.0;   // bead widths
+
+double totalOf(const std::vector<double>& heights) {
+  return std::accumulate(heights.begin(), heights.end(), 0.0);
+}
+
+bool fits(double height, double planned, const LayerWindow& window) {
+  return height >= std::max(kLeastScale * planned, window.least_mm) &&
+         height <= std::min(kGreatestScale * planned, window.greatest_mm);
+}
+
+bool allFit(const std::vector<double>& planned, double scale, const LayerWindow& window) {
+  return std::all_of(planned.begin(), planned.end(),
+                     [&](double height) { return fits(scale * height, height, window); });
+}
+
+RegionStep stepOf(double error, double layer, bool is_wide) {
+  if (error > kWholeLayer * layer) return is_wide ? RegionStep::AddLayer : RegionStep::FillBeads;
+  if (error < -kWholeLayer * layer && is_wide) return RegionStep::SkipLayer;
+  return RegionStep::None;
+}
+
+int sideOf(double error, double layer) {
+  if (error > kWholeLayer * layer) return 1;
+  return error < -kWholeLayer * layer ? -1 : 0;
+}
+
+}  // namespace
+
+double expectedTopError(const PartUnderWay& part, double greatest_amount) {
+  const double share = std::min(1.0, part.growth * (1.0 + greatest_amount));
+  const double lost = (1.0 - share) * totalOf(part.heights_left_mm);
+  // What is too low is caught up only by amounts that are not needed for growth itself.
+  const double spare =
+      std::max(0.0, part.growth * (1.0 + greatest_amount) - 1.0) * totalOf(part.heights_left_mm);
+  return part.error_mm > 0.0 ? std::max(0.0, part.error_mm + lost - spare) : part.error_mm + lost;
+}
+
+bool needsReplanning(const PartUnderWay& part, double layer_mm, double greatest_amount) {
+  return std::abs(part.error_mm) > layer_mm ||
+         std::abs(expectedTopError(part, greatest_amount)) > 0.5 * layer_mm;
+}
+
+std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWindow& window) {
+  const std::vector<double>& left = part.heights_left_mm;
+  const double planned = totalOf(left);
+  const double wanted = planned + part.error_mm;
+  if (left.empty() || !(wanted > 0.0) || !(part.growth > 0.0)) return std::nullopt;
+  NewHeights heights;
+  heights.flow = std::clamp(1.0 / part.growth, 1.0 / window.greatest_flow, window.greatest_flow);
+  const double scale = wanted / planned;
+  if (allFit(left, scale, window)) {
+    for (const double height : left) heights.heights_mm.push_back(scale * height);
+    return heights;
+  }
+  const double mean = planned / static_cast<double>(left.size());
+  const auto nearest = static_cast<long>(std::max(1.0, std::round(wanted / mean)));
+  for (const long count : {nearest, nearest + 1, nearest - 1}) {
+    if (count < 1 || !fits(wanted / static_cast<double>(count), mean, window)) continue;
+    heights.heights_mm.assign(static_cast<std::size_t>(count), wanted / static_cast<double>(count));
+    return heights;
+  }
+  return std::nullopt;
+}
+
+std::vector<RegionDecision> regionDecisions(const LayerCells& cells, const std::vector<double>& error_mm) {
+  std::vector<RegionDecision> decisions;
+  for (std::size_t r = 0; r < cells.runs.size(); ++r) {
+    const CellRun& run = cells.runs[r];
+    const std::size_t end = run.first + run.count;
+    for (std::size_t begin = run.first; begin < end;) {
+      const int side = sideOf(error_mm[begin], cells.height_mm[begin]);
+      std::size_t last = begin;
+      while (last + 1 < end && sideOf(error_mm[last + 1], cells.height_mm[last + 1]) == side) ++last;
+      const std::size_t count = last - begin + 1;
+      const double length = static_cast<double>(count) * run.cellLength();
+      const bool is_wide = length >= kWideRegion * cells.width_mm[begin];
+      const RegionStep step = stepOf(error_mm[begin], cells.height_mm[begin], is_wide);
+      if (step != RegionStep::None) decisions.push_back({step, r, begin, count});
+      begin = last + 1;
+    }
+  }
+  return decisions;
+}
+
+}  // namespace lamina

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/trailing_trim.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kMostSteps = 1e5;
+
+}  // namespace
+
+TrailingTrim::TrailingTrim(const TrimSettings& settings) : settings_(settings) {
+  const double steps = settings.behind_mm / settings.step_mm;
+  if (!(settings.step_mm > 0.0) || !(steps > 0.0) || steps > kMostSteps)
+    throw InvalidInput("a sensor " + std::to_string(settings.behind_mm) +
+                       " mm behind the nozzle is read every " + std::to_string(settings.step_mm) +
+                       " mm; expected positive lengths, and at most 1e5 steps");
+  under_way_.assign(static_cast<std::size_t>(std::max(1.0, std::round(steps))), 0.0);
+}
+
+double TrailingTrim::advance(std::optional<double> relative_error) {
+  const double seen = under_way_[next_];
+  if (relative_error && std::isfinite(*relative_error)) {
+    const double expected_change = settings_.growth * (trim_ - seen);
+    trim_ -= settings_.gain_per_mm * settings_.step_mm * (*relative_error + expected_change);
+    trim_ = std::clamp(trim_, -settings_.range, settings_.range);
+  }
+  under_way_[next_] = trim_;
+  next_ = (next_ + 1) % under_way_.size();
+  return trim_;
+}
+
+}  // namespace lamina
