@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -10,6 +11,8 @@
 #include "lamina/base/random.hpp"
 #include "lamina/control/feeder_lead.hpp"
 #include "lamina/control/height_loop.hpp"
+#include "lamina/control/replanning.hpp"
+#include "lamina/control/supervision.hpp"
 #include "lamina/control/z_follow.hpp"
 #include "lamina/deposition/growth_plant.hpp"
 
@@ -20,6 +23,7 @@ struct WallCase {
   PlantSettings plant;
   LoopSettings loop;
   LoopState state = LoopState::Active;
+  bool is_supervised = false;  ///< from `Active`; replanned where supervision asks for it
   /// What the loop is in at a layer; `state` where empty.
   std::function<LoopState(std::size_t layer)> state_at = {};
   FeederDelay lead;  ///< what the feeder is taken to be
@@ -43,6 +47,12 @@ struct WallLayer {
   double flatness_mm = 0.0;
   double limited_share = 0.0;
   LayerFigures estimated;
+  std::vector<RaisedAlarm> alarms;
+
+  bool raises(LoopAlarm alarm) const {
+    return std::any_of(alarms.begin(), alarms.end(),
+                       [&](const RaisedAlarm& each) { return each.alarm == alarm; });
+  }
 };
 
 struct PrintedWall {
@@ -73,13 +83,19 @@ double meanOfSeeds(WallCase wall, Figure figure);
 class WallPrinter {
  public:
   explicit WallPrinter(const WallCase& wall)
-      : wall_(wall), plant_(wall.plant), loop_(wall.loop), random_(wall.seed) {}
+      : wall_(wall),
+        plant_(wall.plant),
+        loop_(wall.loop),
+        random_(wall.seed),
+        plan_(wall.layers, wall.layer_mm) {
+    status_.state = LoopState::Active;
+  }
 
   PrintedWall print() {
     PrintedWall printed;
-    for (std::size_t k = 0; k < wall_.layers; ++k) printed.layers.push_back(printLayer(k));
-    for (const double height : heights_)
-      printed.error_mm.push_back(wall_.layer_mm * static_cast<double>(wall_.layers) - height);
+    for (std::size_t k = 0; k < plan_.size(); ++k) printed.layers.push_back(printLayer(k));
+    const double top_mm = wall_.layer_mm * static_cast<double>(wall_.layers);
+    for (const double height : heights_) printed.error_mm.push_back(top_mm - height);
     printed.amount = amount_;
     return printed;
   }
@@ -89,7 +105,8 @@ class WallPrinter {
     loop_.beginLayer(layerOf(k));
     const LayerCells& cells = loop_.cells();
     if (k == 0) heights_.assign(cells.size(), 0.0);
-    const LoopState state = wall_.state_at ? wall_.state_at(k) : wall_.state;
+    const LoopState state =
+        wall_.is_supervised ? status_.state : (wall_.state_at ? wall_.state_at(k) : wall_.state);
     const LayerCorrection correction = loop_.correction(state);
     amount_ = correction.amount;
     lay(k, correction);
@@ -98,15 +115,46 @@ class WallPrinter {
     WallLayer layer = figuresOf(k);
     layer.limited_share = correction.limited_share;
     layer.estimated = loop_.endLayer();
+    if (wall_.is_supervised) supervise(k, layer);
     return layer;
   }
 
+  void supervise(std::size_t k, WallLayer& layer) {
+    const LoopStep step = afterLayer(status_, layer.estimated, wall_.loop);
+    status_ = step.status;
+    layer.alarms = step.alarms;
+    for (const RaisedAlarm& alarm : step.alarms)
+      if (alarm.reaction == LoopReaction::Replan) replan(k, layer.estimated);
+  }
+
+  void replan(std::size_t k, const LayerFigures& figures) {
+    const PartUnderWay part{{plan_.begin() + static_cast<std::ptrdiff_t>(k) + 1, plan_.end()},
+                            figures.mean_error_mm,
+                            figures.gain_mean};
+    const auto heights = scaledHeights(part, {});
+    if (!heights) return;
+    plan_.resize(k + 1);
+    plan_.insert(plan_.end(), heights->heights_mm.begin(), heights->heights_mm.end());
+    plan_[k] -= figures.mean_error_mm;  // heights count from what is laid
+    flow_ *= heights->flow;
+    loop_.replan(-figures.mean_error_mm, heights->flow);
+    status_ = {};
+    status_.state = LoopState::Active;
+  }
+
+  /// Where the top of a layer should be.
+  double topOf(std::size_t k) const {
+    double top = 0.0;
+    for (std::size_t i = 0; i <= k; ++i) top += plan_[i];
+    return top;
+  }
+
   LayerCells layerOf(std::size_t k) const {
-    const double z = wall_.layer_mm * static_cast<double>(k + 1);
+    const double z = topOf(k);
     Path path;
     path.role = PathRole::OuterWall;
     path.is_closed = wall_.is_closed;
-    path.bead = Bead{3.0, wall_.layer_mm};
+    path.bead = Bead{3.0, plan_[k]};
     path.feed_mm_s = wall_.speed_mm_s;
     path.points = {{0, 0, z}, {wall_.length_mm, 0, z}};
     constexpr int kCorners = 400;
@@ -116,7 +164,7 @@ class WallPrinter {
       const double radius = wall_.length_mm / (2.0 * M_PI);
       path.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
     }
-    return layerCells({z, wall_.layer_mm, {path}}, k, wall_.cell_mm);
+    return layerCells({z, plan_[k], {path}}, k, wall_.cell_mm);
   }
 
   void lay(std::size_t k, const LayerCorrection& correction) {
@@ -129,18 +177,19 @@ class WallPrinter {
     bead.layer_s = bead.length_mm / wall_.speed_mm_s;
     bead.along_mm = cells.along_mm;
     bead.planned_mm = cells.height_mm;
+    for (double& planned : bead.planned_mm) planned *= flow_;
     const FeederCommands commands = feederCommands(cells, correction.amount, wall_.lead, wall_.loop);
     bead.correction = delayed({commands.time_s, commands.amount}, timesOf(cells), wall_.plant);
-    const NozzleRoom room{wall_.layer_mm, -1e9, 0.0};
+    const NozzleRoom room{plan_[k], -1e9, 0.0};
     const auto shift = nozzleShift(cells, loop_.knowledge(), shift_mm_, room, wall_.loop);
     shift_mm_ = meanOverCells(cells, shift);
     for (std::size_t i = 0; i < heights_.size(); ++i)
-      bead.nozzle_far_mm.push_back(wall_.layer_mm * static_cast<double>(k) - heights_[i] + shift[i]);
+      bead.nozzle_far_mm.push_back(topOf(k) - plan_[k] - heights_[i] + shift[i]);
     heights_ = plant_.afterBead(bead, heights_);
   }
 
   void measure(std::size_t k) {
-    const double reference = wall_.layer_mm * static_cast<double>(k + 1);
+    const double reference = topOf(k);
     const double rho = wall_.loop.reading_correlation;
     for (std::size_t cloud = 0; cloud < wall_.clouds; ++cloud) {
       for (std::size_t i = cloud; i < heights_.size(); i += wall_.clouds) {
@@ -156,7 +205,7 @@ class WallPrinter {
 
   WallLayer figuresOf(std::size_t k) const {
     WallLayer layer;
-    const double reference = wall_.layer_mm * static_cast<double>(k + 1);
+    const double reference = topOf(k);
     double squares = 0.0;
     const auto count = static_cast<double>(heights_.size());
     for (const double height : heights_) {
@@ -172,6 +221,9 @@ class WallPrinter {
   GrowthPlant plant_;
   HeightLoop loop_;
   Random random_;
+  std::vector<double> plan_;  ///< heights of the layers
+  double flow_ = 1.0;         ///< of the plan, over that of the first one
+  LoopStatus status_;
   std::vector<double> heights_;
   std::vector<double> amount_;
   double shift_mm_ = 0.0;

@@ -71,6 +71,9 @@ class CellEstimate {
   /// A pressed process: the error is that of the nozzle's plane.
   void press(const LaidGrowth& growth, double spread);
 
+  /// The plan has changed: its height by so much at this cell, and the volume of its beads by that factor.
+  void replan(double raised_mm, double flow);
+
   /// A reading that lies within four standard deviations of what is expected is used; else it is contested,
   /// until three profiles in a row agree. A reading that is not finite, or of no points, is contested.
   ReadingOutcome see(const CellReading& reading, double correlation);

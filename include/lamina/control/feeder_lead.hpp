@@ -14,6 +14,8 @@ struct FeederDelay {
   double lag_s = 0.0;
 };
 
+FeederDelay feederOf(const LoopSettings& settings);
+
 /// What a feeder is told, by time.
 struct FeederCommands {
   std::vector<double>

@@ -70,6 +70,10 @@ class HeightLoop {
   /// Learns from the layer.
   LayerFigures endLayer();
 
+  /// The layers to come were planned anew: heights count from a plan that much higher, and beads have so many
+  /// times the volume.
+  void replan(double raised_mm, double flow);
+
   const LayerCells& cells() const { return cells_; }
   const std::vector<CellEstimate>& estimates() const { return estimates_; }
   /// What the law is given: unknown cells filled by their neighbours.

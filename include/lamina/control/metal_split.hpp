@@ -35,8 +35,8 @@ struct CoolingWall {
   double cooling_s = 60.0;  ///< time constant
 };
 
-/// Time until a wall has come down to a temperature [s]; 0 if it is there already, none if it never comes
-/// there.
-std::optional<double> interpassDwell(const CoolingWall& wall, double interpass_c);
+/// Time until a wall has come down to the loop's interpass temperature [s]; 0 if it is there already or none
+/// is asked for, nothing if it never comes there.
+std::optional<double> interpassDwell(const CoolingWall& wall, const LoopSettings& settings);
 
 }  // namespace lamina

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "lamina/control/loop_settings.hpp"
+
 namespace lamina {
 
 /// How a sensor that trails the nozzle trims the amount within a layer.
@@ -16,6 +18,10 @@ struct TrimSettings {
   double growth = 1.0;       ///< learnt, over commanded growth; 0 predicts nothing
   double range = 0.2;        ///< of the trim, either way
 };
+
+/// The trim that the loop's settings ask for; none if they ask for none.
+/// @param growth  learnt, over commanded growth
+std::optional<TrimSettings> trimOf(const LoopSettings& settings, double step_mm, double growth);
 
 /// The slow part of what a feeder drifts within a layer, taken off by a sensor behind the nozzle. What the
 /// trims under way between nozzle and sensor will show is predicted, and only what differs from it is fed

@@ -17,7 +17,9 @@ struct NozzleRoom {
 };
 
 /// Shift of the nozzle along the growth direction against the plan, one value per cell [mm]; negative is
-/// lower. By `loop.z`: none, minus the mean error of the layer, or minus the low-passed error. That of the
+/// lower. By `loop.z` of a free process, whose nozzle follows the surface: none, minus the mean error of the
+/// layer, or minus the low-passed error. Of a pressed one, whose nozzle makes the surface: none, or as much
+/// more as the loop's gain takes of the mean error. That of the
 /// layer changes by 0.2 layers at most from layer to layer, and no shift is more than a layer either way. A
 /// shift down never brings the head nearer to the highest cell than its clearance.
 /// @param before_mm  mean shift of the layer below

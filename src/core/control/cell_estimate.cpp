@@ -50,6 +50,14 @@ void CellEstimate::press(const LaidGrowth& growth, double spread) {
   flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
 }
 
+void CellEstimate::replan(double raised_mm, double flow) {
+  error_mm_ += static_cast<float>(raised_mm);
+  base_mm_ += static_cast<float>(raised_mm);
+  contested_mm_ += static_cast<float>(raised_mm);
+  commanded_mm_ /= static_cast<float>(flow);
+  setGain(gain() * flow);
+}
+
 ReadingOutcome CellEstimate::see(const CellReading& reading, double correlation) {
   if (!std::isfinite(reading.error_mm) || !(reading.sigma_mm > 0.0) || reading.points < 1)
     return {ReadingUse::Contested, 0.0};

@@ -5,6 +5,20 @@
 #include <utility>
 
 namespace lamina {
+namespace {
+
+/// The volume was bounded where it arrives.
+LoopSettings withoutVolumeBound(const LoopSettings& settings) {
+  LoopSettings unbounded = settings;
+  unbounded.layer_volume = amountRange(settings) + 1.0;
+  return unbounded;
+}
+
+bool isPrompt(const FeederDelay& feeder) { return feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0; }
+
+}  // namespace
+
+FeederDelay feederOf(const LoopSettings& settings) { return {settings.dead_time_s, settings.lag_s}; }
 
 std::vector<double> timesOf(const LayerCells& cells) {
   std::vector<double> times(cells.size());
@@ -22,19 +36,18 @@ std::vector<double> timesOf(const LayerCells& cells) {
 FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>& amount,
                               const FeederDelay& feeder, const LoopSettings& settings) {
   FeederCommands commands{timesOf(cells), amount};
-  if (feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0) return commands;
+  if (isPrompt(feeder)) return commands;
   for (std::size_t i = 0; i + 1 < amount.size() && feeder.lag_s > 0.0; ++i)
     commands.amount[i] +=
         feeder.lag_s * (amount[i + 1] - amount[i]) / (commands.time_s[i + 1] - commands.time_s[i]);
-  LoopSettings bounded = settings;
-  bounded.layer_volume = amountRange(settings) + 1.0;  // the volume was bounded where it arrives
-  commands.amount = limitedCorrection(cells, std::move(commands.amount), bounded).amount;
+  commands.amount = limitedCorrection(cells, std::move(commands.amount), withoutVolumeBound(settings)).amount;
   for (double& time_s : commands.time_s) time_s -= feeder.dead_time_s;
   return commands;
 }
 
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings) {
+  if (isPrompt(feeder)) return amount;
   const FeederCommands commands = feederCommands(cells, amount, feeder, settings);
   const std::vector<double> times = timesOf(cells);
   std::vector<double> led(amount.size());
@@ -46,7 +59,8 @@ std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<dou
     const double part = (times[i] - commands.time_s[k]) / (commands.time_s[k + 1] - commands.time_s[k]);
     led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
-  return led;
+  // What is commanded for the next run while this one is laid must not step either.
+  return limitedCorrection(cells, std::move(led), withoutVolumeBound(settings)).amount;
 }
 
 }  // namespace lamina

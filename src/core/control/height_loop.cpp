@@ -255,6 +255,13 @@ void HeightLoop::believePatches() {
   }
 }
 
+void HeightLoop::replan(double raised_mm, double flow) {
+  for (CellEstimate& cell : estimates_) cell.replan(raised_mm, flow);
+  for (double& error : before_clouds_.error_mm) error += raised_mm;
+  for (double& gain : before_clouds_.gain)
+    gain = std::clamp(gain * flow, CellEstimate::kLeastGain, CellEstimate::kGreatestGain);
+}
+
 LayerFigures HeightLoop::endLayer() {
   const LayerFigures before = figures();
   if (settings_.process == LoopProcess::Pressed)

@@ -15,6 +15,16 @@ constexpr double kMostSteps = 1e5;
 
 }  // namespace
 
+std::optional<TrimSettings> trimOf(const LoopSettings& settings, double step_mm, double growth) {
+  if (settings.trim == 0.0 || settings.sensor_behind_mm == 0.0) return std::nullopt;
+  TrimSettings trim;
+  trim.gain_per_mm = settings.trim / settings.sensor_behind_mm;
+  trim.behind_mm = settings.sensor_behind_mm;
+  trim.step_mm = step_mm;
+  trim.growth = growth;
+  return trim;
+}
+
 TrailingTrim::TrailingTrim(const TrimSettings& settings) : settings_(settings) {
   const double steps = settings.behind_mm / settings.step_mm;
   if (!(settings.step_mm > 0.0) || !(steps > 0.0) || steps > kMostSteps)

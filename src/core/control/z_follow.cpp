@@ -17,11 +17,13 @@ std::vector<double> nozzleShift(const LayerCells& cells, const LayerKnowledge& k
                                 const NozzleRoom& room, const LoopSettings& settings) {
   std::vector<double> shift(cells.size(), 0.0);
   if (settings.z == NozzleHeight::Plan) return shift;
-  if (settings.z == NozzleHeight::Surface) {
+  if (settings.z == NozzleHeight::Surface && settings.process == LoopProcess::Free) {
     shift = lowPassed(known.error_mm, cells, settings.low_pass_mm);
     for (double& dz : shift) dz = -dz;
   } else {
-    const double wanted = -meanOverCells(cells, known.error_mm);
+    const double mean = meanOverCells(cells, known.error_mm);
+    const bool is_pressed = settings.process == LoopProcess::Pressed;
+    const double wanted = is_pressed ? before_mm + settings.gain * mean : -mean;
     const double step = kShiftRate * room.layer_mm;
     std::fill(shift.begin(), shift.end(), std::clamp(wanted, before_mm - step, before_mm + step));
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "job/settings/setting_probe.hpp"
+#include "lamina/control/loop_settings.hpp"
+#include "lamina/deposition/growth_plant.hpp"
 #include "lamina/deposition/path_follower.hpp"
 #include "lamina/dynamics/tracking_simulation.hpp"
 #include "lamina/job/incline_settings.hpp"
@@ -40,7 +42,7 @@ std::vector<std::string> coreKeys() {
   return keysOfAll<JobSettings, InclineSettings, RunSettings, SearchSettings, KrigingSettings,
                    ScaffoldSettings, StartupSettings, StreamSettings, EmulatedSettings, ApproachSettings,
                    TrajectoryFeederSettings, ServoSettings, FollowingSettings, MonitorSettings,
-                   ProfileSensorSettings, TrackingSettings>();
+                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings>();
 }
 
 const std::vector<TestedElsewhere>& testedElsewhere() {

@@ -90,6 +90,7 @@ std::vector<SettingProbe> arcProbes();
 std::vector<SettingProbe> hookProbes();
 std::vector<SettingProbe> plateProbes();
 std::vector<SettingProbe> toolProbes();
+std::vector<SettingProbe> loopProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -56,6 +56,7 @@ TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
 TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
 TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }
 TEST(SettingsCoverage, OfHooks) { expectEffects(hookProbes()); }
+TEST(SettingsCoverage, OfClosedLoops) { expectEffects(loopProbes()); }
 TEST(SettingsCoverage, OfTools) { expectEffects(toolProbes()); }
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/part_learning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+#include "lamina/deposition/growth_plant.hpp"
+#include "support/printed_wall.hpp"
+
+namespace lamina {
+namespace {
+
+const PartIdentity kPart{"4f2a", "gantry_45", "wire"};
+constexpr std::size_t kLayerCount = 10;
+constexpr double kLearntLayer = 1.5;
+
+LayerCells wallCells(std::size_t layer) {
+  Path path;
+  path.role = PathRole::OuterWall;
+  path.bead = Bead{3.0, kLearntLayer};
+  path.feed_mm_s = 10.0;
+  const double z = kLearntLayer * static_cast<double>(layer + 1);
+  path.points = {{0, 0, z}, {100, 0, z}};
+  return layerCells({z, kLearntLayer, {path}}, layer, 0.5);
+}
+
+struct LaidPart {
+  std::vector<LaidLayer> layers;
+  double rmse_mm = 0.0;  ///< of the heights of all layers
+};
+
+/// The part laid by a disturbed process as the map says, the loop off.
+LaidPart laidPart(const PartMap& map, int seed) {
+  PlantSettings settings = test::disturbedPlant();
+  settings.levelling_mm = 0.0;
+  settings.random = 0.005;
+  settings.seed = seed;
+  const GrowthPlant plant(settings);
+  LaidPart part;
+  std::vector<double> heights;
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t k = 0; k < kLayerCount; ++k) {
+    LaidLayer layer{wallCells(k), {}, {}};
+    const std::size_t cells = layer.cells.size();
+    layer.amount = map.parts > 0 ? map.amount[k] : std::vector<double>(cells, 0.0);
+    if (k == 0) heights.assign(cells, 0.0);
+    PlantBead bead;
+    bead.layer = k;
+    bead.layers = kLayerCount;
+    bead.length_mm = 100.0;
+    bead.along_mm = layer.cells.along_mm;
+    bead.planned_mm = layer.cells.height_mm;
+    bead.correction = layer.amount;
+    bead.nozzle_far_mm.assign(cells, 0.0);
+    const std::vector<double> before = heights;
+    heights = plant.afterBead(bead, heights);
+    for (std::size_t i = 0; i < cells; ++i) {
+      layer.growth_error_mm.push_back(kLearntLayer - (heights[i] - before[i]));
+      const double error = kLearntLayer * static_cast<double>(k + 1) - heights[i];
+      squares += error * error;
+      count += 1.0;
+    }
+    part.layers.push_back(std::move(layer));
+  }
+  part.rmse_mm = std::sqrt(squares / count);
+  return part;
+}
+
+TEST(PartLearning, GetsBetterFromPartToPart) {
+  PartMap map;
+  std::vector<double> rmse;
+  for (int print = 1; print <= 5; ++print) {
+    const LaidPart part = laidPart(map, print);
+    rmse.push_back(part.rmse_mm);
+    map = learntFromPart(map, kPart, part.layers, PartEnd::Complete, LoopSettings());
+    EXPECT_TRUE(print == 1 || rmse.back() < rmse[rmse.size() - 2]) << "print " << print;
+  }
+  EXPECT_LT(rmse.back(), 0.5 * rmse.front());
+  EXPECT_EQ(map.parts, 5U);
+}
+
+TEST(PartLearning, LearnsNothingFromAnAbortedPart) {
+  const LaidPart part = laidPart({}, 1);
+  const PartMap map = learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings());
+  const PartMap after = learntFromPart(map, kPart, part.layers, PartEnd::Aborted, LoopSettings());
+  EXPECT_EQ(after.parts, 1U);
+  EXPECT_EQ(after.amount, map.amount);
+}
+
+TEST(PartLearning, RefusesAMapOfAnotherMachine) {
+  const LaidPart part = laidPart({}, 1);
+  const PartMap map = learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings());
+  PartIdentity other = kPart;
+  other.machine = "irb_4600";
+  EXPECT_EQ(differenceOf(kPart, other), "machine 'irb_4600' instead of 'gantry_45'");
+  EXPECT_THROW(learntFromPart(map, other, part.layers, PartEnd::Complete, LoopSettings()), InvalidInput);
+  std::vector<LaidLayer> fewer(part.layers.begin(), part.layers.end() - 1);
+  EXPECT_THROW(learntFromPart(map, kPart, fewer, PartEnd::Complete, LoopSettings()), InvalidInput);
+  EXPECT_EQ(differenceOf(kPart, kPart), "");
+}
+
+}  // namespace
+}  // namespace lamina
