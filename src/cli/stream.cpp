@@ -45,32 +45,57 @@ StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings&
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
   };
-  StreamSession session(program, settings, arguments.port, report, {{}, journal});
+  const auto beginning =
+      arguments.mode == StreamMode::Resume ? PrintBeginning::Follow : PrintBeginning::Upload;
+  StreamSession session(program, settings, arguments.port, report, {{}, journal, beginning});
   LiveInput input;
   while (!session.waitFor(kPollInterval)) {
     if (arguments.is_live) input.follow(session);
+    if (arguments.is_live || progress.isCancelled()) input.tell(session);
     if (progress.isCancelled()) session.abort({ErrorCode::Cancelled, "stopped by the user"});
   }
   return session.status();
+}
+
+void printStarvation(const Starvation& starvation) {
+  const auto count = static_cast<unsigned long long>(starvation.count);
+  if (starvation.source == StarvationSource::Nobody) {
+    std::printf("starved: not reported by this firmware\n");
+  } else if (starvation.count > 0 && starvation.source == StarvationSource::Machine) {
+    std::printf("starved: %llu times by the machine's own count, which gives no lengths\n", count);
+  } else if (starvation.count > 0) {
+    std::printf("starved: %llu times, the longest %.2f s before line %llu\n", count, starvation.longest_s,
+                static_cast<unsigned long long>(starvation.line));
+  }
+}
+
+/// A figure that the machine does not report is null.
+nlohmann::ordered_json starvationJson(const Starvation& starvation) {
+  nlohmann::ordered_json json = {
+      {"starvations", nullptr}, {"longest_starvation_s", nullptr}, {"longest_starvation_line", nullptr}};
+  if (starvation.source != StarvationSource::Nobody) json["starvations"] = starvation.count;
+  if (starvation.source == StarvationSource::Streamer) {
+    json["longest_starvation_s"] = starvation.longest_s;
+    json["longest_starvation_line"] = starvation.line;
+  }
+  return json;
 }
 
 void print(const StreamStatus& status, double duration_s, OutputFormat format) {
   const double lines_per_s =
       duration_s > 0.0 ? static_cast<double>(status.lines_acknowledged) / duration_s : 0.0;
   if (format == OutputFormat::Json) {
-    const nlohmann::ordered_json json = {{"lines", status.lines_total},
-                                         {"acknowledged", status.lines_acknowledged},
-                                         {"resends", status.resends},
-                                         {"probes", status.probes},
-                                         {"duration_s", duration_s},
-                                         {"lines_per_s", lines_per_s},
-                                         {"firmware", status.firmware_name},
-                                         {"not_done", status.commands_not_done},
-                                         {"first_not_done", status.first_not_done},
-                                         {"starvations", status.starvation.count},
-                                         {"longest_starvation_s", status.starvation.longest_s},
-                                         {"longest_starvation_line", status.starvation.line},
-                                         {"state", toString(status.state)}};
+    nlohmann::ordered_json json = {{"lines", status.lines_total},
+                                   {"acknowledged", status.lines_acknowledged},
+                                   {"resends", status.resends},
+                                   {"probes", status.probes},
+                                   {"duration_s", duration_s},
+                                   {"lines_per_s", lines_per_s},
+                                   {"firmware", status.firmware_name},
+                                   {"not_done", status.commands_not_done},
+                                   {"first_not_done", status.first_not_done}};
+    json.update(starvationJson(status.starvation));
+    json["state"] = toString(status.state);
     std::printf("%s\n", json.dump().c_str());
     return;
   }
@@ -81,10 +106,7 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
   if (status.commands_not_done > 0)
     std::printf("not done: %llu commands, the first with \"%s\"\n",
                 static_cast<unsigned long long>(status.commands_not_done), status.first_not_done.c_str());
-  if (status.starvation.count > 0)
-    std::printf("starved: %llu times, the longest %.2f s before line %llu\n",
-                static_cast<unsigned long long>(status.starvation.count), status.starvation.longest_s,
-                static_cast<unsigned long long>(status.starvation.line));
+  printStarvation(status.starvation);
 }
 
 Counts countsOf(const StreamStatus& status) {
@@ -115,6 +137,14 @@ void showProgress(const std::string& journal, OutputFormat format) {
   std::printf("%s\n", json.dump().c_str());
 }
 
+/// A print server prints by itself, and knows itself how far it is.
+StreamJournal journalFor(const StreamArguments& arguments, const std::string& path,
+                         const StreamableProgram& program) {
+  if (isPrintServer(arguments.port)) return {};
+  return arguments.mode == StreamMode::Resume ? resumeJournal(path, program, arguments.port.name)
+                                              : beginJournal(path);
+}
+
 void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamSettings settings = settingsFrom(arguments);
   const std::string journal_path = journalPath(settings, arguments.port.name);
@@ -122,9 +152,7 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const auto program = StreamableProgram::fromFile(arguments.program, settings);
   const SteadyClock clock;
   const double start = clock.now();
-  const StreamJournal journal = arguments.mode == StreamMode::Resume
-                                    ? resumeJournal(journal_path, program, arguments.port.name)
-                                    : beginJournal(journal_path);
+  const StreamJournal journal = journalFor(arguments, journal_path, program);
   const StreamStatus status = streamWhole(program, settings, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);
@@ -145,10 +173,11 @@ void addStream(CLI::App& app, Chosen& chosen) {
   command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
   command->add_flag("--live", arguments->is_live,
                     "follow commands on the standard input, a line each: feed 90, flow 105, babystep -0.05, "
-                    "cancel_part 2, pause_at_layer 12, pause, resume");
+                    "cancel_part 2, pause_at_layer 12, rapid 50, spindle 80, pause, resume");
   auto* const resume = command->add_flag_callback(
       "--resume", [arguments] { arguments->mode = StreamMode::Resume; },
-      "go on with the job whose streaming was cut off, on a machine that has lived on");
+      "go on with the job whose streaming was cut off, on a machine that has lived on; at a print server, "
+      "follow the print that goes on there");
   command
       ->add_flag_callback(
           "--progress", [arguments] { arguments->mode = StreamMode::ShowProgress; },

@@ -6,10 +6,11 @@
     real_grbl_test.py LAMINA
 
 LAMINA_GRBL_RUNNER names a program `RUNNER LINK` that runs grbl behind a pseudo-terminal at LINK until it is ended, and prints `ready`. It takes from its
-environment RESET_AFTER, SAY_AFTER, SAY, and RECORD: the file for the lines that grbl has read, each behind its answer (`ok G1 X1`); `; reset` where it
+environment RESET_AFTER, SAY_AFTER, SAY, LOG (a file for the lines of both directions), and RECORD: the file for the lines that grbl has read, each behind its answer (`ok G1 X1`); `; reset` where it
 was reset. LAMINA_GRBL_MOVES is the length of the program that is streamed whole (2000). Without the runner nothing is tested, and the exit code is 77.
 """
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -45,7 +46,7 @@ class RealGrbl(unittest.TestCase):
     def begin(self, lines, *options):
         with open(self.program, "w", encoding="utf-8") as program:
             program.write("\n".join(lines) + "\n")
-        return subprocess.Popen([LAMINA, "stream", self.program, "--port", self.port, *options], stdout=subprocess.PIPE,
+        return subprocess.Popen([LAMINA, "stream", self.program, "--port", self.port, *options], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                 stderr=subprocess.PIPE, text=True)
 
     def stream(self, lines, *options):
@@ -101,6 +102,30 @@ class RealGrbl(unittest.TestCase):
         self.assertIn("stopped by the user", errors)
         self.assertNotIn("did not confirm", errors)
         self.assertNotIn("position is lost", errors)
+        self.assert_ran_the_start_of(lines)
+
+    def overrides(self, log):
+        """What grbl has reported last of feed, rapid motions and spindle [%]."""
+        with open(log, encoding="utf-8", errors="replace") as lines:
+            return ([""] + re.findall(r"Ov:(\d+,\d+,\d+)", lines.read()))[-1]
+
+    def test_it_is_overridden_amid_its_lines(self):
+        log = self.record + ".log"
+        self.run_grbl(LOG=log)
+        lines = ["M3 S500"] + steps(0) + ["G1 X5", "G1 X1"] * 20
+        streaming = self.begin(lines, "--live")
+        time.sleep(3.0)
+        streaming.stdin.write("spindle 73\nfeed 121\nrapid 50\nflow 90\n")
+        streaming.stdin.flush()
+        for _ in range(300):
+            if self.overrides(log) == "121,50,73":
+                break
+            time.sleep(0.1)
+        self.assertEqual(self.overrides(log), "121,50,73")
+        streaming.send_signal(signal.SIGINT)
+        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        self.assertIn("flow 90: grbl has no flow", errors)
+        self.assertNotIn("in time", errors)
         self.assert_ran_the_start_of(lines)
 
     def test_a_line_that_is_refused_ends_the_job(self):

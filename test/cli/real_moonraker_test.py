@@ -204,6 +204,98 @@ class RealMoonraker(unittest.TestCase):
         self.assertEqual(code, 0, told)
         self.assertEqual(self.ran(), lines)
 
+    def type(self, job, *lines):
+        job.stdin.write("".join(line + "\n" for line in lines))
+        job.stdin.flush()
+
+    def await_machine(self, what, is_so):
+        for _ in range(150):
+            found = self.ask("/printer/objects/query?" + what)["status"]
+            if is_so(found):
+                return
+            time.sleep(0.1)
+        self.fail(str(found))
+
+    def test_it_is_changed_while_it_prints(self):
+        self.run_moonraker()
+        if "exclude_object" not in self.ask("/printer/objects/list")["objects"]:
+            self.skipTest("the configuration has no [exclude_object]")
+        parts = ["EXCLUDE_OBJECT_DEFINE NAME=LEFT", "EXCLUDE_OBJECT_DEFINE NAME=RIGHT", "EXCLUDE_OBJECT_START NAME=LEFT"]
+        lines = parts + spiral(1000)
+        job = self.begin(lines, live=True)
+        self.await_lines(100)
+        self.type(job, "feed 80", "flow 105", "babystep -0.05", "cancel_part 1", "spindle 50", "cancel_part 7")
+        self.await_machine("gcode_move&exclude_object", lambda found: (
+            abs(found["gcode_move"]["speed_factor"] - 0.8) < 1e-6 and abs(found["gcode_move"]["extrude_factor"] - 1.05) < 1e-6
+            and abs(found["gcode_move"]["homing_origin"][2] + 0.05) < 1e-6
+            and found["exclude_object"]["excluded_objects"] == ["RIGHT"]))
+        code, out, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertIn("feed 80: taken", told)
+        self.assertIn("spindle 50: Klipper has no spindle", told)
+        self.assertIn("cancel_part 7: part 7 is not in the program, which defines 2", told)
+        self.assertNotIn("not done", out)
+        self.assertEqual(self.ran(), lines)
+
+    def test_it_holds_in_a_layer(self):
+        self.run_moonraker()
+        path = spiral(500)
+        job = self.begin([], live=True, text="\n".join(path[:200] + [";LAYER:0"] + path[200:350] + [";LAYER:1"] + path[350:] + [""]).encode())
+        self.await_lines(50)
+        self.type(job, "pause_at_layer 1")
+        self.await_machine("print_stats", lambda found: found["print_stats"]["state"] == "paused")
+        time.sleep(1.0)
+        held = len(self.ran())
+        self.assertGreater(held, 350)
+        self.assertLess(held, 450)
+        time.sleep(1.0)
+        self.type(job, "resume")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertEqual(self.ran(), path)
+
+    def test_commands_that_it_does_not_know_are_counted(self):
+        self.run_moonraker()
+        path = spiral(60)
+        code, out, told = self.print(path[:20] + ["NO_SUCH_MACRO A=1"] + path[20:] + ["M999"])
+        self.assertEqual(code, 0, told)
+        self.assertIn("not done: 2 commands", out)
+        self.assertIn('Unknown command:"NO_SUCH_MACRO"', out)
+        code, out, told = self.print(path)
+        self.assertEqual(code, 0, told)
+        self.assertNotIn("not done", out)
+
+    def test_an_emergency_stop_ends_a_wait_for_heat(self):
+        for setting, is_halted in (("never", False), ("unconfirmed", True)):
+            with self.subTest(setting):
+                self.run_moonraker()
+                job = self.begin(spiral(10) + ["M109 S250"] + spiral(10), "stream.safe_stop_timeout_s=5", "stream.emergency_stop=" + setting)
+                self.await_lines(10)
+                time.sleep(3.0)
+                job.send_signal(signal.SIGINT)
+                code, _, told = self.end_of(job)
+                self.assertEqual(code, 1)
+                self.assertIn("was shut down by an emergency stop" if is_halted else "POST /printer/emergency_stop", told)
+                self.assertEqual(self.machine()["webhooks"]["state"], "shutdown" if is_halted else "ready")
+
+    def test_a_print_goes_on_without_its_streamer_and_is_followed(self):
+        self.run_moonraker()
+        lines = spiral(1200)
+        job = self.begin(lines)
+        self.await_lines(150)
+        job.kill()
+        job.communicate()
+        followed = subprocess.run([LAMINA, "stream", self.program, "--port", self.url, "--resume"], capture_output=True, text=True,
+                                  timeout=PATIENCE_S, check=False)
+        self.skip_if_stalled(followed.stderr)
+        self.assertEqual(followed.returncode, 0, followed.stderr)
+        self.assertIn("Complete: %d lines" % len(lines), followed.stdout)
+        self.assertEqual(self.ran(), lines)
+        self.assertEqual(self.files(), [])
+        again = subprocess.run([LAMINA, "stream", self.program, "--port", self.url, "--resume"], capture_output=True, text=True,
+                               timeout=PATIENCE_S, check=False)
+        self.assertEqual(again.returncode, 1)
+
     def test_it_follows_what_another_does(self):
         self.run_moonraker()
         lines = spiral(400)

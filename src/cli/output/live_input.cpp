@@ -28,6 +28,13 @@ void LiveInput::follow(StreamSession& session) {
   }
 }
 
+void LiveInput::tell(const StreamSession& session) {
+  const std::string message = session.status().message;
+  if (message == told_) return;
+  told_ = message;
+  if (!message.empty()) std::fprintf(stderr, "machine: %s\n", message.c_str());
+}
+
 std::string LiveInput::follow(StreamSession& session, const std::string& line) {
   std::istringstream words(line);
   std::string name;
@@ -39,7 +46,8 @@ std::string LiveInput::follow(StreamSession& session, const std::string& line) {
   }
   if (!(words >> value)) return "no number; expected such as feed 90";
   try {
-    return session.change(liveChange(name, value)) ? "taken" : "not now, or not by this firmware";
+    const std::string refusal = session.change(liveChange(name, value));
+    return refusal.empty() ? "taken" : refusal;
   } catch (const Error& error) {
     return error.what();
   }

@@ -15,10 +15,14 @@ class LiveInput {
   /// wait.
   void follow(StreamSession& session);
 
+  /// Says what the machine has said last, once.
+  void tell(const StreamSession& session);
+
  private:
   static std::string follow(StreamSession& session, const std::string& line);
 
   std::string typed_;
+  std::string told_;  ///< the session's message
   bool is_over_ = false;
 };
 

@@ -235,9 +235,8 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
     const LiveChange change = liveChangeOf(request.setting, request.value);
     const auto job = session();
     if (!job) throw Rejected("no job is under way");
-    if (!job->change(change))
-      throw Rejected("the machine takes no " + request.setting +
-                     " now; expected a job in Execute or held, of " + "firmware that can change it");
+    const std::string refusal = job->change(change);
+    if (!refusal.empty()) throw Rejected(refusal);
   } catch (const Error&) {
     const Failure failure = currentFailure();
     ROS_ERROR_STREAM(refusalText({"change", request.setting, ""}, failure));

@@ -14,7 +14,8 @@ std::uint32_t count(std::uint64_t value) { return static_cast<std::uint32_t>(val
 
 LiveChange liveChangeOf(const std::string& setting, double value) {
   constexpr double kPercent = 100.0;
-  if (setting == "feed" || setting == "flow") return liveChange(setting, kPercent * value);
+  if (setting == "feed" || setting == "flow" || setting == "rapid" || setting == "spindle")
+    return liveChange(setting, kPercent * value);
   if (setting == "babystep") return liveChange(setting, 1000.0 * value);
   return liveChange(setting, value);
 }
@@ -84,7 +85,11 @@ void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticS
   diagnostics.add("probes", status.probes);
   diagnostics.add("firmware", status.firmware_name);
   diagnostics.add("commands not done", status.commands_not_done);
-  diagnostics.add("times starved", status.starvation.count);
+  if (status.starvation.source == StarvationSource::Nobody) {
+    diagnostics.add("times starved", "not reported by this firmware");
+  } else {
+    diagnostics.add("times starved", status.starvation.count);
+  }
   diagnostics.add("longest starvation [s]", status.starvation.longest_s);
   diagnostics.add("last message", status.message);
   if (!status.temperatures) return;

@@ -99,7 +99,7 @@ std::vector<SettingProbe> allProbes() {
         inclineProbes(), searchProbes(),   scaffoldProbes(), streamProbes(),  emulatorProbes(),
         startupProbes(), approachProbes(), monitorProbes(),  bridgeProbes(),  supportProbes(),
         heightProbes(),  arcProbes(),      hookProbes(),     plateProbes(),   toolProbes(),
-        profileProbes(), loopProbes()})
+        profileProbes(), loopProbes(),     emergencyProbes()})
     all.insert(all.end(), probes.begin(), probes.end());
   return all;
 }

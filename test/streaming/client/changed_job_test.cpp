@@ -9,11 +9,11 @@ using test::ScriptedPeer;
 
 TEST_F(ScriptedPeer, ChangesTheJobBetweenTwoLinesWithoutANumber) {
   Streamer streamer(program_, settings());
-  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 50.0}, 0.0)) << "no job is under way";
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.0), kNoJobToChange);
   begin(streamer);
   streamer.takeOutput();
-  EXPECT_TRUE(streamer.change({LiveSetting::Feed, 50.0}, 0.1));
-  EXPECT_TRUE(streamer.change({LiveSetting::Babystep, -0.05}, 0.1));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 50.0}, 0.1), "");
+  EXPECT_EQ(streamer.change({LiveSetting::Babystep, -0.05}, 0.1), "");
   streamer.receive("ok\nok\nok\n", 0.2);
   EXPECT_EQ(streamer.takeOutput(), "") << "one line is still under way";
   streamer.receive("ok\n", 0.3);
@@ -26,13 +26,20 @@ TEST_F(ScriptedPeer, ChangesTheJobBetweenTwoLinesWithoutANumber) {
   EXPECT_EQ(streamer.status().lines_acknowledged, 4U) << "a change is no line of the program";
 }
 
+TEST_F(ScriptedPeer, RefusesByNameWhatTheFirmwareHasNot) {
+  Streamer streamer(program_, settings());
+  begin(streamer);
+  EXPECT_EQ(streamer.change({LiveSetting::Spindle, 50.0}, 0.1), "this firmware has no spindle");
+  EXPECT_EQ(streamer.change({LiveSetting::Rapid, 50.0}, 0.1), "this firmware has no rapid");
+}
+
 TEST_F(ScriptedPeer, AsksWhichLineTheMachineHasWhereAChangeIsNotAnswered) {
   Streamer streamer(program_, settings());
   begin(streamer);
   streamer.takeOutput();
   streamer.receive("ok\nok\nok\nok\n", 0.1);
   streamer.takeOutput();
-  EXPECT_TRUE(streamer.change({LiveSetting::CancelPart, 2.0}, 0.2));
+  EXPECT_EQ(streamer.change({LiveSetting::CancelPart, 2.0}, 0.2), "");
   streamer.receive("ok\nok\nok\nok\n", 0.3);
   EXPECT_EQ(streamer.takeOutput(), "M486 P2\n");
   streamer.elapse(2.9);
@@ -50,7 +57,7 @@ TEST_F(ScriptedPeer, PausesOnceInFrontOfALayer) {
   Streamer streamer(program, one);
   begin(streamer);
   EXPECT_EQ(streamer.takeOutput(), line(1));
-  EXPECT_TRUE(streamer.change({LiveSetting::PauseAtLayer, 1.0}, 0.1));
+  EXPECT_EQ(streamer.change({LiveSetting::PauseAtLayer, 1.0}, 0.1), "");
   streamer.receive("ok\n", 0.2);
   EXPECT_EQ(streamer.takeOutput(), line(2));
   streamer.receive("ok\n", 0.3);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,12 +19,23 @@ struct MachinePort {
   int baud = 115200;
 };
 
+/// Whether a port is a print server, which gets the program whole.
+/// @throws InvalidInput if it is a web address that cannot be one: "https://..."
+bool isPrintServer(const MachinePort& port);
+
+/// What is done at a print server.
+enum class PrintBeginning : std::uint8_t {
+  Upload,  ///< the program is uploaded and started
+  Follow,  ///< the print of it that an earlier session began is followed; nothing is started
+};
+
 /// What a session may do besides.
 struct SessionOptions {
   ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
                           ///< none
   StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
                           ///< (`resumeJournal`)
+  PrintBeginning beginning = PrintBeginning::Upload;  ///< of no effect at a serial port
 };
 
 /// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
@@ -50,8 +62,10 @@ class StreamSession {
   /// Asks to go on; without effect unless in Holding or Held.
   void resume();
   /// Changes how the job runs; waits until the session's thread has taken it.
-  /// @return false if the machine has no such change, or the job is neither in Execute nor held
-  bool change(const LiveChange& change);
+  /// @return why it is refused, in words; empty if it is taken. What a print server says of it later stands
+  /// in
+  ///   the status's message.
+  std::string change(const LiveChange& change);
   /// Asks for a safe stop; the job ends in Aborted.
   void abort(const Failure& why);
 

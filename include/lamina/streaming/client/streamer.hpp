@@ -41,7 +41,7 @@ class Streamer final : public StreamJob {
   bool isOffline() const override;
   bool pause(double now) override;
   bool resume(double now) override;
-  bool change(const LiveChange& change, double now) override;
+  std::string change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
   std::string takeOutput() override;
   double nextDeadline() const override;

@@ -17,8 +17,16 @@
 
 namespace lamina {
 
+/// Who says how often the machine stood still for want of a line.
+enum class StarvationSource : std::uint8_t {
+  Streamer,  ///< the streamer, which feeds it line by line
+  Machine,   ///< the machine counts, and gives neither lengths nor lines
+  Nobody,    ///< it is not reported by this firmware
+};
+
 /// How often the machine stood still for want of a line.
 struct Starvation {
+  StarvationSource source = StarvationSource::Streamer;
   std::uint64_t count = 0;
   double longest_s = 0.0;
   std::uint64_t line = 0;  ///< that came late, of the longest
@@ -71,8 +79,11 @@ class StreamJob {
   /// @return false if the job is not in Holding or Held
   virtual bool resume(double now) = 0;
   /// Changes how the job runs, between two of its lines.
-  /// @return false if the firmware has no such change, or the job is neither in Execute nor held
-  virtual bool change(const LiveChange& /*change*/, double /*now*/) { return false; }
+  /// @return why it is refused, in words: the firmware has no such change, or the job is neither in Execute
+  ///   nor held; empty if it is taken
+  virtual std::string change(const LiveChange& change, double /*now*/) {
+    return notOf("this firmware", change.setting);
+  }
   /// Safe stop. Without effect once the job is over or is being aborted.
   virtual void abort(const Failure& why, double now) = 0;
 

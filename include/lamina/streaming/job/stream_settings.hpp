@@ -22,6 +22,13 @@ enum class UnlockPolicy : std::uint8_t {
   Once,   ///< it is unlocked, and the job is run
 };
 
+/// Whether a machine that does not confirm its safe stop is shut down at once, by which it forgets its
+/// position.
+enum class EmergencyStop : std::uint8_t {
+  Never,        ///< it is offered in the message of the failure
+  Unconfirmed,  ///< once the time of the safe stop is over
+};
+
 /// The choice of `stream.firmware` that leaves it to who answers.
 inline constexpr const char* kAnyFirmware = "auto";
 
@@ -40,6 +47,7 @@ struct StreamSettings {
   double blocking_timeout_s = 3600;  ///< the same while homing, heating or waiting is under way
   double safe_stop_timeout_s = 10;   ///< until the machine has confirmed the safe stop
   bool keep_heaters_on = false;      ///< after a safe stop
+  EmergencyStop emergency_stop = EmergencyStop::Never;
   UnlockPolicy unlock = UnlockPolicy::Never;
   std::string password_file;       ///< of a print server's password or API key; empty for none
   int temperature_interval_s = 1;  ///< of the firmware's own reports (M155); 0 for none

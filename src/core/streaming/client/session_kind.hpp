@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -21,12 +23,19 @@ class SessionKind {
 
   virtual void pause() = 0;
   virtual void resume() = 0;
-  virtual bool change(const LiveChange& /*change*/) { return false; }
+  virtual std::string change(const LiveChange& change) = 0;
   virtual void abort(const Failure& why) = 0;
   virtual StreamStatus status() const = 0;
   virtual bool isOver() const = 0;
   virtual bool waitFor(double timeout_s) const = 0;
 };
+
+/// The answer of a session's thread to a change; where it does not come, that it is busy.
+inline std::string answerOf(std::future<std::string> answer) {
+  constexpr std::chrono::seconds kPatience{2};
+  if (answer.wait_for(kPatience) == std::future_status::ready) return answer.get();
+  return "the session did not answer within 2 s; the change may still be done";
+}
 
 /// The status of a session as other threads see it, and who is told of it.
 class SessionRecord {
@@ -57,6 +66,7 @@ class SessionRecord {
 /// A session that uploads the program to a print server.
 /// @throws Disconnected, FileError, InvalidProgram, InvalidInput, InvalidConfig
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
-                                         const MachinePort& port, StreamSession::Observer observer);
+                                         const MachinePort& port, StreamSession::Observer observer,
+                                         PrintBeginning beginning);
 
 }  // namespace lamina

@@ -59,12 +59,11 @@ class LinkSession final : public SessionKind {
   void resume() override {
     command([this](double now) { streamer_.resume(now); });
   }
-  bool change(const LiveChange& change) override {
-    constexpr std::chrono::seconds kPatience{2};
-    const auto is_taken = std::make_shared<std::promise<bool>>();
-    command([this, change, is_taken](double now) { is_taken->set_value(streamer_.change(change, now)); });
-    auto answer = is_taken->get_future();
-    return answer.wait_for(kPatience) == std::future_status::ready && answer.get();
+  std::string change(const LiveChange& change) override {
+    if (isOver()) return kNoJobToChange;
+    const auto refusal = std::make_shared<std::promise<std::string>>();
+    command([this, change, refusal](double now) { refusal->set_value(streamer_.change(change, now)); });
+    return answerOf(refusal->get_future());
   }
   void abort(const Failure& why) override {
     command([this, why](double now) { streamer_.abort(why, now); });
@@ -172,13 +171,14 @@ class LinkSession final : public SessionKind {
 
 }  // namespace
 
+bool isPrintServer(const MachinePort& port) { return isWebAddress(port.name); }
+
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
                              const MachinePort& port, Observer observer, SessionOptions options) {
-  if (isWebAddress(port.name)) {
+  if (isPrintServer(port)) {
     if (options.journal.unfinished)
-      throw InvalidConfig(port.name +
-                          " prints by itself what it was sent: there is no job to go on with here");
-    kind_ = beginUpload(program, settings, port, std::move(observer));
+      throw InvalidConfig(port.name + " prints by itself what it was sent, and keeps no progress file");
+    kind_ = beginUpload(program, settings, port, std::move(observer), options.beginning);
   } else {
     kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(options));
   }
@@ -187,7 +187,7 @@ StreamSession::~StreamSession() = default;
 
 void StreamSession::pause() { kind_->pause(); }
 void StreamSession::resume() { kind_->resume(); }
-bool StreamSession::change(const LiveChange& change) { return kind_->change(change); }
+std::string StreamSession::change(const LiveChange& change) { return kind_->change(change); }
 void StreamSession::abort(const Failure& why) { kind_->abort(why); }
 StreamStatus StreamSession::status() const { return kind_->status(); }
 bool StreamSession::isOver() const { return kind_->isOver(); }

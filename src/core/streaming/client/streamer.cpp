@@ -71,7 +71,9 @@ void Streamer::reconnect(double now) {
 bool Streamer::isOffline() const { return job_ && job_->isOffline(); }
 bool Streamer::pause(double now) { return job_ && job_->pause(now); }
 bool Streamer::resume(double now) { return job_ && job_->resume(now); }
-bool Streamer::change(const LiveChange& change, double now) { return job_ && job_->change(change, now); }
+std::string Streamer::change(const LiveChange& change, double now) {
+  return job_ ? job_->change(change, now) : kNoJobToChange;
+}
 
 void Streamer::abort(const Failure& why, double now) {
   if (job_) return job_->abort(why, now);

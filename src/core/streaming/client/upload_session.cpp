@@ -33,38 +33,45 @@ std::string credentialFrom(const StreamSettings& settings) {
 }
 
 /// A name of our own, which no file there has: the program's, its checksum, the time and this process.
-std::string fileNameFor(const ProgramBody& body) {
+std::string fileStemFor(const ProgramBody& body) {
   constexpr std::size_t kLongestStem = 40;
   const std::string& name = body.program().name();
   std::string stem = name.substr(name.rfind('/') + 1);
   stem = stem.substr(0, std::min(stem.rfind('.'), kLongestStem));
   for (char& c : stem)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  std::array<char, 16> crc{};
+  std::snprintf(crc.data(), crc.size(), "-%08x-", body.crc32());
+  return "lamina/" + stem + crc.data();
+}
+
+std::string fileNameFor(const ProgramBody& body) {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
   std::array<char, 64> tail{};
   std::snprintf(
-      tail.data(), tail.size(), "-%08x-%llx-%x.gcode", body.crc32(),
+      tail.data(), tail.size(), "%llx-%x.gcode",
       static_cast<unsigned long long>(std::chrono::duration_cast<std::chrono::milliseconds>(since).count()),
       static_cast<unsigned int>(::getpid()));
-  return "lamina/" + stem + tail.data();
+  return fileStemFor(body) + tail.data();
 }
 
-std::shared_ptr<const UploadOrder> orderFor(const StreamableProgram& program,
-                                            const StreamSettings& settings) {
+std::shared_ptr<const UploadOrder> orderFor(const StreamableProgram& program, const StreamSettings& settings,
+                                            UploadAim aim) {
   ProgramBody body(program);
   std::string file = fileNameFor(body);
-  return std::make_shared<const UploadOrder>(UploadOrder{std::move(body), std::move(file),
-                                                         credentialFrom(settings), settings.silence_timeout_s,
-                                                         settings.connect_timeout_s});
+  std::string earlier = fileStemFor(body);
+  return std::make_shared<const UploadOrder>(
+      UploadOrder{std::move(body), std::move(file), credentialFrom(settings), settings.silence_timeout_s,
+                  settings.connect_timeout_s, aim, std::move(earlier)});
 }
 
 /// An upload job and the client that asks its questions.
 class UploadSession final : public SessionKind {
  public:
   UploadSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                StreamSession::Observer observer)
+                StreamSession::Observer observer, UploadAim aim)
       : record_(port.name, std::move(observer)),
-        order_(orderFor(program, settings)),
+        order_(orderFor(program, settings, aim)),
         job_(settings, order_),
         client_(context_, httpAddressOf(port.name), events()),
         timer_(context_, clock_, [this] { onDeadline(); }) {
@@ -83,6 +90,12 @@ class UploadSession final : public SessionKind {
   }
   void resume() override {
     command([this](double now) { job_.resume(now); });
+  }
+  std::string change(const LiveChange& change) override {
+    if (isOver()) return kNoJobToChange;
+    const auto refusal = std::make_shared<std::promise<std::string>>();
+    command([this, change, refusal](double now) { refusal->set_value(job_.change(change, now)); });
+    return answerOf(refusal->get_future());
   }
   void abort(const Failure& why) override {
     command([this, why](double now) { job_.abort(why, now); });
@@ -150,8 +163,10 @@ class UploadSession final : public SessionKind {
 }  // namespace
 
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
-                                         const MachinePort& port, StreamSession::Observer observer) {
-  return std::make_unique<UploadSession>(program, settings, port, std::move(observer));
+                                         const MachinePort& port, StreamSession::Observer observer,
+                                         PrintBeginning beginning) {
+  const UploadAim aim = beginning == PrintBeginning::Follow ? UploadAim::Follow : UploadAim::Print;
+  return std::make_unique<UploadSession>(program, settings, port, std::move(observer), aim);
 }
 
 }  // namespace lamina

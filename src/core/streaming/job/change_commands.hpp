@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lamina/streaming/job/live_change.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
 #include "streaming/job/decimal.hpp"
 
 namespace lamina {
@@ -23,5 +24,18 @@ inline std::optional<std::string> cancelCommand(const LiveChange& change) {
   if (change.setting == LiveSetting::CancelPart) return "M486 P" + decimal(change.value);
   return std::nullopt;
 }
+
+/// By which command a change is made, or why it is refused: one of the two is empty.
+struct ChangeCommand {
+  std::string command;
+  std::string refusal;
+};
+
+/// Klipper's. A part is left out by the name under which the program defines it (`EXCLUDE_OBJECT_DEFINE`),
+/// counted from 0.
+ChangeCommand klipperChange(const LiveChange& change, const StreamableProgram& program);
+
+/// RepRapFirmware's.
+ChangeCommand reprapChange(const LiveChange& change);
 
 }  // namespace lamina

@@ -13,6 +13,9 @@ class LayerPause {
  public:
   void set(double layer) { layer_ = static_cast<std::int32_t>(layer); }
 
+  /// Whether the layer behind this one is to be waited for.
+  bool isNear(std::int32_t layer) const { return layer_ && layer >= *layer_ - 1; }
+
   /// Whether a line of this layer must wait. True once for each setting.
   bool isDueAt(std::int32_t layer) {
     if (!layer_ || layer < *layer_) return false;

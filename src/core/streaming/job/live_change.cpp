@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/streaming/job/live_change.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -21,14 +22,26 @@ struct KindOfChange {
   bool is_whole;
 };
 
-constexpr std::array<KindOfChange, 5> kKinds = {
+constexpr std::array<KindOfChange, 7> kKinds = {
     {{"feed", LiveSetting::Feed, 10.0, 300.0, " %", false},
      {"flow", LiveSetting::Flow, 10.0, 300.0, " %", false},
      {"babystep", LiveSetting::Babystep, -0.5, 0.5, " mm", false},
      {"cancel_part", LiveSetting::CancelPart, 0.0, 9999.0, "", true},
-     {"pause_at_layer", LiveSetting::PauseAtLayer, 0.0, 1e6, "", true}}};
+     {"pause_at_layer", LiveSetting::PauseAtLayer, 0.0, 1e6, "", true},
+     {"rapid", LiveSetting::Rapid, 25.0, 100.0, " %", true},
+     {"spindle", LiveSetting::Spindle, 10.0, 200.0, " %", true}}};
 
 }  // namespace
+
+std::string nameOf(LiveSetting setting) {
+  const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                        [&](const KindOfChange& known) { return known.setting == setting; });
+  return kind == kKinds.end() ? std::string() : std::string(kind->name);
+}
+
+std::string notOf(const std::string& machine, LiveSetting setting) {
+  return machine + " has no " + nameOf(setting);
+}
 
 LiveChange liveChange(const std::string& name, double value) {
   std::string names;

@@ -44,6 +44,10 @@ void describe(SettingsSchema& schema, StreamSettings& settings) {
   schema.number("stream.safe_stop_timeout_s", settings.safe_stop_timeout_s, times,
                 "Time the machine has to confirm a safe stop.");
   schema.flag("stream.keep_heaters_on", settings.keep_heaters_on, "Leave the heaters on after a safe stop.");
+  schema.choice<EmergencyStop>(
+      "stream.emergency_stop", settings.emergency_stop,
+      {{"never", EmergencyStop::Never}, {"unconfirmed", EmergencyStop::Unconfirmed}},
+      "Whether Klipper is shut down where a safe stop is not confirmed, by which it forgets its position.");
   schema.choice<UnlockPolicy>(
       "stream.unlock", settings.unlock, {{"never", UnlockPolicy::Never}, {"once", UnlockPolicy::Once}},
       "Whether a machine that has locked itself (grbl's alarm) is unlocked at the start; never refuses the "

@@ -20,6 +20,7 @@ class Duet final : public PrintServer {
   const char* firmware() const override { return "reprapfirmware"; }
   std::optional<HttpRequest> request(UploadStep step) override;
   ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+  ChangeCommand changed(const LiveChange& change) const override { return reprapChange(change); }
 
  private:
   /// What a step of several requests asks next.
@@ -35,7 +36,6 @@ class Duet final : public PrintServer {
   ServerAnswer readModel(const HttpResponse& response);
   ServerAnswer readReply(const HttpResponse& response);
   ServerAnswer readResult(UploadStep step, const HttpResponse& response) const;
-  void conclude();
 
   Part part_ = Part::Session;
   bool gives_password_ = false;
@@ -52,7 +52,7 @@ std::string onCard(const std::string& file) { return "0:/gcodes/" + file; }
 bool isOfDuet(const std::optional<nlohmann::json>& tree) { return tree && tree->contains("err"); }
 
 std::optional<HttpRequest> Duet::request(UploadStep step) {
-  const std::string file = escapedForUrl(onCard(order().file));
+  const std::string escaped = escapedForUrl(onCard(file()));
   switch (step) {
     case UploadStep::Connect:
       return connect();
@@ -61,9 +61,9 @@ std::optional<HttpRequest> Duet::request(UploadStep step) {
     case UploadStep::Upload:
       return upload();
     case UploadStep::Verify:
-      return get("/rr_fileinfo?name=" + file);
+      return get("/rr_fileinfo?name=" + escaped);
     case UploadStep::Start:
-      return code("M32 \"" + onCard(order().file) + "\"");
+      return code("M32 \"" + onCard(file()) + "\"");
     case UploadStep::Pause:
       return code("M25");
     case UploadStep::Resume:
@@ -73,9 +73,13 @@ std::optional<HttpRequest> Duet::request(UploadStep step) {
     case UploadStep::HeatersOff:
       return code(heatersOffCommands(tools_));
     case UploadStep::Remove:
-      return get("/rr_delete?name=" + file);
+      return get("/rr_delete?name=" + escaped);
     case UploadStep::Disconnect:
       return get("/rr_disconnect");
+    case UploadStep::Change:
+      return code(given_command);
+    case UploadStep::EmergencyStop:
+      break;
   }
   return std::nullopt;
 }
@@ -105,8 +109,7 @@ HttpRequest Duet::query() const {
 HttpRequest Duet::upload() const {
   std::array<char, 9> crc{};
   std::snprintf(crc.data(), crc.size(), "%08x", order().body.crc32());
-  HttpRequest request =
-      get("/rr_upload?name=" + escapedForUrl(onCard(order().file)) + "&crc32=" + crc.data());
+  HttpRequest request = get("/rr_upload?name=" + escapedForUrl(onCard(file())) + "&crc32=" + crc.data());
   request.method = "POST";
   request.sends_program = true;
   request.timeout_s = order().upload_timeout_s;
@@ -182,26 +185,20 @@ ServerAnswer Duet::readModel(const HttpResponse& response) {
     return answered(AnswerKind::More);
   }
   last_report = reportOf(model_);
-  // A print of less than a second has no duration: what the board has said of it is asked.
-  if (last_report.state == PrintState::Stopped && isOurs() && !has_finished_) {
-    part_ = Part::Reply;
-    return answered(AnswerKind::More);
-  }
-  conclude();
-  return answered(AnswerKind::Done);
+  part_ = Part::Reply;
+  return answered(AnswerKind::More);
 }
 
 ServerAnswer Duet::readReply(const HttpResponse& response) {
   part_ = Part::Model;
   if (!isSuccess(response)) return answerOfStatus("the question what the printer has said", response);
-  has_finished_ = response.body.find("Finished printing file " + onCard(order().file)) != std::string::npos;
-  conclude();
-  return answered(AnswerKind::Done);
-}
-
-void Duet::conclude() {
+  // The board says it once; a print of less than a second has no duration to tell it by.
+  if (response.body.find("Finished printing file " + onCard(file())) != std::string::npos)
+    has_finished_ = true;
+  for (const std::string& line : complaintsIn(response.body)) complaints.push_back(line);
   if (has_finished_ && last_report.state == PrintState::Stopped && isOurs())
     last_report.state = PrintState::Complete;
+  return answered(AnswerKind::Done);
 }
 
 ServerAnswer Duet::readResult(UploadStep step, const HttpResponse& response) const {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
+#include "streaming/job/complaints.hpp"
 #include "streaming/upload/server_answers.hpp"
 
 namespace lamina {
@@ -118,6 +120,14 @@ MachineReport reportOf(const json& model) {
   report.temperatures = temperaturesOf(model);
   report.position = positionOf(model);
   return report;
+}
+
+std::vector<std::string> complaintsIn(const std::string& said) {
+  std::vector<std::string> complaints;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);)
+    if (reprapComplaint(line) != Complaint::None) complaints.push_back(line);
+  return complaints;
 }
 
 std::string heatersOffCommands(const json& tools) {

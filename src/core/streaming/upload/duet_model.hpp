@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "streaming/upload/machine_report.hpp"
 
@@ -15,6 +16,9 @@ std::string belowPrograms(const std::string& name);
 /// What RepRapFirmware's object model says.
 /// @param model  with the keys state, job, heat and move
 MachineReport reportOf(const nlohmann::json& model);
+
+/// The lines of what RepRapFirmware says that tell of an error, or of a command that was not run.
+std::vector<std::string> complaintsIn(const std::string& said);
 
 /// The commands that turn every heater off: of the bed, of chambers, and of each of the tools.
 /// @param tools  the object model's list of them

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "streaming/upload/duet_model.hpp"
+#include "streaming/upload/new_entries.hpp"
 #include "streaming/upload/server_answers.hpp"
 
 namespace lamina {
@@ -16,21 +19,24 @@ class DuetWithComputer final : public PrintServer {
   const char* firmware() const override { return "reprapfirmware"; }
   std::optional<HttpRequest> request(UploadStep step) override;
   ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+  ChangeCommand changed(const LiveChange& change) const override { return reprapChange(change); }
 
  private:
   HttpRequest ask(const std::string& method, const std::string& target) const;
   HttpRequest code(const std::string& commands) const;
   ServerAnswer readConnect(const HttpResponse& response);
   ServerAnswer readModel(const HttpResponse& response);
+  void readMessages(const nlohmann::json& model);
   ServerAnswer readCode(UploadStep step, const HttpResponse& response) const;
 
   bool gives_password_ = false;
   std::string session_key_;
   nlohmann::json tools_ = nlohmann::json::array();
+  NewEntries said_;
 };
 
 std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
-  const std::string path = "/machine/file/" + escapedForUrl("gcodes/" + order().file);
+  const std::string path = "/machine/file/" + escapedForUrl("gcodes/" + file());
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{
@@ -50,7 +56,7 @@ std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
       return request;
     }
     case UploadStep::Start:
-      return code("M32 \"0:/gcodes/" + order().file + "\"");
+      return code("M32 \"0:/gcodes/" + file() + "\"");
     case UploadStep::Pause:
       return code("M25");
     case UploadStep::Resume:
@@ -63,6 +69,10 @@ std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
       return ask("DELETE", path);
     case UploadStep::Disconnect:
       return ask("GET", "/machine/disconnect");
+    case UploadStep::Change:
+      return code(given_command);
+    case UploadStep::EmergencyStop:
+      break;
   }
   return std::nullopt;
 }
@@ -131,7 +141,24 @@ ServerAnswer DuetWithComputer::readModel(const HttpResponse& response) {
             {ErrorCode::DeviceError, "the answer of how the printer stands cannot be read"}};
   last_report = reportOf(*tree);
   if (tree->contains("tools") && tree->at("tools").is_array()) tools_ = tree->at("tools");
+  readMessages(*tree);
   return answered(AnswerKind::Done);
+}
+
+/// They stay in the model until a client that subscribes to it, such as Duet Web Control, has taken them.
+void DuetWithComputer::readMessages(const nlohmann::json& model) {
+  constexpr std::array<const char*, 3> kBeginnings = {"", "Warning: ", "Error: "};
+  if (!model.contains("messages") || !model.at("messages").is_array()) return;
+  const nlohmann::json& messages = model.at("messages");
+  std::vector<std::string> keys;
+  for (const nlohmann::json& message : messages)
+    keys.push_back(message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  for (std::size_t i = said_.takeNew(keys); i < messages.size(); ++i) {
+    if (!messages[i].is_object()) continue;
+    const auto type = std::min<std::size_t>(valueAt<std::size_t>(messages[i], "/type", 0), 2);
+    const std::string content = valueAt<std::string>(messages[i], "/content", "");
+    for (const std::string& line : complaintsIn(kBeginnings[type] + content)) complaints.push_back(line);
+  }
 }
 
 /// Codes are answered by what they say, an error by a text that begins so.

@@ -30,7 +30,9 @@ struct MachineReport {
   std::string file;              ///< below the folder of programs; empty without a print
   std::uint64_t bytes_read = 0;  ///< of that file
   bool is_moving = false;        ///< motions are under way
-  bool has_targets = false;      ///< a heater has a target, or it is not known that none has
+  std::optional<std::uint64_t>
+      stalls;                ///< since it was started, for want of motions; nothing if it does not say
+  bool has_targets = false;  ///< a heater has a target, or it is not known that none has
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
 

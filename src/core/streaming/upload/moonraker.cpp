@@ -1,12 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
+#include "streaming/job/complaints.hpp"
+#include "streaming/upload/new_entries.hpp"
 #include "streaming/upload/server_answers.hpp"
 
 namespace lamina {
 namespace {
+
+// Of the last messages; all are asked for where none of these is known, as many as Moonraker keeps.
+constexpr int kFewMessages = 50;
+constexpr int kAllMessages = 1000;
 
 /// Klipper behind Moonraker [Moonraker's documentation, "External API"].
 class Moonraker final : public PrintServer {
@@ -16,51 +23,64 @@ class Moonraker final : public PrintServer {
   const char* firmware() const override { return "klipper"; }
   std::optional<HttpRequest> request(UploadStep step) override;
   ServerAnswer read(UploadStep step, const HttpResponse& response) override;
+  ChangeCommand changed(const LiveChange& change) const override;
+  std::string emergencyStop() const override {
+    return "POST /printer/emergency_stop, or stream.emergency_stop unconfirmed";
+  }
 
  private:
+  /// What a report asks next.
+  enum class Part : std::uint8_t { Machine, Messages };
+
   std::optional<HttpRequest> plainRequest(UploadStep step) const;
   HttpRequest post(const std::string& target) const;
+  HttpRequest report();
   HttpRequest query() const;
   HttpRequest upload() const;
   HttpRequest cancel();
   ServerAnswer readConnect(const HttpResponse& response);
   ServerAnswer readReport(const HttpResponse& response);
+  ServerAnswer readMessages(const HttpResponse& response);
   ServerAnswer readVerify(const HttpResponse& response);
   void readMachine(const nlohmann::json& status);
 
   bool gives_key_ = false;
   bool knows_size_ = false;  ///< and the file is to be read back
   bool has_asked_to_cancel_ = false;
+  bool excludes_parts_ = false;  ///< it can leave out parts
+  Part part_ = Part::Machine;
+  bool is_asked_ = false;  ///< the part; an answer is to come
+  int messages_ = kFewMessages;
+  NewEntries said_;
   std::vector<std::string> heaters_;  ///< as the machine lists them
 };
 
+constexpr auto kReplaced = nlohmann::json::error_handler_t::replace;
 constexpr const char* kGivenBoundary = "lamina-7d1c52b09f3e4a68b1";
 
 std::optional<HttpRequest> Moonraker::request(UploadStep step) {
   if (step == UploadStep::Cancel) return cancel();
   if (step == UploadStep::Upload) knows_size_ = false;
-  auto request = plainRequest(step);
+  auto request = step == UploadStep::Report ? report() : plainRequest(step);
   if (request && gives_key_) request->headers.emplace_back("X-Api-Key", order().credential);
   return request;
 }
 
 std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
-  const std::string file = escapedForUrl(order().file);
+  const std::string escaped = escapedForUrl(file());
   switch (step) {
     case UploadStep::Connect:
       return HttpRequest{"GET", "/server/info"};
-    case UploadStep::Report:
-      return query();
     case UploadStep::Upload:
       return upload();
     case UploadStep::Verify: {
-      HttpRequest request{"GET", "/server/files/gcodes/" + file};
+      HttpRequest request{"GET", "/server/files/gcodes/" + escaped};
       request.digests_answer = true;
       request.timeout_s = order().upload_timeout_s;
-      return knows_size_ ? request : HttpRequest{"GET", "/server/files/metadata?filename=" + file};
+      return knows_size_ ? request : HttpRequest{"GET", "/server/files/metadata?filename=" + escaped};
     }
     case UploadStep::Start:
-      return post("/printer/print/start?filename=" + file);
+      return post("/printer/print/start?filename=" + escaped);
     case UploadStep::Pause:
       return post("/printer/print/pause");
     case UploadStep::Resume:
@@ -68,15 +88,24 @@ std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
     case UploadStep::HeatersOff:
       return post("/printer/gcode/script?script=TURN_OFF_HEATERS");
     case UploadStep::Remove: {
-      HttpRequest request = post("/server/files/gcodes/" + file);
+      HttpRequest request = post("/server/files/gcodes/" + escaped);
       request.method = "DELETE";
       return request;
     }
-    case UploadStep::Cancel:
-    case UploadStep::Disconnect:
-      break;
+    case UploadStep::Change:
+      return post("/printer/gcode/script?script=" + escapedForUrl(given_command));
+    case UploadStep::EmergencyStop:
+      return post("/printer/emergency_stop");
+    default:
+      return std::nullopt;
   }
-  return std::nullopt;
+}
+
+/// How machine and print stand, then what the machine has said. A part that was not answered begins anew.
+HttpRequest Moonraker::report() {
+  if (std::exchange(is_asked_, true)) part_ = Part::Machine;
+  if (part_ == Part::Machine) return query();
+  return {"GET", "/server/gcode_store?count=" + std::to_string(messages_)};
 }
 
 HttpRequest Moonraker::post(const std::string& target) const {
@@ -88,7 +117,7 @@ HttpRequest Moonraker::post(const std::string& target) const {
 HttpRequest Moonraker::query() const {
   std::string target =
       "/printer/objects/query?webhooks&print_stats&virtual_sdcard&idle_timeout&gcode_move&heaters&extruder&"
-      "heater_bed";
+      "heater_bed&toolhead=stalls&exclude_object=current_object";
   for (const std::string& heater : heaters_)
     if (heater != "extruder" && heater != "heater_bed") target += "&" + escapedForUrl(heater);
   return {"GET", target};
@@ -99,14 +128,14 @@ HttpRequest Moonraker::upload() const {
   const auto field = [&](const std::string& name, const std::string& value) {
     return boundary + "\r\nContent-Disposition: form-data; name=\"" + name + "\"\r\n\r\n" + value + "\r\n";
   };
-  const std::size_t slash = order().file.rfind('/');
+  const std::size_t slash = file().rfind('/');
   HttpRequest request{"POST", "/server/files/upload"};
   request.headers.emplace_back("Content-Type",
                                std::string("multipart/form-data; boundary=") + kGivenBoundary);
-  request.head = field("root", "gcodes") + field("path", order().file.substr(0, slash)) +
+  request.head = field("root", "gcodes") + field("path", file().substr(0, slash)) +
                  field("checksum", order().body.sha256()) + boundary +
-                 "\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" +
-                 order().file.substr(slash + 1) + "\"\r\nContent-Type: application/octet-stream\r\n\r\n";
+                 "\r\nContent-Disposition: form-data; name=\"file\"; filename=\"" + file().substr(slash + 1) +
+                 "\"\r\nContent-Type: application/octet-stream\r\n\r\n";
   request.sends_program = true;
   request.tail = "\r\n" + boundary + "--\r\n";
   request.timeout_s = order().upload_timeout_s;
@@ -131,7 +160,8 @@ ServerAnswer Moonraker::read(UploadStep step, const HttpResponse& response) {
     return refused("Moonraker does not take this key any more: " + errorTextOf(response));
   switch (step) {
     case UploadStep::Report:
-      return readReport(response);
+      is_asked_ = false;
+      return part_ == Part::Machine ? readReport(response) : readMessages(response);
     case UploadStep::Verify:
       return readVerify(response);
     case UploadStep::Upload:
@@ -195,11 +225,47 @@ ServerAnswer Moonraker::readReport(const HttpResponse& response) {
     std::replace(last_report.condition.begin(), last_report.condition.end(), '\n', ' ');
   }
   readMachine(status);
+  part_ = Part::Messages;
+  messages_ = kFewMessages;
+  return answered(AnswerKind::More);
+}
+
+/// A server that does not give them leaves the report as it is.
+ServerAnswer Moonraker::readMessages(const HttpResponse& response) {
+  part_ = Part::Machine;
+  const auto tree = jsonOf(response);
+  const nlohmann::json::json_pointer place("/result/gcode_store");
+  if (!isSuccess(response) || !tree || !tree->contains(place) || !tree->at(place).is_array())
+    return answered(AnswerKind::Done);
+  const nlohmann::json& store = tree->at(place);
+  std::vector<std::string> keys;
+  for (const nlohmann::json& entry : store) keys.push_back(entry.dump(-1, ' ', false, kReplaced));
+  if (messages_ < kAllMessages && !said_.isKnownIn(keys)) {
+    part_ = Part::Messages;
+    messages_ = kAllMessages;
+    return answered(AnswerKind::More);
+  }
+  for (std::size_t i = said_.takeNew(keys); i < store.size(); ++i) {
+    if (!store[i].is_object() || valueAt<std::string>(store[i], "/type", "") != "response") continue;
+    std::istringstream lines(valueAt<std::string>(store[i], "/message", ""));
+    for (std::string line; std::getline(lines, line);) {
+      if (klipperComplaint(line) != Complaint::None) complaints.push_back(line);
+    }
+  }
   return answered(AnswerKind::Done);
+}
+
+ChangeCommand Moonraker::changed(const LiveChange& change) const {
+  if (change.setting == LiveSetting::CancelPart && !excludes_parts_)
+    return {"", "this Klipper leaves out no parts: its configuration has no [exclude_object]"};
+  return klipperChange(change, order().body.program());
 }
 
 void Moonraker::readMachine(const nlohmann::json& status) {
   last_report.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
+  excludes_parts_ = status.contains("exclude_object");
+  if (status.contains(nlohmann::json::json_pointer("/toolhead/stalls")))
+    last_report.stalls = valueAt<std::uint64_t>(status, "/toolhead/stalls", 0);
   last_report.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
   const auto position = nlohmann::json::json_pointer("/gcode_move/gcode_position");
   if (status.contains(position) && status.at(position).is_array() && status.at(position).size() >= 4)

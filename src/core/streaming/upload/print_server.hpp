@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "streaming/job/change_commands.hpp"
 #include "streaming/upload/http_exchange.hpp"
 #include "streaming/upload/machine_report.hpp"
 #include "streaming/upload/program_body.hpp"
@@ -26,8 +28,10 @@ enum class UploadStep : std::uint8_t {
   Resume,
   Cancel,
   HeatersOff,
-  Remove,      ///< the file
-  Disconnect,  ///< the end of the session
+  Change,         ///< what was given last (`give`)
+  EmergencyStop,  ///< where there is one that does not wait behind other commands
+  Remove,         ///< the file
+  Disconnect,     ///< the end of the session
 };
 
 /// What a response means.
@@ -46,6 +50,12 @@ struct ServerAnswer {
 
 using AnswerKind = ServerAnswer::Kind;
 
+/// What is done with a program.
+enum class UploadAim : std::uint8_t {
+  Print,
+  Follow,  ///< the print of it that was begun earlier, as the machine knows it
+};
+
 /// What is uploaded, and under which name.
 struct UploadOrder {
   ProgramBody body;
@@ -53,13 +63,16 @@ struct UploadOrder {
   std::string credential;          ///< password or key; empty for none
   double upload_timeout_s = 60.0;  ///< without a byte either way, and for the server to store the file
   double command_timeout_s = 10.0;
+  UploadAim aim = UploadAim::Print;
+  std::string earlier_files = {};  ///< how the names of files begin that hold the same program
 };
 
 /// How a kind of print server is spoken to: requests out, responses in, no time. One request is under way at
 /// a time.
 class PrintServer {
  public:
-  explicit PrintServer(std::shared_ptr<const UploadOrder> order) : order_(std::move(order)) {}
+  explicit PrintServer(std::shared_ptr<const UploadOrder> order)
+      : program_file(order->file), order_(std::move(order)) {}
   virtual ~PrintServer() = default;
   PrintServer(const PrintServer&) = delete;
   PrintServer& operator=(const PrintServer&) = delete;
@@ -71,15 +84,33 @@ class PrintServer {
   /// What the response to the last request means.
   virtual ServerAnswer read(UploadStep step, const HttpResponse& response) = 0;
 
+  /// How a change is made there.
+  virtual ChangeCommand changed(const LiveChange& change) const = 0;
+  /// What is to be run at the next step `Change`.
+  void give(std::string command) { given_command = std::move(command); }
+  /// How a person stops the machine at once where it does not hear a stop; empty if it hears each.
+  virtual std::string emergencyStop() const { return {}; }
+
+  /// The file of the print: the one that is ordered, unless another is followed.
+  const std::string& file() const { return program_file; }
+  void follow(std::string file) { program_file = std::move(file); }
+
+  /// What the machine has complained of since the last call, in its own words: commands that it does not
+  /// know, and errors, whoever caused them.
+  std::vector<std::string> takeComplaints() { return std::exchange(complaints, {}); }
+
   const std::string& name() const { return server_name; }  ///< as it gives it, once connected
   const MachineReport& report() const { return last_report; }
   /// The last report is of the print that was ordered.
-  bool isOurs() const { return last_report.file == order_->file; }
+  bool isOurs() const { return last_report.file == program_file; }
 
  protected:
   const UploadOrder& order() const { return *order_; }
 
   std::string server_name;
+  std::string program_file;
+  std::string given_command;
+  std::vector<std::string> complaints;
   MachineReport last_report;
 
  private:

@@ -18,6 +18,8 @@ std::string named(const MachineReport& report) { return "\"" + report.file + "\"
 void UploadJob::onReport(double now) {
   heard_at_ = now;
   takeTelemetry();
+  takeComplaints();
+  countStalls();
   switch (phase_) {
     case Phase::Check:
       return check(now);
@@ -42,8 +44,29 @@ void UploadJob::takeTelemetry() {
   status.layer = read_line_.layer();
 }
 
+/// As a link does that hears them: counted, and the first one quoted.
+void UploadJob::takeComplaints() {
+  for (const std::string& complaint : server().takeComplaints()) {
+    if (!may_be_started_) continue;
+    StreamStatus& status = record_.status;
+    status.message = complaint;
+    if (++status.commands_not_done == 1) status.first_not_done = complaint;
+  }
+}
+
+void UploadJob::countStalls() {
+  const auto& stalls = server().report().stalls;
+  if (!stalls) return;
+  Starvation& starvation = record_.status.starvation;
+  starvation.source = StarvationSource::Machine;
+  // A machine that was restarted counts anew.
+  if (!may_be_started_ || !stalls_before_) stalls_before_ = *stalls;
+  if (*stalls > *stalls_before_) starvation.count = *stalls - *stalls_before_;
+}
+
 void UploadJob::check(double now) {
   const MachineReport& report = server().report();
+  if (order_->aim == UploadAim::Follow) return recognise(now);
   if (!report.is_ready)
     return abort({ErrorCode::Rejected, "the printer is not ready: " + report.condition}, now);
   if (report.isPrintUnderWay()) {
@@ -55,6 +78,34 @@ void UploadJob::check(double now) {
   busy_since_.reset();
   phase_ = is_stored_ ? Phase::Start : Phase::Upload;
   next_at_ = now;
+}
+
+/// A print that was begun earlier is known by the name of its file, and then by its bytes.
+void UploadJob::recognise(double now) {
+  const MachineReport& report = server().report();
+  const bool is_known = report.state != PrintState::None &&
+                        report.file.compare(0, order_->earlier_files.size(), order_->earlier_files) == 0;
+  if (!is_known) {
+    const std::string last =
+        report.file.empty() ? "it knows of no print" : "its last print is " + named(report);
+    return abort(
+        {ErrorCode::Rejected, "there is no print of this program to go on with: " + last + "; expected " +
+                                  order_->earlier_files +
+                                  "... (a machine that was restarted has lost it, and its position)"},
+        now);
+  }
+  server().follow(report.file);
+  phase_ = Phase::Verify;
+  next_at_ = now;
+}
+
+/// Nothing is started or stopped: the print is followed from where it is.
+void UploadJob::adopt(double now) {
+  may_be_started_ = may_be_stored_ = was_seen_ = true;
+  record_.status.lines_sent = record_.status.lines_total;
+  record_.enter(PackmlState::Execute);
+  phase_ = Phase::Follow;
+  heard_at_ = now;
 }
 
 /// A print that is asked for while another's command is under way, such as to wait for heat, would begin when
@@ -109,8 +160,15 @@ void UploadJob::follow(double now) {
       completed_at_ = now;
       return;
     default:
-      return followHold(now);
+      followHold(now);
+      return pauseAtLayer(now);
   }
+}
+
+void UploadJob::pauseAtLayer(double now) {
+  if (record_.status.state != PackmlState::Execute || !layer_pause_.isDueAt(record_.status.layer)) return;
+  record_.status.message = "held in layer " + std::to_string(record_.status.layer);
+  pause(now);
 }
 
 /// Holding and going on, whoever asked for it.
@@ -179,6 +237,11 @@ void UploadJob::finish(double now) {
 void UploadJob::stop(double now) {
   const MachineReport& report = server().report();
   if (report.is_halted) {
+    if (is_emergency_) {
+      return confirmStop(
+          "; it was shut down by an emergency stop, its heaters with it, and has lost its "
+          "position: restart it and home it");
+    }
     const std::string halt = "the printer has shut itself down: " + report.condition;
     const bool is_told = record_.status.failure.message.find(halt) != std::string::npos;
     return confirmStop(is_told ? "" : "; " + halt);
@@ -234,13 +297,24 @@ void UploadJob::confirmStop(const std::string& how) {
   next_at_ = heard_at_;
 }
 
-void UploadJob::giveUpStop() {
+void UploadJob::giveUpStop(double now) {
   if (under_way_) is_to_break_ = true;
   under_way_.reset();
+  const std::string emergency = server().emergencyStop();
+  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty() && !is_emergency_) {
+    is_emergency_ = true;
+    command_ = UploadStep::EmergencyStop;
+    next_at_ = now;
+    stop_until_ = now + settings_.safe_stop_timeout_s;
+    return;
+  }
   record_.status.failure.message += "; the machine has not confirmed within " +
                                     seconds(settings_.safe_stop_timeout_s) + " that it has ended the print" +
                                     (settings_.keep_heaters_on ? "" : " and turned its heaters off") +
                                     ": look after it";
+  if (!emergency.empty() && !is_emergency_)
+    record_.status.failure.message +=
+        "; an emergency stop, by which it loses its position, is not kept waiting: " + emergency;
   close();
 }
 

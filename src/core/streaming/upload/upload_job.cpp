@@ -10,6 +10,7 @@ namespace lamina {
 namespace {
 
 constexpr double kReportInterval = 1.0;  // s; below the 8 s in which a Duet forgets a session
+constexpr double kNearInterval = 0.2;    // s, in front of a layer in which it is to hold
 constexpr double kRetryInterval = 2.0;   // s; Moonraker's temporary files are named by the second
 constexpr int kAttempts = 3;
 
@@ -22,6 +23,7 @@ UploadJob::UploadJob(const StreamSettings& settings, std::shared_ptr<const Uploa
       sent_line_(order_->body.program()),
       read_line_(order_->body.program()) {
   record_.status.lines_total = order_->body.program().lines();
+  record_.status.starvation.source = StarvationSource::Nobody;
 }
 
 void UploadJob::start(double now) {
@@ -50,8 +52,10 @@ UploadStep UploadJob::nextStep() const {
     case Phase::Leave:
       return UploadStep::Disconnect;
     default:
-      return command_.value_or(UploadStep::Report);
+      break;
   }
+  if (command_) return *command_;
+  return phase_ == Phase::Follow && !changes_.empty() ? UploadStep::Change : UploadStep::Report;
 }
 
 std::optional<HttpRequest> UploadJob::takeRequest(double now) {
@@ -86,6 +90,8 @@ void UploadJob::beforeAsking(UploadStep step, double now) {
   } else if (step == UploadStep::HeatersOff) {
     asked_heaters_off_ = true;
     asked_at_ = now;
+  } else if (step == UploadStep::Change) {
+    server().give(changes_.front());
   } else if (step == UploadStep::Pause || step == UploadStep::Resume) {
     asked_at_ = now;
   }
@@ -155,7 +161,7 @@ void UploadJob::onDone(UploadStep step, double now) {
       phase_ = Phase::Check;
       return;
     case UploadStep::Report:
-      next_at_ = now + kReportInterval;
+      next_at_ = now + (layer_pause_.isNear(record_.status.layer) ? kNearInterval : kReportInterval);
       onReport(now);
       if (command_) next_at_ = now;
       return;
@@ -165,6 +171,7 @@ void UploadJob::onDone(UploadStep step, double now) {
       return;
     case UploadStep::Verify:
       is_stored_ = true;
+      if (order_->aim == UploadAim::Follow) return adopt(now);
       phase_ = Phase::Check;
       return;
     case UploadStep::Start:
@@ -175,6 +182,9 @@ void UploadJob::onDone(UploadStep step, double now) {
       return onRemoved();
     case UploadStep::Disconnect:
       return close();
+    case UploadStep::Change:
+      changes_.pop_front();
+      return;
     default:
       command_.reset();
       return;
@@ -191,6 +201,8 @@ void UploadJob::onTrouble(UploadStep step, const Failure& why, bool reached_serv
   next_at_ = now + kRetryInterval;
   command_.reset();
   trouble_ = why.message;
+  // A request that may have arrived is not repeated: a babystep would be made twice.
+  if (step == UploadStep::Change && reached_server) onChangeFailed("no answer, so that it may still be done");
   switch (phase_) {
     case Phase::Follow:
     case Phase::Finish:
@@ -222,6 +234,8 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
   next_at_ = now;
   command_.reset();
   switch (step) {
+    case UploadStep::Change:
+      return onChangeFailed(why.message);
     case UploadStep::Pause:
     case UploadStep::Resume:
       record_.status.message = why.message;
@@ -237,7 +251,7 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
     default:
       break;
   }
-  if (phase_ == Phase::Stop) return giveUpStop();
+  if (phase_ == Phase::Stop) return giveUpStop(now);
   const StreamableProgram& program = order_->body.program();
   if ((step == UploadStep::Upload || step == UploadStep::Verify) && program.hasChanged())
     return abort({ErrorCode::InvalidProgram, program.name() + " was changed while it was uploaded"}, now);
@@ -247,7 +261,7 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
 // Time and commands
 
 void UploadJob::elapse(double now) {
-  if (phase_ == Phase::Stop && now >= stop_until_) giveUpStop();
+  if (phase_ == Phase::Stop && now >= stop_until_) giveUpStop(now);
 }
 
 double UploadJob::nextDeadline() const {
@@ -297,6 +311,28 @@ void UploadJob::abort(const Failure& why, double now) {
     is_logged_out_ = false;
     phase_ = may_be_stored_ ? Phase::Remove : Phase::Leave;
   }
+}
+
+std::string UploadJob::change(const LiveChange& change, double now) {
+  const PackmlState state = record_.status.state;
+  const bool is_running =
+      state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
+  const bool is_to_come = record_.isStarting() && change.setting == LiveSetting::PauseAtLayer;
+  if (!is_to_come && !(is_running && phase_ == Phase::Follow)) return kNoJobToChange;
+  if (change.setting == LiveSetting::PauseAtLayer) {
+    layer_pause_.set(change.value);
+    return {};
+  }
+  const ChangeCommand changed = server().changed(change);
+  if (changed.command.empty()) return changed.refusal;
+  changes_.push_back(changed.command);
+  next_at_ = now;
+  return {};
+}
+
+void UploadJob::onChangeFailed(const std::string& why) {
+  record_.status.message = changes_.front() + ": " + why;
+  changes_.pop_front();
 }
 
 /// The machine is out of reach: nothing can be done about it from here.

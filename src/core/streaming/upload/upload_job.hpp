@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "lamina/streaming/job/stream_settings.hpp"
 #include "streaming/job/job_record.hpp"
+#include "streaming/job/layer_pause.hpp"
 #include "streaming/upload/line_at_byte.hpp"
 #include "streaming/upload/print_server.hpp"
 
@@ -49,6 +51,9 @@ class UploadJob {
   bool pause(double now);
   /// @return false if the job is not in Holding or Held
   bool resume(double now);
+  /// Changes how the print runs: what the machine says of it stands in the status's message.
+  /// @return why it is refused, in words; empty if it is taken
+  std::string change(const LiveChange& change, double now);
   /// Ends the print, if it may have been started. Without effect once the job is over or being aborted.
   void abort(const Failure& why, double now);
 
@@ -92,7 +97,13 @@ class UploadJob {
   void askToCancel(double now);
   void awaitStandstill(const std::string& how, double now);
   void confirmStop(const std::string& how);
-  void giveUpStop();
+  void giveUpStop(double now);
+  void onChangeFailed(const std::string& why);
+  void pauseAtLayer(double now);
+  void takeComplaints();
+  void countStalls();
+  void recognise(double now);
+  void adopt(double now);
   void lose(double now);
   void close();
 
@@ -123,7 +134,11 @@ class UploadJob {
   double asked_at_ = 0.0;    ///< to pause, to resume, or to turn heaters off
   double completed_at_ = 0.0;
   double stop_until_ = 0.0;
-  std::array<int, 2> cancels_{};  ///< asked for while it printed, and while it was paused
+  std::deque<std::string> changes_;  ///< commands that are still to be sent, in order
+  LayerPause layer_pause_;
+  std::optional<std::uint64_t> stalls_before_;  ///< the print
+  bool is_emergency_ = false;                   ///< an emergency stop was asked for
+  std::array<int, 2> cancels_{};                ///< asked for while it printed, and while it was paused
   bool asked_heaters_off_ = false;
 };
 

@@ -71,12 +71,29 @@ class GrblPeer : public testing::Test {
 
 TEST_F(GrblPeer, ChangesItsFeedAmidTheLines) {
   Streamer streamer(two_, settings());
-  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 80.0}, 0.0));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 80.0}, 0.0), kNoJobToChange);
   begin(streamer);
-  EXPECT_TRUE(streamer.change({LiveSetting::Feed, 122.0}, 0.3));
-  EXPECT_EQ(streamer.takeOutput(), "\x90\x91\x91\x93\x93") << "as programmed, then 10 % twice and 1 % twice";
-  EXPECT_FALSE(streamer.change({LiveSetting::Feed, 250.0}, 0.3)) << "grbl goes up to 200 %";
-  EXPECT_FALSE(streamer.change({LiveSetting::Flow, 90.0}, 0.3));
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 121.0}, 0.3), "");
+  EXPECT_EQ(streamer.takeOutput(), "?") << "what it is now is not known yet";
+  // One byte for each report, since grbl takes equal ones that come together for one: 100, 110, 120, 121.
+  for (const auto& [reported, sent] :
+       {std::pair{"100", "\x91"}, {"110", "\x91"}, {"120", "\x93"}, {"121", ""}}) {
+    streamer.receive("<Run|MPos:0.500,0.000,0.000|FS:0,0|Ov:" + std::string(reported) + ",100,100>\r\n", 0.4);
+    EXPECT_EQ(streamer.takeOutput(), sent) << reported;
+  }
+  EXPECT_EQ(streamer.change({LiveSetting::Feed, 250.0}, 0.3), "feed is 250 %; grbl takes 10 to 200 %");
+  EXPECT_EQ(streamer.change({LiveSetting::Rapid, 30.0}, 0.3), "rapid is 30 %; grbl takes 25, 50 and 100 %");
+  EXPECT_EQ(streamer.change({LiveSetting::Flow, 90.0}, 0.3), "grbl has no flow");
+}
+
+TEST_F(GrblPeer, SaysThatAnOverrideWasNotReached) {
+  Streamer streamer(two_, settings());
+  begin(streamer);
+  EXPECT_EQ(streamer.change({LiveSetting::Spindle, 50.0}, 1.0), "");
+  streamer.receive(kRun, 5.9);
+  EXPECT_EQ(streamer.status().message, "");
+  streamer.receive(kRun, 6.0);
+  expectIn("has not reported spindle 50 % (Ov) in time", streamer.status().message);
 }
 
 TEST_F(GrblPeer, IsAskedWhoItIsBeforeTheFirstLine) {

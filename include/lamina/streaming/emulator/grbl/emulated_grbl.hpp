@@ -54,7 +54,8 @@ struct EmulatedGrblSettings {
 /// feed. It has no input, output or time of its own; times are seconds since any start and never go back.
 ///
 /// Known: G0 to G4, G20, G21, G90 to G92, M0, M2 to M5, M8, M9, M30 and what changes nothing here; `$$`,
-/// `$G`, `$I`, `$X`; '?', '!', '~' and ctrl-X. Places are told at the ends of motions only.
+/// `$G`, `$I`, `$X`; '?', '!', '~', ctrl-X and the overrides, of which only that of the spindle has an
+/// effect. Places are told at the ends of motions only.
 class EmulatedGrbl {
  public:
   /// Given every line of G-code that was taken, as it was read.

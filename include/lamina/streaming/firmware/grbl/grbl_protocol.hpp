@@ -36,6 +36,13 @@ enum class GrblState : std::uint8_t {
 /// X, Y and Z, in the unit of the machine's reports.
 using GrblAxes = std::array<double, 3>;
 
+/// How fast the machine runs, of what the program says [%].
+struct GrblPercents {
+  int feed = 100;
+  int rapid = 100;
+  int spindle = 100;  ///< power of a laser
+};
+
 /// What grbl answers to '?'. It leaves out what has not changed, and what it is configured to leave out.
 struct GrblReport {
   GrblState state = GrblState::Other;
@@ -44,8 +51,9 @@ struct GrblReport {
   std::optional<GrblAxes> machine_position;
   std::optional<GrblAxes> work_position;
   std::optional<GrblAxes> work_offset;
-  std::optional<int> free_blocks;       ///< of the motion queue
-  std::optional<int> free_bytes;        ///< of the receive buffer
+  std::optional<int> free_blocks;  ///< of the motion queue
+  std::optional<int> free_bytes;   ///< of the receive buffer
+  std::optional<GrblPercents> overrides;
   std::optional<double> spindle_speed;  ///< [rpm], or power of a laser
 };
 

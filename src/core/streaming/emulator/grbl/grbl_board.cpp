@@ -13,6 +13,7 @@ namespace {
 constexpr double kForever = std::numeric_limits<double>::infinity();
 // By which time may be short of an event that is due [s].
 constexpr double kGrblTimeRounding = 1e-9;
+constexpr int kReportsBetweenOverrides = 10;
 
 std::string grblAxes(const Point3& place) {
   std::array<char, 96> text{};
@@ -55,6 +56,7 @@ std::optional<char> EmulatedGrbl::Board::throughFaults(char byte) {
   }
   const bool is_realtime = byte == '?' || byte == '!' || byte == '~' || byte == '\x18';
   if (is_realtime && arrived_bytes_ == 0) return byte;
+  if (static_cast<unsigned char>(byte) >= 0x80) return byte;
   const std::size_t at = arrived_bytes_++;
   const bool is_end = byte == '\n';
   if (is_end) arrived_bytes_ = 0;
@@ -131,7 +133,7 @@ bool EmulatedGrbl::Board::obey(char byte, double now) {
       reset();
       return true;
     default:
-      return static_cast<unsigned char>(byte) >= 0x80;
+      return noteOverride(byte);
   }
 }
 
@@ -147,6 +149,8 @@ void EmulatedGrbl::Board::reset() {
   is_absolute_ = is_rapid_ = true;
   unit_mm_ = 1.0;
   feed_mm_min_ = spindle_ = speed_ = 0.0;
+  percents_ = {};
+  reports_to_overrides_ = 1;
   arrived_bytes_ = 0;
   if (state_ != State::Alarm) state_ = State::Idle;
   say("\r\n" + settings_.greeting + "\r\n");
@@ -167,8 +171,13 @@ void EmulatedGrbl::Board::report() {
   std::string text = std::string("<") + state + "|MPos:" + grblAxes(position_) +
                      "|Bf:" + std::to_string(settings_.blocks - static_cast<int>(blocks_.size())) + "," +
                      std::to_string(settings_.receive_bytes - used) + "|FS:0," +
-                     std::to_string(static_cast<int>(spindle_));
+                     std::to_string(static_cast<int>(spindleSpeed()));
   if (!std::exchange(is_offset_told_, true)) text += "|WCO:" + grblAxes(offset_);
+  if (--reports_to_overrides_ <= 0) {
+    reports_to_overrides_ = kReportsBetweenOverrides;
+    text += "|Ov:" + std::to_string(percents_.feed) + "," + std::to_string(percents_.rapid) + "," +
+            std::to_string(percents_.spindle);
+  }
   say(text + ">\r\n");
 }
 
@@ -200,6 +209,7 @@ void EmulatedGrbl::Board::advance(double now) {
 void EmulatedGrbl::Board::work(double now) {
   if (isAsleep(now)) return;
   advance(now);
+  applyOverrides();
   while (!is_link_cut_) {
     if (state_ == State::Held || state_ == State::Slowing) return;
     if (pending_ ? !tryFinish(now) : !readLine(now)) return;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "lamina/base/random.hpp"
 #include "lamina/streaming/emulator/grbl/emulated_grbl.hpp"
+#include "lamina/streaming/firmware/grbl/grbl_protocol.hpp"
 
 namespace lamina {
 
@@ -27,7 +29,7 @@ class EmulatedGrbl::Board {
   bool takeDisconnect() { return std::exchange(is_link_cut_, false); }
 
   const Point3& position() const { return position_; }
-  double spindleSpeed() const { return spindle_; }
+  double spindleSpeed() const { return 0.01 * percents_.spindle * spindle_; }
   bool isInMotion() const { return state_ == State::Run || state_ == State::Slowing; }
   std::uint64_t faults() const { return fault_count_; }
   std::uint64_t bytesLost() const { return bytes_lost_; }
@@ -77,6 +79,8 @@ class EmulatedGrbl::Board {
   bool tryFinish(double now);
   void say(const std::string& text);
   void report();
+  bool noteOverride(char byte);
+  void applyOverrides();
   void reset();
 
   void advance(double now);
@@ -107,6 +111,9 @@ class EmulatedGrbl::Board {
   double spindle_ = 0.0;
   double speed_ = 0.0;
   bool is_offset_told_ = false;
+  GrblPercents percents_;
+  std::set<char> override_bytes_;  ///< that came since the firmware looked last; equal ones are one
+  int reports_to_overrides_ = 1;   ///< until they are told again
 
   // Faults.
   std::uint64_t arriving_ = 1;     ///< number of the line whose bytes arrive

@@ -34,9 +34,16 @@ std::string runCode(EmulatedPrinter& printer, const std::string& code) {
     printer.pause();
   }
   if (code == "M24") printer.resume();
+  const bool is_change =
+      code.compare(0, 3, "M22") == 0 || code.compare(0, 5, "M290 ") == 0 || code.compare(0, 5, "M486 ") == 0;
+  if (is_change) printer.change(code);
   if (code == "M140 S-273.15") printer.bed_target_c = 0.0;
   if (code == "M568 P0 A0") printer.nozzle_target_c = 0.0;
   return {};
+}
+
+std::string complaintOf(const std::string& command) {
+  return "Warning: " + command + ": Command is not supported";
 }
 
 json heaterOf(double current_c, double target_c) {
@@ -62,10 +69,11 @@ class EmulatedDuet final : public EmulatedPrintServer {
   HttpResponse connect(const std::string& given);
   HttpResponse answerRequest(const HttpRequest& request, const std::string& name, std::string_view body);
   HttpResponse upload(const HttpRequest& request, std::string_view body);
-  HttpResponse reply() const;
+  HttpResponse reply();
   static HttpResponse error(int code) { return {200, json{{"err", code}}.dump()}; }
 
   std::uint32_t session_key_ = 0;
+  std::size_t complaints_told_ = 0;
 };
 
 HttpResponse EmulatedDuet::answer(const HttpRequest& request, std::string_view body) {
@@ -119,9 +127,13 @@ HttpResponse EmulatedDuet::upload(const HttpRequest& request, std::string_view b
   return error(0);
 }
 
-HttpResponse EmulatedDuet::reply() const {
-  if (printer.outcome() != EmulatedPrinter::Outcome::Complete) return {200, ""};
-  return {200, "Finished printing file 0:/gcodes/" + printer.file() + ", print time was 0h 0m\n"};
+HttpResponse EmulatedDuet::reply() {
+  std::string text;
+  for (; complaints_told_ < printer.unknown.size(); ++complaints_told_)
+    text += complaintOf(printer.unknown[complaints_told_]) + "\n";
+  if (printer.outcome() == EmulatedPrinter::Outcome::Complete)
+    text += "Finished printing file 0:/gcodes/" + printer.file() + ", print time was 0h 0m\n";
+  return {200, text};
 }
 
 /// A Duet behind a single-board computer.
@@ -200,10 +212,16 @@ json objectModelOf(const EmulatedPrinter& printer, bool knows_how_prints_end) {
     job["lastFileAborted"] = printer.outcome() == Outcome::Failed;
     job["lastFileSimulated"] = false;
   }
+  json messages = json::array();
+  for (std::size_t i = 0; knows_how_prints_end && i < printer.unknown.size(); ++i)
+    messages.push_back({{"type", 1},
+                        {"time", std::to_string(i)},
+                        {"content", printer.unknown[i] + ": Command is not supported"}});
   const json axes = {{{"letter", "X"}, {"userPosition", 1.0}},
                      {{"letter", "Y"}, {"userPosition", 2.0}},
                      {{"letter", "Z"}, {"userPosition", 3.0}}};
   return {{"state", {{"status", statusOf(printer)}}},
+          {"messages", messages},
           {"job", job},
           {"heat",
            {{"bedHeaters", {0, -1}},

@@ -31,6 +31,7 @@ class EmulatedMoonraker final : public EmulatedPrintServer {
   HttpResponse download(const std::string& file) const;
   HttpResponse start(const std::string& file);
   HttpResponse script(const std::string& text);
+  json said() const;
   json status() const;
   static HttpResponse result(const json& value) { return {200, json{{"result", value}}.dump()}; }
   static HttpResponse error(int code, const std::string& message) {
@@ -47,9 +48,11 @@ HttpResponse EmulatedMoonraker::answer(const HttpRequest& request, std::string_v
   }
   if (path.compare(0, 14, "/server/files/") == 0) return answerFiles(request, path, body);
   if (path == "/printer/objects/query") return result({{"eventtime", 1.0}, {"status", status()}});
+  if (path == "/server/gcode_store") return result({{"gcode_store", said()}});
   if (request.method != "POST") return error(404, "Not Found");
   if (printer.is_halted) return error(400, "Lost communication with MCU 'mcu'");
   if (path == "/printer/print/start") return start(queryValue(request.target, "filename"));
+  if (path == "/printer/emergency_stop") printer.halt();
   if (path == "/printer/print/pause") printer.pause();
   if (path == "/printer/print/resume") printer.resume();
   if (path == "/printer/print/cancel") printer.cancel();
@@ -99,9 +102,24 @@ HttpResponse EmulatedMoonraker::start(const std::string& file) {
 }
 
 HttpResponse EmulatedMoonraker::script(const std::string& text) {
-  if (text == "TURN_OFF_HEATERS") printer.nozzle_target_c = printer.bed_target_c = 0.0;
-  if (text == "SDCARD_RESET_FILE") printer.cancel();
+  if (text == "TURN_OFF_HEATERS") {
+    printer.nozzle_target_c = printer.bed_target_c = 0.0;
+  } else if (text == "SDCARD_RESET_FILE") {
+    printer.cancel();
+  } else {
+    printer.change(text);
+  }
   return result("ok");
+}
+
+/// Of a longer list the end is asked for.
+json EmulatedMoonraker::said() const {
+  json messages = json::array();
+  for (std::size_t i = 0; i < printer.unknown.size(); ++i)
+    messages.push_back({{"message", "// Unknown command:\"" + printer.unknown[i] + "\""},
+                        {"time", static_cast<double>(i)},
+                        {"type", "response"}});
+  return messages;
 }
 
 json EmulatedMoonraker::status() const {
@@ -119,6 +137,8 @@ json EmulatedMoonraker::status() const {
              printer.is_halted ? "Lost communication with MCU 'mcu'\nOnce the" : "Printer is ready"}}},
           {"print_stats", {{"state", print}, {"filename", printer.file()}, {"message", message}}},
           {"virtual_sdcard", {{"file_position", printer.position()}}},
+          {"toolhead", {{"stalls", printer.stalls}}},
+          {"exclude_object", {{"current_object", nullptr}}},
           {"idle_timeout", {{"state", printer.isMoving() ? "Printing" : "Ready"}}},
           {"gcode_move", {{"gcode_position", {1.0, 2.0, 3.0, 4.0}}}},
           {"heaters", {{"available_heaters", {"heater_bed", "extruder"}}}},

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "streaming/emulator/print_server/emulated_printer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
+#include <string_view>
 
 #include "lamina/base/text.hpp"
 
@@ -57,6 +60,15 @@ void EmulatedPrinter::halt() {
   nozzle_target_c = bed_target_c = 0.0;
 }
 
+void EmulatedPrinter::change(const std::string& command) {
+  constexpr std::array<std::string_view, 6> kKnown = {
+      "M220 ", "M221 ", "M290 ", "M486 ", "SET_GCODE_OFFSET ", "EXCLUDE_OBJECT "};
+  const bool is_known = std::any_of(kKnown.begin(), kKnown.end(), [&](std::string_view known) {
+    return command.compare(0, known.size(), known) == 0;
+  });
+  (is_known ? changes : unknown).push_back(command);
+}
+
 void EmulatedPrinter::elapse(double now) {
   const double step = now - now_;
   now_ = now;
@@ -78,6 +90,7 @@ void EmulatedPrinter::runLine(const std::string& text) {
   if (command.empty()) return;
   executed_.push_back(command);
   moving_until_ = now_ + queue_s;
+  if (command.compare(0, 7, "UNKNOWN") == 0) unknown.push_back(command);
   const std::size_t s = command.find('S');
   const double target = s == std::string::npos ? 0.0 : std::atof(command.c_str() + s + 1);
   if (command.compare(0, 4, "M104") == 0) nozzle_target_c = target;

@@ -22,6 +22,9 @@ class EmulatedPrinter {
   double nozzle_target_c = 0.0;
   double bed_target_c = 0.0;
   bool is_halted = false;
+  std::uint64_t stalls = 0;
+  std::vector<std::string> unknown = {};  ///< commands that it did not know
+  std::vector<std::string> changes = {};  ///< commands that changed how it prints, in order
 
   /// @return false if it prints, or has no such file
   bool print(const std::string& file);
@@ -32,6 +35,8 @@ class EmulatedPrinter {
   void breakDown();
   /// Forgets everything but the files.
   void restart();
+  /// A command of somebody's: kept in `changes` or `unknown`.
+  void change(const std::string& command);
   /// Motions of somebody else.
   void moveFor(double duration_s) { moving_until_ = now_ + duration_s; }
   /// Shuts itself down.

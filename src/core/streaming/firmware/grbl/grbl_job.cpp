@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kNoDeadline = std::numeric_limits<double>::infinity();
 constexpr double kJobPoll = 0.2;     // s; grbl's own recommendation is 5 to 10 Hz at most
+constexpr double kChangePoll = 0.1;  // s
 constexpr double kIdleApart = 0.05;  // s, between two reports that were asked for apart
 constexpr int kUsualReceiveBytes = 128;
 constexpr const char* kQuestion = "$G";
-constexpr const char* kFeedAsProgrammed = "\x90";
 constexpr std::size_t kQuestionBytes = 3;
 constexpr double kMillimetresPerInch = 25.4;
 
@@ -228,6 +228,7 @@ void GrblJob::poll(double now) {
   const int wanted = order_.settings.position_interval_s;
   const bool is_feeding = state() == PackmlState::Execute && wanted > 0;
   next_poll_s_ = now + (is_feeding ? static_cast<double>(wanted) : kJobPoll);
+  if (overrides_.isUnderWay()) next_poll_s_ = now + kChangePoll;
   if (state() == PackmlState::Holding && is_held_by_user_) output_ += grbl_byte::kFeedHold;
   if (state() == PackmlState::Unholding && machine_state_ == GrblState::Hold && now >= release_again_s_)
     release(now);
@@ -268,6 +269,7 @@ void GrblJob::onReply(const GrblReply& reply, double now) {
   if (phase_ == Phase::Starting) {
     start_.hear(reply, now);
     if (reply.report) workPosition(*reply.report);
+    if (reply.report && reply.report->overrides) overrides_.hear(*reply.report->overrides, now);
     return followStart(now);
   }
   switch (reply.kind) {
@@ -386,6 +388,7 @@ void GrblJob::onReport(const GrblReport& report, double now) {
       break;
   }
   if (!isRunning()) return;
+  followOverrides(report, now);
   countStarvation(report, now);
   onMotionState(report, now);
   if (phase_ == Phase::Resting) rest(report, now);
@@ -498,17 +501,6 @@ bool GrblJob::resume(double now) {
   record_.enter(PackmlState::Unholding);
   release(now);
   poll(now);
-  return true;
-}
-
-/// The override of the feed is made of bytes that need no room in the buffer.
-bool GrblJob::change(const LiveChange& change, double) {
-  constexpr int kAsProgrammed = 100;
-  constexpr double kMostPercent = 200.0;
-  const bool is_running =
-      state() == PackmlState::Execute || state() == PackmlState::Holding || state() == PackmlState::Held;
-  if (!is_running || change.setting != LiveSetting::Feed || change.value > kMostPercent) return false;
-  output_ += kFeedAsProgrammed + grblFeedOverride(kAsProgrammed, static_cast<int>(std::lround(change.value)));
   return true;
 }
 

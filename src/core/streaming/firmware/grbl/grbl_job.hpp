@@ -10,6 +10,7 @@
 #include "lamina/streaming/job/firmware_protocol.hpp"
 #include "streaming/firmware/grbl/expected_position.hpp"
 #include "streaming/firmware/grbl/grbl_machine.hpp"
+#include "streaming/firmware/grbl/grbl_overrides.hpp"
 #include "streaming/firmware/grbl/grbl_start.hpp"
 #include "streaming/firmware/grbl/grbl_stop.hpp"
 #include "streaming/firmware/grbl/grbl_window.hpp"
@@ -33,7 +34,7 @@ class GrblJob final : public StreamJob {
   bool isOffline() const override { return phase_ == Phase::Offline; }
   bool pause(double now) override;
   bool resume(double now) override;
-  bool change(const LiveChange& change, double now) override;
+  std::string change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;
@@ -81,6 +82,7 @@ class GrblJob final : public StreamJob {
   void onMotionState(const GrblReport& report, double now);
   void onStandstill(const GrblReport& report, double now);
   void onMoving(double now);
+  void followOverrides(const GrblReport& report, double now);
   void countStarvation(const GrblReport& report, double now);
   void rest(const GrblReport& report, double now);
   void finish(double now);
@@ -105,6 +107,7 @@ class GrblJob final : public StreamJob {
   std::optional<ProgramCursor> unchecked_;
   ExpectedPosition expected_{""};
   GrblWindow window_;
+  GrblOverrides overrides_;
   AnswerTimer answers_;
   Phase phase_ = Phase::Idle;
   std::size_t capacity_ = 0;  ///< [bytes] that may be under way

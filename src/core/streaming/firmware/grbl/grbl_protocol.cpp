@@ -88,6 +88,13 @@ void readField(std::string_view field, GrblReport& report) {
     if (parts.size() < 2) return;
     report.free_blocks = wholeNumberOf(parts[0]);
     report.free_bytes = wholeNumberOf(parts[1]);
+  } else if (name == "Ov") {
+    const auto parts = partsOf(value, ',');
+    if (parts.size() != 3) return;
+    const auto feed = wholeNumberOf(parts[0]);
+    const auto rapid = wholeNumberOf(parts[1]);
+    const auto spindle = wholeNumberOf(parts[2]);
+    if (feed && rapid && spindle) report.overrides = GrblPercents{*feed, *rapid, *spindle};
   } else if (name == "FS") {
     const auto parts = partsOf(value, ',');
     if (parts.size() >= 2) report.spindle_speed = numberOf(parts[1]);

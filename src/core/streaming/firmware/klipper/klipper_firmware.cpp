@@ -8,7 +8,6 @@
 
 #include "streaming/firmware/klipper/klipper_protocol.hpp"
 #include "streaming/firmware/ok_paced/quick_commands.hpp"
-#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 namespace {
@@ -70,11 +69,8 @@ std::string KlipperFirmware::question(std::uint64_t number, LinkKind) const {
   return klipperQuestion(number);
 }
 
-/// Parts are cancelled by name there, not by index.
-std::optional<std::string> KlipperFirmware::changed(const LiveChange& change) const {
-  if (change.setting == LiveSetting::Babystep)
-    return "SET_GCODE_OFFSET Z_ADJUST=" + decimal(change.value) + " MOVE=1";
-  return overrideCommand(change);
+ChangeCommand KlipperFirmware::changed(const LiveChange& change, const StreamableProgram& program) const {
+  return klipperChange(change, program);
 }
 
 bool KlipperFirmware::isBlocking(std::string_view command) const {

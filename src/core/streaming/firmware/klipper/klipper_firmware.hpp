@@ -21,10 +21,11 @@ class KlipperFirmware final : public OkPacedFirmware {
   std::vector<std::string> opening(LinkKind link) const override;
   OpeningVerdict judge(const std::string& question, const std::vector<std::string>& lines) const override;
   std::string question(std::uint64_t number, LinkKind link) const override;
-  std::optional<std::string> changed(const LiveChange& change) const override;
+  ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const override;
   bool isBlocking(std::string_view command) const override;
   bool detectsDamage() const override { return false; }
   std::vector<std::string> switchOff(const std::string& temperatures) const override;
+  std::string emergencyStop() const override { return "M112"; }
   std::string afterHalt() const override;
   std::string reasonOfHalt() const override;
   std::string afterRestart() const override;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "streaming/job/complaints.hpp"
 
 namespace lamina {
 namespace {
@@ -58,7 +59,7 @@ PacedReply readKlipperReply(std::string_view line) {
   read.reply = parseReply(line);
   FirmwareReply& reply = read.reply;
   const std::string_view text = reply.text;
-  if (startsAs(text, "!!")) {
+  if (klipperComplaint(text) == Complaint::Error) {
     reply.kind = ReplyKind::Warning;
     read.is_refusal = true;
   } else if (startsAs(text, "// Klipper state: ")) {
@@ -67,7 +68,7 @@ PacedReply readKlipperReply(std::string_view line) {
     const bool has_restarted = text.find("Disconnect") != std::string_view::npos;
     if (has_stopped) reply.kind = ReplyKind::Fatal;
     if (has_restarted) reply.kind = ReplyKind::Start;
-  } else if (startsAs(text, "// Unknown command:")) {
+  } else if (klipperComplaint(text) == Complaint::NotDone) {
     reply.kind = ReplyKind::NotDone;
     // Only where there is no heater is this unknown.
     if (text.find("TURN_OFF_HEATERS") != std::string_view::npos) read.are_heaters_off = true;

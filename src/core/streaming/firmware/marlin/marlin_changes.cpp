@@ -5,19 +5,19 @@
 
 namespace lamina {
 
-bool MarlinJob::change(const LiveChange& change, double now) {
+std::string MarlinJob::change(const LiveChange& change, double now) {
   const PackmlState state = record_.status.state;
   if (state != PackmlState::Execute && state != PackmlState::Holding && state != PackmlState::Held)
-    return false;
+    return kNoJobToChange;
   if (change.setting == LiveSetting::PauseAtLayer) {
     layer_pause_.set(change.value);
-    return true;
+    return {};
   }
   const auto command = firmware_->changed(change);
-  if (!command) return false;
+  if (!command) return notOf("this firmware", change.setting);
   changes_.push_back(*command);
   if (phase_ == Phase::Feeding) proceed(now);
-  return true;
+  return {};
 }
 
 /// A change has no number, so that the numbers stay those of the program's lines: it goes out while no line

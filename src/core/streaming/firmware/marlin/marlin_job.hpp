@@ -37,7 +37,7 @@ class MarlinJob final : public StreamJob {
   bool isOffline() const override { return phase_ == Phase::Offline; }
   bool pause(double now) override;
   bool resume(double now) override;
-  bool change(const LiveChange& change, double now) override;
+  std::string change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;

@@ -4,19 +4,18 @@
 
 namespace lamina {
 
-bool OkPacedJob::change(const LiveChange& change, double) {
+std::string OkPacedJob::change(const LiveChange& change, double) {
   const PackmlState state = record_.status.state;
   const bool is_running =
       state == PackmlState::Execute || state == PackmlState::Holding || state == PackmlState::Held;
-  if (!is_running || phase_ != Phase::Feeding) return false;
+  if (!is_running || phase_ != Phase::Feeding) return kNoJobToChange;
   if (change.setting == LiveSetting::PauseAtLayer) {
     layer_pause_.set(change.value);
-    return true;
+    return {};
   }
-  const auto command = firmware_->changed(change);
-  if (!command) return false;
-  send(*command, {});
-  return true;
+  const ChangeCommand changed = firmware_->changed(change, checked_program_);
+  if (!changed.command.empty()) send(changed.command, {});
+  return changed.refusal;
 }
 
 }  // namespace lamina

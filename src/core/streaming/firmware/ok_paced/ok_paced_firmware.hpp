@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lamina/streaming/job/firmware_protocol.hpp"
+#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 
@@ -61,12 +62,14 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   /// Whether the firmware refuses damaged lines, so that it may be spoken to over a lossy link.
   virtual bool detectsDamage() const = 0;
 
-  /// Changes how it prints; nothing if it cannot.
-  virtual std::optional<std::string> changed(const LiveChange& change) const = 0;
+  /// Changes how it prints.
+  virtual ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const = 0;
 
   /// Turns off what heats or turns.
   /// @param temperatures  the last report of these, which names the tools; may be empty
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;
+  /// A command that halts the machine at once, whatever it waits for; empty if there is none.
+  virtual std::string emergencyStop() const { return {}; }
   /// What is known of a machine that has halted by itself.
   virtual std::string afterHalt() const = 0;
   /// The question of the opening that tells why it has halted; empty if there is none.

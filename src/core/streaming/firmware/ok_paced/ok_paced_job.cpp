@@ -27,6 +27,7 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
     : settings_(order.settings),
       firmware_(std::move(firmware)),
       heard_(std::move(order.heard)),
+      checked_program_(order.program),
       program_(sourceOf(order.program)),
       quotation_(order.program.quotation()),
       feed_([this] { return nextLine(); }, 1),
@@ -270,15 +271,7 @@ void OkPacedJob::poll(double now) {
 void OkPacedJob::elapse(double now) {
   if (!isWaiting()) return;
   if (isStopping() && now >= safe_stop_by_) {
-    if (phase_ == Phase::Offline) {
-      finishAborted("; the link did not come back, so that the machine was not told to stop: look after it");
-    } else if (stage_ == StopStage::Reason) {
-      finishAborted("; " + firmware_->afterHalt());
-    } else if (stage_ == StopStage::SwitchOff) {
-      finishAborted("; the machine did not confirm the safe stop");
-    } else {
-      finishAborted("; its heaters are off, but it did not confirm that its motions have ended");
-    }
+    onStopTimeout(now);
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
   } else if (now >= timer_.retryAt()) {
@@ -302,7 +295,7 @@ void OkPacedJob::retry(double now) {
       ask();
       break;
     case Phase::Stopping:
-      if (stage_ != StopStage::Reason) sendStop(now);
+      repeatStop(now);
       break;
     case Phase::Idle:
     case Phase::Offline:
@@ -349,77 +342,6 @@ bool OkPacedJob::resume(double now) {
   return true;
 }
 
-// The safe stop.
-
-void OkPacedJob::abort(const Failure& why, double now) {
-  if (isStopping() || isFinal(record_.status.state)) return;
-  record_.status.failure = why;
-  record_.enter(PackmlState::Aborting);
-  if (!has_begun_) return finishAborted("");
-  prepareStop(now);
-  beginPhase(Phase::Stopping, now);
-  sendStop(now);
-}
-
-void OkPacedJob::prepareStop(double now) {
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
-  stage_ = settings_.keep_heaters_on ? StopStage::Rest : StopStage::SwitchOff;
-  under_way_.clear();
-}
-
-/// The firmware has no command that ends motions without losing the position: it runs what it has taken.
-void OkPacedJob::sendStop(double now) {
-  timer_.asked(now);
-  are_heaters_off_.reset();
-  for (const std::string& command : outputs_.beamOff()) send(command, {});
-  for (const std::string& command : outputs_.airOff()) send(command, {});
-  if (stage_ == StopStage::SwitchOff) {
-    for (const std::string& command : firmware_->switchOff(temperatures_)) send(command, {});
-    send(kTemperatures, {});
-  } else {
-    send(kEndOfMotions, {});
-  }
-  ask();
-}
-
-void OkPacedJob::onStopAnswer(double now) {
-  if (stage_ == StopStage::Rest) return finishAborted("");
-  if (are_heaters_off_ != true) return;
-  stage_ = StopStage::Rest;
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-  timer_.restart(now);
-  sendStop(now);
-}
-
-/// A machine whose link is lost goes on heating: it is asked to stop as soon as it can be reached again.
-void OkPacedJob::disconnect(const std::string& why, double now) {
-  if (isFinal(record_.status.state) || phase_ == Phase::Offline) return;
-  if (!isStopping()) {
-    record_.status.failure = {ErrorCode::Disconnected, why + record_.whereItStands()};
-    record_.enter(PackmlState::Aborting);
-    if (!has_begun_) return finishAborted("");
-    prepareStop(now);
-  }
-  replies_.clear();
-  output_.clear();
-  phase_ = Phase::Offline;
-}
-
-void OkPacedJob::reconnect(double now) {
-  if (phase_ != Phase::Offline) return;
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-  beginPhase(Phase::Stopping, now);
-  sendStop(now);
-}
-
-void OkPacedJob::finishAborted(const std::string& remark) {
-  record_.status.failure.message += remark;
-  phase_ = Phase::Idle;
-  under_way_.clear();
-  record_.enter(PackmlState::Aborted);
-}
-
 std::string OkPacedJob::takeOutput() { return std::exchange(output_, {}); }
 
 // What the job makes of the machine's replies.
@@ -443,8 +365,7 @@ void OkPacedJob::onReply(const PacedReply& heard, double now) {
   }
   if (phase_ == Phase::Opening || phase_ == Phase::Stopping) opening_answer_.push_back(reply.text);
   const bool is_alive = reply.temperatures || reply.kind == ReplyKind::Busy;
-  if (is_alive && isStopping())
-    safe_stop_by_ = std::max(safe_stop_by_, std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_));
+  if (is_alive && isStopping()) prolongStop(now);
   const bool is_answer = heard.sync_answer || reply.kind == ReplyKind::Ok;
   has_answered_ = has_answered_ || is_answer;
   if (is_alive || (is_answer && phase_ == Phase::Feeding)) timer_.restart(now);

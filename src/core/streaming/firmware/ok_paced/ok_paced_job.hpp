@@ -39,7 +39,7 @@ class OkPacedJob final : public StreamJob {
   bool isOffline() const override { return phase_ == Phase::Offline; }
   bool pause(double now) override;
   bool resume(double now) override;
-  bool change(const LiveChange& change, double now) override;
+  std::string change(const LiveChange& change, double now) override;
   void abort(const Failure& why, double now) override;
 
   std::string takeOutput() override;
@@ -104,6 +104,9 @@ class OkPacedJob final : public StreamJob {
   void timeOut(double now);
   void prepareStop(double now);
   void sendStop(double now);
+  void repeatStop(double now);
+  void prolongStop(double now);
+  void onStopTimeout(double now);
   void onStopAnswer(double now);
   void finishAborted(const std::string& remark);
 
@@ -111,6 +114,7 @@ class OkPacedJob final : public StreamJob {
   std::shared_ptr<const OkPacedFirmware> firmware_;
   ReplyListener heard_;
   JobRecord record_;
+  StreamableProgram checked_program_;
   LineFeed::Source program_;
   Quotation quotation_;  ///< of the program
   std::uint64_t lines_read_ = 0;
@@ -129,7 +133,9 @@ class OkPacedJob final : public StreamJob {
   Phase phase_ = Phase::Idle;
   Aim aim_ = Aim::Begin;
   StopStage stage_ = StopStage::SwitchOff;
-  bool has_begun_ = false;  ///< a line of the program may have been sent
+  int stops_sent_ = 0;
+  bool is_emergency_ = false;  ///< an emergency stop was sent
+  bool has_begun_ = false;     ///< a line of the program may have been sent
   bool has_answered_ = false;
   bool is_paused_by_machine_ = false;
   std::uint64_t next_number_ = 1;
@@ -142,6 +148,7 @@ class OkPacedJob final : public StreamJob {
   double next_poll_ = 0.0;
   std::string temperatures_;
   std::optional<bool> are_heaters_off_;  ///< since the safe stop was sent last
+  double stop_began_ = 0.0;
   double safe_stop_by_ = 0.0;
   double safe_stop_latest_ = 0.0;
   ReplyLines replies_;

@@ -9,7 +9,6 @@
 
 #include "streaming/firmware/ok_paced/quick_commands.hpp"
 #include "streaming/firmware/reprapfirmware/reprap_protocol.hpp"
-#include "streaming/job/change_commands.hpp"
 
 namespace lamina {
 namespace {
@@ -96,10 +95,8 @@ std::string RepRapFirmware::question(std::uint64_t number, LinkKind link) const 
   return reprapQuestion(number, link);
 }
 
-std::optional<std::string> RepRapFirmware::changed(const LiveChange& change) const {
-  if (change.setting == LiveSetting::Babystep) return "M290 R1 S" + decimal(change.value);
-  const auto command = overrideCommand(change);
-  return command ? command : cancelCommand(change);
+ChangeCommand RepRapFirmware::changed(const LiveChange& change, const StreamableProgram&) const {
+  return reprapChange(change);
 }
 
 bool RepRapFirmware::isBlocking(std::string_view command) const { return !isQuickCommand(command); }

@@ -21,7 +21,7 @@ class RepRapFirmware final : public OkPacedFirmware {
   std::vector<std::string> opening(LinkKind link) const override;
   OpeningVerdict judge(const std::string& question, const std::vector<std::string>& lines) const override;
   std::string question(std::uint64_t number, LinkKind link) const override;
-  std::optional<std::string> changed(const LiveChange& change) const override;
+  ChangeCommand changed(const LiveChange& change, const StreamableProgram& program) const override;
   bool isBlocking(std::string_view command) const override;
   bool detectsDamage() const override { return true; }
   std::vector<std::string> switchOff(const std::string& temperatures) const override;

@@ -11,6 +11,7 @@
 #include "lamina/base/text.hpp"
 #include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "program/gcode/command_words.hpp"
+#include "streaming/job/complaints.hpp"
 
 namespace lamina {
 namespace {
@@ -148,12 +149,11 @@ PacedReply readReprapReply(std::string_view line) {
   read.sync_answer = readAnswer(reply.text);
   if (hasText(reply.text, "Emergency Stop!") || hasText(reply.text, ": Machine is halted")) {
     reply.kind = ReplyKind::Fatal;
-  } else if (beginsWith(reply.text, "Error:")) {
+  } else if (reprapComplaint(reply.text) == Complaint::Error) {
     reply.kind = ReplyKind::Warning;
     read.is_refusal = true;
   } else if (beginsWith(reply.text, "Warning:")) {
-    const bool is_undone =
-        hasText(reply.text, "Command is not supported") || hasText(reply.text, "was not driven");
+    const bool is_undone = reprapComplaint(reply.text) == Complaint::NotDone;
     reply.kind = is_undone ? ReplyKind::NotDone : ReplyKind::Warning;
   } else if (beginsWith(reply.text, "Send M292 to continue")) {
     reply.kind = ReplyKind::Warning;
