@@ -128,6 +128,23 @@ class RealGrbl(unittest.TestCase):
         self.assertNotIn("in time", errors)
         self.assert_ran_the_start_of(lines)
 
+    def test_a_job_that_was_killed_goes_on_where_the_machine_stands(self):
+        self.run_grbl()
+        lines = steps(60)
+        journal = ("--set", "stream.journal=" + self.record + ".progress")
+        killed = self.begin(lines, *journal)
+        for _ in range(300):
+            if os.path.exists(self.record) and len(self.ran()) > 20:
+                break
+            time.sleep(0.05)
+        killed.kill()
+        killed.communicate()
+        time.sleep(1.0)
+        streaming = self.begin(lines, "--resume", *journal)
+        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        self.assertEqual(streaming.returncode, 0, errors)
+        self.assertEqual(self.assert_ran_the_start_of(lines), len(lines))
+
     def test_a_line_that_is_refused_ends_the_job(self):
         self.run_grbl()
         lines = steps(5) + ["G2 X5 Y5"] + ["G1 X9"]  # an arc without its centre

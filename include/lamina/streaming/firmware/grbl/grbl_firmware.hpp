@@ -18,6 +18,8 @@ class GrblFirmware final : public FirmwareProtocol {
   /// Only what none of these firmwares takes; what the very machine does not know is named by the job, before
   /// its first line.
   std::string defectOf(std::string_view command, const StreamSettings& settings) const override;
+  /// By the place at which the machine stands.
+  bool canResume() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 };
 

@@ -14,6 +14,7 @@ constexpr double kForever = std::numeric_limits<double>::infinity();
 // By which time may be short of an event that is due [s].
 constexpr double kGrblTimeRounding = 1e-9;
 constexpr int kReportsBetweenOverrides = 10;
+constexpr int kReportsBetweenOffsets = 30;
 
 std::string grblAxes(const Point3& place) {
   std::array<char, 96> text{};
@@ -145,7 +146,7 @@ void EmulatedGrbl::Board::reset() {
   wait_until_s_.reset();
   planned_ = position_;
   offset_ = Point3::Zero();
-  is_offset_told_ = false;
+  reports_to_offset_ = 1;
   is_absolute_ = is_rapid_ = true;
   unit_mm_ = 1.0;
   feed_mm_min_ = spindle_ = speed_ = 0.0;
@@ -172,7 +173,10 @@ void EmulatedGrbl::Board::report() {
                      "|Bf:" + std::to_string(settings_.blocks - static_cast<int>(blocks_.size())) + "," +
                      std::to_string(settings_.receive_bytes - used) + "|FS:0," +
                      std::to_string(static_cast<int>(spindleSpeed()));
-  if (!std::exchange(is_offset_told_, true)) text += "|WCO:" + grblAxes(offset_);
+  if (--reports_to_offset_ <= 0) {
+    reports_to_offset_ = kReportsBetweenOffsets;
+    text += "|WCO:" + grblAxes(offset_);
+  }
   if (--reports_to_overrides_ <= 0) {
     reports_to_overrides_ = kReportsBetweenOverrides;
     text += "|Ov:" + std::to_string(percents_.feed) + "," + std::to_string(percents_.rapid) + "," +

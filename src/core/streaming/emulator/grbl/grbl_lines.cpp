@@ -77,7 +77,8 @@ void EmulatedGrbl::Board::runDollar(const std::string& line) {
     say(settings_.version + "\r\n" + settings_.options + "\r\nok\r\n");
   } else if (line == "$G") {
     say(std::string("[GC:G") + (is_rapid_ ? "0" : "1") + " G54 G17 " + (unit_mm_ == 1.0 ? "G21" : "G20") +
-        (is_absolute_ ? " G90" : " G91") + " G94 M5 M9 T0 F0 S0]\r\nok\r\n");
+        (is_absolute_ ? " G90" : " G91") + " G94 M5 M9 T0 F" +
+        std::to_string(std::lround(feed_mm_min_ / unit_mm_)) + " S0]\r\nok\r\n");
   } else if (line == "$$") {
     say("$10=3\r\n$13=0\r\n$32=0\r\nok\r\n");
   } else if (line == "$X") {
@@ -188,7 +189,7 @@ int EmulatedGrbl::Board::parse(const std::string& line, Wish& wish) {
     const double value = unit_mm_ * wish.axes[axis];
     if (wish.sets_offset) {
       offset_[axis] = planned_[axis] - value;
-      is_offset_told_ = false;
+      reports_to_offset_ = 1;
     } else {
       target[axis] = is_absolute_ ? value + offset_[axis] : planned_[axis] + value;
     }

@@ -123,6 +123,15 @@ void ExpectedPosition::follow(std::string_view command) {
   is_absolute_ = true;
 }
 
+bool ExpectedPosition::isAt(const GrblAxes& work, double tolerance_mm) const {
+  bool is_known = false;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (axes_[i] && std::abs(*axes_[i] - work[i]) > tolerance_mm) return false;
+    is_known = is_known || axes_[i];
+  }
+  return is_known;
+}
+
 std::string ExpectedPosition::contradictionBy(const GrblAxes& work) const {
   constexpr std::string_view kNames = "XYZ";
   for (std::size_t i = 0; i < axes_.size(); ++i) {

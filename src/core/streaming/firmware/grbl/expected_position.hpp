@@ -22,6 +22,11 @@ class ExpectedPosition {
   /// A line of the program that was sent.
   void follow(std::string_view command);
 
+  /// Axis by axis [mm]; nothing where unknown.
+  const std::array<std::optional<double>, 3>& places() const { return axes_; }
+  /// Whether an axis is known, and the machine stands where all of these are.
+  bool isAt(const GrblAxes& work, double tolerance_mm) const;
+
   /// What the machine's place contradicts, as "X is 3.000 mm; expected 4.000 mm"; empty if nothing.
   /// @param work  [mm]
   std::string contradictionBy(const GrblAxes& work) const;

@@ -52,6 +52,7 @@ void GrblJob::start(double now) {
   record_.enter(PackmlState::Starting);
   record_.status.firmware_name = order_.firmware_name.value_or("");
   phase_ = Phase::Starting;
+  if (order_.unfinished) refuseCutLine();
   start_.begin(now);
 }
 
@@ -83,7 +84,7 @@ void GrblJob::check(double now) {
   constexpr int kLinesAtOnce = 20000;
   for (int i = 0; i < kLinesAtOnce; ++i) {
     const auto line = unchecked_->next();
-    if (!line) return execute(now);
+    if (!line) return order_.unfinished ? beginLocating(now) : execute(now);
     const std::string defect = defectForGrbl(line->command, start_.machine());
     if (defect.empty()) continue;
     abort({ErrorCode::InvalidProgram, order_.program.name() + " line " +
@@ -180,6 +181,8 @@ double GrblJob::nextDeadline() const {
       return start_.nextDeadline();
     case Phase::Checking:
       return heard_s_;
+    case Phase::Locating:
+      return next_poll_s_;
     case Phase::Stopping:
       return std::min(stop_->nextDeadline(), safe_stop_by_s_);
     default:
@@ -201,6 +204,8 @@ void GrblJob::elapse(double now) {
     followStart(now);
   } else if (phase_ == Phase::Checking) {
     check(now);
+  } else if (phase_ == Phase::Locating) {
+    if (now >= next_poll_s_) goOn(now);
   } else if (phase_ == Phase::Stopping || phase_ == Phase::Offline) {
     followStop(now);
   } else if (isRunning()) {
@@ -266,9 +271,17 @@ void GrblJob::onReply(const GrblReply& reply, double now) {
     stop_->hear(reply, now);
     return followStop(now);
   }
+  if (phase_ == Phase::Starting && order_.unfinished && reply.kind == GrblReplyKind::Greeting) {
+    abort(
+        {ErrorCode::Rejected,
+         "the machine was reset, as by opening its port, and has forgotten where it was: there is no job to "
+         "go on with; lamina resume makes a program of the rest"},
+        now);
+    return;
+  }
   if (phase_ == Phase::Starting) {
     start_.hear(reply, now);
-    if (reply.report) workPosition(*reply.report);
+    if (reply.report) work_ = workPosition(*reply.report);
     if (reply.report && reply.report->overrides) overrides_.hear(*reply.report->overrides, now);
     return followStart(now);
   }

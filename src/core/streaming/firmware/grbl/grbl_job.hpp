@@ -11,6 +11,7 @@
 #include "streaming/firmware/grbl/expected_position.hpp"
 #include "streaming/firmware/grbl/grbl_machine.hpp"
 #include "streaming/firmware/grbl/grbl_overrides.hpp"
+#include "streaming/firmware/grbl/grbl_resumption.hpp"
 #include "streaming/firmware/grbl/grbl_start.hpp"
 #include "streaming/firmware/grbl/grbl_stop.hpp"
 #include "streaming/firmware/grbl/grbl_window.hpp"
@@ -47,6 +48,7 @@ class GrblJob final : public StreamJob {
   enum class Phase {
     Idle,      ///< nothing
     Starting,  ///< a machine that is idle and says what it is
+    Locating,  ///< the place of a machine that has lived on
     Checking,  ///< the rest of the program to be compared with what the machine knows
     Feeding,   ///< answers to the lines under way
     Proving,   ///< the answer to a question behind the last line
@@ -65,6 +67,10 @@ class GrblJob final : public StreamJob {
   void followStop(double now);
   void beginChecking(double now);
   void check(double now);
+  void refuseCutLine();
+  void beginLocating(double now);
+  void goOn(double now);
+  void goOnAt(GrblAxes work, double now);
   void execute(double now);
 
   void proceed(double now);
@@ -113,6 +119,7 @@ class GrblJob final : public StreamJob {
   std::size_t capacity_ = 0;  ///< [bytes] that may be under way
   double next_poll_s_ = 0.0;
   double heard_s_ = 0.0;
+  double locate_by_s_ = 0.0;
   GrblState machine_state_ = GrblState::Other;  ///< as last reported
   int machine_substate_ = 0;
   std::optional<GrblAxes> work_offset_;
