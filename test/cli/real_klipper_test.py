@@ -40,10 +40,11 @@ class RealKlipper(unittest.TestCase):
         self.addCleanup(os.killpg, klipper.pid, signal.SIGTERM)
         self.assertEqual(klipper.stdout.readline().strip(), "ready")
 
-    def begin(self, lines):
+    def begin(self, lines, *settings, live=False):
         with open(self.program, "w", encoding="utf-8") as program:
             program.write("\n".join(lines) + "\n")
-        return subprocess.Popen([LAMINA, "stream", self.program, "--port", self.port], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        command = [LAMINA, "stream", self.program, "--port", self.port] + [word for setting in settings for word in ("--set", setting)]
+        return subprocess.Popen(command + ["--live"] * live, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def stream(self, lines):
         job = self.begin(lines)
@@ -103,6 +104,33 @@ class RealKlipper(unittest.TestCase):
         self.assertEqual(job.returncode, 1)
         self.assertNotIn("confirm", told)
         self.assertIn("TURN_OFF_HEATERS", self.sent())
+
+    def test_an_emergency_stop_ends_a_wait_for_heat(self):
+        self.run_klipper()
+        job = self.begin(spiral(10) + ["M109 S250"], "stream.safe_stop_timeout_s=5", "stream.emergency_stop=unconfirmed")
+        time.sleep(4.0)
+        job.send_signal(signal.SIGINT)
+        _, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
+        self.assertEqual(job.returncode, 1)
+        self.assertIn("an emergency stop was sent; the machine halted", told)
+        self.assertEqual(self.sent().count("M112"), 1)
+
+    def test_it_is_changed_between_two_lines(self):
+        self.run_klipper()
+        lines = spiral(300)
+        job = self.begin(lines, live=True)
+        time.sleep(3.0)
+        job.stdin.write("feed 80\nbabystep -0.05\nspindle 50\n")
+        job.stdin.close()
+        job.stdin = None
+        _, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
+        self.assertEqual(job.returncode, 0, told)
+        changes = ["M220 S80", "SET_GCODE_OFFSET Z_ADJUST=-0.05 MOVE=1"]
+        self.assertEqual([line for line in self.ran() if line in changes], changes)
+        self.assertEqual([line for line in self.ran() if line not in changes], lines)
+        self.assertIn("spindle 50: Klipper has no spindle", told)
 
     def test_a_machine_in_shutdown_is_left_alone(self):
         self.run_klipper()
