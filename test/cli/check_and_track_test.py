@@ -58,6 +58,15 @@ class CheckAndTrack(unittest.TestCase):
             self.assertGreater(told["time_s"], 40.0 / 20.0)
         self.assertIn("the machine can run it", run("check", points, "--machine", "irb_4400").stdout)
 
+    def test_waiting_counts(self):
+        def taking(waiting, machine):
+            program = self.path("waits.gcode")
+            with open(program, "w") as file:
+                file.write("G0 X110 Y110 Z0.2 F600\n;LAYER:0\nG1 X140 E1\n" + waiting + "G0 X140 Y160\nG1 X110 E1\n")
+            return self.told("check", program, "--machine", machine)["time_s"]
+        for machine in ("five_axis_head_ac", "cartesian_gantry"):
+            self.assertAlmostEqual(taking("G4 P3500\n", machine) - taking("", machine), 3.5, places=6)
+
     def test_a_part_is_sliced_for_the_machine(self):
         told = self.told("check", "box", "--machine", "irb_4600", "--set", "slicing.layer_height_mm=1", "--set",
                          "slicing.first_layer_height_mm=1", "--set", "bead.width_mm=2")

@@ -69,6 +69,30 @@ TEST(TimedPath, AJointsRampBoundsItsAcceleration) {
               1e-9);
 }
 
+PathEvent dwellBeforeMotion(std::size_t motion, double duration_s) {
+  PathEvent event;
+  event.motion = motion;
+  event.event.emplace<Dwell>(Dwell{duration_s});
+  return event;
+}
+
+TEST(TimedPath, WaitsForDwellsAtRest) {
+  Toolpath line{"line", {{0.2, 0.2, {test::straightPath({0, 0, 0.2}, {60, 0, 0.2})}}}};
+  Path& path = line.layers[0].paths[0];
+  path.points.insert(path.points.begin() + 1, {15, 0, 0.2});
+  path.events = {dwellBeforeMotion(0, 1.0), dwellBeforeMotion(1, 2.0), dwellBeforeMotion(2, 0.25)};
+  line.events_at_end.emplace_back(Dwell{0.5});
+  const TiltingGantry gantry;
+  const TimedPath timed(line, uprightPath(line, gantry), gantry, briskJoints());
+  // Two motions from rest to rest at 30 mm/s and 500 mm/s², and 3.75 s of waiting.
+  const double first_s = 15.0 / 30.0 + 30.0 / 500.0;
+  EXPECT_NEAR(timed.duration(), first_s + 45.0 / 30.0 + 30.0 / 500.0 + 3.75, 1e-9);
+  EXPECT_NEAR(timed.stationTimes()[1], 1.0 + first_s, 1e-9);
+  EXPECT_EQ(timed.at(0.9).velocity.norm(), 0.0);
+  EXPECT_EQ(timed.at(1.0 + first_s + 1.0).velocity.norm(), 0.0);
+  EXPECT_NEAR(timed.at(1.0 + first_s + 1.0).position[0], 15.0, 1e-9);
+}
+
 TEST(TimedPath, StopsAtCornersWithoutTolerance) {
   const TiltingGantry gantry;
   TimingSettings settings = briskJoints();

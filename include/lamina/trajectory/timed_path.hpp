@@ -28,8 +28,8 @@ struct TimingSettings {
 void validate(const TimingSettings& settings);
 
 /// The fastest motion along a joint path within the limits of joints and path, corners rounded within the
-/// tolerance (docs/timing.md). At rest at both ends, and where beads begin and end. Events, tools and process
-/// values are left out. Linear time and memory.
+/// tolerance (docs/timing.md). At rest at both ends, where beads begin and end, and for the dwells of the
+/// toolpath. Other events, tools and process values are left out. Linear time and memory.
 class TimedPath final : public JointTrajectory {
  public:
   /// Nothing given is needed afterwards.
@@ -67,8 +67,8 @@ class TimedPath final : public JointTrajectory {
 /// @param layers  of the toolpath; one without waypoints starts with the next
 ToolpathTime trajectoryTime(const JointTrajectory& trajectory, const JointPath& path, std::size_t layers);
 
-/// The print time of a machine whose joints have limits, waits of the process included: what `estimateTime`
-/// of the tip alone is for machines with linear axes.
+/// The print time of a machine whose joints have limits, dwells and waits of the process included: what
+/// `estimateTime` of the tip alone is for machines with linear axes.
 /// @throws as `TimedPath`
 ToolpathTime estimateJointTime(const Toolpath& toolpath, const JointPath& path, const KinematicModel& model,
                                const TimingSettings& settings);

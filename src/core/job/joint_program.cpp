@@ -39,6 +39,7 @@ void open(Path& path) {
   path.points.push_back(path.points.front());
   path.bead = withReturn(path.bead);
   path.feed_mm_s = withReturn(path.feed_mm_s);
+  for (ProcessValue& each : path.values) each.value = withReturn(each.value);
 }
 
 /// Takes the joints of one path after the other.

@@ -53,6 +53,7 @@ void JointCurve::measureTurn(std::size_t station, const KinematicModel& model) {
 bool JointCurve::restsAt(std::size_t station) const {
   const JointStation& before = stations_.each[station];
   const JointStation& after = stations_.each[station + 1];
+  if (before.dwell_s > 0.0) return true;
   if ((before.length_mm > 0.0) != (after.length_mm > 0.0)) return true;
   if ((before.area_mm2 > 0.0) != (after.area_mm2 > 0.0)) return true;
   return (tipTolerance(station) == 0.0 && tip_turn_[station] > kStraight) ||

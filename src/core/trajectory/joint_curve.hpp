@@ -32,8 +32,11 @@ class JointCurve {
   const std::vector<WaypointIndex>& looseTravels() const { return stations_.loose; }
   double length(std::size_t span) const { return length_[span]; }
   double blend(std::size_t station) const { return blend_[station]; }
-  /// Where it rests: at both ends, where beads begin and end, at corners that are not rounded.
+  /// Where it rests: at both ends, where beads begin and end or the nozzle waits, at corners that are not
+  /// rounded.
   bool isRest(std::size_t station) const { return is_rest_[station]; }
+  /// How long the toolpath asks the nozzle to wait at a station [s].
+  double dwell(std::size_t station) const { return stations_.each[station].dwell_s; }
 
   /// @param along  from the start of the span, 0 to its length
   CurvePoint at(std::size_t span, double along) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <variant>
 
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/waypoint_text.hpp"
@@ -95,22 +96,28 @@ JointStations jointStations(const Toolpath& toolpath, const JointPath& path, con
   JointStations stations;
   stations.each.reserve(path.at.size());
   stations.of_path.reserve(path.at.size());
+  std::size_t motion = 0;  // that begins at the station
   for (std::size_t i = 0; i < path.at.size(); ++i) {
     JointStation station;
     station.values = path.values[i];
     station.heading_for = path.at[i];
     station.feed_mm_s = station.acceleration_mm_s2 = kNoLimit;
     const Path& run = pathAt(toolpath, path.at[i]);
-    if (i > 0 && isOnOnePath(path.at[i - 1], path.at[i]))
-      setMotion(station, run, path.at[i - 1].waypoint, limits);
+    const bool goes_on = i > 0 && isOnOnePath(path.at[i - 1], path.at[i]);
+    if (goes_on) setMotion(station, run, path.at[i - 1].waypoint, limits);
+    motion = goes_on ? motion + 1 : 0;
     const bool is_new = i == 0 || station.length_mm > 0.0 ||
                         jointTime(stations.each.back().values, station.values, model) > kCoincident;
     if (is_new) {
       station.pose = model.bedFromNozzle(station.values);
       stations.each.push_back(std::move(station));
     }
+    stations.each.back().dwell_s += dwellBefore(run.events, motion);
     stations.of_path.push_back(stations.each.size() - 1);
   }
+  for (const ToolpathEvent& event : toolpath.events_at_end)
+    if (const auto* const dwell = std::get_if<Dwell>(&event))
+      stations.each.back().dwell_s += dwell->duration_s;
   for (std::size_t i = 1; i + 1 < stations.each.size(); ++i)
     stations.each[i].is_smooth = goesOn(stations.each[i - 1], stations.each[i], stations.each[i + 1]);
   return stations;

@@ -45,6 +45,7 @@ class LineKeeper {
     middle.pose = model_.bedFromNozzle(middle.values);
     middle.length_mm = 0.5 * to.length_mm;
     middle.is_smooth = true;
+    middle.dwell_s = 0.0;
     JointStation rest = to;
     rest.length_mm = middle.length_mm;
     append(out, from, middle, halvings + 1);

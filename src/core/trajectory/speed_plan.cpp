@@ -143,7 +143,7 @@ double SpeedPlan::waitAt(std::size_t station, const Waits& waits) const {
   };
   const bool lays_before = station > 0 && laysOn(station - 1);
   const bool lays_after = laysOn(station);
-  double wait_s = waits.averaging_s;
+  double wait_s = waits.averaging_s + curve_->dwell(station);
   if (station == 0) wait_s += waits.at_start;
   if (lays_before && !lays_after) wait_s += waits.after_bead;
   if (lays_after && !lays_before) wait_s += waits.before_bead;

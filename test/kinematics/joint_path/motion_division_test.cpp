@@ -43,6 +43,18 @@ TEST(MotionDivision, DividesALongMotionIntoEqualStepsOfItsFeedAndBead) {
   EXPECT_EQ(divided.originalOf({0, 0, 3}).waypoint, 2U);
 }
 
+TEST(MotionDivision, KeepsTheProcessValuesOfMotions) {
+  Path path = corner();
+  path.values.push_back({"laser_power_w", AlongPath<double>(std::vector<double>{0.0, 500.0, 700.0})});
+  path.values.push_back({"common", AlongPath<double>(3.0)});
+  const DividedToolpath divided = inSteps(path, 5.0);
+  const std::vector<ProcessValue>& values = divided.toolpath.layers[0].paths[0].values;
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_EQ(values[0].name, "laser_power_w");
+  EXPECT_EQ(values[0].value.values(), (std::vector<double>{0.0, 500.0, 500.0, 700.0}));
+  EXPECT_EQ(values[1].value.values(), (std::vector<double>{3.0}));
+}
+
 TEST(MotionDivision, DividesTheReturnOfAClosedPath) {
   Path path = corner();
   path.is_closed = true;

@@ -39,9 +39,9 @@ struct DividedToolpath {
 /// The toolpath, each of its waypoints its own origin.
 DividedToolpath undivided(Toolpath toolpath);
 
-/// Divides each motion into equal steps: points on the straight line, orientations by steady turns, feed and
-/// bead those of the motion. Drops stay where they are: waypoints in between have none. What is deposited is
-/// the same.
+/// Divides each motion into equal steps: points on the straight line, orientations by steady turns, feed,
+/// bead and process values those of the motion. Drops stay where they are: waypoints in between have none.
+/// What is deposited is the same.
 /// @param steps  of each motion, at the place of its end among the waypoints in the order of the motion, in
 ///   which a closed path has its waypoint 0 twice; at least 1; what stands at the first waypoint of a path is
 ///   not used

@@ -90,6 +90,9 @@ Path dividedPath(const Path& path, const std::vector<Place>& where) {
   result.bead = beadsAlong(path, where);
   result.feed_mm_s =
       along(path.feed_mm_s, where, [&](const Place& place) { return path.feed_mm_s.at(place.end); });
+  for (const ProcessValue& each : path.values)
+    result.values.push_back(
+        {each.name, along(each.value, where, [&](const Place& place) { return each.value.at(place.end); })});
   return result;
 }
 
