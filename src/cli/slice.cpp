@@ -117,6 +117,8 @@ void printBridging(const Bridging& bridging) {
 }
 
 void printSupports(const SupportTotals& supports) {
+  if (supports.blocked_mm2 > 0.05)
+    std::printf("blocked     %.1f mm2 of overhang, where modifiers want no support\n", supports.blocked_mm2);
   if (supports.overhang_mm2 == 0.0) return;
   std::printf("supports    %.2f cm3 and %.2f cm3 of interfaces below %.1f mm2 of overhang",
               supports.support_mm3 / 1e3, supports.interface_mm3 / 1e3, supports.overhang_mm2);
@@ -166,6 +168,7 @@ nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) 
       {"unheld_mm2", s.bridging.unheld_mm2},
       {"overhang_mm2", s.supports.overhang_mm2},
       {"unsupported_mm2", s.supports.unsupported_mm2},
+      {"support_blocked_mm2", s.supports.blocked_mm2},
       {"support_area_mm2", s.supports.area_mm2},
       {"support_mm3", s.supports.support_mm3},
       {"support_interface_mm3", s.supports.interface_mm3},

@@ -3,9 +3,21 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, motions, told
 
 TOOLS = ("--set", "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]", "--set", "tool.infill=1")
+
+
+def facets(bottom, top):
+    """A box of 10 mm between two heights, as text."""
+    corners = [(x, y, z) for z in (bottom, top) for y in (0, 10) for x in (0, 10)]
+    faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+             (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
+    text = ""
+    for face in faces:
+        text += "facet normal 0 0 0\nouter loop\n"
+        text += "".join("vertex %g %g %g\n" % corners[i] for i in face) + "endloop\nendfacet\n"
+    return text
 
 
 class Tools(unittest.TestCase):
@@ -61,6 +73,83 @@ class Tools(unittest.TestCase):
             if line.startswith("G1") and role == "prime" and ("X" in line or "Y" in line):
                 filament += sum(float(word[1:]) for word in line.split() if word[0] == "E")
         self.assertAlmostEqual(filament * 2.405282 / 10, 100.0, delta=1.0)  # of 1.75 mm, in 10 layers
+
+    def motions(self, name, *arguments, part=None):
+        told("slice", part or self.part, *arguments, "-o", self.path(name))
+        with open(self.path(name), encoding="utf-8") as file:
+            return motions(file.read())
+
+    def test_tool_of_supports_alone_changes_once_and_purges(self):
+        tee = self.path("bridge.stl")
+        told("part", "bridge", "-o", tee)
+        tools = ("--set", TOOLS[1], "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
+        found = self.motions("supports.gcode", *tools, part=tee)
+        self.assertEqual({m.tool for m in found if m.lays() and m.role == "support"}, {1})
+        self.assertTrue([m for m in found if m.lays() and m.role == "prime"])
+        taken = {}
+        for m in found:
+            if m.lays():
+                taken.setdefault(m.layer, []).append(m.tool)
+        for tools_of_layer in taken.values():
+            self.assertLessEqual(sum(a != b for a, b in zip(tools_of_layer, tools_of_layer[1:])), 1)
+
+    def heights(self, found, role):
+        return sorted({round(m.end[2], 3) for m in found if m.lays() and m.role == role})
+
+    def test_tower_and_skirt_stand_on_what_is_below_them(self):
+        # The part stands 0.15 mm above a raft of 0.3 + 0.2 mm, in layers of 0.2 mm; tower and skirt have no gap.
+        raft = ("--set", "raft.layers=2", "--set", "raft.gap_mm=0.15", "--set", "slicing.first_layer_height_mm=0.2",
+                "--set", "skirt.layers=5")
+        found = self.motions("raft.gcode", *TOOLS, "--set", "tools.purge_mm3=100", *raft)
+        expected = [round(0.3 + 0.2 * i, 3) for i in range(12)]
+        self.assertEqual(self.heights(found, "prime"), expected)
+        self.assertEqual(self.heights(found, "skirt"), expected[:5])
+        self.assertEqual(self.heights(found, "outer_wall"), [round(0.85 + 0.2 * i, 3) for i in range(10)])
+
+    def test_tower_does_not_float_over_layers_without_part(self):
+        boxes = self.path("boxes.stl")
+        with open(boxes, "w", encoding="utf-8") as file:
+            file.write("solid boxes\n" + facets(0, 1) + facets(2, 3) + "endsolid boxes\n")
+        found = self.motions("boxes.gcode", *TOOLS, "--set", "tools.purge_mm3=100", "--set",
+                             "slicing.first_layer_height_mm=0.2", part=boxes)
+        self.assertEqual(self.heights(found, "prime"), [round(0.2 * i, 3) for i in range(1, 16)])
+        self.assertNotIn(1.4, self.heights(found, "outer_wall"))
+
+    def test_plates_lay_their_skirt_with_the_tool_of_walls(self):
+        of_one = ("--set", TOOLS[1], "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
+        told("slice", self.part, self.part, *of_one, "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            found = motions(file.read())
+        self.assertEqual({m.role for m in found if m.lays() and m.tool == 0}, set())
+        self.assertIn("skirt", {m.role for m in found if m.lays() and m.tool == 1})
+
+    def test_plates_prime_the_tool_that_goes_on(self):
+        told("slice", self.part, self.part, *TOOLS, "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        # Whoever is left is pulled back, and who is taken is pushed forth.
+        pulled, tool = 0.0, 0
+        for line in lines[lines.index("; start of the part"):lines.index("; end of the part")]:
+            if line in ("T0", "T1") and int(line[1:]) != tool:
+                tool = int(line[1:])
+                self.assertLess(pulled, 0.0, "pulled back before the tool changes")
+            if line.startswith("G1 E"):
+                pulled += float(line.split()[1][1:])
+
+    def test_parts_of_a_plate_have_tools_of_their_own(self):
+        with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
+            file.write("plate:\n  parts:\n    - {file: box.stl, name: black}\n    - {file: box.stl, name: white, settings: "
+                       "{tool.walls: 1, tool.infill: 1, tool.skin: 1}}\n")
+        told("slice", "--plate", self.path("plate.yaml"), "--set", TOOLS[1], "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            found = motions(file.read())
+        self.assertEqual({(m.part, m.tool) for m in found if m.lays() and m.part}, {("black", 0), ("white", 1)})
+
+    def test_copies_on_a_belt_keep_their_tool(self):
+        belt = ("--set", "machine.name=belt_45", "--set", "slicing.plane.angle_deg=45", "--set", "part.copies=2", "--set",
+                TOOLS[1], "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
+        lines = self.lines("belt.gcode", *belt)
+        self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1"])
 
     def test_refuse_what_cannot_be(self):
         for settings, word in ((("tool.infill=2",), "tool.infill"), (("program.flavour=fullcontrol",), "tool 1"),

@@ -24,6 +24,7 @@ struct BeadSettings {
   /// Between neighbouring beads of a solid fill, centre to centre; 0 takes that at which they fill the layer
   /// exactly.
   double pitch_mm = 0.0;
+  double flow = 1.0;  ///< factor on what is laid of the part; nothing moves by it
 };
 
 enum class WallOrder { OutsideIn, InsideOut };

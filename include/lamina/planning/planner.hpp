@@ -14,6 +14,7 @@
 #include "lamina/planning/order/anchoring.hpp"
 #include "lamina/planning/plan_settings.hpp"
 #include "lamina/planning/seams/fill_starts.hpp"
+#include "lamina/planning/supports/support_marks.hpp"
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 
@@ -29,6 +30,7 @@ struct Refilling {
 struct SupportTotals {
   double overhang_mm2 = 0.0;     ///< what hangs over by more than `supports.angle_deg`, of all layers
   double unsupported_mm2 = 0.0;  ///< of that: too narrow, or over the part where supports stand on the bed
+  double blocked_mm2 = 0.0;      ///< overhangs besides, which are marked as not to be held up
   double area_mm2 = 0.0;         ///< of the layer with the most support
   double support_mm3 = 0.0;      ///< deposited, without interfaces
   double interface_mm3 = 0.0;
@@ -52,6 +54,7 @@ struct Plan {
 struct VariedBed {
   Box2 bed;  ///< where the nozzle may be [mm, part frame]
   const std::vector<PlanVariant>& variants;
+  const SupportMarks* marks = nullptr;  ///< null for none
 };
 
 /// How inclined layers stand.

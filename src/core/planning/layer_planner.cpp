@@ -37,6 +37,7 @@
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/skin_areas.hpp"
+#include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
 #include "planning/travel/travel.hpp"
 #include "planning/walls/infill_spacing.hpp"
@@ -246,9 +247,7 @@ class LayerPlanner {
     const auto addCommonWalls = [&] {
       const std::size_t before = result_.paths.size();
       addWalls(walls);
-      for (std::size_t i = before; i < result_.paths.size(); ++i)
-        if (kindOf(result_.paths[i].role) == RoleKind::Wall)
-          result_.paths[i] = withFeedsOf(std::move(result_.paths[i]), pieces, {&settings_.feed, index_});
+      result_.paths = laidByPieces(std::move(result_.paths), before, pieces, {&settings_, index_});
     };
     if (settings_.walls.order == WallOrder::OutsideIn) addCommonWalls();
     for (const IslandPiece& piece : pieces)
@@ -274,6 +273,7 @@ class LayerPlanner {
     if (material_ != nullptr) planner.setMaterial(*material_);
     planner.nozzle_ = nozzle_;
     planner.island_ = island_;
+    planner.travels_.setSeen(travels_.seen());
     step(planner);
     starts_ += planner.starts_;
     bridging_ += planner.bridging_;
@@ -283,6 +283,7 @@ class LayerPlanner {
     if (!result_.paths.empty()) addTravelTo(paths.front().firstPoint(), TravelOver::Anything);
     std::move(paths.begin(), paths.end(), std::back_inserter(result_.paths));
     nozzle_ = planner.nozzle_;
+    travels_.setSeen(planner.travels_.seen());
   }
 
   /// Walls beyond the first so many, where they run through the piece.
@@ -529,11 +530,12 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    layPath(below_.carried(pathAlong(run, beadOf(run), top_, feedIn(settings_.feed, run.role, index_))),
-            over);
+    Path path = below_.carried(pathAlong(run, beadOf(run), top_, feedIn(settings_.feed, run.role, index_)));
+    layPath(withFlow(std::move(path), settings_.bead.flow), over);
   }
 
   void layPath(Path path, TravelOver over) {
+    path.tool = toolOf(path, settings_.tools);
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));

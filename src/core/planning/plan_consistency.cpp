@@ -8,6 +8,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "planning/tools/tool_order.hpp"
 
 namespace lamina {
 namespace {
@@ -156,11 +157,12 @@ void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& 
     if (count > 0 && tool >= static_cast<int>(count))
       throw InvalidConfig("supports.tool or supports.interface_tool is " + std::to_string(tool) +
                           "; tools.list has " + std::to_string(count) + " tools, counted from 0");
-  if (!usesTools(tools)) return;
+  if (!usesTools(settings)) return;
   if (strategy.deposit == Deposit::Drops || strategy.link != LayerLink::Travel)
     throw InvalidConfig(
-        "tool.* asks for several tools with drops, or with runs that go on from layer to layer; expected "
-        "one");
+        "tool.*, supports.tool or supports.interface_tool ask for several tools with drops, or with runs "
+        "that "
+        "go on from layer to layer; expected one");
 }
 
 }  // namespace

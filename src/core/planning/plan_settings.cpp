@@ -12,6 +12,8 @@ constexpr Bounds kAngle{-360.0, 360.0, false};
 
 void describe(SettingsSchema& schema, BeadSettings& bead) {
   schema.number("bead.width_mm", bead.width_mm, {0.01, 100.0, false}, "Width of a bead.");
+  schema.number("bead.flow", bead.flow, {0.1, 5.0, false},
+                "Factor on what is laid of the part; beads stay where they are.");
   schema.number(
       "bead.pitch_mm", bead.pitch_mm, {0.0, 100.0, false},
       "Distance of neighbouring beads in a solid fill; 0 takes that at which they fill it exactly.");

@@ -13,11 +13,10 @@
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
-#include "planning/bridges/bridged_areas.hpp"
 #include "planning/skirt.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/branch_tips.hpp"
-#include "planning/supports/overhang_areas.hpp"
+#include "planning/supports/regional_overhangs.hpp"
 #include "planning/supports/stacked_material.hpp"
 #include "planning/supports/support_areas.hpp"
 #include "planning/supports/support_lattice.hpp"
@@ -56,8 +55,9 @@ void append(const Regions& added, Regions& regions) {
 /// Plans what stands beside the part, from its first layer out.
 class AidPlanner {
  public:
-  AidPlanner(const std::vector<Layer>& layers, const PlanContext& context)
-      : layers_(layers), context_(context), settings_(context.settings) {
+  AidPlanner(const std::vector<Layer>& layers, const PlanContext& context,
+             const SupportRegions& support_regions)
+      : layers_(layers), context_(context), settings_(context.settings), support_regions_(support_regions) {
     first_ = unite(simplify(layers.front().section.contours, settings_.simplification_mm));
   }
 
@@ -78,20 +78,14 @@ class AidPlanner {
   double layerHeight() const { return layers_[layers_.size() / 2].bounds.height(); }
   double width() const { return settings_.bead.width_mm; }
 
-  /// That hold what they span, if there are any.
-  std::optional<HoldingBridges> bridges() const {
-    const BridgeSettings& settings = settings_.bridges;
-    if (!settings.is_used || settings_.supports.under_bridges) return std::nullopt;
-    const double pitch = planWidth({width(), layerHeight()});
-    return HoldingBridges{{settings.anchor_mm, threadPitch(settings, width(), pitch), settings.least_held},
-                          settings.longest_mm};
-  }
-
   void findSupports(Progress& progress) {
     const SupportSettings& settings = settings_.supports;
     const StackedMaterial stack =
         stackedMaterial(layers_, settings_.simplification_mm, context_.bed, progress);
-    overhangs_ = overhangAreas(stack, settings, progress, bridges());
+    RegionalOverhangs overhangs =
+        regionalOverhangs(stack, settings_, support_regions_, layerHeight(), progress);
+    overhangs_ = std::move(overhangs.held);
+    blocked_mm2_ = overhangs.blocked_mm2;
     if (settings.kind == SupportKind::Lattice)
       supports_ = supportAreas(stack, overhangs_, settings, width(), progress);
     else
@@ -122,6 +116,7 @@ class AidPlanner {
       supports = std::move(loops.layers);
       support_areas_ = std::move(loops.areas);
     }
+    planned_.supports.blocked_mm2 = blocked_mm2_;
     addVolumes(planned_.supports, supports);
     for (std::size_t i = 0; i < supports.size(); ++i)
       std::move(supports[i].begin(), supports[i].end(), std::back_inserter(planned_.layers[i]));
@@ -166,8 +161,18 @@ class AidPlanner {
         std::min(static_cast<std::size_t>(settings_.skirt.layers), planned_.raft.size() + layers_.size());
     for (std::size_t i = 0; i < count; ++i) {
       LayerAids& aids = aidsOf(i);
-      aids.insert(aids.begin(), runsOf(runs, boundsOf(i), width(), RunOrder::AsGiven));
+      aids.insert(aids.begin(), runsOf(runs, withoutGap(i), width(), RunOrder::AsGiven));
     }
+  }
+
+  /// Of a layer that stands on the one before, where the part stands a gap above its raft.
+  LayerBounds withoutGap(std::size_t index) const {
+    LayerBounds bounds = boundsOf(index);
+    if (planned_.raft.empty() || index < planned_.raft.size()) return bounds;
+    const double gap_mm = layers_.front().bounds.bottom_mm - planned_.raft.back().bounds.top_mm;
+    bounds.bottom_mm -= gap_mm;
+    bounds.top_mm -= gap_mm;
+    return bounds;
   }
 
   void addPrimeLine() {
@@ -195,8 +200,10 @@ class AidPlanner {
   const std::vector<Layer>& layers_;
   const PlanContext& context_;
   const PlanSettings& settings_;
+  const SupportRegions& support_regions_;
   Regions first_;  ///< layer of the part
   std::vector<Regions> overhangs_;
+  double blocked_mm2_ = 0.0;
   SupportAreas supports_;               ///< of a lattice
   SupportTree tree_;                    ///< or a tree
   std::vector<Regions> support_areas_;  ///< of each layer, of both; none without supports
@@ -208,12 +215,13 @@ class AidPlanner {
 
 }  // namespace
 
-PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
+PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
+                     const SupportRegions& support_regions, Progress& progress) {
   const PlanSettings& settings = context.settings;
   if (context.lift || context.strategy.deposit == Deposit::Drops || layers.empty()) return {};
   const bool lies_on_bed = settings.skirt.count > 0 || isUsed(settings.adhesion);
   if (!settings.supports.use && (!lies_on_bed || context.bed)) return {};
-  return AidPlanner(layers, context).plan(progress);
+  return AidPlanner(layers, context, support_regions).plan(progress);
 }
 
 }  // namespace lamina

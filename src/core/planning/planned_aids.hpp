@@ -9,6 +9,7 @@
 #include "planning/adhesion/raft.hpp"
 #include "planning/build_aids.hpp"
 #include "planning/layer_planner.hpp"
+#include "planning/supports/regional_overhangs.hpp"
 
 namespace lamina {
 
@@ -22,8 +23,10 @@ struct PlannedAids {
 
 /// Supports of layers in parallel planes; skirt, brim, raft and prime line of level ones. Lifted layers have
 /// none, parts of drops neither.
-/// @param layers  in the frame of the layers
+/// @param layers           in the frame of the layers
+/// @param support_regions  where supports are asked for otherwise
 /// @throws InvalidConfig if a prime line has no room
-PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress);
+PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
+                     const SupportRegions& support_regions, Progress& progress);
 
 }  // namespace lamina

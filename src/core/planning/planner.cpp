@@ -345,21 +345,34 @@ void requireTower(const PlanContext& context) {
                       " layers; expected none: a prime tower stands on level ones");
 }
 
-/// Joins layers, tool by tool if there are several.
-void joinByTools(std::vector<ToolpathLayer>& layers, const PlanContext& context, const TravelMaker& travel) {
-  if (!usesTools(context.settings.tools)) return joinLayers(layers, travel);
+/// Settings and marks of regions of a part; none if null.
+struct PlanRegions {
+  const std::vector<PlanVariant>* variants = nullptr;
+  const SupportMarks* marks = nullptr;
+};
+
+bool usesTools(const PlanContext& context, const PlanRegions& regions) {
+  const auto uses = [](const PlanVariant& variant) { return usesTools(variant.settings); };
+  return usesTools(context.settings) ||
+         (regions.variants != nullptr &&
+          std::any_of(regions.variants->begin(), regions.variants->end(), uses));
+}
+
+/// Lays layers tool by tool.
+void arrangeByTools(std::vector<ToolpathLayer>& layers, const PlanContext& context,
+                    const TravelMaker& travel) {
   requireTower(context);
   arrangeTools(layers, context.settings, travel);
-  joinLayers(layers, travel);
 }
 
 Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_settings, Progress& progress,
-                   const std::vector<PlanVariant>& of_regions = {}) {
+                   const PlanRegions& regions = {}) {
   const PlanContext context = wallContext(of_settings);
   StackPlan of_stack;
   of_stack.stack = stackCover(layers, of_settings, progress);
-  of_stack.aids = planAids(layers, of_settings, progress);
-  of_stack.variants = variantPlans(layers, of_regions, context, progress);
+  of_stack.aids = planAids(layers, of_settings, {regions.variants, regions.marks}, progress);
+  if (regions.variants != nullptr)
+    of_stack.variants = variantPlans(layers, *regions.variants, context, progress);
   const std::size_t base_layers = baseLayers(context);
   const PlanContext base = baseContext(context);
   const PlanContext on_bed = bedContext(base_layers > 0 ? base : context);
@@ -383,7 +396,8 @@ Plan planInContext(const std::vector<Layer>& layers, const PlanContext& of_setti
     chainLayers(paths, of_settings.settings, chainAnchor(paths, context), travel);
   if (isVase(context)) raiseWall(paths, base_layers, travel_settings);
   putOnRaft(plan, of_stack.aids, context, progress);
-  joinByTools(paths, of_settings, travel);
+  if (usesTools(of_settings, regions)) arrangeByTools(paths, of_settings, travel);
+  joinLayers(paths, travel);
   giveTravelsTools(paths);
   if (context.bed)
     plan.anchored.in_air = countStartsInAir(layers, paths, *context.bed, of_settings.settings.bead.width_mm);
@@ -409,7 +423,7 @@ Plan planPart(const std::string& part_name, const std::vector<Layer>& layers, co
               const VariedBed& varied, Progress& progress) {
   PlanContext context = contextFor(layers, settings);
   context.level_bed = varied.bed;
-  Plan plan = planInContext(layers, context, progress, varied.variants);
+  Plan plan = planInContext(layers, context, progress, {&varied.variants, varied.marks});
   plan.toolpath.part_name = part_name;
   return plan;
 }

@@ -13,6 +13,14 @@ AlongPath<Bead> beadsOf(const std::vector<double>& width_mm, double area_per_wid
   return AlongPath<Bead>(std::move(beads));
 }
 
+Path withFlow(Path path, double factor) {
+  if (factor == 1.0 || path.role == PathRole::Travel) return path;
+  std::vector<Bead> beads = path.bead.values();
+  for (Bead& bead : beads) bead = beadOfArea(factor * crossSection(bead), bead.height_mm);
+  path.bead = AlongPath<Bead>(std::move(beads));
+  return path;
+}
+
 Path pathAlong(const FillPath& run, AlongPath<Bead> bead, double z_mm, double feed_mm_s) {
   Path path;
   path.role = run.role;

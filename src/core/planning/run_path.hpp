@@ -14,6 +14,9 @@ namespace lamina {
 ///                        `bead.pitch_mm` says that beads are no stadiums
 AlongPath<Bead> beadsOf(const std::vector<double>& width_mm, double area_per_width, double height_mm);
 
+/// A path with that factor on the cross-section of its beads.
+Path withFlow(Path path, double factor);
+
 /// The path along a run at the height of the nozzle tip [mm], at that feed [mm/s].
 Path pathAlong(const FillPath& run, AlongPath<Bead> bead, double z_mm, double feed_mm_s);
 

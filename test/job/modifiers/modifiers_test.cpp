@@ -133,8 +133,14 @@ TEST_F(ModifiersTest, AreRefusedByNameAndPlace) {
   EXPECT_NE(refusal().find("infill.densty"), std::string::npos) << refusal();
   write("  - {from_mm: 3, to_mm: 2, settings: {infill.density: 1}}\n");
   EXPECT_NE(refusal().find("from_mm is 3"), std::string::npos) << refusal();
-  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: support_blocker}\n");
-  EXPECT_NE(refusal().find("support_blocker"), std::string::npos) << refusal();
+  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: seam_here}\n");
+  EXPECT_NE(refusal().find("seam_here"), std::string::npos) << refusal();
+  write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], kind: support_blocker, settings: {infill.density: 1}}\n");
+  EXPECT_NE(refusal().find("expected no settings"), std::string::npos) << refusal();
+  for (const std::string key : {"supports.density", "feed.support_mm_s", "tool.support", "overhangs.use"}) {
+    write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], settings: {" + key + ": 1}}\n");
+    EXPECT_NE(refusal().find("'" + key + "'"), std::string::npos) << refusal();
+  }
   write("  - {box_mm: [[0, 0, 0], [1, 1, 1]], settings: {seam.placement: rear}}\n");
   EXPECT_NE(refusal().find("whole layers"), std::string::npos) << refusal();
   write("  - {mesh: nothing.stl, settings: {infill.density: 1}}\n");

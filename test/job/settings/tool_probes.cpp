@@ -24,6 +24,7 @@ std::vector<SettingProbe> toolProbes() {
             {"tools.purge_mm3=40"},
             {"tools.tower_mm=25"},
             {"tools.tower_at_mm=-30,4"},
+            {"bead.flow=0.9"},
             {"hooks.tool_change=M117 {tool}"}}}};
 }
 

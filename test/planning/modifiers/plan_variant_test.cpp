@@ -137,6 +137,105 @@ TEST(PlanVariant, ChangesFeedsOfWallsOnItsBorder) {
   EXPECT_NEAR(usual_mm, 2 * 19.6, 1e-4);
 }
 
+TEST(PlanVariant, LaysLessByItsFlow) {
+  PlanSettings solid = sparse(1.0);
+  PlanSettings half = solid;
+  half.bead.flow = 0.5;
+  const Toolpath toolpath = variedPlan(solid, {variantOf(half, kRightHalf)});
+  const double whole = totals(test::plan(cube(), solid)).deposited_mm3;
+  EXPECT_NEAR(totals(toolpath).deposited_mm3, 0.75 * whole, 0.01 * whole);
+  // The outer wall alone, whose waypoints are on the border.
+  const auto outerWall = [](const Toolpath& of) {
+    double sum_mm3 = 0.0;
+    for (const Path& path : of.layers[5].paths)
+      if (path.role == PathRole::OuterWall) sum_mm3 += depositedVolume(path);
+    return sum_mm3;
+  };
+  const double usual = outerWall(test::plan(cube(), solid));
+  EXPECT_NEAR(outerWall(toolpath), 0.75 * usual, 1e-6 * usual);
+}
+
+/// Whether the middle of a motion lies right of that x.
+bool isRightOf(double x, const Path& path, std::size_t motion) {
+  return 0.5 * (path.points[motion] + path.points[path.motionEnd(motion)]).x() > x;
+}
+
+TEST(PlanVariant, LaysByItsTools) {
+  PlanSettings settings = sparse(0.3);
+  settings.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  PlanSettings white = settings;
+  white.tools.walls = white.tools.infill = white.tools.skin = 1;
+  white.walls.count = 3;
+  const Toolpath toolpath = variedPlan(settings, {variantOf(white, kRightHalf)});
+  for (const ToolpathLayer& layer : toolpath.layers) {
+    std::size_t changes = 0;
+    for (std::size_t p = 0; p < layer.paths.size(); ++p) {
+      const Path& path = layer.paths[p];
+      if (p > 0 && layer.paths[p - 1].tool != path.tool) {
+        ++changes;
+        EXPECT_TRUE(path.role == PathRole::Travel && path.process.is_retracted);
+      }
+      if (path.role == PathRole::Travel) continue;
+      for (std::size_t m = 0; m < path.motionCount(); ++m)
+        EXPECT_EQ(path.tool, isRightOf(10.0, path, m) ? 1U : 0U);
+    }
+    EXPECT_EQ(changes, 1U);
+  }
+  PlanSettings three = settings;
+  three.walls.count = 3;
+  const Toolpath of_one = variedPlan(settings, {variantOf(three, kRightHalf)});
+  EXPECT_NEAR(totals(toolpath).deposited_mm3, totals(of_one).deposited_mm3, 1e-6);
+}
+
+TEST(PlanVariant, PurgesWhereARegionTakesItsTool) {
+  PlanSettings settings = sparse(0.3);
+  settings.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  settings.tools.purge_mm3 = {40.0};
+  PlanSettings white = settings;
+  white.tools.infill = 1;
+  const Toolpath toolpath = variedPlan(settings, {variantOf(white, kRightHalf, 3, 5)});
+  for (std::size_t l = 0; l < 6; ++l) {
+    double purged_mm3 = 0.0;
+    for (const Path& path : toolpath.layers[l].paths)
+      if (path.role == PathRole::Prime) purged_mm3 += depositedVolume(path);
+    // There in layer 3, and back in layer 4; below it is kept by walls and a few lines.
+    if (l < 3) {
+      EXPECT_GT(purged_mm3, 4.0);
+      EXPECT_LT(purged_mm3, 35.0);
+    }
+    if (l == 3 || l == 4) {
+      EXPECT_NEAR(purged_mm3, 40.0, 0.4) << l;
+    }
+    if (l == 5) {
+      EXPECT_EQ(purged_mm3, 0.0);
+    }
+  }
+}
+
+TEST(PlanVariant, HopsOverTopSkinsOfItsNeighbours) {
+  // A band with a skin on top, amid lines that lie open.
+  PlanSettings open = sparse(0.3);
+  open.travel.hop = Hopping::OverSkin;
+  open.travel.hop_mm = 0.5;
+  PlanSettings closed = open;
+  closed.skins.top_layers = 2;
+  const Regions middle = {Region{rectangle(7, -1, 13, 21), {}}};
+  const Toolpath toolpath = variedPlan(open, {variantOf(closed, middle)});
+  const ToolpathLayer& top = toolpath.layers.back();
+  std::size_t crossing = 0;
+  bool is_skin_laid = false;
+  for (const Path& path : top.paths) {
+    is_skin_laid = is_skin_laid || path.role == PathRole::TopSkin;
+    if (!is_skin_laid || path.role != PathRole::Travel) continue;
+    const auto sideOf = [](const Point3& point) { return point.x() < 7.0 ? -1 : point.x() > 13.0 ? 1 : 0; };
+    if (sideOf(path.firstPoint()) * sideOf(path.lastPoint()) >= 0) continue;
+    ++crossing;
+    EXPECT_EQ(path.points.size(), 4U);
+    EXPECT_NEAR(path.points[1].z(), top.z_mm + 0.5, 1e-9);
+  }
+  EXPECT_EQ(crossing, 1U);
+}
+
 TEST(PlanVariant, LeavesWallsSlowWhereTheyOverhang) {
   // Each layer stands out by a bead over the one below, on all sides.
   const auto layers = test::layersOf(4, [](int i) {

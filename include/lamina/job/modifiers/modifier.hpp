@@ -15,8 +15,10 @@ namespace lamina {
 
 /// What a modifier does.
 enum class ModifierKind : std::uint8_t {
-  Settings,  ///< other settings hold in it
-  Negative   ///< the part has no material in it
+  Settings,        ///< other settings hold in it
+  Negative,        ///< the part has no material in it
+  SupportBlocker,  ///< what hangs in it is not held up
+  SupportEnforcer  ///< all that hangs in it is held up
 };
 
 /// A region of a part: a mesh, a box or a range of heights.

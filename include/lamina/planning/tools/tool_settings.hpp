@@ -48,8 +48,8 @@ std::vector<Tool> toolsOf(const ToolSettings& settings);
 /// Which tool lays a path of that role.
 std::size_t toolFor(PathRole role, const ToolSettings& settings);
 
-/// Whether any role has another tool than the first.
-bool usesTools(const ToolSettings& settings);
+/// Whether `tool.*` gives any role another tool than the first.
+bool assignsTools(const ToolSettings& settings);
 
 /// @throws as `toolsOf`; InvalidConfig if a role has a tool that is not in the list, or volumes are neither
 /// one nor one for each pair of tools

@@ -51,7 +51,7 @@ Mesh meshOf(const Modifier& modifier, InputSettings input) {
 class ModifierSections {
  public:
   ModifierSections(const std::vector<Layer>& layers, const SourcePart& source, const InputSettings& input)
-      : layers_(layers), source_(source), input_(input), part_(boundingBox(source.mesh)) {
+      : source_(source), input_(input), part_(boundingBox(source.mesh)) {
     for (const Layer& layer : layers) heights_.push_back(layer.bounds.cut());
   }
 
@@ -69,7 +69,7 @@ class ModifierSections {
     const Point2 low = part_.low.head<2>() - Point2::Constant(kBeyond);
     const Point2 high = part_.high.head<2>() + Point2::Constant(kBeyond);
     const Region whole{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, {}};
-    std::vector<Regions> areas(layers_.size());
+    std::vector<Regions> areas(heights_.size());
     for (std::size_t i = 0; i < areas.size(); ++i) {
       const double height_mm = heights_[i] - part_.low.z();
       if (height_mm >= heights_mm.first && height_mm < heights_mm.second) areas[i] = {whole};
@@ -87,7 +87,6 @@ class ModifierSections {
     return areas;
   }
 
-  const std::vector<Layer>& layers_;
   const SourcePart& source_;
   const InputSettings& input_;
   Box3 part_;
@@ -155,27 +154,75 @@ void cutAway(Layer& layer, const Regions& negative) {
   layer.section.contours = outlines(difference(unite(layer.section.contours), negative));
 }
 
+/// Marks an area, whatever was marked there before.
+void mark(Regions& marked, Regions& otherwise, const Regions& area) {
+  if (area.empty()) return;
+  if (!otherwise.empty()) otherwise = difference(otherwise, area);
+  std::vector<Polygon> all = outlines(marked);
+  for (Polygon& outline : outlines(area)) all.push_back(std::move(outline));
+  marked = unite(all);
+}
+
+/// Applies modifiers to the layers of a part one by one.
+class LayerModifier {
+ public:
+  explicit LayerModifier(std::vector<Layer> layers) : overlays_(layers.size()) {
+    modified_.layers = std::move(layers);
+  }
+
+  void apply(ModifierKind kind, std::size_t number, const std::vector<Regions>& areas, Progress& progress) {
+    SupportMarks& marks = modified_.marks;
+    if (kind == ModifierKind::SupportBlocker || kind == ModifierKind::SupportEnforcer) {
+      marks.never.resize(areas.size());
+      marks.always.resize(areas.size());
+    }
+    const auto apply_in = [&](std::size_t i) {
+      switch (kind) {
+        case ModifierKind::Settings:
+          overlays_[i] = overlaid(overlays_[i], number, areas[i]);
+          break;
+        case ModifierKind::Negative:
+          cutAway(modified_.layers[i], areas[i]);
+          break;
+        case ModifierKind::SupportBlocker:
+          mark(marks.never[i], marks.always[i], areas[i]);
+          break;
+        case ModifierKind::SupportEnforcer:
+          mark(marks.always[i], marks.never[i], areas[i]);
+          break;
+      }
+    };
+    parallelFor(areas.size(), apply_in, progress, "slice");
+  }
+
+  ModifiedLayers finish(const std::vector<Modifier>& modifiers, const JobSettings& settings) && {
+    modified_.variants = variantsOf(std::move(overlays_), modifiers, settings);
+    return std::move(modified_);
+  }
+
+ private:
+  ModifiedLayers modified_;
+  std::vector<Overlay> overlays_;
+};
+
 }  // namespace
 
 ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source, const JobSettings& settings,
                              Progress& progress) {
-  if (settings.modifiers.empty()) return {std::move(layers), {}};
+  if (settings.modifiers.empty()) return {std::move(layers), {}, {}};
   const std::vector<Modifier> modifiers = readModifiersFile(settings.modifiers);
   const ModifierSections sections(layers, source, settings.input);
-  std::vector<Overlay> overlays(layers.size());
-  for (std::size_t m = 0; m < modifiers.size(); ++m) {
-    const std::vector<Regions> areas = sections.of(modifiers[m], progress);
-    const bool cuts = modifiers[m].kind == ModifierKind::Negative;
-    const auto apply = [&](std::size_t i) {
-      if (cuts)
-        cutAway(layers[i], areas[i]);
-      else
-        overlays[i] = overlaid(overlays[i], m, areas[i]);
-    };
-    parallelFor(layers.size(), apply, progress, "slice");
-  }
-  std::vector<PlanVariant> variants = variantsOf(std::move(overlays), modifiers, settings);
-  return {std::move(layers), std::move(variants)};
+  LayerModifier modifier(std::move(layers));
+  for (std::size_t m = 0; m < modifiers.size(); ++m)
+    modifier.apply(modifiers[m].kind, m, sections.of(modifiers[m], progress), progress);
+  return std::move(modifier).finish(modifiers, settings);
+}
+
+bool asksForSupports(const ModifiedLayers& modified) {
+  const std::vector<Regions>& always = modified.marks.always;
+  return std::any_of(always.begin(), always.end(), [](const Regions& area) { return !area.empty(); }) ||
+         std::any_of(modified.variants.begin(), modified.variants.end(),
+                     [](const PlanVariant& variant) { return variant.settings.supports.use; });
 }
 
 }  // namespace lamina

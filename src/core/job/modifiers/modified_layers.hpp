@@ -8,6 +8,7 @@
 #include "lamina/job/job_settings.hpp"
 #include "lamina/job/part/source_part.hpp"
 #include "lamina/planning/modifiers/plan_variant.hpp"
+#include "lamina/planning/supports/support_marks.hpp"
 #include "lamina/slicing/layer.hpp"
 
 namespace lamina {
@@ -16,10 +17,15 @@ namespace lamina {
 struct ModifiedLayers {
   std::vector<Layer> layers;
   std::vector<PlanVariant> variants;
+  SupportMarks marks;
 };
 
+/// Whether a region asks for supports, be it by a mark or by settings.
+bool asksForSupports(const ModifiedLayers& modified);
+
 /// Cuts negative modifiers out of the layers of a part, and lays the others over each other: where several
-/// meet, the settings of all hold, of the same key that of the last. Modifiers are cut by the planes of the
+/// meet, the settings of all hold, of the same key that of the last; of a blocker and an enforcer of supports
+/// the last holds. Modifiers are cut by the planes of the
 /// layers; one holds in a layer where it holds at its middle. Without `part.modifiers` nothing changes.
 /// @param source  whose layers they are
 /// @throws InvalidConfig, InvalidMesh, FileError naming the modifier: also if it encloses nothing or is not

@@ -17,13 +17,29 @@ namespace lamina {
 namespace {
 
 /// Groups that end with a point, and single keys.
-constexpr std::array<std::string_view, 11> kRegionSettings = {
-    "contour.", "feed.",  "hilbert.",   "hybrid.",     "infill.",    "perimeters.",
-    "raster.",  "skins.", "smoothing.", "walls.count", "walls.order"};
+constexpr std::array<std::string_view, 18> kRegionSettings = {"bead.flow",
+                                                              "bridges.",
+                                                              "contour.",
+                                                              "feed.",
+                                                              "hilbert.",
+                                                              "hybrid.",
+                                                              "infill.",
+                                                              "perimeters.",
+                                                              "raster.",
+                                                              "skins.",
+                                                              "smoothing.",
+                                                              "supports.angle_deg",
+                                                              "supports.under_bridges",
+                                                              "supports.use",
+                                                              "tool.infill",
+                                                              "tool.skin",
+                                                              "tool.walls",
+                                                              "walls.count"};
 /// Walls are one thing all round an island.
-constexpr std::array<std::string_view, 2> kLayerSettings = {"seam.", "walls.order"};
-/// Not of any region.
-constexpr std::string_view kSkirtFeed = "feed.skirt_mm_s";
+constexpr std::array<std::string_view, 3> kLayerSettings = {"overhangs.", "seam.", "walls.order"};
+/// Of what is laid beside the part, whatever region it passes.
+constexpr std::array<std::string_view, 3> kAidSettings = {"feed.skirt_mm_s", "feed.support_mm_s",
+                                                          "feed.support_interface_mm_s"};
 
 template <std::size_t count>
 bool stands(const std::string& key, const std::array<std::string_view, count>& entries) {
@@ -37,21 +53,39 @@ void requireRegionSettings(const StrictYaml& yaml, const Modifier& modifier) {
     const bool is_of_layers = stands(setting.key, kLayerSettings);
     if (is_of_layers && !modifier.heights_mm)
       yaml.refuse("'" + setting.key + "' holds for whole layers only; expected from_mm and to_mm");
-    if ((!is_of_layers && !stands(setting.key, kRegionSettings)) || setting.key == kSkirtFeed)
-      yaml.refuse("'" + setting.key +
-                  "' cannot be set for a region; expected infill.*, skins.*, walls.count, feed.* but for the "
-                  "skirt's, or a setting of a fill strategy; over a range of heights also walls.order and "
-                  "seam.*");
+    if ((!is_of_layers && !stands(setting.key, kRegionSettings)) || stands(setting.key, kAidSettings))
+      yaml.refuse(
+          "'" + setting.key +
+          "' cannot be set for a region; expected infill.*, skins.*, bridges.*, walls.count, bead.flow "
+          "or flow, tool.walls, tool.infill, tool.skin or tool for all of them, supports.use, "
+          "supports.angle_deg, supports.under_bridges, feed.* but for those of skirt and supports, or "
+          "a setting of a fill strategy; over a range of heights also walls.order, overhangs.* and "
+          "seam.*");
   }
+}
+
+/// What `tool` and `flow` stand for.
+std::vector<SettingText> writtenOut(const std::vector<SettingText>& settings) {
+  std::vector<SettingText> all;
+  for (const SettingText& setting : settings) {
+    if (setting.key == "tool")
+      for (const char* const key : {"tool.walls", "tool.infill", "tool.skin"})
+        all.push_back({key, setting.text});
+    else
+      all.push_back({setting.key == "flow" ? "bead.flow" : setting.key, setting.text});
+  }
+  return all;
 }
 
 ModifierKind kindFrom(const StrictYaml& yaml) {
   const std::string name = yaml.text();
   if (name == "settings") return ModifierKind::Settings;
   if (name == "negative") return ModifierKind::Negative;
-  for (const std::string_view known : {"support_blocker", "support_enforcer", "seam_here"})
-    if (name == known) yaml.refuse("'" + name + "' is not supported yet; expected settings or negative");
-  yaml.refuse("kind is '" + name + "'; expected settings or negative");
+  if (name == "support_blocker") return ModifierKind::SupportBlocker;
+  if (name == "support_enforcer") return ModifierKind::SupportEnforcer;
+  const std::string expected = "expected settings, negative, support_blocker or support_enforcer";
+  if (name == "seam_here") yaml.refuse("'seam_here' is not supported yet; " + expected);
+  yaml.refuse("kind is '" + name + "'; " + expected);
 }
 
 Box3 boxFrom(const StrictYaml& yaml) {
@@ -83,9 +117,9 @@ void requireOneRegion(const StrictYaml& yaml, const Modifier& modifier) {
     yaml.refuse("from_mm is " + std::to_string(modifier.heights_mm->first) + " and to_mm " +
                 std::to_string(modifier.heights_mm->second) + "; expected the former below the latter");
   if (modifier.kind == ModifierKind::Settings && modifier.settings.empty())
-    yaml.refuse("expected 'settings', or kind: negative");
-  if (modifier.kind == ModifierKind::Negative && !modifier.settings.empty())
-    yaml.refuse("what is cut away has no settings");
+    yaml.refuse("expected 'settings', or a kind of negative, support_blocker or support_enforcer");
+  if (modifier.kind != ModifierKind::Settings && !modifier.settings.empty())
+    yaml.refuse("expected no settings: only a modifier of kind 'settings' has them");
 }
 
 Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
@@ -102,7 +136,7 @@ Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
     if (key == "from_mm") heights().first = value.number();
     if (key == "to_mm") heights().second = value.number();
     if (key == "kind") modifier.kind = kindFrom(value);
-    if (key == "settings") modifier.settings = value.settings();
+    if (key == "settings") modifier.settings = writtenOut(value.settings());
   }
   requireOneRegion(yaml, modifier);
   requireRegionSettings(yaml, modifier);

@@ -101,6 +101,7 @@ Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const Build
     Path travel =
         travelBetween(before.lastPoint(), first->paths.front().firstPoint(), belt, travel_feed_mm_s);
     travel.orientation = before.orientation.at(0);
+    travel.tool = first->paths.front().tool;
     if (travel.points.size() > 1) first->paths.insert(first->paths.begin(), std::move(travel));
     std::move(next.begin(), next.end(), std::back_inserter(toolpath.layers));
   }

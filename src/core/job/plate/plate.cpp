@@ -19,7 +19,7 @@ namespace {
 constexpr int kMostCopies = 1000;
 
 /// Groups that end with a point, and single keys.
-constexpr std::array<std::string_view, 25> kPartSettings = {
+constexpr std::array<std::string_view, 26> kPartSettings = {
     "adaptive.",       "bead.",
     "bridges.",        "brim.",
     "compensation.",   "contour.",
@@ -31,8 +31,8 @@ constexpr std::array<std::string_view, 25> kPartSettings = {
     "skins.",          "slicing.first_layer_height_mm",
     "slicing.heights", "slicing.layer_height_mm",
     "smoothing.",      "supports.",
-    "vase.",           "voids.",
-    "walls."};
+    "tool.",           "vase.",
+    "voids.",          "walls."};
 
 bool allows(std::string_view entry, const std::string& key) {
   return entry.back() == '.' ? key.compare(0, entry.size(), entry) == 0 : key == entry;

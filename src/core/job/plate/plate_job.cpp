@@ -228,6 +228,7 @@ SlicedPart planned(const PlateItem& item, const SliceJob& of_plate, const BuildS
 void addSupports(SupportTotals& sum, const SupportTotals& of_part) {
   sum.overhang_mm2 += of_part.overhang_mm2;
   sum.unsupported_mm2 += of_part.unsupported_mm2;
+  sum.blocked_mm2 += of_part.blocked_mm2;
   sum.area_mm2 += of_part.area_mm2;
   sum.support_mm3 += of_part.support_mm3;
   sum.interface_mm3 += of_part.interface_mm3;

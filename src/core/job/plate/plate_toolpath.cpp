@@ -11,6 +11,7 @@
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/run_path.hpp"
 #include "planning/skirt.hpp"
+#include "planning/tools/tool_order.hpp"
 #include "planning/travel/travel.hpp"
 
 namespace lamina {
@@ -35,6 +36,19 @@ std::vector<Path> pathsOn(const ToolpathLayer& layer, const Point3& at) {
   return paths;
 }
 
+/// Of the tool that goes on there, retracted if that is another one.
+Path withTool(Path travel, const Path& from, const Path& to) {
+  travel.tool = to.tool;
+  travel.process.is_retracted |= from.tool != to.tool;
+  return travel;
+}
+
+std::optional<Path> travelWithTool(const Path& from, const Path& to, const TravelSettings& settings) {
+  std::optional<Path> travel = makeTravel(from.lastPoint(), to.firstPoint(), settings);
+  if (travel) travel = withTool(std::move(*travel), from, to);
+  return travel;
+}
+
 /// Puts layers of parts behind each other.
 class PlateBuilder {
  public:
@@ -54,11 +68,7 @@ class PlateBuilder {
     std::vector<Path>& here = plate_.layers.back().paths;
     if (last_) {
       std::optional<Path> travel = travelTo(paths.front().firstPoint());
-      if (travel) {
-        // Tools change where something is laid.
-        travel->tool = last().tool;
-        here.push_back(std::move(*travel));
-      }
+      if (travel) here.push_back(withTool(std::move(*travel), last(), paths.front()));
     }
     std::move(paths.begin(), paths.end(), std::back_inserter(here));
     last_ = {plate_.layers.size() - 1, here.size() - 1};
@@ -192,8 +202,9 @@ void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const Pl
     const FillPath run{std::move(loop), true, PathRole::Skirt, Deposit::Bead, {}};
     Path path = pathAlong(run, Bead{settings.bead.width_mm, layer.height_mm}, layer.z_mm,
                           std::min(settings.feed.skirt_mm_s, settings.feed.first_layer_mm_s));
+    path.tool = toolOf(path, settings.tools);
     if (!paths.empty())
-      if (auto travel = makeTravel(paths.back().lastPoint(), path.firstPoint(), settings.travel))
+      if (auto travel = travelWithTool(paths.back(), path, settings.travel))
         paths.push_back(std::move(*travel));
     paths.push_back(std::move(path));
   }
@@ -204,7 +215,7 @@ void addSkirt(Toolpath& plate, const std::vector<PlateToolpath>& parts, const Pl
     first.events.front().motion = paths.back().motionCount();
     paths.back().events.push_back(std::move(first.events.front()));
     first.events.erase(first.events.begin());
-    if (auto travel = makeTravel(paths.back().lastPoint(), first.firstPoint(), settings.travel))
+    if (auto travel = travelWithTool(paths.back(), first, settings.travel))
       paths.push_back(std::move(*travel));
   }
   layer.paths.insert(layer.paths.begin(), std::make_move_iterator(paths.begin()),

@@ -71,12 +71,16 @@ Plan planOf(ModifiedLayers& modified, const PlanningRequest& request, Progress& 
     return job.slicing.heights == LayerHeights::Equal ? settings
                                                       : withCommonSpacing(std::move(settings), layers);
   };
-  const PlanSettings settings = completed(job.planning);
+  PlanSettings settings = completed(job.planning);
+  if (!settings.supports.use && asksForSupports(modified)) {
+    settings.supports.use = true;
+    modified.marks.unmarked = UnmarkedOverhangs::LeftOut;
+  }
   for (PlanVariant& variant : modified.variants) variant.settings = completed(std::move(variant.settings));
   const PlaneSettings& plane = job.slicing.plane;
   if (plane.angle_deg == 0.0)
-    return planPart(request.partName(), layers, settings, VariedBed{bedBelowPart(request), modified.variants},
-                    progress);
+    return planPart(request.partName(), layers, settings,
+                    VariedBed{bedBelowPart(request), modified.variants, &modified.marks}, progress);
   const LayerIncline incline{bedBelow(plane, request.bed_from_part), partFromLayers(plane)};
   return planPart(request.partName(), layers, settings, incline, progress);
 }

@@ -3,7 +3,8 @@
 #include "planning/compensation/first_layer.hpp"
 
 #include <utility>
-#include <vector>
+
+#include "planning/run_path.hpp"
 
 namespace lamina {
 
@@ -21,12 +22,7 @@ PlanSettings onBed(PlanSettings settings) {
 
 void scaleFlow(ToolpathLayer& layer, double factor) {
   if (factor == 1.0) return;
-  for (Path& path : layer.paths) {
-    if (path.role == PathRole::Travel) continue;
-    std::vector<Bead> beads = path.bead.values();
-    for (Bead& bead : beads) bead = beadOfArea(factor * crossSection(bead), bead.height_mm);
-    path.bead = AlongPath<Bead>(std::move(beads));
-  }
+  for (Path& path : layer.paths) path = withFlow(std::move(path), factor);
 }
 
 }  // namespace lamina

@@ -26,14 +26,16 @@ std::vector<IslandPiece> piecesOf(const Region& island, const LayerVariant& plan
 int leastWalls(const std::vector<IslandPiece>& pieces);
 
 /// What walls were laid by.
-struct WallFeeds {
-  const FeedSettings* feed = nullptr;
+struct WallRules {
+  const PlanSettings* plan = nullptr;
   std::size_t layer = 0;
 };
 
-/// Gives a wall of an island that was laid by the feeds of the plan those of the pieces it runs through:
-/// waypoints are added where it crosses from one piece into another of another feed. Where it was slower, as
-/// over nothing, it stays so in the same measure.
-Path withFeedsOf(Path wall, const std::vector<IslandPiece>& pieces, const WallFeeds& laid_by);
+/// Gives walls of an island that were laid by feeds, flow and tool of the plan those of the pieces they run
+/// through: waypoints are added where a wall crosses from one piece into another, and it is cut where the
+/// tool changes. Where a wall was slower, as over nothing, it stays so in the same measure.
+/// @param from  paths before that one stay as they are, as do travels
+std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
+                               const std::vector<IslandPiece>& pieces, const WallRules& laid_by);
 
 }  // namespace lamina

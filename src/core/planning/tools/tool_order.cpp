@@ -13,6 +13,10 @@
 namespace lamina {
 namespace {
 
+constexpr double kNoGap = 1e-6;     // mm
+constexpr double kLift = 0.2;       // mm
+constexpr double kLiftFeed = 20.0;  // mm/s
+
 /// Paths of one tool, with the travels that led to them.
 struct ToolRun {
   std::uint32_t tool = 0;
@@ -21,6 +25,14 @@ struct ToolRun {
 
 /// A layer by tools, in the order in which they come.
 using ToolRuns = std::vector<ToolRun>;
+
+/// That lays the first path of all; 0 without any.
+std::uint32_t firstTool(const std::vector<ToolpathLayer>& layers) {
+  for (const ToolpathLayer& layer : layers)
+    for (const Path& path : layer.paths)
+      if (path.role != PathRole::Travel) return path.tool;
+  return 0;
+}
 
 /// The tools of a layer: the one at work first.
 std::vector<std::uint32_t> orderedTools(const ToolpathLayer& layer, std::uint32_t at_work) {
@@ -54,15 +66,6 @@ ToolRuns runsOf(std::vector<Path> paths, const std::vector<std::uint32_t>& tools
   return runs;
 }
 
-/// Supports that `supports.*` gave a tool keep it, unless `tool.*` names another.
-std::uint32_t toolOf(const Path& path, const ToolSettings& settings) {
-  const bool is_support = path.role == PathRole::Support && settings.support < 0;
-  const bool is_interface =
-      path.role == PathRole::SupportInterface && settings.interface < 0 && settings.support < 0;
-  if (path.tool > 0 && (is_support || is_interface)) return path.tool;
-  return static_cast<std::uint32_t>(toolFor(path.role, settings));
-}
-
 double purgeVolume(std::uint32_t from, std::uint32_t to, const ToolSettings& settings) {
   const std::vector<double>& volumes = settings.purge_mm3;
   if (volumes.empty()) return 0.0;
@@ -94,9 +97,11 @@ class LayerBuilder {
 
   void add(Path path) {
     if (!paths_.empty() && path.role != PathRole::Travel && paths_.back().role != PathRole::Travel) {
+      const bool changes = paths_.back().tool != path.tool;
       std::optional<Path> way = travel_(paths_.back(), path, layer_);
+      if (!way && changes) way = upAndDown(path.firstPoint());
       if (way) {
-        way->process.is_retracted |= paths_.back().tool != path.tool;
+        way->process.is_retracted |= changes;
         paths_.push_back(std::move(*way));
       }
     }
@@ -104,6 +109,15 @@ class LayerBuilder {
   }
 
  private:
+  /// Where a tool goes on from where the one before ended.
+  static Path upAndDown(const Point3& at) {
+    Path way;
+    way.role = PathRole::Travel;
+    way.feed_mm_s = kLiftFeed;
+    way.points = {at, at + kLift * Point3::UnitZ(), at};
+    return way;
+  }
+
   std::size_t layer_;
   const TravelMaker& travel_;
   std::vector<Path>& paths_;
@@ -122,42 +136,80 @@ std::vector<TowerLayer> towerLayers(const std::vector<ToolpathLayer>& layers,
   return tower;
 }
 
-void build(ToolpathLayer& layer, std::size_t index, ToolRuns runs, const std::optional<PrimeTower>& tower,
-           const TravelMaker& travel) {
-  layer.paths.clear();
-  LayerBuilder builder(index, travel, layer.paths);
-  const bool has_tower = tower && index < tower->height() && !runs.empty();
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (has_tower && r > 0)
-      for (Path& path : tower->purge(index, r - 1, layer.z_mm)) builder.add(std::move(path));
-    for (Path& path : runs[r].paths) builder.add(std::move(path));
+/// Where the tower ends in each layer if it stands on the bed and has no gaps, as a part has over a raft.
+std::vector<double> towerTops(const std::vector<ToolpathLayer>& layers) {
+  std::vector<double> tops;
+  double gaps_mm = 0.0;
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const double gap_mm = l > 0 ? layers[l].z_mm - layers[l].height_mm - layers[l - 1].z_mm : 0.0;
+    if (gap_mm > kNoGap) gaps_mm += gap_mm;
+    tops.push_back(layers[l].z_mm - gaps_mm);
   }
-  if (has_tower && runs.size() == 1)
-    for (Path& path : tower->keep(index, runs[0].tool, layer.z_mm)) builder.add(std::move(path));
+  return tops;
 }
 
+/// Lays runs and tower of one layer after the other.
+class LayerArrangement {
+ public:
+  LayerArrangement(const std::optional<PrimeTower>& tower, const std::vector<double>& tower_tops_mm,
+                   std::uint32_t at_work, const TravelMaker& travel)
+      : tower_(tower), tower_tops_mm_(tower_tops_mm), at_work_(at_work), travel_(travel) {}
+
+  std::vector<Path> build(std::size_t index, ToolRuns runs) {
+    std::vector<Path> paths;
+    LayerBuilder builder(index, travel_, paths);
+    const bool has_tower = tower_ && index < tower_->height();
+    const double top_mm = tower_tops_mm_[index];
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      if (has_tower && r > 0)
+        for (Path& path : tower_->purge(index, r - 1, top_mm)) builder.add(std::move(path));
+      for (Path& path : runs[r].paths) builder.add(std::move(path));
+      at_work_ = runs[r].tool;
+    }
+    if (has_tower && runs.size() < 2)
+      for (Path& path : tower_->keep(index, at_work_, top_mm)) builder.add(std::move(path));
+    return paths;
+  }
+
+ private:
+  const std::optional<PrimeTower>& tower_;
+  const std::vector<double>& tower_tops_mm_;
+  std::uint32_t at_work_;
+  const TravelMaker& travel_;
+};
+
 }  // namespace
+
+bool usesTools(const PlanSettings& settings) {
+  const SupportSettings& supports = settings.supports;
+  return assignsTools(settings.tools) || (supports.use && (supports.tool > 0 || supports.interface_tool > 0));
+}
+
+std::uint32_t toolOf(const Path& path, const ToolSettings& settings) {
+  const bool is_support = path.role == PathRole::Support && settings.support < 0;
+  const bool is_interface =
+      path.role == PathRole::SupportInterface && settings.interface < 0 && settings.support < 0;
+  if (path.tool > 0 && (is_support || is_interface)) return path.tool;
+  return static_cast<std::uint32_t>(toolFor(path.role, settings));
+}
 
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel) {
   const Box2 part = boxOf(layers);
+  const std::uint32_t first = firstTool(layers);
+  std::uint32_t at_work = first;
   std::vector<ToolRuns> runs(layers.size());
-  std::optional<std::uint32_t> at_work;
   for (std::size_t l = 0; l < layers.size(); ++l) {
-    std::vector<Path>& paths = layers[l].paths;
-    for (Path& path : paths) {
-      if (path.role == PathRole::Travel) continue;
-      path.tool = toolOf(path, settings.tools);
-      if (!at_work) at_work = path.tool;
-    }
-    const std::vector<std::uint32_t> tools = orderedTools(layers[l], at_work.value_or(0));
-    runs[l] = runsOf(std::move(paths), tools);
+    const std::vector<std::uint32_t> tools = orderedTools(layers[l], at_work);
+    runs[l] = runsOf(std::move(layers[l].paths), tools);
     if (!tools.empty()) at_work = tools.back();
   }
   std::optional<PrimeTower> tower;
   if (purges(settings.tools) && !part.isEmpty())
     tower.emplace(towerLayers(layers, runs, settings.tools), settings, part);
-  for (std::size_t l = 0; l < layers.size(); ++l) build(layers[l], l, std::move(runs[l]), tower, travel);
+  const std::vector<double> tower_tops_mm = towerTops(layers);
+  LayerArrangement arrangement(tower, tower_tops_mm, first, travel);
+  for (std::size_t l = 0; l < layers.size(); ++l) layers[l].paths = arrangement.build(l, std::move(runs[l]));
 }
 
 void giveTravelsTools(std::vector<ToolpathLayer>& layers) {

@@ -10,11 +10,17 @@
 
 namespace lamina {
 
-/// Gives each path the tool that its role asks for, and lays each layer tool by tool: first the one that
-/// ended the layer before, then the others by their numbers, each in the order that was planned. Travels
-/// between paths that follow each other no longer are made anew; those to another tool are retracted. With
-/// `tools.purge_mm3` the tool that is taken first lays that volume into a prime tower, before anything else.
-/// Layers are not joined yet.
+/// Whether any path has another tool than the first, be it a support's own.
+bool usesTools(const PlanSettings& settings);
+
+/// Which tool lays a path: supports that `supports.*` gave one keep it, unless `tool.*` names another.
+std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
+
+/// Lays each layer tool by tool: first the one that ended the layer before, then the others by their numbers,
+/// each in the order that was planned. Travels between paths that follow each other no longer are made anew;
+/// those to another tool are retracted. With `tools.purge_mm3` the tool that is taken first lays that volume
+/// into a prime tower, before anything else. The tower has no gap anywhere, neither over a raft nor in layers
+/// in which nothing else is laid. Layers are not joined yet.
 /// @throws InvalidConfig if the tower is too small for its purges, or stands on the part
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel);

@@ -119,7 +119,7 @@ std::size_t toolFor(PathRole role, const ToolSettings& settings) {
   }
 }
 
-bool usesTools(const ToolSettings& settings) {
+bool assignsTools(const ToolSettings& settings) {
   const auto all = assigned(settings);
   return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.second > 0; });
 }

@@ -23,6 +23,12 @@ void LayerTravels::addSeen(const Regions& top_skin) {
   if (settings_.comb == Combing::NoSkin && !top_skin.empty()) area_.reset();
 }
 
+void LayerTravels::setSeen(const Regions& top_skins) {
+  if (top_skins.size() == seen_.size()) return;  // skins are only ever added
+  seen_ = top_skins;
+  if (settings_.comb == Combing::NoSkin) area_.reset();
+}
+
 std::optional<Path> LayerTravels::between(const Point3& from, const Point3& to, TravelOver over) {
   const Point2 start = from.head<2>();
   const Point2 end = to.head<2>();

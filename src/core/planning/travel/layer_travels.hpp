@@ -23,6 +23,9 @@ class LayerTravels {
   void setMaterial(const Regions& material) { material_ = &material; }
   /// A top skin that is laid from now on.
   void addSeen(const Regions& top_skin);
+  /// All top skins that are laid, by whomever.
+  const Regions& seen() const { return seen_; }
+  void setSeen(const Regions& top_skins);
 
   /// The travel between two points of the layer, none if they are the same.
   std::optional<Path> between(const Point3& from, const Point3& to, TravelOver over);

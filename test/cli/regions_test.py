@@ -1,0 +1,152 @@
+"""Regions of a part with tools, flow, bridges and supports of their own."""
+import os
+import tempfile
+import unittest
+
+from lamina_command import lamina, motions, told
+
+LEVEL = ("--set", "slicing.first_layer_height_mm=0.2", "--set", "skirt.count=0")
+MIDDLE = (110.0, 110.0, 0.0)
+TOOLS = ("--set", "tools.list=[{name: black}, {name: white}]")
+
+
+def box(low, high):
+    return "box_mm: [[%g, %g, %g], [%g, %g, %g]]" % (*low, *high)
+
+
+RIGHT = box((0, -99, -1), (99, 99, 99))
+
+
+class Regions(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.box = self.path("box.stl")
+        told("part", "box", "--set", "x_mm=20", "--set", "y_mm=20", "--set", "z_mm=2", "-o", self.box)
+        self.bridge = self.path("bridge.stl")  # 20 x 20 mm hang between two pillars
+        told("part", "bridge", "-o", self.bridge)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def sliced(self, part, modifiers, *arguments):
+        """The summary and the motions of a part with modifiers."""
+        with open(self.path("modifiers.yaml"), "w", encoding="utf-8") as file:
+            file.write("modifiers:\n" + "".join("  - {%s}\n" % each for each in modifiers))
+        regions = ("--set", "part.modifiers=" + self.path("modifiers.yaml")) if modifiers else ()
+        summary = told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *regions, *arguments)
+        with open(self.path("part.gcode"), encoding="utf-8") as file:
+            found = motions(file.read())
+        for motion in found:  # from the middle of the bed, where the part stands
+            motion.start = tuple(at - of for at, of in zip(motion.start, MIDDLE))
+            motion.end = tuple(at - of for at, of in zip(motion.end, MIDDLE))
+        return summary, found
+
+    def refusal(self, modifiers, *arguments):
+        with open(self.path("modifiers.yaml"), "w", encoding="utf-8") as file:
+            file.write("modifiers:\n" + "".join("  - {%s}\n" % each for each in modifiers))
+        done = lamina("slice", self.box, "--set", "part.modifiers=" + self.path("modifiers.yaml"), *arguments)
+        self.assertNotEqual(done.returncode, 0)
+        return done.stderr
+
+    def test_a_region_has_a_tool_of_its_own(self):
+        usual, _ = self.sliced(self.box, [RIGHT + ", settings: {flow: 1}"])
+        summary, found = self.sliced(self.box, [RIGHT + ", settings: {tool: 1}"], *TOOLS)
+        self.assertAlmostEqual(summary["deposited_mm3"], usual["deposited_mm3"], places=6)
+        taken = {}
+        for motion in found:
+            if not motion.lays():
+                continue
+            middle = 0.5 * (motion.start[0] + motion.end[0])
+            self.assertEqual(motion.tool, 1 if middle > 0 else 0, (motion.start, motion.end))
+            taken.setdefault(motion.layer, []).append(motion.tool)
+        for tools in taken.values():
+            self.assertEqual(sum(a != b for a, b in zip(tools, tools[1:])), 1)
+
+    def test_the_tool_of_a_region_purges(self):
+        _, found = self.sliced(self.box, [RIGHT + ", settings: {tool.infill: 1}"], *TOOLS, "--set",
+                               "tools.purge_mm3=50")
+        filament = sum(motion.filament for motion in found if motion.lays() and motion.role == "prime")
+        self.assertAlmostEqual(filament * 2.405282 / 10, 50.0, delta=0.5)  # of 1.75 mm, in 10 layers
+
+    def test_a_region_has_a_flow_of_its_own(self):
+        usual, _ = self.sliced(self.box, [], "--set", "infill.density=1")
+        half, _ = self.sliced(self.box, [RIGHT + ", settings: {flow: 0.5}"], "--set", "infill.density=1")
+        self.assertAlmostEqual(half["deposited_mm3"] / usual["deposited_mm3"], 0.75, delta=0.01)
+        everywhere, _ = self.sliced(self.box, [], "--set", "infill.density=1", "--set", "bead.flow=0.5")
+        self.assertAlmostEqual(everywhere["deposited_mm3"] / usual["deposited_mm3"], 0.5, places=4)
+
+    def test_what_is_blocked_is_not_held_up(self):
+        held = ("--set", "supports.use=true")
+        whole, _ = self.sliced(self.bridge, [], *held)
+        self.assertAlmostEqual(whole["overhang_mm2"], 400.0, places=3)
+        blocked, found = self.sliced(self.bridge, [RIGHT + ", kind: support_blocker"], *held)
+        self.assertAlmostEqual(blocked["overhang_mm2"], 200.0, places=3)
+        self.assertAlmostEqual(blocked["support_blocked_mm2"], 200.0, places=3)
+        self.assertAlmostEqual(blocked["support_mm3"] / whole["support_mm3"], 0.5, delta=0.05)
+        self.assertLess(max(m.end[0] for m in found if m.lays() and m.role.startswith("support")), 0.0)
+        off, _ = self.sliced(self.bridge, [RIGHT + ", settings: {supports.use: false}"], *held)
+        self.assertAlmostEqual(off["overhang_mm2"], 200.0, places=3)
+
+    def test_what_is_enforced_is_held_up_though_supports_are_off(self):
+        enforced, found = self.sliced(self.bridge, [RIGHT + ", kind: support_enforcer"])
+        self.assertAlmostEqual(enforced["overhang_mm2"], 200.0, places=3)
+        self.assertGreater(min(m.end[0] for m in found if m.lays() and m.role.startswith("support")), 0.0)
+        # The last of both wins.
+        both = [RIGHT + ", kind: support_enforcer", RIGHT + ", kind: support_blocker"]
+        self.assertEqual(self.sliced(self.bridge, both)[0]["support_mm3"], 0.0)
+
+    def test_walls_that_lean_little_are_held_up_where_that_is_enforced(self):
+        cone = self.path("cone.stl")
+        told("part", "cone", "--set", "radius_mm=6", "--set", "top_radius_mm=12", "--set", "height_mm=10", "-o", cone)
+        held = ("--set", "supports.use=true", "--set", "supports.angle_deg=50")
+        self.assertEqual(self.sliced(cone, [], *held)[0]["support_mm3"], 0.0)  # they lean 31 deg
+        summary, found = self.sliced(cone, [RIGHT + ", kind: support_enforcer"], *held)
+        self.assertGreater(summary["support_mm3"], 10.0)
+        self.assertGreater(min(m.end[0] for m in found if m.lays() and m.role.startswith("support")), -0.01)
+
+    def test_a_region_has_bridges_of_its_own(self):
+        plain, found = self.sliced(self.bridge, ["from_mm: 0, settings: {skins.top_layers: 3, skins.bottom_layers: 3}"])
+        self.assertEqual(plain["bridges"], 0)
+        bridged, found = self.sliced(self.bridge, [box((-99, -99, 8), (99, 99, 99)) + ", settings: {bridges.use: true}"])
+        self.assertEqual(bridged["bridges"], 1)
+        self.assertIn("bridge", {motion.role for motion in found})
+
+    def test_travels_hop_over_skins_of_neighbours(self):
+        band = box((-3, -99, -1), (3, 99, 99)) + ", settings: {skins.top_layers: 2}"
+        _, found = self.sliced(self.box, [band], "--set", "travel.hop=over_skin", "--set", "travel.hop_mm=0.5")
+
+        def is_across(motion):
+            return motion.start[0] * motion.end[0] < 0.0 and min(abs(motion.start[0]), abs(motion.end[0])) > 3.0
+        top = max(motion.layer for motion in found)
+        crossings, is_skin_laid = [], False
+        for motion in found:
+            if motion.layer != top:
+                continue
+            is_skin_laid = is_skin_laid or (motion.lays() and motion.role == "top_skin")
+            if is_skin_laid and not motion.lays() and is_across(motion):
+                crossings.append(motion)
+        self.assertEqual(len(crossings), 1, "from one side of the band to the other")
+        for motion in crossings:
+            self.assertAlmostEqual(motion.end[2], 2.5, places=3)
+
+    def test_what_is_left_is_refused_by_name(self):
+        for key in ("supports.density", "feed.support_mm_s", "feed.skirt_mm_s", "tool.support", "overhangs.use",
+                    "bead.width_mm", "travel.hop_mm"):
+            self.assertIn("'%s'" % key, self.refusal([RIGHT + ", settings: {%s: 1}" % key]))
+        self.assertIn("tool.walls is 3", self.refusal([RIGHT + ", settings: {tool: 3}"], *TOOLS))
+        self.assertIn("'seam_here' is not supported yet", self.refusal([RIGHT + ", kind: seam_here"]))
+        self.assertIn("expected no settings", self.refusal([RIGHT + ", kind: support_blocker, settings: {flow: 1}"]))
+
+    def test_a_region_that_changes_nothing_leaves_the_program_as_it_was(self):
+        def program(*arguments):
+            self.sliced(self.box, *arguments)
+            with open(self.path("part.gcode"), encoding="utf-8") as file:
+                return file.read()
+        plain = program([])
+        self.assertEqual(plain, program([RIGHT + ", kind: support_blocker"]))
+        self.assertEqual(plain, program([], "--set", "supports.tool=1"))
+
+
+if __name__ == "__main__":
+    unittest.main()
