@@ -127,6 +127,7 @@ class Tools(unittest.TestCase):
         told("slice", self.part, self.part, *TOOLS, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             lines = file.read().splitlines()
+        self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1", "T0"] * 5, "once in each layer")
         # Whoever is left is pulled back, and who is taken is pushed forth.
         pulled, tool = 0.0, 0
         for line in lines[lines.index("; start of the part"):lines.index("; end of the part")]:

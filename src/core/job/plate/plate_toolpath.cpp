@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,18 +21,40 @@ namespace {
 
 constexpr double kSameLayer = 1e-6;  // mm
 
-/// A layer of one of the parts.
+/// A layer of one of the parts, or those of its paths that one tool runs.
 struct LayerOfPart {
   std::size_t part = 0;
   const ToolpathLayer* layer = nullptr;
-  double z_mm = 0.0;  ///< on the plate
+  double z_mm = 0.0;      ///< on the plate
+  std::size_t begin = 0;  ///< of the paths
+  std::size_t end = 0;    ///< one past the last
 };
 
-/// The paths of a layer, without the travel that led to it.
-std::vector<Path> pathsOn(const ToolpathLayer& layer, const Point3& at) {
-  auto begin = layer.paths.begin();
-  if (begin != layer.paths.end() && begin->role == PathRole::Travel) ++begin;
-  std::vector<Path> paths(begin, layer.paths.end());
+LayerOfPart wholeLayer(std::size_t part, const ToolpathLayer& layer, double z_mm) {
+  return {part, &layer, z_mm, 0, layer.paths.size()};
+}
+
+/// The same tool by tool, in their order.
+std::vector<LayerOfPart> byTools(const LayerOfPart& whole) {
+  std::vector<LayerOfPart> runs;
+  const std::vector<Path>& paths = whole.layer->paths;
+  for (std::size_t p = whole.begin; p < whole.end; ++p) {
+    if (runs.empty() || paths[p].tool != paths[p - 1].tool) {
+      runs.push_back(whole);
+      runs.back().begin = p;
+    }
+    runs.back().end = p + 1;
+  }
+  return runs;
+}
+
+/// Its paths, without the travel that led to them.
+std::vector<Path> pathsOn(const LayerOfPart& of_part, const Point3& at) {
+  const auto first = of_part.layer->paths.begin();
+  auto begin = first + static_cast<std::ptrdiff_t>(of_part.begin);
+  const auto end = first + static_cast<std::ptrdiff_t>(of_part.end);
+  if (begin != end && begin->role == PathRole::Travel) ++begin;
+  std::vector<Path> paths(begin, end);
   for (Path& path : paths)
     for (Point3& point : path.points) point += at;
   return paths;
@@ -62,7 +86,7 @@ class PlateBuilder {
   }
 
   void add(const LayerOfPart& added) {
-    std::vector<Path> paths = pathsOn(*added.layer, parts_[added.part].at);
+    std::vector<Path> paths = pathsOn(added, parts_[added.part].at);
     if (paths.empty()) return;
     mark(added.part, paths.front());
     std::vector<Path>& here = plate_.layers.back().paths;
@@ -75,7 +99,22 @@ class PlateBuilder {
     highest_mm_ = std::max(highest_mm_, added.z_mm);
   }
 
-  /// Of several layers of one height, the nearest next.
+  /// Several layers of one height, tool by tool: the one at work first.
+  void addByTools(const std::vector<LayerOfPart>& layers) {
+    std::map<std::uint32_t, std::vector<LayerOfPart>> by_tool;
+    for (const LayerOfPart& layer : layers)
+      for (const LayerOfPart& run : byTools(layer)) by_tool[run.layer->paths[run.begin].tool].push_back(run);
+    if (const auto at_work = last_ ? by_tool.find(last().tool) : by_tool.end(); at_work != by_tool.end())
+      addNearest(std::exchange(at_work->second, {}));
+    for (auto& [tool, runs] : by_tool) addNearest(std::move(runs));
+  }
+
+  Toolpath finish() && { return std::move(plate_); }
+
+ private:
+  Path& last() { return plate_.layers[last_->first].paths[last_->second]; }
+
+  /// The nearest next.
   void addNearest(std::vector<LayerOfPart> layers) {
     while (!layers.empty()) {
       const auto next = std::min_element(
@@ -87,16 +126,11 @@ class PlateBuilder {
     }
   }
 
-  Toolpath finish() && { return std::move(plate_); }
-
- private:
-  Path& last() { return plate_.layers[last_->first].paths[last_->second]; }
-
   /// From where the nozzle is; none at the start, so that the first part given comes first.
   double wayTo(const LayerOfPart& next) {
     if (!last_) return 0.0;
-    for (const Path& path : next.layer->paths)
-      if (path.role != PathRole::Travel)
+    for (std::size_t p = next.begin; p < next.end; ++p)
+      if (const Path& path = next.layer->paths[p]; path.role != PathRole::Travel)
         return (path.firstPoint() + parts_[next.part].at - last().lastPoint()).head<2>().norm();
     return 0.0;
   }
@@ -169,14 +203,14 @@ Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSett
   std::vector<LayerOfPart> layers;
   for (std::size_t part = 0; part < parts.size(); ++part)
     for (const ToolpathLayer& layer : parts[part].toolpath->layers)
-      layers.push_back({part, &layer, layer.z_mm + parts[part].at.z()});
+      layers.push_back(wholeLayer(part, layer, layer.z_mm + parts[part].at.z()));
   std::stable_sort(layers.begin(), layers.end(), isBelow);
   PlateBuilder builder(parts, travel);
   for (auto begin = layers.begin(); begin != layers.end();) {
     const auto end = std::find_if(begin, layers.end(),
                                   [&](const LayerOfPart& other) { return !isSameLayer(other, *begin); });
     builder.beginLayer(*begin);
-    builder.addNearest({begin, end});
+    builder.addByTools({begin, end});
     begin = end;
   }
   return std::move(builder).finish();
@@ -187,7 +221,7 @@ Toolpath partAfterPart(const std::vector<PlateToolpath>& parts, const std::vecto
   PlateBuilder builder(parts, travel);
   for (const std::size_t part : order)
     for (const ToolpathLayer& layer : parts[part].toolpath->layers) {
-      const LayerOfPart next{part, &layer, layer.z_mm + parts[part].at.z()};
+      const LayerOfPart next = wholeLayer(part, layer, layer.z_mm + parts[part].at.z());
       builder.beginLayer(next);
       builder.add(next);
     }

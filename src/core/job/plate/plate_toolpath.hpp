@@ -21,7 +21,8 @@ struct PlateToolpath {
 };
 
 /// The parts layer by layer, in the frame of the bed: layers of one height are one layer, others follow each
-/// other by the height of their tops. Within a layer the nozzle goes on to the nearest part. The travels that
+/// other by the height of their tops. Within a layer the tool at work comes first, then the others by their
+/// numbers, and with each the nozzle goes on to the nearest part. The travels that
 /// led from layer to layer of a part are made anew. Where another part begins, the path before ends with its
 /// `PartMark`, so that the retraction on the way there is of the part to come.
 Toolpath mergedByLayer(const std::vector<PlateToolpath>& parts, const TravelSettings& travel);
