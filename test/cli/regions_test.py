@@ -69,6 +69,33 @@ class Regions(unittest.TestCase):
         filament = sum(motion.filament for motion in found if motion.lays() and motion.role == "prime")
         self.assertAlmostEqual(filament * 2.405282 / 10, 50.0, delta=0.5)  # of 1.75 mm, in 10 layers
 
+    def test_a_change_between_layers_purges(self):
+        _, found = self.sliced(self.box, ["from_mm: 1, settings: {tool: 1}"], *TOOLS, "--set", "tools.purge_mm3=50")
+        changed = [m for m in found if m.lays() and m.role == "prime" and m.tool == 1]
+        self.assertEqual({m.layer for m in changed}, {5})
+        self.assertAlmostEqual(sum(m.filament for m in changed) * 2.405282, 50.0, delta=0.5)
+        self.assertEqual({m.layer for m in found if m.lays() and m.role == "prime"}, set(range(6)))
+
+    def test_infill_takes_what_is_purged(self):
+        def laid(found, role, layer):
+            return 2.405282 * sum(m.filament for m in found if m.lays() and m.role == role and m.layer == layer)
+        region, purge = [RIGHT + ", settings: {tool: 1}"], ("--set", "tools.purge_mm3=40")
+        _, plain = self.sliced(self.box, region, *TOOLS, *purge)
+        into = ("--set", "tools.purge_into_infill=true")
+        _, found = self.sliced(self.box, region, *TOOLS, *purge, *into)
+        for layer in range(10):
+            infill = laid(found, "infill", layer)
+            self.assertAlmostEqual(infill, laid(plain, "infill", layer), places=3)
+            self.assertAlmostEqual(laid(found, "prime", layer) + infill, 40.0, delta=0.4)
+            order = [(m.tool, m.role) for m in found if m.lays() and m.layer == layer]
+            taken = [role for tool, role in order if tool != order[0][0]]
+            kinds = [role for i, role in enumerate(taken) if i == 0 or taken[i - 1] != role]
+            self.assertEqual(kinds[:2], ["prime", "infill"])
+            self.assertNotIn("infill", [role for tool, role in order if tool == order[0][0]])
+        # As much as the infill holds needs no tower.
+        _, found = self.sliced(self.box, region, *TOOLS, *into, "--set", "tools.purge_mm3=5")
+        self.assertNotIn("prime", {m.role for m in found})
+
     def test_a_region_has_a_flow_of_its_own(self):
         usual, _ = self.sliced(self.box, [], "--set", "infill.density=1")
         half, _ = self.sliced(self.box, [RIGHT + ", settings: {flow: 0.5}"], "--set", "infill.density=1")

@@ -149,6 +149,7 @@ void joinLayers(std::vector<ToolpathLayer>& layers, const TravelMaker& travel_be
     if (paths.empty()) continue;
     if (previous != nullptr) {
       std::optional<Path> travel = travel_between(*previous, paths.front(), i);
+      if (travel) travel->process.is_retracted |= previous->tool != paths.front().tool;
       if (travel) paths.insert(paths.begin(), std::move(*travel));
     }
     previous = &paths.back();

@@ -23,6 +23,7 @@ std::vector<SettingProbe> toolProbes() {
             {"tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]"},
             {"tools.purge_mm3=40"},
             {"tools.tower_mm=25"},
+            {"tools.purge_into_infill=true"},
             {"tools.tower_at_mm=-30,4"},
             {"bead.flow=0.9"},
             {"hooks.tool_change=M117 {tool}"}}}};

@@ -33,8 +33,9 @@ struct ToolSettings {
   int interface = -1;  ///< -1 is that of supports
 
   std::vector<double>
-      purge_mm3;          ///< one for all changes, or one for each pair, from tool by tool; none: no tower
-  double tower_mm = 0.0;  ///< side of the prime tower; 0 is as wide as its purges need
+      purge_mm3;  ///< one for all changes, or one for each pair, from tool by tool; none: no tower
+  bool purge_into_infill = false;   ///< as much as there is of it, and only the rest into the tower
+  double tower_mm = 0.0;            ///< side of the prime tower; 0 is as wide as its purges need
   std::vector<double> tower_at_mm;  ///< x and y of its middle in the layers; empty: beside the part
 };
 

@@ -8,23 +8,16 @@
 #include <set>
 #include <utility>
 
+#include "planning/tools/infill_purge.hpp"
 #include "planning/tools/prime_tower.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kNoGap = 1e-6;     // mm
-constexpr double kLift = 0.2;       // mm
-constexpr double kLiftFeed = 20.0;  // mm/s
-
-/// Paths of one tool, with the travels that led to them.
-struct ToolRun {
-  std::uint32_t tool = 0;
-  std::vector<Path> paths;
-};
-
-/// A layer by tools, in the order in which they come.
-using ToolRuns = std::vector<ToolRun>;
+constexpr double kNoGap = 1e-6;      // mm
+constexpr double kLeastPurge = 0.1;  // mm³, that is worth a place in the tower
+constexpr double kLift = 0.2;        // mm
+constexpr double kLiftFeed = 20.0;   // mm/s
 
 /// That lays the first path of all; 0 without any.
 std::uint32_t firstTool(const std::vector<ToolpathLayer>& layers) {
@@ -48,7 +41,7 @@ std::vector<std::uint32_t> orderedTools(const ToolpathLayer& layer, std::uint32_
 /// The paths of a layer by tools. A travel stays where it leads from one path of a tool to its next.
 ToolRuns runsOf(std::vector<Path> paths, const std::vector<std::uint32_t>& tools) {
   ToolRuns runs;
-  for (const std::uint32_t tool : tools) runs.push_back({tool, {}});
+  for (const std::uint32_t tool : tools) runs.push_back({tool, {}, {}});
   ToolRun* before = nullptr;
   std::optional<Path> travel;
   for (Path& path : paths) {
@@ -123,18 +116,44 @@ class LayerBuilder {
   std::vector<Path>& paths_;
 };
 
-/// What each layer asks of the tower.
-std::vector<TowerLayer> towerLayers(const std::vector<ToolpathLayer>& layers,
-                                    const std::vector<ToolRuns>& runs, const ToolSettings& settings) {
-  std::vector<TowerLayer> tower(layers.size());
-  for (std::size_t l = 0; l < layers.size(); ++l) {
-    tower[l].height_mm = layers[l].height_mm;
-    for (std::size_t r = 1; r < runs[l].size(); ++r)
-      tower[l].purges.push_back(
-          {runs[l][r].tool, purgeVolume(runs[l][r - 1].tool, runs[l][r].tool, settings)});
+/// Runs of layers that know their purges, and what each layer asks of the tower.
+struct PurgedRuns {
+  std::vector<ToolRuns> runs;
+  std::vector<TowerLayer> tower;
+};
+
+/// Plans the purges of one layer after the other.
+class PurgePlanner {
+ public:
+  explicit PurgePlanner(const ToolSettings& settings) : settings_(settings) {}
+
+  void add(ToolRuns runs, double height_mm) {
+    TowerLayer layer;
+    layer.height_mm = height_mm;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const std::uint32_t tool = runs[r].tool;
+      const std::uint32_t before = std::exchange(at_work_, tool).value_or(tool);
+      if (before == tool) continue;
+      double volume_mm3 = purgeVolume(before, tool, settings_);
+      if (settings_.purge_into_infill) {
+        runs = withInfillFirst(std::move(runs), r, volume_mm3);
+        volume_mm3 -= leadingInfill(runs[r]);
+        if (volume_mm3 <= kLeastPurge) continue;
+      }
+      runs[r].purge = layer.purges.size();
+      layer.purges.push_back({tool, volume_mm3});
+    }
+    planned_.runs.push_back(std::move(runs));
+    planned_.tower.push_back(std::move(layer));
   }
-  return tower;
-}
+
+  PurgedRuns finish() && { return std::move(planned_); }
+
+ private:
+  const ToolSettings& settings_;
+  std::optional<std::uint32_t> at_work_;
+  PurgedRuns planned_;
+};
 
 /// Where the tower ends in each layer if it stands on the bed and has no gaps, as a part has over a raft.
 std::vector<double> towerTops(const std::vector<ToolpathLayer>& layers) {
@@ -160,13 +179,15 @@ class LayerArrangement {
     LayerBuilder builder(index, travel_, paths);
     const bool has_tower = tower_ && index < tower_->height();
     const double top_mm = tower_tops_mm_[index];
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      if (has_tower && r > 0)
-        for (Path& path : tower_->purge(index, r - 1, top_mm)) builder.add(std::move(path));
-      for (Path& path : runs[r].paths) builder.add(std::move(path));
-      at_work_ = runs[r].tool;
+    bool is_kept = has_tower;
+    for (ToolRun& run : runs) {
+      if (has_tower && run.purge)
+        for (Path& path : tower_->purge(index, *run.purge, top_mm)) builder.add(std::move(path));
+      is_kept = is_kept && !run.purge;
+      for (Path& path : run.paths) builder.add(std::move(path));
+      at_work_ = run.tool;
     }
-    if (has_tower && runs.size() < 2)
+    if (is_kept)
       for (Path& path : tower_->keep(index, at_work_, top_mm)) builder.add(std::move(path));
     return paths;
   }
@@ -198,18 +219,19 @@ void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settin
   const Box2 part = boxOf(layers);
   const std::uint32_t first = firstTool(layers);
   std::uint32_t at_work = first;
-  std::vector<ToolRuns> runs(layers.size());
-  for (std::size_t l = 0; l < layers.size(); ++l) {
-    const std::vector<std::uint32_t> tools = orderedTools(layers[l], at_work);
-    runs[l] = runsOf(std::move(layers[l].paths), tools);
+  PurgePlanner planner(settings.tools);
+  for (ToolpathLayer& layer : layers) {
+    const std::vector<std::uint32_t> tools = orderedTools(layer, at_work);
+    planner.add(runsOf(std::move(layer.paths), tools), layer.height_mm);
     if (!tools.empty()) at_work = tools.back();
   }
+  PurgedRuns purged = std::move(planner).finish();
   std::optional<PrimeTower> tower;
-  if (purges(settings.tools) && !part.isEmpty())
-    tower.emplace(towerLayers(layers, runs, settings.tools), settings, part);
+  if (purges(settings.tools) && !part.isEmpty()) tower.emplace(std::move(purged.tower), settings, part);
   const std::vector<double> tower_tops_mm = towerTops(layers);
   LayerArrangement arrangement(tower, tower_tops_mm, first, travel);
-  for (std::size_t l = 0; l < layers.size(); ++l) layers[l].paths = arrangement.build(l, std::move(runs[l]));
+  for (std::size_t l = 0; l < layers.size(); ++l)
+    layers[l].paths = arrangement.build(l, std::move(purged.runs[l]));
 }
 
 void giveTravelsTools(std::vector<ToolpathLayer>& layers) {

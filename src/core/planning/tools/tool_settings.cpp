@@ -66,6 +66,9 @@ void describe(SettingsSchema& schema, ToolSettings& settings) {
       "tools.purge_mm3", settings.purge_mm3, {0.0, 1e6, false},
       "Volume that a tool lays into the prime tower when it is taken: one number, or one for each pair "
       "of tools, row by row of the tool before; none for no tower.");
+  schema.flag(
+      "tools.purge_into_infill", settings.purge_into_infill,
+      "Whether a tool that is taken lays infill first, and only the rest of its purge into the tower.");
   schema.number("tools.tower_mm", settings.tower_mm, {0.0, 1000.0, false},
                 "Side of the prime tower; 0 is as wide as its purges need.");
   schema.numbers("tools.tower_at_mm", settings.tower_at_mm, 2,
