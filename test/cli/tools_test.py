@@ -137,6 +137,29 @@ class Tools(unittest.TestCase):
             if line.startswith("G1 E"):
                 pulled += float(line.split()[1][1:])
 
+    def test_plates_have_one_tower(self):
+        told("slice", self.part, self.part, *TOOLS, "--set", "tools.purge_mm3=60", "--set", "plate.labels=m486",
+             "--set", "travel.wipe_mm=2", "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            text = file.read()
+        found = motions(text)
+        for layer in range(10):
+            prime = [m for m in found if m.lays() and m.role == "prime" and m.layer == layer]
+            self.assertAlmostEqual(2.405282 * sum(m.filament for m in prime), 60.0, delta=0.6)
+            self.assertEqual({m.part for m in prime}, {""})
+            taken = [m.role for m in found if m.lays() and m.layer == layer and m.tool == prime[0].tool]
+            self.assertEqual(taken[0], "prime", "before anything of the part")
+        parts = {m.part for m in found if m.lays() and m.role != "prime" and m.role != "skirt"}
+        self.assertEqual(parts, {"box 1", "box 2"})
+        self.assertIn(";PART:\nM486 S-1\n", text)
+        for order, word in (("by_part", "plate.order"), ("by_layer", "lies beside one")):
+            with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
+                file.write("plate:\n  parts:\n    - {file: box.stl}\n    - {file: box.stl, settings: "
+                           "{slicing.layer_height_mm: 0.3}}\n  order: %s\n" % order)
+            done = lamina("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(word, done.stderr)
+
     def test_parts_of_a_plate_have_tools_of_their_own(self):
         with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
             file.write("plate:\n  parts:\n    - {file: box.stl, name: black}\n    - {file: box.stl, name: white, settings: "

@@ -15,6 +15,7 @@
 #include "job/plate/head_clearance.hpp"
 #include "job/plate/plate_overlap.hpp"
 #include "job/plate/plate_toolpath.hpp"
+#include "job/plate/plate_tower.hpp"
 #include "job/slice_run.hpp"
 #include "job/slicing/oriented_planning.hpp"
 #include "job/slicing/part_slicing.hpp"
@@ -57,8 +58,9 @@ void requirePlateSettings(const JobSettings& settings) {
   const PlanSettings& planning = settings.planning;
   if (planning.adhesion.prime.line != PrimeLine::None)
     throw InvalidConfig("prime.line is set; expected none: plates have no prime line");
-  if (!planning.tools.purge_mm3.empty())
-    throw InvalidConfig("tools.purge_mm3 is set; expected none: plates have no prime tower");
+  if (!planning.tools.purge_mm3.empty() && settings.plate.order == PlateOrder::ByPart)
+    throw InvalidConfig(
+        "tools.purge_mm3 is set with plate.order by_part; expected by_layer: one tower stands beside all");
   if (planning.skirt.layers != 1)
     throw InvalidConfig("skirt.layers is " + std::to_string(planning.skirt.layers) +
                         "; expected 1: the skirt of a plate stands in its first layer");
@@ -85,6 +87,7 @@ JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
   }
   settings.placement = Placement::Centre;
   settings.planning.skirt.count = 0;
+  settings.planning.tools.purge_mm3.clear();
   validate(settings);
   return settings;
 }
@@ -323,6 +326,7 @@ class PlateSlicer {
     Toolpath plate =
         order.empty() ? mergedByLayer(parts, settings.travel) : partAfterPart(parts, order, settings.travel);
     addSkirt(plate, parts, settings);
+    if (!settings.tools.purge_mm3.empty()) plate = withTower(std::move(plate), settings);
     addLabels(plate, labelled, job_.settings.plate.labels);
     for (const PlateItem& item : items_) plate.part_name += (plate.part_name.empty() ? "" : ", ") + item.name;
     return plate;

@@ -3,6 +3,7 @@
 #include "planning/tools/tool_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -43,16 +44,16 @@ ToolRuns runsOf(std::vector<Path> paths, const std::vector<std::uint32_t>& tools
   ToolRuns runs;
   for (const std::uint32_t tool : tools) runs.push_back({tool, {}, {}});
   ToolRun* before = nullptr;
-  std::optional<Path> travel;
+  std::vector<Path> travels;  // with the wipes of plates
   for (Path& path : paths) {
     if (path.role == PathRole::Travel) {
-      travel = std::move(path);
+      travels.push_back(std::move(path));
       continue;
     }
     const auto run = std::find_if(runs.begin(), runs.end(),
                                   [&path](const ToolRun& each) { return each.tool == path.tool; });
-    if (travel && &*run == before) run->paths.push_back(std::move(*travel));
-    travel.reset();
+    if (&*run == before) std::move(travels.begin(), travels.end(), std::back_inserter(run->paths));
+    travels.clear();
     run->paths.push_back(std::move(path));
     before = &*run;
   }
