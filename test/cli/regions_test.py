@@ -2,6 +2,7 @@
 import os
 import tempfile
 import unittest
+import zipfile
 
 from lamina_command import lamina, motions, told
 
@@ -156,6 +157,67 @@ class Regions(unittest.TestCase):
         self.assertEqual(len(crossings), 1, "from one side of the band to the other")
         for motion in crossings:
             self.assertAlmostEqual(motion.end[2], 2.5, places=3)
+
+    def threemf(self, boxes, entry, config):
+        """A 3MF file of one object of boxes, and what a slicer writes beside it."""
+        corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
+                 (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
+        vertices, triangles = "", ""
+        for i, (low, high) in enumerate(boxes):
+            for corner in corners:
+                vertices += '<vertex x="%g" y="%g" z="%g"/>' % tuple((low, high)[c][a] for a, c in enumerate(corner))
+            for face in faces:
+                triangles += '<triangle v1="%d" v2="%d" v3="%d"/>' % tuple(8 * i + corner for corner in face)
+        mesh = f"<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>"
+        relation = "http://schemas.openxmlformats.org/package/2006/relationships"
+        with zipfile.ZipFile(self.path("part.3mf"), "w", zipfile.ZIP_DEFLATED) as file:
+            file.writestr("[Content_Types].xml", '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package'
+                          '/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package'
+                          '.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.'
+                          '3dmanufacturing-3dmodel+xml"/></Types>')
+            file.writestr("_rels/.rels", f'<?xml version="1.0"?><Relationships xmlns="{relation}"><Relationship Target='
+                          '"/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>'
+                          '</Relationships>')
+            file.writestr("3D/3dmodel.model", '<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft'
+                          f'.com/3dmanufacturing/core/2015/02"><resources><object id="4" type="model">{mesh}</object>'
+                          '</resources><build><item objectid="4"/></build></model>')
+            if config:
+                file.writestr(entry, config)
+        return self.path("part.3mf")
+
+    def test_volumes_of_3mf_files_are_no_material(self):
+        boxes = [((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9))]
+
+        def sliced(kind, plate=()):
+            config = ('<?xml version="1.0"?><config><object id="4"><volume firstid="0" lastid="11"><metadata type="volume" '
+                      'key="volume_type" value="ModelPart"/></volume><volume firstid="12" lastid="23"><metadata type="volume" '
+                      f'key="volume_type" value="{kind}"/></volume></object></config>')
+            part = self.threemf(boxes, "Metadata/Slic3r_PE_model.config", config)
+            return told("slice", part, *plate, *LEVEL)
+        self.assertAlmostEqual(sliced("NegativeVolume")["sliced_volume_mm3"], 4 * (400 - 100), places=3)
+        self.assertAlmostEqual(sliced("NegativeVolume", [self.box])["sliced_volume_mm3"], 4 * 300 + 2 * 400, places=3)
+        for kind in ("SupportBlocker", "SupportEnforcer"):
+            self.assertAlmostEqual(sliced(kind)["sliced_volume_mm3"], 1600.0, places=3)
+            self.assertEqual(sliced(kind)["notes"], [])
+        left_out = sliced("ParameterModifier")
+        self.assertAlmostEqual(left_out["sliced_volume_mm3"], 1600.0, places=3)
+        self.assertIn("1 volumes of the file", left_out["notes"][0])
+
+    def test_lists_of_volumes_that_are_broken_are_refused(self):
+        for config, word in (('<config><object id="x">', "id of object is 'x'"), ("<config", "part.3mf")):
+            part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/Slic3r_PE_model.config", config)
+            done = lamina("slice", part)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(word, done.stderr)
+
+    def test_objects_of_3mf_files_may_be_volumes(self):
+        part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/model_settings.config", '<config><object id="1">'
+                            '<part id="4" subtype="normal_part"/></object></config>')
+        self.assertAlmostEqual(told("slice", part, *LEVEL)["sliced_volume_mm3"], 1600.0, places=3)
+        part = self.threemf([((0, 0, 0), (20, 20, 4))], "Metadata/model_settings.config", '<config><object id="1">'
+                            '<part id="4" subtype="modifier_part"/></object></config>')
+        self.assertNotEqual(lamina("slice", part).returncode, 0, "nothing is left")
 
     def test_what_is_left_is_refused_by_name(self):
         for key in ("supports.density", "feed.support_mm_s", "feed.skirt_mm_s", "tool.support", "overhangs.use",

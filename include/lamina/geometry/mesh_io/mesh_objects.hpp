@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,15 +10,34 @@
 
 namespace lamina {
 
+/// What a volume of an object is that is no part of the part.
+enum class VolumeKind : std::uint8_t {
+  Modifier,        ///< with settings of its own
+  Negative,        ///< cut away
+  SupportBlocker,  ///< where nothing is held up
+  SupportEnforcer  ///< where all that hangs is held up
+};
+
+/// A volume that says how the part within it is laid.
+struct MeshVolume {
+  VolumeKind kind = VolumeKind::Modifier;
+  Mesh mesh;
+};
+
 /// One of the objects that a file tells apart.
 struct MeshObject {
   std::string name;  ///< empty if the file gives none
   Mesh mesh;
+  std::vector<MeshVolume> volumes = {};  ///< besides
 };
 
 /// The items of a 3MF file's build list, each where the list places it; of other formats one object, the
 /// file's mesh.
 /// @throws as `readMesh`
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units = {});
+
+/// The volumes of all objects of a file that are no part of the part, which only 3MF files have.
+/// @throws as `readMesh`
+std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits& units = {});
 
 }  // namespace lamina

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/geometry/mesh/mesh.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
@@ -24,8 +26,9 @@ enum class ModifierKind : std::uint8_t {
 /// A region of a part: a mesh, a box or a range of heights.
 struct Modifier {
   ModifierKind kind = ModifierKind::Settings;
-  std::string mesh;         ///< path of a mesh file, or the name of a parametric part; empty for none
-  std::optional<Box3> box;  ///< [mm, coordinates of the part's file]
+  std::string mesh;  ///< path of a mesh file, or the name of a parametric part; empty for none
+  std::optional<Mesh> volume = std::nullopt;            ///< of the part's file, in its coordinates
+  std::optional<Box3> box;                              ///< [mm, coordinates of the part's file]
   std::optional<std::pair<double, double>> heights_mm;  ///< from and to, above the part's lowest point
   std::vector<SettingText> settings;
   std::string place;  ///< for messages: file and number, from 0
@@ -36,6 +39,10 @@ struct Modifier {
 /// @throws InvalidConfig naming file, line and key: also for settings that no region can have for itself, and
 ///   for kinds that are not known; FileError
 std::vector<Modifier> readModifiersFile(const std::string& path);
+
+/// The volumes of a part's file that need no settings: those that are cut away, and blockers and enforcers of
+/// supports.
+std::vector<Modifier> modifiersOf(const std::vector<MeshVolume>& volumes);
 
 /// The same from text.
 /// @param folder  of relative files

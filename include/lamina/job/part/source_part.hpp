@@ -8,6 +8,7 @@
 
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh/mesh_topology.hpp"
+#include "lamina/geometry/mesh_io/mesh_objects.hpp"
 
 namespace lamina {
 
@@ -17,6 +18,7 @@ struct SourcePart {
   MeshTopology topology;  ///< of the mesh; without border
   std::vector<std::string> repairs;
   Eigen::Affine3d part_from_file = Eigen::Affine3d::Identity();  ///< where a plate has turned it
+  std::vector<MeshVolume> volumes = {};                          ///< of its file, in the file's coordinates
   Mesh base;  ///< what it is laid on, in its frame; empty for the bed
 };
 

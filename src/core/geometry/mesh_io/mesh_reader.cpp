@@ -68,6 +68,12 @@ Mesh inMillimetres(Mesh mesh, double factor, const std::string& name) {
   return mesh;
 }
 
+std::vector<MeshVolume> inMillimetres(std::vector<MeshVolume> volumes, double factor,
+                                      const std::string& name) {
+  for (MeshVolume& volume : volumes) volume.mesh = inMillimetres(std::move(volume.mesh), factor, name);
+  return volumes;
+}
+
 }  // namespace
 
 bool isThreemf(std::string_view bytes) { return bytes.substr(0, 4) == "PK\x03\x04"; }
@@ -107,8 +113,21 @@ std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits
   const double factor = factorOf({LengthUnit::Millimetre, units.scale});
   const auto* const module = static_cast<const ThreemfModule*>(moduleTable("threemf"));
   objects = module->read_objects(file.readRest(start), path);
-  for (MeshObject& object : objects) object.mesh = inMillimetres(std::move(object.mesh), factor, path);
+  for (MeshObject& object : objects) {
+    object.mesh = inMillimetres(std::move(object.mesh), factor, path);
+    object.volumes = inMillimetres(std::move(object.volumes), factor, path);
+  }
   return objects;
+}
+
+std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits& units) {
+  InputFile file(path);
+  std::array<char, 4> buffer{};
+  const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
+  if (!isThreemf(start)) return {};
+  const auto* const module = static_cast<const ThreemfModule*>(moduleTable("threemf"));
+  return inMillimetres(module->read_volumes(file.readRest(start), path),
+                       factorOf({LengthUnit::Millimetre, units.scale}), path);
 }
 
 Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {

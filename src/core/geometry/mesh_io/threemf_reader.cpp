@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "lamina/base/error.hpp"
 #include "mesh_formats.hpp"
 #include "threemf_module.hpp"
+#include "threemf_volumes.hpp"
 
 namespace lamina {
 namespace {
@@ -61,20 +63,37 @@ class ThreemfReader {
     return weld(faces_, name_);
   }
 
+  std::vector<MeshVolume> readVolumes(std::string_view bytes) {
+    if (objectVolumes(bytes, name_).empty()) return {};
+    addItems(bytes, [](const Handle&) {});
+    return weldedVolumes();
+  }
+
   std::vector<MeshObject> readObjects(std::string_view bytes) {
     std::vector<MeshObject> objects;
     addItems(bytes, [&](const Handle& object) {
       const IndexedFaces faces = std::exchange(faces_, {});
-      if (!faces.triangles.empty()) objects.push_back({nameOf(object), weld(faces, name_)});
+      std::vector<MeshVolume> volumes = weldedVolumes();
+      if (!faces.triangles.empty())
+        objects.push_back({nameOf(object), weld(faces, name_), std::move(volumes)});
     });
     if (objects.empty()) refuse("no triangle in any item of the build list; expected a part");
     return objects;
   }
 
  private:
+  /// Those that were added since the last call.
+  std::vector<MeshVolume> weldedVolumes() {
+    std::vector<MeshVolume> welded;
+    for (const auto& [kind, faces] : std::exchange(volume_faces_, {}))
+      welded.push_back({kind, weld(faces, name_)});
+    return welded;
+  }
+
   /// @param added  is called once the faces of an item's object are there
   template <class Added>
   void addItems(std::string_view bytes, const Added& added) {
+    volumes_ = objectVolumes(bytes, name_);
     const Handle model = make([](Object** out) { return NMR::lib3mf_createmodel(out); });
     const Handle reader =
         make([&](Object** out) { return NMR::lib3mf_model_queryreader(model.get(), "3mf", out); });
@@ -82,6 +101,7 @@ class ThreemfReader {
     auto* buffer = const_cast<BYTE*>(reinterpret_cast<const BYTE*>(bytes.data()));
     if (NMR::lib3mf_reader_readfrombuffer(reader.get(), buffer, bytes.size()) != LIB3MF_OK)
       refuse(reason(reader.get()));
+    if (!volumes_.empty()) orders_ = ordersOf(model);
     const double scale = millimetresPerUnit(get<DWORD>(NMR::lib3mf_model_getunit, model));
     const Handle items =
         make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
@@ -149,12 +169,53 @@ class ThreemfReader {
     }
     // A mirroring transform turns triangles inside out.
     const bool is_mirrored = part_from_mesh.linear().determinant() < 0.0;
-    for (DWORD i = 0; i < triangles; ++i) {
+    const auto triangleAt = [&](DWORD i) -> Triangle {
       NMR::MODELMESHTRIANGLE triangle{};
       require(NMR::lib3mf_meshobject_gettriangle(mesh.get(), i, &triangle));
       const auto vertex = [&](int k) { return static_cast<std::uint32_t>(first + triangle.m_nIndices[k]); };
-      faces_.triangles.push_back({vertex(0), vertex(is_mirrored ? 2 : 1), vertex(is_mirrored ? 1 : 2)});
+      return {vertex(0), vertex(is_mirrored ? 2 : 1), vertex(is_mirrored ? 1 : 2)};
+    };
+    const std::vector<VolumeRange> ranges = rangesOf(mesh);
+    std::vector<bool> is_of_part(triangles, true);
+    for (const VolumeRange& range : ranges) {
+      IndexedFaces volume;
+      for (std::size_t i = range.first; i <= range.last && i < triangles; ++i) {
+        is_of_part[i] = false;
+        addAlone(triangleAt(static_cast<DWORD>(i)), volume);
+      }
+      if (!volume.triangles.empty()) volume_faces_.emplace_back(range.kind, std::move(volume));
     }
+    for (DWORD i = 0; i < triangles; ++i)
+      if (is_of_part[i]) faces_.triangles.push_back(triangleAt(i));
+  }
+
+  /// The places of objects in the model: the library numbers them anew.
+  std::map<DWORD, std::size_t> ordersOf(const Handle& model) const {
+    const Handle objects = make([&](Object** out) { return NMR::lib3mf_model_getobjects(model.get(), out); });
+    std::map<DWORD, std::size_t> orders;
+    while (get<BOOL>(NMR::lib3mf_resourceiterator_movenext, objects)) {
+      const Handle object =
+          make([&](Object** out) { return NMR::lib3mf_resourceiterator_getcurrent(objects.get(), out); });
+      orders.emplace(get<DWORD>(NMR::lib3mf_resource_getresourceid, object), orders.size());
+    }
+    return orders;
+  }
+
+  /// Of a mesh object, that are no part of the part.
+  std::vector<VolumeRange> rangesOf(const Handle& mesh) const {
+    if (volumes_.empty()) return {};
+    const auto found = volumes_.find(orders_.at(get<DWORD>(NMR::lib3mf_resource_getresourceid, mesh)));
+    return found == volumes_.end() ? std::vector<VolumeRange>{} : found->second;
+  }
+
+  /// With corners of its own.
+  void addAlone(const Triangle& triangle, IndexedFaces& faces) const {
+    const auto next = static_cast<std::uint32_t>(faces.positions.size());
+    for (const std::uint32_t corner : triangle) {
+      if (corner >= faces_.positions.size()) refuse("a triangle names a vertex that is not there");
+      faces.positions.push_back(faces_.positions[corner]);
+    }
+    faces.triangles.push_back({next, next + 1, next + 2});
   }
 
   template <class MakeCall>
@@ -187,6 +248,9 @@ class ThreemfReader {
 
   const std::string& name_;
   IndexedFaces faces_;
+  ObjectVolumes volumes_;
+  std::map<DWORD, std::size_t> orders_;  ///< of objects, by the numbers that the library gives them
+  std::vector<std::pair<VolumeKind, IndexedFaces>> volume_faces_;
   int objects_ = 0;
 };
 
@@ -194,6 +258,10 @@ class ThreemfReader {
 
 Mesh readThreemfByLib3mf(std::string_view bytes, const std::string& name) {
   return ThreemfReader(name).read(bytes);
+}
+
+std::vector<MeshVolume> readThreemfVolumes(std::string_view bytes, const std::string& name) {
+  return ThreemfReader(name).readVolumes(bytes);
 }
 
 std::vector<MeshObject> readThreemfObjects(std::string_view bytes, const std::string& name) {
@@ -205,6 +273,7 @@ std::vector<MeshObject> readThreemfObjects(std::string_view bytes, const std::st
 // A name of C.
 extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
 extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
-  static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf, &lamina::readThreemfObjects};
+  static constexpr lamina::ThreemfModule kTable{&lamina::readThreemfByLib3mf, &lamina::readThreemfObjects,
+                                                &lamina::readThreemfVolumes};
   return &kTable;
 }

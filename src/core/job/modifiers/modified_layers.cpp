@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/error_place.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/job/modifiers/modifier.hpp"
 
@@ -39,6 +40,10 @@ Mesh boxMesh(const Box3& box) {
 
 Mesh meshOf(const Modifier& modifier, InputSettings input) {
   if (modifier.box) return boxMesh(*modifier.box);
+  if (modifier.volume) {
+    requireSound(*modifier.volume);
+    return *modifier.volume;
+  }
   input.repair = RepairPolicy::Strict;
   Mesh mesh = readPart(modifier.mesh, input).mesh;
   if (!(volume(mesh) > 0.0))
@@ -209,8 +214,10 @@ class LayerModifier {
 
 ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source, const JobSettings& settings,
                              Progress& progress) {
-  if (settings.modifiers.empty()) return {std::move(layers), {}, {}};
-  const std::vector<Modifier> modifiers = readModifiersFile(settings.modifiers);
+  std::vector<Modifier> modifiers = modifiersOf(source.volumes);
+  if (!settings.modifiers.empty())
+    for (Modifier& modifier : readModifiersFile(settings.modifiers)) modifiers.push_back(std::move(modifier));
+  if (modifiers.empty()) return {std::move(layers), {}, {}};
   const ModifierSections sections(layers, source, settings.input);
   LayerModifier modifier(std::move(layers));
   for (std::size_t m = 0; m < modifiers.size(); ++m)

@@ -161,6 +161,21 @@ std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& 
   return modifiers;
 }
 
+std::vector<Modifier> modifiersOf(const std::vector<MeshVolume>& volumes) {
+  std::vector<Modifier> modifiers;
+  for (const MeshVolume& volume : volumes) {
+    if (volume.kind == VolumeKind::Modifier) continue;
+    Modifier modifier;
+    modifier.kind = volume.kind == VolumeKind::Negative         ? ModifierKind::Negative
+                    : volume.kind == VolumeKind::SupportBlocker ? ModifierKind::SupportBlocker
+                                                                : ModifierKind::SupportEnforcer;
+    modifier.volume = volume.mesh;
+    modifier.place = "volume " + std::to_string(&volume - volumes.data()) + " of the part's file";
+    modifiers.push_back(std::move(modifier));
+  }
+  return modifiers;
+}
+
 std::vector<Modifier> readModifiersFile(const std::string& path) {
   return readModifiers(readFile(path), path, std::filesystem::path(path).parent_path().string());
 }

@@ -52,7 +52,9 @@ SourcePart fitToSlice(Mesh mesh, RepairPolicy policy) {
 }  // namespace
 
 SourcePart readPart(const std::string& part, const InputSettings& settings) {
-  return fitToSlice(readOrMake(part, settings), settings.repair);
+  SourcePart source = fitToSlice(readOrMake(part, settings), settings.repair);
+  if (!isSvgName(part) && !isParametric(part)) source.volumes = readMeshVolumes(part, settings.units);
+  return source;
 }
 
 std::vector<SourceObject> readParts(const std::string& part, const InputSettings& settings) {
@@ -61,8 +63,10 @@ std::vector<SourceObject> readParts(const std::string& part, const InputSettings
     objects.push_back({"", readPart(part, settings)});
     return objects;
   }
-  for (MeshObject& object : readMeshObjects(part, settings.units))
+  for (MeshObject& object : readMeshObjects(part, settings.units)) {
     objects.push_back({std::move(object.name), fitToSlice(std::move(object.mesh), settings.repair)});
+    objects.back().source.volumes = std::move(object.volumes);
+  }
   return objects;
 }
 

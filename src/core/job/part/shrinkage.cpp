@@ -22,6 +22,10 @@ SourcePart grownForShrinkage(SourcePart source, const JobSettings& settings) {
   const Eigen::Matrix3d growth =
       part_from_layers * shrinkageFactors(settings.compensation).asDiagonal() * part_from_layers.transpose();
   for (Point3& vertex : source.mesh.vertices) vertex = middle + growth * (vertex - middle);
+  Eigen::Affine3d grown = Eigen::Affine3d::Identity();
+  grown.linear() = growth;
+  grown.translation() = middle - growth * middle;
+  source.part_from_file = grown * source.part_from_file;
   return source;
 }
 
