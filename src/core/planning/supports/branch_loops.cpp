@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <utility>
@@ -15,7 +17,8 @@ namespace lamina {
 namespace {
 
 constexpr int kDiscSides = 16;
-constexpr double kThickBranch = 3.0;  // mm, radius from which a branch has two loops
+constexpr double kLineDistance = 0.1;  // mm: on which areas without a tip are measured
+constexpr double kThickBranch = 3.0;   // mm, radius from which a branch has two loops
 
 Polygon circleRound(const Point2& middle, double radius_mm) {
   Polygon circle;
@@ -32,6 +35,108 @@ void addLoopsOf(const Region& branch, double pitch_mm, std::vector<FillPath>& ru
   for (int i = 0; i < count; ++i)
     for (Polygon& loop : outlines(offset({branch}, -(i + 0.5) * pitch_mm)))
       runs.push_back({std::move(loop), true, PathRole::Support, Deposit::Bead, {}});
+}
+
+/// Where a level line crosses outlines, from left to right.
+std::vector<double> crossingsOf(const std::vector<Polygon>& borders, double y) {
+  std::vector<double> crossings;
+  for (const Polygon& border : borders)
+    for (std::size_t i = 0, j = border.size() - 1; i < border.size(); j = i++)
+      if ((border[j].y() > y) != (border[i].y() > y))
+        crossings.push_back(border[j].x() + (y - border[j].y()) / (border[i].y() - border[j].y()) *
+                                                (border[i].x() - border[j].x()));
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+/// Discs that touch no other are regions as they are.
+Regions united(std::vector<Polygon> discs) {
+  std::vector<std::pair<Box2, std::size_t>> boxes;
+  for (std::size_t i = 0; i < discs.size(); ++i) boxes.emplace_back(boundingBox({discs[i]}), i);
+  std::sort(boxes.begin(), boxes.end(), [](const auto& a, const auto& b) {
+    return std::make_pair(a.first.low.x(), a.second) < std::make_pair(b.first.low.x(), b.second);
+  });
+  std::vector<bool> is_near(discs.size(), false);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      const Box2& a = boxes[i].first;
+      const Box2& b = boxes[j].first;
+      if (b.low.x() > a.high.x()) break;
+      if (b.low.y() <= a.high.y() && a.low.y() <= b.high.y())
+        is_near[boxes[i].second] = is_near[boxes[j].second] = true;
+    }
+  Regions result;
+  std::vector<Polygon> together;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (is_near[i])
+      together.push_back(std::move(discs[i]));
+    else
+      result.push_back({std::move(discs[i]), {}});
+  }
+  Regions joined = unite(together);
+  std::move(joined.begin(), joined.end(), std::back_inserter(result));
+  return result;
+}
+
+/// Tips in level bands, each from left to right.
+class TipBands {
+ public:
+  TipBands(const std::vector<BranchTip>& tips, double radius_mm) : radius_(radius_mm) {
+    for (const BranchTip& tip : tips) bands_[bandOf(tip.at.y())].push_back(tip.at);
+    for (auto& [band, places] : bands_)
+      std::sort(places.begin(), places.end(), [](const Point2& a, const Point2& b) { return a.x() < b.x(); });
+  }
+
+  /// Of a level line from a place to another, how much is no nearer to a tip than the radius.
+  double lengthBeyond(double y, double from_x, double to_x) const {
+    std::vector<std::pair<double, double>> reached;
+    for (const std::int64_t step : {-1, 0, 1}) {
+      const auto band = bands_.find(bandOf(y) + step);
+      if (band == bands_.end()) continue;
+      const std::vector<Point2>& places = band->second;
+      auto place = std::lower_bound(places.begin(), places.end(), from_x - radius_,
+                                    [](const Point2& at, double x) { return at.x() < x; });
+      for (; place != places.end() && place->x() < to_x + radius_; ++place) {
+        const double squared = radius_ * radius_ - (place->y() - y) * (place->y() - y);
+        if (squared <= 0.0) continue;
+        const double half = std::sqrt(squared);
+        reached.emplace_back(place->x() - half, place->x() + half);
+      }
+    }
+    std::sort(reached.begin(), reached.end());
+    double beyond = 0.0;
+    double at = from_x;
+    for (const auto& [low, high] : reached) {
+      if (low > at) beyond += std::min(low, to_x) - at;
+      at = std::max(at, high);
+      if (at >= to_x) return beyond;
+    }
+    return beyond + to_x - at;
+  }
+
+ private:
+  std::int64_t bandOf(double y) const { return static_cast<std::int64_t>(std::floor(y / radius_)); }
+
+  double radius_;
+  std::map<std::int64_t, std::vector<Point2>> bands_;
+};
+
+/// On level lines through the regions.
+double areaBeyond(const Regions& regions, const TipBands& tips) {
+  double sum = 0.0;
+  for (const Region& region : regions) {
+    const std::vector<Polygon> borders = outlines({region});
+    const Box2 box = boundingBox(borders);
+    const auto last = static_cast<std::int64_t>(std::floor(box.high.y() / kLineDistance));
+    for (auto line = static_cast<std::int64_t>(std::floor(box.low.y() / kLineDistance)); line <= last;
+         ++line) {
+      const double y = (static_cast<double>(line) + 0.5) * kLineDistance;
+      const std::vector<double> crossings = crossingsOf(borders, y);
+      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        sum += kLineDistance * tips.lengthBeyond(y, crossings[i], crossings[i + 1]);
+    }
+  }
+  return sum;
 }
 
 AidRuns loopsIn(const Regions& area, double bottom_mm, double top_mm, const PlanSettings& settings) {
@@ -57,8 +162,8 @@ BranchLoops branchLoops(const SupportTree& tree, const Regions& taken, const Pla
     std::map<std::pair<double, double>, std::vector<Polygon>> circles;  // by top and bottom
     for (const BranchDisc& disc : tree.layers[i])
       circles[{disc.top_mm, disc.bottom_mm}].push_back(circleRound(disc.at, disc.radius_mm));
-    for (const auto& [heights, of_height] : circles) {
-      Regions area = unite(of_height);
+    for (auto& [heights, of_height] : circles) {
+      Regions area = united(std::move(of_height));
       if (i == 0 && !taken.empty()) area = difference(area, taken);
       AidRuns aids = loopsIn(area, heights.second, heights.first, settings);
       loops.areas[i].insert(loops.areas[i].end(), area.begin(), area.end());
@@ -74,18 +179,10 @@ SupportTotals branchTotals(const std::vector<Regions>& overhangs, const SupportT
   SupportTotals totals;
   totals.dropped_branches = tree.dropped;
   for (const Regions& regions : loops.areas) totals.area_mm2 = std::max(totals.area_mm2, area(regions));
-  const double spacing = settings.tip_spacing_mm;
-  for (std::size_t j = 0; j < overhangs.size(); ++j) {
-    if (overhangs[j].empty()) continue;
-    totals.overhang_mm2 += area(overhangs[j]);
-    Box2 box = boxOf(overhangs[j]);
-    box.low -= Point2::Constant(spacing);
-    box.high += Point2::Constant(spacing);
-    std::vector<Polygon> near;
-    for (const BranchTip& tip : tree.tips)
-      if ((tip.at.array() > box.low.array()).all() && (tip.at.array() < box.high.array()).all())
-        near.push_back(circleRound(tip.at, spacing));
-    totals.unsupported_mm2 += area(difference(overhangs[j], unite(near)));
+  const TipBands tips(tree.tips, settings.tip_spacing_mm);
+  for (const Regions& overhang : overhangs) {
+    totals.overhang_mm2 += area(overhang);
+    totals.unsupported_mm2 += areaBeyond(overhang, tips);
   }
   return totals;
 }

@@ -7,6 +7,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
@@ -45,10 +46,10 @@ Regions withTips(Regions overhang, const Regions& below, const SupportSettings& 
 
 Regions overhangOf(const Regions& layer, const Regions& below, double lean_mm) {
   if (lean_mm <= 0.0) return difference(layer, below);
-  const Regions beyond = difference(layer, offset(below, lean_mm));
+  const Regions beyond = differenceByPieces(layer, grownByPieces(below, lean_mm));
   if (beyond.empty()) return {};
   const Box2 box = boxOf(beyond);
-  const Regions grown = intersection(offset(beyond, lean_mm), within(layer, box, 4.0 * lean_mm));
+  const Regions grown = intersection(grownByPieces(beyond, lean_mm), within(layer, box, 4.0 * lean_mm));
   return difference(grown, within(below, box, 4.0 * lean_mm));
 }
 

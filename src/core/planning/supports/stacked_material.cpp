@@ -9,6 +9,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
+#include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
@@ -74,7 +75,7 @@ Box2 boxOf(const Regions& regions) {
 
 Regions withoutNarrowPieces(Regions regions, double narrowest_mm) {
   const auto isNarrow = [narrowest_mm](const Region& region) {
-    return offset({region}, -0.5 * narrowest_mm).empty();
+    return !surelyHasRoom(region, 0.5 * narrowest_mm) && offset({region}, -0.5 * narrowest_mm).empty();
   };
   regions.erase(std::remove_if(regions.begin(), regions.end(), isNarrow), regions.end());
   return regions;

@@ -3,19 +3,23 @@
 #include "planning/supports/support_areas.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kSameHeight = 1e-6;     // mm: rounding of layer borders
-constexpr double kLeastOnBed = 0.25;     // of a layer: a lower bead on the bed has no room for the nozzle
-constexpr double kFallingDetail = 0.15;  // bead widths
-constexpr double kOverhangDetail = 0.4;  // where the layers' steps are left out
+constexpr double kSameHeight = 1e-6;  // mm: rounding of layer borders
+constexpr double kLeastOnBed = 0.25;  // of a layer: a lower bead on the bed has no room for the nozzle
+/// Bead widths: where the layers' steps are left out, of what hangs over, which is so much larger, and of
+/// what falls, which loses no more than that again.
+constexpr double kOverhangDetail = 0.6;
+constexpr double kFallingDetail = 0.4;
 constexpr int kSweepSteps = 4;
 constexpr double kTolerance = 0.05;  // bead widths: the outlines of a support need no more
 
@@ -26,21 +30,6 @@ const SharedRegions& nothing() {
 
 SharedRegions share(Regions regions) {
   return regions.empty() ? nothing() : std::make_shared<const Regions>(std::move(regions));
-}
-
-/// Whether boxes of two of the regions come that near to each other, or a hole is no wider.
-bool hasGapWithin(const Regions& regions, double gap_mm) {
-  std::vector<Box2> boxes;
-  for (const Region& region : regions) {
-    const Box2 own = boundingBox({region.outer});
-    for (const Box2& other : boxes)
-      if (((own.low - other.high).array() < gap_mm).all() && ((other.low - own.high).array() < gap_mm).all())
-        return true;
-    for (const Polygon& hole : region.holes)
-      if (boundingBox({hole}).size().minCoeff() < gap_mm) return true;
-    boxes.push_back(own);
-  }
-  return false;
 }
 
 /// What regions pass over on a short way.
@@ -63,7 +52,7 @@ std::size_t cornersOf(const Regions& regions) {
 Regions withoutDetail(const Regions& regions, double tolerance_mm) {
   const std::size_t corners = cornersOf(regions);
   if (2 * cornersOf(simplified(regions, tolerance_mm)) > corners) return regions;
-  return simplified(offset(regions, tolerance_mm), tolerance_mm);
+  return simplified(grownByPieces(regions, tolerance_mm), tolerance_mm);
 }
 
 /// What ends in a layer.
@@ -110,8 +99,9 @@ class ColumnStack {
   Point2 fallBetween(double from_mm, std::size_t to) const {
     return stack_.fall() * (from_mm - stack_.bounds[to].top_mm);
   }
-  /// What of the layer is not within all of the next ones, above or below.
-  Regions uncovered(std::size_t layer, const Regions& own, int step) const;
+  void widenCovers(Progress& progress);
+  /// What of the layer is not within all of the next ones above and below, half a bead narrower all round.
+  Regions bareEnds(std::size_t layer) const;
 
   const StackedMaterial& stack_;
   const std::vector<Regions>& overhangs_;
@@ -125,6 +115,7 @@ class ColumnStack {
   std::vector<SharedRegions> falling_;  ///< what columns fall through, up to the part
   std::vector<SharedRegions> columns_;  ///< of full height; in steps: beside the part, joined, standing, wide
   std::vector<SharedRegions> whole_;    ///< with caps
+  std::vector<SharedRegions> covers_;   ///< of interfaces: the whole ones, half a bead wider
 };
 
 void ColumnStack::placeTops(Progress& progress) {
@@ -190,7 +181,7 @@ void ColumnStack::drop() {
       area = united(area, shifted(held_[j], fallBetween(stack_.bounds[j].bottom_mm, k)));
     if (area.empty()) continue;
     const Regions stops = united(within(*stack_.material[k], boxOf(area), 1.0), stack_.bedIn(k));
-    falling_[k] = share(simplified(difference(area, stops), kFallingDetail * width_));
+    falling_[k] = share(simplified(differenceByPieces(area, stops), kFallingDetail * width_));
   }
 }
 
@@ -200,8 +191,8 @@ void ColumnStack::keepAway(Progress& progress) {
     return k + 1 < count_ && falling_[k] == falling_[k + 1] && blocked_[k] == blocked_[k + 1];
   };
   const auto cut = [&](std::size_t k) {
-    for (ColumnCap& cap : caps_[k]) cap.area = share(difference(*cap.area, *blocked_[k]));
-    if (!isShared(k)) columns_[k] = share(difference(*falling_[k], *blocked_[k]));
+    for (ColumnCap& cap : caps_[k]) cap.area = share(differenceByPieces(*cap.area, *blocked_[k]));
+    if (!isShared(k)) columns_[k] = share(differenceByPieces(*falling_[k], *blocked_[k]));
   };
   parallelFor(count_, cut, progress, "supports");
   for (std::size_t k = count_; k-- > 0;)
@@ -220,9 +211,13 @@ void ColumnStack::joinAndThin(Progress& progress) {
     const double reach = 0.5 * settings_.join_mm;
     const Regions thick = offset(simplified(*columns_[k], kFallingDetail * width_), -thin);
     if (thick.empty()) return;
-    const bool is_joined = hasGapWithin(thick, settings_.join_mm + narrowest());
-    const Regions grown = offset(thick, is_joined ? thin + reach : thin);
-    joined[k] = share(difference(is_joined ? offset(grown, -reach) : grown, *blocked_[k]));
+    const NeighbouringRegions parts = neighbouring(thick, settings_.join_mm + narrowest());
+    Regions closed = grownByPieces(parts.alone, thin);
+    if (!parts.near.empty()) {
+      Regions together = offset(grownByPieces(parts.near, thin + reach), -reach);
+      std::move(together.begin(), together.end(), std::back_inserter(closed));
+    }
+    joined[k] = share(differenceByPieces(closed, *blocked_[k]));
   };
   parallelFor(count_, join_layer, progress, "supports");
   for (std::size_t k = count_; k-- > 0;)
@@ -256,8 +251,8 @@ void ColumnStack::endAboveThePart(Progress& progress) {
     const double least = stack_.bounds[k].bottom_mm - settings_.bottom_gap_mm + kSameHeight;
     for (std::size_t i = k; i-- > 0 && stack_.bounds[i].top_mm > least && !ended[k]->empty();)
       if (stack_.material[i] != stack_.material[k] && !stack_.material[i]->empty())
-        ended[k] = share(
-            difference(*ended[k], shifted(*stack_.material[i], -fallBetween(stack_.bounds[k].top_mm, i))));
+        ended[k] = share(differenceByPieces(
+            *ended[k], shifted(*stack_.material[i], -fallBetween(stack_.bounds[k].top_mm, i))));
   };
   parallelFor(count_, end_layer, progress, "supports");
   columns_ = std::move(ended);
@@ -295,24 +290,37 @@ void ColumnStack::placeCaps(std::size_t layer) {
   }
 }
 
-Regions ColumnStack::uncovered(std::size_t layer, const Regions& own, int step) const {
-  if (own.empty()) return {};
-  Regions cover;
-  bool is_covered = true;  // by what was looked at so far
-  for (int m = 1; m <= settings_.interface_layers; ++m) {
-    const auto at = static_cast<std::ptrdiff_t>(layer) + static_cast<std::ptrdiff_t>(m) * step;
-    if (at < 0) break;
-    const auto next = static_cast<std::size_t>(at);
-    if (next >= count_) return own;
-    if (isLevel() && whole_[next] == whole_[layer]) continue;
-    Regions there = united(*whole_[next], stack_.bedIn(next));
-    there =
-        shifted(std::move(there), stack_.fall() * (stack_.bounds[next].top_mm - stack_.bounds[layer].top_mm));
-    cover = is_covered ? std::move(there) : intersection(cover, there);
-    is_covered = false;
-    if (cover.empty()) return own;
-  }
-  return is_covered ? Regions{} : difference(own, cover);
+/// Of the whole layer; bed that shows covers too.
+void ColumnStack::widenCovers(Progress& progress) {
+  covers_.assign(count_, nothing());
+  const auto isShared = [&](std::size_t k) {
+    return k + 1 < count_ && isLevel() && whole_[k] == whole_[k + 1];
+  };
+  const auto widen = [&](std::size_t k) {
+    if (!isShared(k)) covers_[k] = share(grownByPieces(united(*whole_[k], stack_.bedIn(k)), 0.5 * width_));
+  };
+  parallelFor(count_, widen, progress, "supports");
+  for (std::size_t k = count_; k-- > 0;)
+    if (isShared(k)) covers_[k] = covers_[k + 1];
+}
+
+/// Narrower by half a bead, to a cover wider by that: what is left is what is a bead wide and not covered,
+/// and outlines that follow each other do not meet.
+Regions ColumnStack::bareEnds(std::size_t layer) const {
+  std::optional<Regions> narrower;
+  Regions bare;
+  for (const int step : {1, -1})
+    for (int m = 1; m <= settings_.interface_layers; ++m) {
+      const auto at = static_cast<std::ptrdiff_t>(layer) + static_cast<std::ptrdiff_t>(m) * step;
+      if (at < 0) break;
+      const auto next = static_cast<std::size_t>(at);
+      if (next < count_ && isLevel() && whole_[next] == whole_[layer]) continue;
+      if (!narrower) narrower = offset(*columns_[layer], -0.5 * width_);
+      if (next >= count_) return *narrower;
+      const Point2 rise = stack_.fall() * (stack_.bounds[next].top_mm - stack_.bounds[layer].top_mm);
+      bare = united(bare, differenceByPieces(*narrower, shifted(*covers_[next], rise)));
+    }
+  return bare;
 }
 
 LayerSupport ColumnStack::sectionsOf(std::size_t layer) const {
@@ -329,11 +337,11 @@ LayerSupport ColumnStack::sectionsOf(std::size_t layer) const {
   const LayerBounds& bounds = stack_.bounds[layer];
   SupportSection section{bounds.bottom_mm, bounds.top_mm, full, nothing()};
   if (has_interfaces) {
-    const Regions ends =
-        withoutNarrow(united(uncovered(layer, *full, 1), uncovered(layer, *full, -1)), width_);
-    if (!ends.empty()) {
+    const Regions bare = bareEnds(layer);
+    if (!bare.empty()) {
+      const Regions ends = grownByPieces(bare, 0.5 * width_);
       section.interface = share(intersection(ends, *full));
-      section.lattice = share(difference(*full, ends));
+      section.lattice = share(differenceByPieces(*full, ends));
     }
   }
   sections.push_back(std::move(section));
@@ -347,8 +355,9 @@ double ColumnStack::unsupported(std::size_t layer) const {
   if (!top) return area(overhangs_[layer]);
   const std::size_t last = top->caps.empty() ? top->full_layers - 1 : top->caps.back().layer;
   const Point2 rise = -fallBetween(stack_.bounds[layer].bottom_mm, last);
-  const Regions near = offset(shifted(*whole_[last], rise), settings_.side_gap_mm + kTolerance * width_);
-  return area(difference(overhangs_[layer], near));
+  const double reach = settings_.side_gap_mm + kTolerance * width_;
+  const Regions beside = within(shifted(*whole_[last], rise), boxOf(overhangs_[layer]), 3.0 * reach);
+  return area(differenceByPieces(overhangs_[layer], grownByPieces(beside, reach)));
 }
 
 SupportAreas ColumnStack::build(Progress& progress) {
@@ -362,6 +371,7 @@ SupportAreas ColumnStack::build(Progress& progress) {
   keepThoseThatStand();
   if (settings_.foot == SupportFoot::Everywhere) endAboveThePart(progress);
   dropNarrow(progress);
+  if (settings_.interface_layers > 0) widenCovers(progress);
   std::vector<double> unsupported_mm2(stack_.size(), 0.0);
   const auto finish = [&](std::size_t i) {
     if (i < count_) areas.layers[i] = sectionsOf(i);

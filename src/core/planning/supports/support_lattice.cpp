@@ -9,6 +9,7 @@
 #include "infill/rectilinear/zigzag.hpp"
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
@@ -29,6 +30,12 @@ void addLoops(const Regions& centre_lines, PathRole role, std::vector<FillPath>&
     runs.push_back({std::move(loop), true, role, Deposit::Bead, {}});
 }
 
+bool isWithoutRoom(const Regions& regions, double radius_mm) {
+  for (const Region& region : regions)
+    if (surelyHasRoom(region, radius_mm)) return false;
+  return offset(regions, -radius_mm).empty();
+}
+
 /// With their loops round them, outermost first. Lines might miss a column that is narrower than their
 /// distance: it is a loop.
 SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
@@ -45,7 +52,7 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
   for (const Region& column : inside) {
     const Regions centred = offset({column}, -0.5 * lines.pitch_mm);
     const bool is_narrow =
-        lines.walls == 0 && offset(centred, 0.5 * (lines.pitch_mm - lines.spacing_mm)).empty();
+        lines.walls == 0 && isWithoutRoom(centred, 0.5 * (lines.spacing_mm - lines.pitch_mm));
     if (is_narrow) {
       addLoops(centred, lines.role, runs);
       continue;

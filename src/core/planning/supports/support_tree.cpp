@@ -11,6 +11,7 @@
 
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
+#include "planning/supports/piecewise.hpp"
 
 namespace lamina {
 namespace {
@@ -19,6 +20,7 @@ constexpr std::size_t kRadii = 4;        // for which it is known where a branch
 constexpr double kSurelyReached = 0.98;  // of a step: what is left goes beyond the border
 constexpr double kMeeting = 1e-6;        // mm
 constexpr double kPushedOut = 1e-3;      // mm: beyond the border of what is blocked
+constexpr double kCoarseOutline = 0.02;  // mm: by which those of wide branches are simplified, and wider
 constexpr double kRadiusSlack = 1e-9;    // mm
 
 /// Where branches of some radii may not be, layer by layer.
@@ -29,8 +31,8 @@ class BlockedPlaces {
     for (std::size_t c = 0; c < kRadii; ++c) {
       const double share = static_cast<double>(c) / (kRadii - 1);
       radii_[c] = 0.5 * (settings.tip_mm + share * std::max(0.0, settings.branch_mm - settings.tip_mm));
-      find(stack, count, settings, c, progress);
     }
+    find(stack, count, settings, progress);
   }
 
   bool contain(const Point2& at, double radius_mm, std::size_t layer) const {
@@ -59,25 +61,37 @@ class BlockedPlaces {
  private:
   using Borders = std::vector<Polygon>;
 
-  void find(const StackedMaterial& stack, std::size_t count, const SupportSettings& settings, std::size_t c,
+  /// The least radius round the part itself, as it decides where a tip has room; others round that.
+  void find(const StackedMaterial& stack, std::size_t count, const SupportSettings& settings,
             Progress& progress) {
-    std::vector<SharedRegions> blocked(count);
+    std::array<std::vector<SharedRegions>, kRadii> blocked;
+    for (std::vector<SharedRegions>& layers : blocked) layers.resize(count);
     const auto isShared = [&](std::size_t k) { return k > 0 && stack.material[k] == stack.material[k - 1]; };
     const auto grow = [&](std::size_t k) {
-      if (!isShared(k))
-        blocked[k] = std::make_shared<const Regions>(
-            offset(*stack.material[k], settings.side_gap_mm + radii_[c], Join::Round));
+      if (isShared(k)) return;
+      const double least = settings.side_gap_mm + radii_[0];
+      const Regions narrow = grownByPieces(*stack.material[k], least);
+      blocked[0][k] = std::make_shared<const Regions>(narrow);
+      for (std::size_t c = 1; c < kRadii; ++c)
+        blocked[c][k] =
+            std::make_shared<const Regions>(grownBy(radii_[c] - radii_[0], narrow, kCoarseOutline));
     };
     parallelFor(count, grow, progress, "supports");
-    for (std::size_t k = 1; k < count; ++k)
-      if (isShared(k)) blocked[k] = blocked[k - 1];
-    if (settings.foot == SupportFoot::Bed) addOutOfReach(stack, settings, blocked);
-    std::vector<std::shared_ptr<const Borders>>& borders = borders_[c];
-    borders.resize(count);
-    for (std::size_t k = 0; k < count; ++k)
-      borders[k] = k > 0 && blocked[k] == blocked[k - 1]
-                       ? borders[k - 1]
-                       : std::make_shared<const Borders>(outlines(*blocked[k]));
+    for (std::size_t c = 0; c < kRadii; ++c) {
+      for (std::size_t k = 1; k < count; ++k)
+        if (isShared(k)) blocked[c][k] = blocked[c][k - 1];
+      if (settings.foot == SupportFoot::Bed) addOutOfReach(stack, settings, blocked[c]);
+      borders_[c].resize(count);
+      for (std::size_t k = 0; k < count; ++k)
+        borders_[c][k] = k > 0 && blocked[c][k] == blocked[c][k - 1]
+                             ? borders_[c][k - 1]
+                             : std::make_shared<const Borders>(outlines(*blocked[c][k]));
+    }
+  }
+
+  /// By no less than the distance, though from fewer corners.
+  static Regions grownBy(double distance_mm, const Regions& regions, double tolerance_mm) {
+    return grownByPieces(simplified(regions, tolerance_mm), distance_mm + tolerance_mm);
   }
 
   /// From the bed up: a branch can go no farther aside in a layer than its lean allows.
@@ -242,7 +256,8 @@ class BranchGrower {
       end.length_mm += std::hypot(height_mm, (at - from).norm());
       return end;
     };
-    for (const double radius : {wide, end.radius_mm}) {
+    // Where the part comes too near a thick branch goes on as thin as its tip.
+    for (const double radius : {wide, end.radius_mm, 0.5 * settings_.tip_mm}) {
       for (const Point2& at : {goal, from})
         if (!blocked_.contain(at, radius, layer)) return settle(at, radius);
       const std::optional<Point2> free = blocked_.nearestFree(from, radius, layer, step);
