@@ -9,7 +9,9 @@ constexpr double kShortest = 1e-9;  // mm
 
 }  // namespace
 
-double MotionCursor::dwellHere() const { return dwellBefore(path().events, motion_); }
+double MotionCursor::dwellHere() const {
+  return path().events.empty() ? 0.0 : dwellBefore(path().events, motion_);
+}
 
 bool MotionCursor::stepAny() {
   if (is_started_) ++motion_;

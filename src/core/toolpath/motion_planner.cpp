@@ -18,10 +18,13 @@ double squared(double value) { return value * value; }
 /// Squared speed that braking or accelerating over the whole segment adds [mm²/s²].
 double gain2(const MotionSegment& segment) { return 2.0 * segment.acceleration_mm_s2 * segment.length_mm; }
 
+[[noreturn]] void refuse(double value, const char* what, const char* unit) {
+  throw InvalidInput(std::string(what) + " of a motion is " + std::to_string(value) + " " + unit +
+                     "; must be positive");
+}
+
 void requirePositive(double value, const char* what, const char* unit) {
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw InvalidInput(std::string(what) + " of a motion is " + std::to_string(value) + " " + unit +
-                       "; must be positive");
+  if (!(value > 0.0 && std::isfinite(value))) refuse(value, what, unit);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "lamina/toolpath/timing.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <variant>
 
@@ -25,12 +26,17 @@ class TimedMotions {
       is_planned_ = !ahead_.step();
       // The nozzle rests where it waits.
       if (is_planned_ || ahead_.dwell() > 0.0) planner_.finish();
-      if (!is_planned_) planner_.add(ahead_.segment(limits_));
+      if (!is_planned_) {
+        planner_.add(ahead_.segment(limits_));
+        planned_.push_back(ahead_);
+      }
       next = planner_.next();
     }
     if (!next) return false;
     profile_ = *next;
-    return motion_.step();
+    motion_ = planned_.front();
+    planned_.pop_front();
+    return true;
   }
 
   const MotionCursor& motion() const { return motion_; }
@@ -42,6 +48,7 @@ class TimedMotions {
   MotionLimits limits_;
   MotionCursor ahead_;
   MotionCursor motion_;
+  std::deque<MotionCursor> planned_;  ///< at motions whose profiles are to come
   MotionPlanner planner_;
   SpeedProfile profile_;
   bool is_planned_ = false;

@@ -74,8 +74,8 @@ Eigen::Quaterniond nozzleDown() { return Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
 
 double length(const Path& path) {
   double sum = 0.0;
-  for (std::size_t m = 0; m < path.motionCount(); ++m)
-    sum += (path.points[path.motionEnd(m)] - path.points[m]).norm();
+  const std::size_t count = path.motionCount();
+  for (std::size_t m = 0; m < count; ++m) sum += (path.points[path.motionEnd(m)] - path.points[m]).norm();
   return sum;
 }
 
@@ -97,10 +97,12 @@ Bead beadOfArea(double area_mm2, double height_mm) {
   return {2.0 * area_mm2 / (h + std::sqrt(std::max(0.0, h * h - 4.0 * kCorners * area_mm2))), h};
 }
 
-double depositedVolume(const Path& path) {
+namespace {
+
+double depositedVolume(const Path& path, double length_mm) {
   if (path.role == PathRole::Travel) return 0.0;
   if (path.deposit == Deposit::Drops) return dropVolume(path);
-  if (path.bead.isCommon()) return length(path) * crossSection(path.bead.at(0));
+  if (path.bead.isCommon()) return length_mm * crossSection(path.bead.at(0));
   double sum = 0.0;
   for (std::size_t m = 0; m < path.motionCount(); ++m) {
     const std::size_t end = path.motionEnd(m);
@@ -109,6 +111,10 @@ double depositedVolume(const Path& path) {
   return sum;
 }
 
+}  // namespace
+
+double depositedVolume(const Path& path) { return depositedVolume(path, length(path)); }
+
 ToolpathTotals totals(const Toolpath& toolpath) {
   ToolpathTotals sum;
   sum.layers = toolpath.layers.size();
@@ -116,9 +122,10 @@ ToolpathTotals totals(const Toolpath& toolpath) {
     for (const Path& path : layer.paths) {
       sum.waypoints += path.points.size();
       const bool is_travel = path.role == PathRole::Travel;
-      (is_travel ? sum.travel_mm : sum.deposition_mm) += length(path);
+      const double length_mm = length(path);
+      (is_travel ? sum.travel_mm : sum.deposition_mm) += length_mm;
       sum.deposition_runs += is_travel ? 0 : 1;
-      sum.deposited_mm3 += depositedVolume(path);
+      sum.deposited_mm3 += depositedVolume(path, length_mm);
     }
   }
   return sum;

@@ -39,6 +39,22 @@ EdgeCells::EdgeCells(const std::vector<Polygon>& outlines) {
   forEdges(outlines, [&](const OutlineEdge& edge, const Point2& from, const Point2& to) {
     forCells(from, to, [&](std::size_t cell) { edges_[next[cell]++] = edge; });
   });
+  is_clear_around_ = clearAround();
+}
+
+std::vector<bool> EdgeCells::clearAround() const {
+  std::vector<bool> is_clear(begin_.size() - 1, true);
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                        static_cast<std::size_t>(column);
+      if (begin_[cell] == begin_[cell + 1]) continue;
+      for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r)
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, columns_ - 1); ++c)
+          is_clear[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
+                   static_cast<std::size_t>(c)] = false;
+    }
+  return is_clear;
 }
 
 }  // namespace lamina

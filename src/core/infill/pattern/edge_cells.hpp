@@ -44,7 +44,20 @@ class EdgeCells {
     return cell;
   }
 
+  /// Whether no edge passes through a straight line between points of two clear cells, as there is none in
+  /// any cell round the first; false also where that is in doubt.
+  bool isClearBetween(std::size_t cell, std::size_t next) const {
+    if (!is_clear_around_[cell]) return false;
+    const auto columns = static_cast<std::size_t>(columns_);
+    const std::size_t row = cell / columns, next_row = next / columns;
+    const std::size_t column = cell % columns, next_column = next % columns;
+    return next_row + 1 >= row && row + 1 >= next_row && next_column + 1 >= column &&
+           column + 1 >= next_column;
+  }
+
  private:
+  std::vector<bool> clearAround() const;
+
   /// Row by row.
   template <class Visit>
   void forCells(const Point2& from, const Point2& to, const Visit& visit) const {
@@ -81,6 +94,7 @@ class EdgeCells {
   int rows_ = 1;
   std::vector<std::uint32_t> begin_;  ///< where each cell's edges begin, and an end
   std::vector<OutlineEdge> edges_;
+  std::vector<bool> is_clear_around_;  ///< of each cell: whether it and its neighbours have no edge
 };
 
 }  // namespace lamina

@@ -14,7 +14,9 @@ namespace lamina {
 namespace {
 
 constexpr double kPeriod = 2.0 * M_PI;
-constexpr int kSamples = 128;  ///< of a period, far finer than the chords
+constexpr double kStraight = 0.1;  ///< curvature in phases that counts as little
+constexpr double kBulge = 0.98;    ///< of the chord error
+constexpr int kSamples = 128;      ///< of a period, far finer than the chords
 
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
@@ -23,21 +25,41 @@ struct Interval {
 
 constexpr double kBeyond = 1e-3;  ///< periods
 
-/// How far points between two of a line lie from the chord.
-double sagBetween(const Polyline& line, std::size_t from, std::size_t to) {
-  const Point2 along = (line[to] - line[from]).normalized();
-  double sag = 0.0;
-  for (std::size_t i = from + 1; i < to; ++i)
-    sag = std::max(sag, std::abs(cross(along, line[i] - line[from])));
-  return sag;
+/// How far the points of a graph from one to another lie from the line through two others.
+double farthestFrom(const Polyline& graph, std::size_t from, std::size_t to, const Polyline& ends) {
+  const Point2 along = (ends[to] - ends[from]).normalized();
+  double farthest = 0.0;
+  for (std::size_t i = from; i <= to; ++i)
+    farthest = std::max(farthest, std::abs(cross(along, graph[i] - ends[from])));
+  return farthest;
 }
 
-/// Chords as long as the error allows, one after the other.
-Polyline chordsOf(const Polyline& line, double chord_error) {
-  Polyline chords{line.front()};
-  for (std::size_t from = 0, to = 1; from + 1 < line.size(); from = to++) {
-    while (to + 1 < line.size() && sagBetween(line, from, to + 1) <= chord_error) ++to;
-    chords.push_back(line[to]);
+/// The points of a period moved aside by up to a distance, away from the centre of curvature: chords between
+/// them cross the graph, and may be longer by half than those between its own points.
+Polyline bulged(const Polyline& period, double distance) {
+  const std::size_t count = period.size() - 1;
+  const Point2 forward(kPeriod, 0.0);
+  Polyline moved;
+  moved.reserve(period.size());
+  for (std::size_t i = 0; i <= count; ++i) {
+    const Point2 before = i > 0 ? period[i - 1] : Point2(period[count - 1] - forward);
+    const Point2 after = i < count ? period[i + 1] : Point2(period[1] + forward);
+    const Point2 along = 0.5 * (after - before);
+    const Point2 bend = after - 2.0 * period[i] + before;
+    const double curvature = cross(along, bend) / std::pow(along.squaredNorm(), 1.5);
+    const double share = curvature / (std::abs(curvature) + kStraight);
+    moved.push_back(period[i] - share * distance * leftOf(along).normalized());
+  }
+  return moved;
+}
+
+/// Chords as long as the error allows on both sides, one after the other.
+Polyline chordsOf(const Polyline& period, double chord_error) {
+  const Polyline ends = bulged(period, kBulge * chord_error);
+  Polyline chords{ends.front()};
+  for (std::size_t from = 0, to = 1; from + 1 < period.size(); from = to++) {
+    while (to + 1 < period.size() && farthestFrom(period, from, to + 1, ends) <= chord_error) ++to;
+    chords.push_back(ends[to]);
   }
   return chords;
 }

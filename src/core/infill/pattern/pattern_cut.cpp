@@ -40,7 +40,8 @@ class PieceCutter {
     std::optional<std::size_t> cell = cells_.clearCell(curve.front());
     for (std::size_t i = 1; i < curve.size(); ++i) {
       const std::optional<std::size_t> next = cells_.clearCell(curve[i]);
-      if (!next || next != cell) {
+      const bool is_clear = next && cell && (*next == *cell || cells_.isClearBetween(*cell, *next));
+      if (!is_clear) {
         findCuts(curve[i - 1], curve[i]);
         for (const BorderCut& cut : cuts_) pass(cut);
       }

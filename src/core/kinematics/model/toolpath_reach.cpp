@@ -61,10 +61,19 @@ class ReachCheck {
         values_from_bed_(Eigen::Matrix3d(space.bed_from_axes.linear()).inverse()),
         checked_(checked) {}
 
+  /// Whether all that lies in a box is within the limits, which bound a convex space.
+  bool hasWithinLimits(const Box3& box) const {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Point3 point((corner & 1) != 0 ? box.high.x() : box.low.x(),
+                         (corner & 2) != 0 ? box.high.y() : box.low.y(),
+                         (corner & 4) != 0 ? box.high.z() : box.low.z());
+      if (!limitFault(space_, valuesAt(point)).empty()) return false;
+    }
+    return true;
+  }
+
   std::string fault(const Path& path, std::size_t waypoint) const {
-    const Point3 position = bed_from_part_ * path.points[waypoint];
-    const Point3 values = values_from_bed_ * (position - space_.bed_from_axes.translation());
-    std::string found = limitFault(space_, values);
+    std::string found = limitFault(space_, valuesAt(path.points[waypoint]));
     if (checked_ == Checked::Pose && found.empty() && (waypoint == 0 || !path.orientation.isCommon()))
       found =
           toolAxisFault(space_, bed_from_part_.linear() * (path.orientation.at(waypoint) * Point3::UnitZ()));
@@ -72,6 +81,11 @@ class ReachCheck {
   }
 
  private:
+  Point3 valuesAt(const Point3& point) const {
+    const Point3 position = bed_from_part_ * point;
+    return values_from_bed_ * (position - space_.bed_from_axes.translation());
+  }
+
   const BuildSpace& space_;
   const Eigen::Isometry3d& bed_from_part_;
   Eigen::Matrix3d values_from_bed_;
@@ -79,9 +93,16 @@ class ReachCheck {
 };
 
 std::string firstFault(const ToolpathLayer& layer, const ReachCheck& check) {
+  Box3 box;
+  Point3 sum = Point3::Zero();
+  for (const Path& path : layer.paths)
+    for (const Point3& point : path.points) box.include(point), sum += point;
+  // No box shows a point that is not a number.
+  const bool is_within = sum.allFinite() && !box.isEmpty() && check.hasWithinLimits(box);
   for (std::size_t p = 0; p < layer.paths.size(); ++p) {
     const Path& path = layer.paths[p];
     for (std::size_t w = 0; w < path.points.size(); ++w) {
+      if (is_within && w > 0 && path.orientation.isCommon()) break;
       const std::string fault = check.fault(path, w);
       if (!fault.empty())
         return "path " + std::to_string(p) + ", waypoint " + std::to_string(w) + ": " + fault;

@@ -12,7 +12,7 @@ namespace lamina {
 /// Where `regions` is and `subtracted` is not.
 Regions differenceByPieces(const Regions& regions, const Regions& subtracted);
 
-/// What is grown by a distance, mitred, and rounded to no grid where no clipping is needed.
+/// What is grown by a distance: no less than with round corners, no more than with mitred ones.
 Regions grownByPieces(const Regions& regions, double distance_mm);
 
 /// Whether a disc of that radius has room in a region; false also where that is not found at once.

@@ -38,10 +38,17 @@ class CombArea::Search {
   Search(const CombArea& area, const End& from, const End& to, double longest_mm)
       : area_(area), from_(from.at), to_(to.at), longest_mm_(longest_mm) {
     const Point2 middle = 0.5 * (from_ + to_);
-    for (const Corner& corner : area.corners_[from.region])
+    const std::vector<CornerByX>& by_x = area.by_x_[from.region];
+    const double low_x = middle.x() - 0.5 * longest_mm - kInner;
+    const double high_x = middle.x() + 0.5 * longest_mm + kInner;
+    for (auto near = std::lower_bound(by_x.begin(), by_x.end(), CornerByX{low_x, 0});
+         near != by_x.end() && near->first <= high_x; ++near) {
+      const Corner& corner = area.corners_[from.region][near->second];
       if ((corner.at - middle).cwiseAbs().maxCoeff() <= 0.5 * longest_mm &&
           (corner.at - from_).norm() + (corner.at - to_).norm() <= longest_mm)
         corners_.push_back(&corner);
+    }
+    std::sort(corners_.begin(), corners_.end());  // of ways of equal length the first is taken
     parents_.assign(corners_.size() + 2, kNone);
   }
 
@@ -115,7 +122,7 @@ class CombArea::Search {
   std::priority_queue<Step> open_;
 };
 
-CombArea::CombArea(const Regions& area) : corners_(area.size()) {
+CombArea::CombArea(const Regions& area) : corners_(area.size()), by_x_(area.size()) {
   for (std::size_t i = 0; i < area.size(); ++i) {
     addOutline(area[i].outer, i);
     for (const Polygon& hole : area[i].holes) addOutline(hole, i);
@@ -124,6 +131,11 @@ CombArea::CombArea(const Regions& area) : corners_(area.size()) {
   ends.reserve(edges_.size());
   for (const Edge& edge : edges_) ends.emplace_back(edge.from, edge.to);
   grid_ = EdgeGrid(ends);
+  for (std::size_t region = 0; region < corners_.size(); ++region) {
+    for (std::size_t i = 0; i < corners_[region].size(); ++i)
+      by_x_[region].emplace_back(corners_[region][i].at.x(), i);
+    std::sort(by_x_[region].begin(), by_x_[region].end());
+  }
 }
 
 void CombArea::addOutline(const Polygon& outline, std::size_t region) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
@@ -53,6 +54,9 @@ class CombArea {
     std::size_t region;
   };
 
+  /// A corner by its coordinate and its place in its region.
+  using CornerByX = std::pair<double, std::size_t>;
+
   void addOutline(const Polygon& outline, std::size_t region);
   /// The region a point lies in.
   std::optional<std::size_t> regionOf(const Point2& point) const;
@@ -63,6 +67,7 @@ class CombArea {
   std::vector<Edge> edges_;
   EdgeGrid grid_;
   std::vector<std::vector<Corner>> corners_;  ///< of each region
+  std::vector<std::vector<CornerByX>> by_x_;  ///< of each region, from left to right
 };
 
 }  // namespace lamina

@@ -23,7 +23,13 @@ char* writeFixed(char* out, std::int64_t units) {
       units < 0 ? -static_cast<std::uint64_t>(units) : static_cast<std::uint64_t>(units);
   const std::uint64_t whole = magnitude / kScale;
   std::uint64_t fraction = magnitude % kScale;
-  out = std::to_chars(out, out + 20, whole).ptr;
+  if (whole < 1000) {
+    if (whole >= 100) *out++ = static_cast<char>('0' + whole / 100);
+    if (whole >= 10) *out++ = static_cast<char>('0' + whole / 10 % 10);
+    *out++ = static_cast<char>('0' + whole % 10);
+  } else {
+    out = std::to_chars(out, out + 20, whole).ptr;
+  }
   if (fraction == 0) return out;
   *out = '.';
   char* last = out;

@@ -215,7 +215,7 @@ void LayerWriter::writeMotion(const Point3& end, double feed_mm_s, Modal& modal,
   }
   out = writeChanged(out, 'F', toUnits(feed_mm_s, kFeedScale), modal.feed);
   *out++ = '\n';
-  text.append(line, out);
+  text.append(line, static_cast<std::size_t>(out - line));
 }
 
 void LayerWriter::writeArc(const Path& path, std::size_t motion, const FittedArc& arc, Modal& modal,
@@ -247,7 +247,7 @@ void LayerWriter::writeArc(const Path& path, std::size_t motion, const FittedArc
   }
   out = writeChanged(out, 'F', toUnits(path.feed_mm_s.at(path.motionEnd(motion)), kFeedScale), modal.feed);
   *out++ = '\n';
-  text.append(line, out);
+  text.append(line, static_cast<std::size_t>(out - line));
 }
 
 void LayerWriter::writeRetraction(double length_mm, Modal& modal, std::string& text) const {
@@ -257,7 +257,7 @@ void LayerWriter::writeRetraction(double length_mm, Modal& modal, std::string& t
   char* out = writeFixed<5>(line + 4, units);
   out = writeChanged(out, 'F', toUnits(settings_.retraction_feed_mm_s, kFeedScale), modal.feed);
   *out++ = '\n';
-  text.append(line, out);
+  text.append(line, static_cast<std::size_t>(out - line));
 }
 
 }  // namespace lamina

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The same job as a command of each slicer, for the scripts that compare them.
+
+Each function gives a command and what it adds to the environment. CuraEngine on the command line knows defaults only and
+evaluates no formula: distances of lines are stated.
+"""
+import os
+import pathlib
+import subprocess
+
+LAYER_MM = "0.2"
+WIDTH_MM = "0.4"
+DENSITY = 0.15
+SUPPORT_ANGLE_DEG = 45
+
+
+def cura_resources():
+    """Cura's definitions, without installing Cura."""
+    cache = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "lamina" / "cura"
+    resources = cache / "usr" / "share" / "cura" / "resources"
+    if not resources.is_dir():
+        cache.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["apt-get", "download", "cura"], cwd=cache, check=True, stdout=subprocess.DEVNULL)
+        package = next(cache.glob("cura_*.deb"))
+        subprocess.run(["dpkg-deb", "-x", package.name, "."], cwd=cache, check=True)
+    return resources
+
+
+def lamina_command(executable, mesh, output, skins, support=None):
+    settings = {
+        "slicing.layer_height_mm": LAYER_MM, "slicing.first_layer_height_mm": LAYER_MM, "bead.width_mm": WIDTH_MM,
+        "walls.count": 2, "infill.strategy": "zigzag", "infill.density": DENSITY, "skirt.count": 0,
+        "skins.top_layers": skins, "skins.bottom_layers": skins,
+    }
+    if support:
+        settings.update({"supports.use": "true", "supports.kind": support, "supports.angle_deg": SUPPORT_ANGLE_DEG})
+    assignments = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
+    return [executable, "slice", mesh, "-o", output, "--json", *assignments], {}
+
+
+def prusa_command(executable, mesh, output, skins, support=None):
+    supports = ["--support-material", "--support-material-threshold", str(SUPPORT_ANGLE_DEG),
+                "--support-material-spacing", f"{float(WIDTH_MM) / DENSITY:.4f}"] if support else []
+    return [
+        executable, "--export-gcode", "--layer-height", LAYER_MM, "--first-layer-height", LAYER_MM,
+        "--nozzle-diameter", "0.4", "--extrusion-width", WIDTH_MM, "--filament-diameter", "1.75",
+        "--perimeters", "2", "--fill-density", f"{100 * DENSITY:g}%", "--fill-pattern", "rectilinear",
+        "--top-solid-layers", str(skins), "--bottom-solid-layers", str(skins), "--solid-infill-below-area", "0",
+        "--gap-fill-speed", "0", "--skirts", "0", "--brim-width", "0", "--center", "100,100", *supports,
+        "--output", output, mesh,
+    ], {}
+
+
+def cura_environment():
+    resources = cura_resources()
+    return {"CURA_ENGINE_SEARCH_PATH": f"{resources / 'definitions'}:{resources / 'extruders'}"}
+
+
+def cura_definition():
+    return str(cura_resources() / "definitions" / "fdmprinter.def.json")
+
+
+def cura_command(executable, mesh, output, skins, support=None):
+    distance = float(WIDTH_MM) / DENSITY
+    settings = {
+        "layer_height": LAYER_MM, "layer_height_0": LAYER_MM, "line_width": WIDTH_MM, "wall_line_width": WIDTH_MM,
+        "wall_line_width_0": WIDTH_MM, "wall_line_width_x": WIDTH_MM, "infill_line_width": WIDTH_MM,
+        "wall_line_count": 2, "wall_thickness": 0.8, "top_layers": skins, "bottom_layers": skins,
+        "initial_bottom_layers": skins,
+        "infill_sparse_density": 100 * DENSITY, "infill_line_distance": distance,
+        "infill_pattern": "lines", "adhesion_type": "none", "machine_width": 300, "machine_depth": 300,
+        "machine_height": 300, "center_object": "true", "material_diameter": 1.75,
+    }
+    if support:
+        settings.update({
+            "support_enable": "true", "support_structure": "tree" if support == "tree" else "normal",
+            "support_type": "everywhere", "support_angle": SUPPORT_ANGLE_DEG, "support_line_distance": distance,
+            "support_initial_layer_line_distance": distance, "support_infill_rate": 100 * DENSITY,
+            "support_top_distance": 0.2, "support_bottom_distance": 0.2, "support_z_distance": 0.2,
+            "support_infill_sparse_thickness": LAYER_MM,
+        })
+    assignments = [text for key, value in settings.items() for text in ("-s", f"{key}={value}")]
+    command = [executable, "slice", "-j", cura_definition(), *assignments, "-e0", *assignments, "-l", mesh, "-o",
+               output]
+    return command, cura_environment()
+
+
+def bare_lamina_command(executable, mesh, output):
+    return [executable, "slice", mesh, "-o", output], {}
+
+
+def bare_prusa_command(executable, mesh, output):
+    return [executable, "--export-gcode", "--output", output, mesh], {}
+
+
+def bare_cura_command(executable, mesh, output):
+    return [executable, "slice", "-j", cura_definition(), "-l", mesh, "-o", output], cura_environment()
