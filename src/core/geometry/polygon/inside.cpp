@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/polygon/inside.hpp"
 
+#include <algorithm>
+
 #include "geometry/polygon/plane_vectors.hpp"
 
 namespace lamina {
@@ -23,9 +25,9 @@ struct Line {
 };
 
 bool isInside(const Region& region, const Point2& point) {
-  bool is_inside = encloses(region.outer, point);
-  for (const Polygon& hole : region.holes) is_inside = is_inside && !encloses(hole, point);
-  return is_inside;
+  if (!encloses(region.outer, point)) return false;
+  return std::none_of(region.holes.begin(), region.holes.end(),
+                      [&point](const Polygon& hole) { return encloses(hole, point); });
 }
 
 }  // namespace
@@ -36,14 +38,13 @@ bool staysInside(const Regions& regions, const Point2& from, const Point2& to) {
   if (length <= 2.0 * kEndTolerance) return true;
   const Point2 inset = kEndTolerance / length * along;
   const Line line{from + inset, to - inset};
-  bool is_inside = false;
-  for (const Region& region : regions) {
-    if (line.isCrossedBy(region.outer)) return false;
-    for (const Polygon& hole : region.holes)
-      if (line.isCrossedBy(hole)) return false;
-    is_inside = is_inside || isInside(region, line.from);
-  }
-  return is_inside;
+  // No more than one region has the start of the line; it stays inside if that one's outlines do not cross
+  // it.
+  const auto around = std::find_if(regions.begin(), regions.end(),
+                                   [&line](const Region& region) { return isInside(region, line.from); });
+  if (around == regions.end() || line.isCrossedBy(around->outer)) return false;
+  return std::none_of(around->holes.begin(), around->holes.end(),
+                      [&line](const Polygon& hole) { return line.isCrossedBy(hole); });
 }
 
 }  // namespace lamina
