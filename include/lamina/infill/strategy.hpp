@@ -16,6 +16,12 @@
 
 namespace lamina {
 
+/// In which order the lines of a solid zigzag are laid.
+enum class LineAdvance {
+  Shortest,  ///< for short travels
+  OneSense,  ///< each after those beside it on the one side, so that none is laid between two laid before it
+};
+
 /// What a fill strategy is asked for.
 struct InfillRequest {
   double spacing_mm = 0.4;  ///< between neighbouring lines, centre to centre; the pitch if the fill is solid
@@ -29,6 +35,7 @@ struct InfillRequest {
   /// keep the height and the directions of their plan.
   Eigen::Isometry3d part_from_plan = Eigen::Isometry3d::Identity();
   LineLinks links;
+  LineAdvance advance = LineAdvance::Shortest;
   /// Of this layer, where the fill grows from the layers above (`FillGrowth`); null where they are not known.
   const std::vector<Polyline>* branches = nullptr;
   FillSettings settings;  ///< what single strategies ask for besides
@@ -88,6 +95,9 @@ struct InfillStrategy {
   /// at others as much less.
   double crossing = 0.0;
   FillGrowth growth = FillGrowth::Alone;
+  /// Directions of its lines against `infill.angle_deg` [deg], where they are the same in all layers; none of
+  /// a fill that turns with the request.
+  std::vector<double> fixed_lines_deg = {};
 };
 
 /// All strategies, those of plug-ins too. Whoever adds one calls `infillStrategies().add("name", {...})`.

@@ -61,12 +61,25 @@ struct SkinSettings {
   double narrowest = 1.0;   ///< bead widths; narrower places are no skin
   double anchor_mm = -1.0;  ///< by which skins grow into the infill; -1 takes the thickness of the walls
   double least_infill_mm2 = 15.0;  ///< smaller areas of infill become skin
+  bool is_monotonic = true;        ///< zigzags seen from above are laid in one sense across their lines
 };
+
+/// What is seen from above, passed over once more.
+struct IroningSettings {
+  bool is_used = false;
+  double flow = 0.15;       ///< share of the layer's height that is laid on what is passed over
+  double spacing_mm = 0.1;  ///< between neighbouring lines
+  double inset_mm = 0.2;    ///< between the lines and the border of the skin
+};
+
+/// Whether anything is skin because it is seen from above.
+inline bool hasTopSkins(const SkinSettings& settings) {
+  return settings.top_layers > 0 || settings.top_mm > 0.0;
+}
 
 /// Whether there is a skin at all.
 inline bool hasSkins(const SkinSettings& settings) {
-  return settings.top_layers > 0 || settings.bottom_layers > 0 || settings.top_mm > 0.0 ||
-         settings.bottom_mm > 0.0;
+  return hasTopSkins(settings) || settings.bottom_layers > 0 || settings.bottom_mm > 0.0;
 }
 
 /// Whether the density is 1, but for rounding.
@@ -134,6 +147,7 @@ struct FeedSettings {
   double skin_mm_s = 45.0;      ///< hidden skins, and those seen from below
   double top_skin_mm_s = 30.0;  ///< skins seen from above
   double bridge_mm_s = 20.0;    ///< bridges, and walls beside them
+  double ironing_mm_s = 20.0;   ///< what is passed over again
   double skirt_mm_s = 40.0;     ///< brim, raft and priming too
   double support_mm_s = 60.0;
   double support_interface_mm_s = 40.0;
@@ -146,6 +160,7 @@ struct PlanSettings {
   WallSettings walls;
   InfillSettings infill;
   SkinSettings skins;
+  IroningSettings ironing;
   BridgeSettings bridges;
   OverhangingWallSettings overhangs;
   FillSettings fill;
@@ -168,8 +183,8 @@ inline bool isLoneWall(const PlanSettings& settings) {
   return settings.walls.count == 1 && !isFilled(settings.infill);
 }
 
-/// Adds the keys bead.*, walls.*, infill.*, skins.*, bridges.*, overhangs.*, those of the fill strategies,
-/// voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.*,
+/// Adds the keys bead.*, walls.*, infill.*, skins.*, ironing.*, bridges.*, overhangs.*, those of the fill
+/// strategies, voids.*, skirt.*, brim.*, raft.*, prime.*, supports.*, anchoring.*, seam.*, travel.*, feed.*,
 /// first_layer.*, tool.*, tools.* and planning.*.
 void describe(SettingsSchema& schema, PlanSettings& settings);
 

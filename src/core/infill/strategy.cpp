@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "infill/contour/contour.hpp"
 #include "infill/contour/perimeters.hpp"
@@ -31,29 +33,32 @@ InfillStrategy drops(const FillFunction& fill) {
 }
 
 /// Solid ones are zigzags.
-InfillStrategy pattern(const FillFunction& fill, double crossing = 0.0) {
-  return {fill, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted, Deposit::Bead, crossing};
+InfillStrategy pattern(const FillFunction& fill, std::vector<double> lines_deg, double crossing = 0.0) {
+  return {fill,          RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted,
+          Deposit::Bead, crossing,           FillGrowth::Alone, std::move(lines_deg)};
 }
 
 std::map<std::string, InfillStrategy> builtInStrategies() {
+  const std::vector<double> two_ways = {0.0, 90.0};
+  const std::vector<double> three_ways = {0.0, 60.0, 120.0};
   return {
       {"contour", {contour, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
-      {"cubic", pattern(cubicFill, 1.0 / 3.0)},
+      {"cubic", pattern(cubicFill, three_ways, 1.0 / 3.0)},
       {"drops_contour", drops(dropsContour)},
       {"drops_dense", drops(dropsDense)},
       {"drops_raster", drops(dropsRaster)},
-      {"grid", pattern(gridFill, 0.25)},
-      {"gyroid", pattern(gyroid)},
+      {"grid", pattern(gridFill, two_ways, 0.25)},
+      {"gyroid", pattern(gyroid, two_ways)},
       {"hilbert", {hilbert, RunOrder::Shortest, LayerLink::Travel, WallContact::Overlapping}},
       {"hilbert_quadtree", {hilbertQuadtree, RunOrder::Shortest, LayerLink::Chained, WallContact::Beside}},
-      {"honeycomb", pattern(honeycomb)},
+      {"honeycomb", pattern(honeycomb, three_ways)},
       {"hybrid", {hybrid, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"lightning",
        {lightning, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted, Deposit::Bead, 0.0,
         FillGrowth::FromAbove}},
       {"perimeters", {perimeters, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
       {"spiral", {spiral, RunOrder::AsGiven, LayerLink::Travel, WallContact::Beside}},
-      {"triangles", pattern(trianglesFill, 0.25)},
+      {"triangles", pattern(trianglesFill, three_ways, 0.25)},
       {"vase", {vase, RunOrder::AsGiven, LayerLink::Rising, WallContact::Beside}},
       {"zigzag", {zigzag, RunOrder::Shortest, LayerLink::Travel, WallContact::Fitted}},
   };

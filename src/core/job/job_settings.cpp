@@ -203,6 +203,7 @@ void validate(const JobSettings& settings) {
   schema.validate();
   requireConsistent(settings.planning);
   requireConsistent(settings.slicing);
+  requireConsistent(settings.cooling);
   requireConsistent(settings.fan);
   requireConsistent(settings.flow);
   requireConsistent(settings.hooks);

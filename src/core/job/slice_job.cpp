@@ -81,6 +81,7 @@ void coolPart(SlicedPart& sliced, const JobSettings& settings, Progress& progres
   char waiting[64];
   std::snprintf(waiting, sizeof waiting, "are waited for, %.1f s in all", summary.dwell_s);
   note(summary.dwells, waiting);
+  note(summary.reordered_layers, "are laid in another order, so that places are left alone for longer");
   note(summary.too_fast_layers, "take less than their least time, even at the least feed");
   addFan(sliced.toolpath, settings.fan, settings.motion);
 }

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/polygon/inside.hpp"
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/error.hpp"
@@ -27,6 +26,8 @@
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/bridges/hollow_below.hpp"
 #include "planning/bridges/layer_below.hpp"
+#include "planning/bridges/lines_below.hpp"
+#include "planning/laid_runs.hpp"
 #include "planning/modifiers/island_pieces.hpp"
 #include "planning/modifiers/run_clipping.hpp"
 #include "planning/order/anchored_run.hpp"
@@ -36,6 +37,7 @@
 #include "planning/role_feed.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
+#include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
@@ -76,6 +78,8 @@ Point2 anchorOf(const Layer& layer, const PlanContext& context) {
   if (!isAnchored(context)) return context.anchor;
   return bedSide(layer, *context.bed).value_or(context.anchor);
 }
+
+void appendTo(Regions& all, const Regions& more) { all.insert(all.end(), more.begin(), more.end()); }
 
 class LayerPlanner {
  public:
@@ -126,6 +130,7 @@ class LayerPlanner {
     }
     is_in_island_ = false;
     if (settings_.voids.refill == VoidRefill::Beads && isFilledByBeads()) refillVoids(material);
+    iron();
     return {std::move(result_), unprinted_mm2_, refilling_, starts_, moved_starts_, 0.0, bridging_};
   }
 
@@ -191,10 +196,11 @@ class LayerPlanner {
       return walls.unprinted_mm2;
     }
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
-    starts_ += startsOf(walls.infill, fillsSince(before), pitch_);
+    keepSeen(walls.infill);
+    starts_ += startsOf(walls.infill, fillsSince(result_.paths, before), pitch_);
     addShortest(std::move(walls.narrow_infill), {});
-    if (!isSolid(infill_)) sparse_.insert(sparse_.end(), walls.infill.begin(), walls.infill.end());
-    return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, before) : 0.0);
+    if (!isSolid(infill_)) appendTo(sparse_, walls.infill);
+    return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, result_.paths, before) : 0.0);
   }
 
   /// Lays what spans a gap within walls, and what hangs over one.
@@ -277,7 +283,8 @@ class LayerPlanner {
     step(planner);
     starts_ += planner.starts_;
     bridging_ += planner.bridging_;
-    sparse_.insert(sparse_.end(), planner.sparse_.begin(), planner.sparse_.end());
+    appendTo(sparse_, planner.sparse_);
+    appendTo(seen_, planner.seen_);
     std::vector<Path>& paths = planner.result_.paths;
     if (paths.empty()) return;
     if (!result_.paths.empty()) addTravelTo(paths.front().firstPoint(), TravelOver::Anything);
@@ -316,12 +323,13 @@ class LayerPlanner {
     const std::size_t before = result_.paths.size();
     if (has_skins) return addSkinsAndInfill(inside, before);
     if (infill_.spacing_mm > 0.0) addInfill(infillArea(inside));
-    starts_ += startsOf(inside, fillsSince(before), pitch_);
+    keepSeen(inside);
+    starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
     std::vector<FillPath> narrow;
     for (const FillPath& run : walls.narrow_infill)
       for (FillPath& part : clipped(run, piece)) narrow.push_back(std::move(part));
     addShortest(std::move(narrow), {});
-    if (!isSolid(infill_)) sparse_.insert(sparse_.end(), inside.begin(), inside.end());
+    if (!isSolid(infill_)) appendTo(sparse_, inside);
   }
 
   /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
@@ -340,8 +348,9 @@ class LayerPlanner {
     }
     travels_.addSeen(areas.top_skin);
     addSkin(areas.top_skin, PathRole::TopSkin);
-    starts_ += startsOf(inside, fillsSince(before), pitch_);
-    sparse_.insert(sparse_.end(), areas.sparse.begin(), areas.sparse.end());
+    if (settings_.ironing.is_used) appendTo(seen_, areas.top_skin);
+    starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
+    appendTo(sparse_, areas.sparse);
   }
 
   bool hasSmallInfill(const Walls& walls) const {
@@ -358,9 +367,8 @@ class LayerPlanner {
     const Regions lowest = intersection(skin, beneath.sparse);
     if (lowest.empty()) return skin;
     const std::size_t before = result_.paths.size();
-    const InfillSettings& infill = settings_.infill;
-    const double lines_deg = infill.angle_deg + infill.alternation_deg * static_cast<double>(index_ - 1);
-    addSkin(lowest, PathRole::Skin, std::fmod(lines_deg + 90.0 - settings_.skins.angle_deg, 360.0));
+    const double across_deg = acrossLines(linesOf(context_.strategy, settings_.infill, index_ - 1));
+    addSkin(lowest, PathRole::Skin, std::fmod(across_deg - settings_.skins.angle_deg, 360.0));
     markSince(before, settings_.feed.bridge_mm_s);
     return difference(skin, lowest);
   }
@@ -378,41 +386,29 @@ class LayerPlanner {
     request.pitch_mm = request.spacing_mm = pitch_;
     request.angle_rad = (settings_.skins.angle_deg + turn_deg) * M_PI / 180.0;
     request.turn_rad = turn_deg * M_PI / 180.0;
+    const bool goes_one_way = laysInOneSense(settings_.skins, role);
+    if (goes_one_way) request.advance = LineAdvance::OneSense;
     std::vector<FillPath> fills;
     if (!parts.wide.empty()) fills = context_.skin_strategy.fill(parts.wide, request);
-    for (FillPath& narrow : parts.narrow) fills.push_back(std::move(narrow));
     for (FillPath& fill : fills) fill.role = role;
+    for (FillPath& narrow : parts.narrow) narrow.role = role;
+    if (goes_one_way)
+      for (const FillPath& fill : std::exchange(fills, {})) addFill(fill, area);
+    for (FillPath& narrow : parts.narrow) fills.push_back(std::move(narrow));
     addShortest(std::move(fills), area);
   }
 
-  /// Area [mm²] of those regions into which none of the paths goes that were deposited since there were so
-  /// many.
-  double areaMissed(const Regions& regions, std::size_t before) const {
-    if (regions.size() == 1 && result_.paths.size() > before) return 0.0;
-    double missed = 0.0;
-    for (const Region& region : regions) {
-      const std::vector<Polygon> borders = outlines({region});
-      const auto goesInside = [&](const Path& path) {
-        return path.role != PathRole::Travel &&
-               std::any_of(path.points.begin(), path.points.end(),
-                           [&](const Point3& point) { return contains(borders, point.head<2>()); });
-      };
-      if (std::none_of(result_.paths.begin() + static_cast<std::ptrdiff_t>(before), result_.paths.end(),
-                       goesInside))
-        missed += area({region});
-    }
-    return missed;
+  /// A solid infill that is seen is ironed as a skin is.
+  void keepSeen(const Regions& inside) {
+    if (!settings_.ironing.is_used || cover_ == nullptr || !isSolid(infill_)) return;
+    appendTo(seen_, skinAreas(inside, *cover_, skinMeasures(settings_, pitch_)).top_skin);
   }
 
-  /// Ends of the runs of infill deposited since there were so many paths.
-  std::vector<RunEnds> fillsSince(std::size_t before) const {
-    std::vector<RunEnds> ends;
-    for (std::size_t i = before; i < result_.paths.size(); ++i) {
-      const Path& path = result_.paths[i];
-      if (kindOf(path.role) == RoleKind::Infill)
-        ends.push_back({path.firstPoint().head<2>(), path.lastPoint().head<2>()});
-    }
-    return ends;
+  /// What is seen, across its lines, once the layer is laid.
+  void iron() {
+    if (seen_.empty()) return;
+    const double turn_deg = settings_.skins.angle_deg + 90.0 * static_cast<double>(index_ % 4 + 1);
+    addShortest(ironingLines(seen_, settings_.ironing, turn_deg * M_PI / 180.0), seen_);
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {
@@ -544,6 +540,7 @@ class LayerPlanner {
   AlongPath<Bead> beadOf(const FillPath& run) const {
     if (run.deposit == Deposit::Drops) return Bead{settings_.fill.drops.diameter_mm, result_.height_mm};
     if (run.role == PathRole::Bridge) return threadBead(settings_.bridges, bead_);
+    if (run.role == PathRole::Ironing) return ironingBead(settings_.ironing, result_.height_mm);
     if (run.width_mm.empty()) return bead_;
     return beadsOf(run.width_mm, crossSection(bead_) / pitch_, result_.height_mm);
   }
@@ -579,6 +576,7 @@ class LayerPlanner {
   Bridging bridging_;
   FillStarts starts_;
   Regions sparse_;  ///< what the infill of all islands does not fill
+  Regions seen_;    ///< what is to be ironed
   ToolpathLayer result_;
 };
 

@@ -75,6 +75,7 @@ void requireConsistentDrops(const PlanSettings& settings) {
   if (isUsed(settings.adhesion))
     refuse("a brim, raft or prime line is set", settings,
            "brim.width_mm 0, raft.layers 0 and prime.line 'none': they are of beads");
+  if (settings.ironing.is_used) refuse("ironing.use is true", settings, "false: there are no skins of beads");
   const DropSettings& drops = settings.fill.drops;
   requireDistance("drops.pitch_mm", drops.pitch_mm, drops);
   requireDistance("drops.line_spacing_mm", lineSpacing(drops), drops);
@@ -101,6 +102,13 @@ void requireConsistentSkins(const SkinSettings& skins) {
   if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
   throw InvalidConfig("skins.strategy is '" + skins.strategy +
                       "'; must be one that fills each layer with beads, such as zigzag");
+}
+
+void requireIronable(const PlanSettings& settings) {
+  if (!settings.ironing.is_used || hasTopSkins(settings.skins)) return;
+  throw InvalidConfig(
+      "ironing.use is true, and nothing is skin for being seen from above; expected skins.top_layers of 1 or "
+      "more");
 }
 
 /// What is laid on the bed is then the raft.
@@ -176,6 +184,7 @@ void requireConsistent(const PlanSettings& settings) {
   requireConsistentAdhesion(settings.adhesion);
   requirePlainFirstLayer(settings.first_layer, settings.adhesion.raft.layers);
   if (hasSkins(settings.skins)) requireConsistentSkins(settings.skins);
+  requireIronable(settings);
   requireConsistent(settings.overhangs);
   requireConsistentTools(settings, strategy);
 }

@@ -70,6 +70,18 @@ void describe(SettingsSchema& schema, SkinSettings& skins) {
                 "By how much skins grow into the infill; -1 takes the thickness of the walls.");
   schema.number("skins.least_infill_mm2", skins.least_infill_mm2, {0.0, 1e6, false},
                 "Smaller areas of sparse infill become skin.");
+  schema.flag("skins.monotonic", skins.is_monotonic,
+              "Whether zigzags seen from above are laid in one sense across, none between two laid before.");
+}
+
+void describe(SettingsSchema& schema, IroningSettings& ironing) {
+  schema.flag("ironing.use", ironing.is_used, "Whether skins seen from above are passed over once more.");
+  schema.number("ironing.flow", ironing.flow, {0.0, 1.0, true},
+                "What is laid then, as a share of the layer's height.");
+  schema.number("ironing.spacing_mm", ironing.spacing_mm, {0.01, 100.0, false},
+                "Distance of neighbouring lines of ironing.");
+  schema.number("ironing.inset_mm", ironing.inset_mm, {0.0, 100.0, false},
+                "Distance of these lines from the border of the skin.");
 }
 
 void describe(SettingsSchema& schema, VoidSettings& voids) {
@@ -136,6 +148,7 @@ void describe(SettingsSchema& schema, FeedSettings& feed) {
   schema.number("feed.skin_mm_s", feed.skin_mm_s, kFeed, "Speed of hidden and bottom skins.");
   schema.number("feed.top_skin_mm_s", feed.top_skin_mm_s, kFeed, "Speed of skins seen from above.");
   schema.number("feed.bridge_mm_s", feed.bridge_mm_s, kFeed, "Speed of bridges and of walls beside them.");
+  schema.number("feed.ironing_mm_s", feed.ironing_mm_s, kFeed, "Speed of ironing.");
   schema.number("feed.skirt_mm_s", feed.skirt_mm_s, kFeed, "Speed of skirt, brim, raft and priming.");
   schema.number("feed.support_mm_s", feed.support_mm_s, kFeed, "Speed of supports.");
   schema.number("feed.support_interface_mm_s", feed.support_interface_mm_s, kFeed,
@@ -152,6 +165,7 @@ void describe(SettingsSchema& schema, PlanSettings& settings) {
   describe(schema, settings.adapted);
   describe(schema, settings.infill);
   describe(schema, settings.skins);
+  describe(schema, settings.ironing);
   describe(schema, settings.bridges);
   describe(schema, settings.overhangs);
   describe(schema, settings.fill);

@@ -237,7 +237,9 @@ bool laysWithinLayers(const PlanContext& context) {
 bool takesCovers(const PlanContext& context) {
   const PlanSettings& settings = context.settings;
   const bool takes_skins = hasSkins(settings.skins) && !isSolid(settings.infill);
-  return (takes_skins || settings.bridges.is_used || settings.overhangs.is_used) && laysWithinLayers(context);
+  return (takes_skins || settings.ironing.is_used || settings.bridges.is_used ||
+          settings.overhangs.is_used) &&
+         laysWithinLayers(context);
 }
 
 StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {

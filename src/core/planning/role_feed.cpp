@@ -20,6 +20,8 @@ double feedOf(PathRole role, const FeedSettings& feed) {
       return feed.skirt_mm_s;
     case PathRole::Bridge:
       return feed.bridge_mm_s;
+    case PathRole::Ironing:
+      return feed.ironing_mm_s;
     case PathRole::Support:
       return feed.support_mm_s;
     case PathRole::SupportInterface:

@@ -85,6 +85,7 @@ std::vector<SettingProbe> startupProbes();
 std::vector<SettingProbe> approachProbes();
 std::vector<SettingProbe> monitorProbes();
 std::vector<SettingProbe> bridgeProbes();
+std::vector<SettingProbe> skinProbes();
 std::vector<SettingProbe> heightProbes();
 std::vector<SettingProbe> arcProbes();
 std::vector<SettingProbe> hookProbes();

@@ -53,6 +53,7 @@ TEST(SettingsCoverage, OfApproaches) { expectEffects(approachProbes()); }
 TEST(SettingsCoverage, OfPlates) { expectEffects(plateProbes()); }
 TEST(SettingsCoverage, OfMonitoring) { expectEffects(monitorProbes()); }
 TEST(SettingsCoverage, OfBridges) { expectEffects(bridgeProbes()); }
+TEST(SettingsCoverage, OfSkins) { expectEffects(skinProbes()); }
 TEST(SettingsCoverage, OfHeights) { expectEffects(heightProbes()); }
 TEST(SettingsCoverage, OfFlow) { expectEffects(flowProbes()); }
 TEST(SettingsCoverage, OfArcs) { expectEffects(arcProbes()); }

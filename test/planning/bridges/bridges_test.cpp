@@ -251,6 +251,68 @@ TEST(Bridges, OverInfillCrossItsLines) {
   }
 }
 
+/// Far out along a belt, where inclined layers are planned near the origin.
+std::vector<Layer> movedAlong(std::vector<Layer> layers, double by_mm) {
+  for (Layer& layer : layers)
+    for (Polygon& contour : layer.section.contours)
+      for (Point2& point : contour) point.y() += by_mm;
+  return layers;
+}
+
+/// Over a bed that rises by 20 deg along -y against the layers, and has its trace at y = 0 in layer 0.
+Plan inclinedPlan(const std::vector<Layer>& layers, double level_mm) {
+  const Point3 up(0.0, std::sin(M_PI / 9.0), std::cos(M_PI / 9.0));
+  NoProgress nobody;
+  Plan plan = planPart("part", layers, spanning(), LayerIncline{{up, level_mm}, {}}, nobody);
+  validate(plan.toolpath);
+  return plan;
+}
+
+TEST(Bridges, SpanGapsInInclinedLayers) {
+  for (const double out_mm : {0.0, 5000.0}) {
+    const double level_mm = out_mm * std::sin(M_PI / 9.0) - 50.0;
+    const Plan plan = inclinedPlan(movedAlong(bridge(), out_mm), level_mm);
+    EXPECT_EQ(plan.bridging.bridges, 1U) << out_mm;
+    EXPECT_NEAR(plan.bridging.longest_mm, 20.0, 1e-3);
+    const std::vector<Path> threads = threadsOf(plan.toolpath.layers[5]);
+    const double volume = (20.0 + 2.0 * 1.0) * (20.0 - 2.0 * kTwoWalls) * 0.2;
+    EXPECT_NEAR(threadVolume(threads), volume, 0.01 * volume);
+    for (const Path& thread : threads) EXPECT_EQ(thread.feed_mm_s.at(1), 20.0);
+  }
+}
+
+TEST(Bridges, NeedNoneWhereAnInclinedLayerStandsOnTheBed) {
+  // Level 20 mm: the bed carries the whole layer. In between its trace carries half of it.
+  EXPECT_EQ(inclinedPlan(bridge(), 20.0).bridging.bridges, 0U);
+  const double half_mm = 10.0 * std::sin(M_PI / 9.0) + 0.9 * std::cos(M_PI / 9.0);  // y = 10, layer 4
+  const Plan plan = inclinedPlan(bridge(), half_mm);
+  double laid_mm = 0.0;
+  for (const Path& thread : threadsOf(plan.toolpath.layers[5])) {
+    EXPECT_GT(thread.points[0].y(), 10.0 - 1.1) << "the trace lies at y = 10 and below, and holds threads";
+    laid_mm += length(thread);
+  }
+  EXPECT_GT(laid_mm, 20.0);
+}
+
+TEST(Bridges, OverAGridCrossBothOfItsDirections) {
+  const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{rectangle(0, 0, 30, 30)}; });
+  PlanSettings settings = spanning();
+  settings.infill.strategy = "grid";
+  settings.infill.angle_deg = 10.0;  // lines at 10 and 100 deg in all layers
+  settings.bridges.is_over_infill = true;
+  double between = 0.0;
+  double all = 0.0;
+  for (const Path& path : plannedPart(layers, settings).toolpath.layers[16].paths)
+    for (std::size_t m = 0; path.role == PathRole::Skin && m < path.motionCount(); ++m) {
+      const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
+      const double turned_deg = std::atan2(way.y(), way.x()) * 180.0 / M_PI - 55.0;
+      all += way.norm();
+      if (std::abs(std::remainder(turned_deg, 90.0)) < 0.01) between += way.norm();
+    }
+  EXPECT_GT(between, 0.9 * all) << "at 55 or 145 deg";
+  EXPECT_GT(all, 100.0);
+}
+
 TEST(Bridges, CloseAHollowPartFromWallToWall) {
   const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{rectangle(0, 0, 30, 18)}; });
   PlanSettings settings = spanning();

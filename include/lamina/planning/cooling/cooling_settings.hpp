@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "lamina/base/settings.hpp"
 
@@ -18,6 +19,12 @@ enum class ParkPlace : std::uint8_t {
   Stay      ///< over where it was
 };
 
+/// What is left alone for the least time.
+enum class CoolingInterval : std::uint8_t {
+  Layer,  ///< from the begin of a layer to its end
+  Place   ///< each island, from when the nozzle leaves it to when it comes back a layer higher
+};
+
 /// How long layers take at least.
 struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
@@ -25,6 +32,7 @@ struct CoolingSettings {
   double least_feed_mm_s = 10.0;  ///< slower than this nothing is laid
   double lift_mm = 2.0;           ///< while it waits
   ParkPlace park = ParkPlace::Outside;
+  CoolingInterval interval = CoolingInterval::Layer;
 };
 
 /// How the fan blows, by the time of the layer.
@@ -40,6 +48,8 @@ struct FanSettings {
   WhenSlow beyond = WhenSlow::Least;  ///< above `off_above_s`
   double bridge = 1.0;                ///< while a bridge is laid
   double overhang = 1.0;              ///< while walls and skins are laid that nothing carries
+  std::string by_role;                ///< shares of other roles, as `support_interface=1,top_skin=0.8`
+  double spin_up_s = 0.0;             ///< by which it is told earlier to blow more
 };
 
 /// Adds the keys cooling.*.
@@ -47,7 +57,9 @@ void describe(SettingsSchema& schema, CoolingSettings& settings);
 /// Adds the keys fan.*.
 void describe(SettingsSchema& schema, FanSettings& settings);
 
-/// @throws InvalidConfig if the least is above the greatest
+/// @throws InvalidConfig if the least is above the greatest, or `by_role` is no list of roles and shares
 void requireConsistent(const FanSettings& settings);
+/// @throws InvalidConfig if places are to be left alone by slower feeds
+void requireConsistent(const CoolingSettings& settings);
 
 }  // namespace lamina

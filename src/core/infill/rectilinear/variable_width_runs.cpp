@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "infill/rectilinear/border_connection.hpp"
+#include "infill/rectilinear/one_sense_order.hpp"
 #include "infill/rectilinear/raster_walk.hpp"
 #include "infill/rectilinear/section_order.hpp"
 #include "infill/rectilinear/variable_width_pass.hpp"
@@ -36,6 +38,8 @@ class BoustrophedonCells {
   std::uint32_t above(std::uint32_t crossing) const { return above_[crossing]; }
   /// What their order depends on, in the raster frame.
   std::vector<BoustrophedonCell> ends() const;
+  /// Left ends of all passes, line by line from below.
+  std::vector<std::uint32_t> passes() const;
 
  private:
   bool isPass(std::size_t inside_line) const;
@@ -105,6 +109,29 @@ std::vector<BoustrophedonCell> BoustrophedonCells::ends() const {
     ends.push_back(sides);
   }
   return ends;
+}
+
+std::vector<std::uint32_t> BoustrophedonCells::passes() const {
+  std::vector<std::uint32_t> lefts;
+  for (std::size_t i = 0; i < walk_.insideLines(); ++i)
+    if (isPass(i)) lefts.push_back(walk_.leftEnd(i));
+  return lefts;
+}
+
+/// Passes in one sense across, which are those of the odd lines.
+/// @param from  where the nozzle comes from [mm, raster frame]
+PassEntries passesInOneSense(const BoustrophedonCells& sections, const RasterWalk& walk, const Point2& from) {
+  const std::vector<std::uint32_t> lefts = sections.passes();
+  std::vector<RasterRow> rows;
+  rows.reserve(lefts.size());
+  for (const std::uint32_t left : lefts)
+    rows.push_back({walk.lineOf(left) / 2, walk.pointAt(left).x(), walk.pointAt(walk.otherEnd(left)).x()});
+  const double strip_mm = 2.0 * walk.raster().spacing_mm;
+  PassEntries entries;
+  entries.reserve(rows.size());
+  for (const RowVisit& visit : orderInOneSense(rows, {strip_mm, 0.5 * strip_mm}, from))
+    entries.push_back(visit.enters_right ? walk.otherEnd(lefts[visit.row]) : lefts[visit.row]);
+  return entries;
 }
 
 /// The passes of all sections in the order of the tour.
@@ -367,6 +394,12 @@ class VariableWidthRegion {
     return VariableWidthTracer(strips_, sections_, frame_).trace(passesOf(sections_, walk_, tour));
   }
 
+  /// @param from  where the nozzle comes from
+  std::vector<FillPath> runsInOneSense(const Point2& from) const {
+    return VariableWidthTracer(strips_, sections_, frame_)
+        .trace(passesInOneSense(sections_, walk_, frame_.intoRaster(from)));
+  }
+
  private:
   double stripWidth(const Region& links, const InfillRequest& request) const {
     const auto [low, high] = extent(links, request.angle_rad);
@@ -382,6 +415,35 @@ class VariableWidthRegion {
   VariableWidthLines strips_;
 };
 
+/// One region after the other, the nearest next. No bead along the border leads from run to run: it would lie
+/// beside lines that are laid later.
+std::vector<FillPath> runsInOneSense(const Regions& links, const InfillRequest& request) {
+  std::vector<const Region*> left;
+  for (const Region& region : links) left.push_back(&region);
+  Point2 nozzle = request.start;
+  std::vector<FillPath> all;
+  while (!left.empty()) {
+    const auto distance = [&nozzle](const Region* region) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Point2& point : region->outer) least = std::min(least, (point - nozzle).squaredNorm());
+      return least;
+    };
+    std::size_t next = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const double away = left.size() > 1 ? distance(left[i]) : 0.0;
+      if (away >= least) continue;
+      least = away;
+      next = i;
+    }
+    std::vector<FillPath> runs = VariableWidthRegion(*left[next], request).runsInOneSense(nozzle);
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(next));
+    if (!runs.empty()) nozzle = runs.back().points.back();
+    std::move(runs.begin(), runs.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
 }  // namespace
 
 double narrowestBead(const InfillRequest& request) {
@@ -389,6 +451,7 @@ double narrowestBead(const InfillRequest& request) {
 }
 
 std::vector<FillPath> variableWidthRuns(const Regions& links, const InfillRequest& request) {
+  if (request.advance == LineAdvance::OneSense) return runsInOneSense(links, request);
   std::vector<std::unique_ptr<VariableWidthRegion>> regions;
   std::vector<BoustrophedonCell> sections;
   std::vector<std::size_t> begin;

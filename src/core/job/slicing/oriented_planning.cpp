@@ -52,11 +52,14 @@ void addNoteOnCrossings(SliceSummary& summary, const JobSettings& settings) {
   summary.notes.emplace_back(text);
 }
 
-/// Bridges and overhanging walls are told from the layer below, by beads that stay in their layer.
+/// Bridges, overhanging walls and what is seen are told from the neighbouring layers, by beads that stay in
+/// their layer.
 void addNoteOnBridges(SliceSummary& summary, const JobSettings& settings) {
   const PlanSettings& planning = settings.planning;
-  if (!planning.bridges.is_used && !planning.overhangs.is_used) return;
-  const std::string asked = planning.bridges.is_used ? "bridges.use" : "overhangs.use";
+  if (!planning.bridges.is_used && !planning.overhangs.is_used && !planning.ironing.is_used) return;
+  const std::string asked = planning.bridges.is_used     ? "bridges.use"
+                            : planning.overhangs.is_used ? "overhangs.use"
+                                                         : "ironing.use";
   const InfillStrategy strategy = infillStrategy(planning.infill.strategy);
   if (!hasPlaneLayers(summary.mode))
     summary.notes.push_back(asked + " has no effect: layers of mode '" + summary.mode + "' are not plane");

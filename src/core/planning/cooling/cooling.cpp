@@ -11,8 +11,10 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
+#include "planning/cooling/fan_spin_up.hpp"
 #include "planning/cooling/fan_switch.hpp"
 #include "planning/cooling/parking.hpp"
+#include "planning/cooling/place_interval.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 
 namespace lamina {
@@ -33,6 +35,7 @@ std::size_t groupOf(PathRole role) {
       return 1;
     case PathRole::OuterWall:
     case PathRole::TopSkin:
+    case PathRole::Ironing:
       return 2;
     default:
       return 0;
@@ -162,6 +165,8 @@ CoolingSummary cool(Toolpath& toolpath, const CoolingSettings& settings, const M
                     Progress& progress) {
   CoolingSummary summary;
   if (settings.least_layer_time_s == 0.0) return summary;
+  if (settings.interval == CoolingInterval::Place)
+    return leavePlacesAlone(toolpath, settings, limits, progress);
   const Cooler cooler(toolpath, settings, limits);
   std::vector<CooledLayer> cooled(toolpath.layers.size());
   parallelFor(
@@ -194,11 +199,17 @@ void addFan(Toolpath& toolpath, const FanSettings& settings, const MotionLimits&
     const ToolpathTime time = estimateTime(toolpath, limits);
     FanSwitch fan(settings);
     for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
-      std::vector<Path>& paths = toolpath.layers[i].paths;
+      const std::vector<Path>& paths = toolpath.layers[i].paths;
       if (paths.empty()) continue;
       const double end_s = i + 1 < toolpath.layers.size() ? time.layer_start_s[i + 1] : time.total_s;
-      fan.addTo(paths, fanShare(end_s - time.layer_start_s[i], i, settings));
+      fan.add(paths, i, fanShare(end_s - time.layer_start_s[i], i, settings));
     }
+    if (settings.spin_up_s > 0.0)
+      addSentEarlier(toolpath, fan.changes(), settings.spin_up_s, limits);
+    else
+      for (const FanChange& change : fan.changes())
+        addEvent(toolpath.layers[change.before.layer].paths[change.before.path], change.before.waypoint,
+                 change.share);
     if (fan.isOn()) toolpath.events_at_end.emplace_back(std::in_place_type<FanShare>);
   }
   for (ToolpathLayer& layer : toolpath.layers)

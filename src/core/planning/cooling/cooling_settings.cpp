@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lamina/base/error.hpp"
+#include "planning/cooling/fan_switch.hpp"
 
 namespace lamina {
 
@@ -23,6 +24,10 @@ void describe(SettingsSchema& schema, CoolingSettings& cooling) {
       "cooling.park", cooling.park,
       {{"outside", ParkPlace::Outside}, {"corner", ParkPlace::Corner}, {"stay", ParkPlace::Stay}},
       "Where the nozzle waits.");
+  schema.choice<CoolingInterval>("cooling.interval", cooling.interval,
+                                 {{"layer", CoolingInterval::Layer}, {"place", CoolingInterval::Place}},
+                                 "What takes the least time: each layer, or the pause of each island between "
+                                 "two layers.");
 }
 
 void describe(SettingsSchema& schema, FanSettings& fan) {
@@ -41,6 +46,11 @@ void describe(SettingsSchema& schema, FanSettings& fan) {
   schema.number("fan.bridge", fan.bridge, {0.0, 1.0, false}, "Share while a bridge is laid (bridges.use).");
   schema.number("fan.overhang", fan.overhang, {0.0, 1.0, false},
                 "Share while walls are laid that nothing carries (overhangs.use).");
+  schema.text("fan.by_role", fan.by_role,
+              "Shares while roles are laid, as support_interface=1,top_skin=0.8; others have that of the "
+              "layer.");
+  schema.number("fan.spin_up_s", fan.spin_up_s, {0.0, 60.0, false},
+                "By how much the fan is told earlier to blow more.");
 }
 
 void requireConsistent(const FanSettings& fan) {
@@ -50,6 +60,14 @@ void requireConsistent(const FanSettings& fan) {
   if (fan.full_below_s > fan.off_above_s)
     throw InvalidConfig("fan.full_below_s is " + std::to_string(fan.full_below_s) +
                         " s; must be at most fan.off_above_s, " + std::to_string(fan.off_above_s) + " s");
+  roleSharesOf(fan);
+}
+
+void requireConsistent(const CoolingSettings& cooling) {
+  if (cooling.interval == CoolingInterval::Layer || cooling.by == CoolingBy::Dwell) return;
+  throw InvalidConfig("cooling.interval is 'place' with cooling.by '" +
+                      std::string(cooling.by == CoolingBy::Slow ? "slow" : "slow_then_dwell") +
+                      "'; expected cooling.by 'dwell': no feed makes a place be left alone for longer");
 }
 
 }  // namespace lamina

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
+#include "planning/role_values.hpp"
 
 namespace lamina {
 namespace {
@@ -52,24 +55,50 @@ class HangingMotions {
 
 }  // namespace
 
-void FanSwitch::addTo(std::vector<Path>& paths, double share) {
-  change(paths.front(), 0, share);
-  for (Path& path : paths)
-    if (path.role != PathRole::Travel) addTo(path, share);
+std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& settings) {
+  auto shares = roleValues(settings.by_role, {"fan.by_role", 1.0, "a share in [0, 1]",
+                                              "a role, '=' and a share, as support_interface=1"});
+  const auto refuse = [&shares](PathRole role, const std::string& expected) {
+    if (shares[static_cast<std::size_t>(role)])
+      throw InvalidConfig("fan.by_role names " + std::string(toString(role)) + "; expected " + expected);
+  };
+  refuse(PathRole::Travel, "a role that is laid");
+  refuse(PathRole::Bridge, "the share of bridges as fan.bridge");
+  return shares;
 }
 
-void FanSwitch::addTo(Path& path, double share) {
+void FanSwitch::add(const std::vector<Path>& paths, std::size_t layer, double share) {
+  const auto laid = std::find_if(paths.begin(), paths.end(),
+                                 [](const Path& path) { return path.role != PathRole::Travel; });
+  change({layer, 0, 0}, laid == paths.end() ? share : shareOf(laid->role, layer, share));
+  for (std::size_t p = 0; p < paths.size(); ++p)
+    if (paths[p].role != PathRole::Travel)
+      addPath(paths[p], {layer, p, 0}, shareOf(paths[p].role, layer, share));
+}
+
+double FanSwitch::shareOf(PathRole role, std::size_t layer, double layer_share) const {
+  if (layer < static_cast<std::size_t>(settings_.off_layers)) return layer_share;
+  return by_role_[static_cast<std::size_t>(role)].value_or(layer_share);
+}
+
+void FanSwitch::addPath(const Path& path, const WaypointIndex& begin, double share) {
   const bool spans = path.role == PathRole::Bridge || path.role == PathRole::Skin;
-  if (path.role != PathRole::Bridge && unsupportedOf(path) == nullptr) return change(path, 0, share);
+  if (path.role != PathRole::Bridge && unsupportedOf(path) == nullptr) return change(begin, share);
   const HangingMotions hangs(path);
   for (std::size_t m = 0; m < path.motionCount(); ++m)
-    change(path, m, !hangs.at(m) ? share : spans ? settings_.bridge : settings_.overhang);
+    change({begin.layer, begin.path, m}, !hangs.at(m) ? share
+                                         : spans      ? settings_.bridge
+                                                      : settings_.overhang);
 }
 
-void FanSwitch::change(Path& path, std::size_t motion, double share) {
+void FanSwitch::change(const WaypointIndex& before, double share) {
   constexpr double kSteps = 255.0;
   const std::int64_t steps = std::llround(share * kSteps);
   if (std::exchange(steps_, steps) == steps) return;
+  changes_.push_back({before, share});
+}
+
+void addEvent(Path& path, std::size_t motion, double share) {
   PathEvent event;
   event.motion = motion;
   event.event.emplace<FanShare>(FanShare{share});

@@ -2,34 +2,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lamina/planning/cooling/cooling_settings.hpp"
 #include "lamina/toolpath/toolpath.hpp"
+#include "lamina/toolpath/waypoint_index.hpp"
 
 namespace lamina {
 
-/// Sends a share of the fan where it differs from the one sent before by 1/255 or more.
+/// Shares of single roles, as `fan.by_role` says; none for the others.
+/// @throws InvalidConfig if it is no list of roles and shares, or names a role that has a setting of its own
+std::array<std::optional<double>, kPathRoles> roleSharesOf(const FanSettings& settings);
+
+/// From some motion on the fan has another share.
+struct FanChange {
+  WaypointIndex before;  ///< the motion that begins at that waypoint
+  double share = 0.0;
+};
+
+/// Finds where the fan is to have another share, by 1/255 or more.
 class FanSwitch {
  public:
   /// @param settings  must outlive this
-  explicit FanSwitch(const FanSettings& settings) : settings_(settings) {}
+  explicit FanSwitch(const FanSettings& settings) : settings_(settings), by_role_(roleSharesOf(settings)) {}
+
+  /// Of the next layer: at its start, where roles change that have shares of their own, and before and after
+  /// what lies over nothing. No fan follows stretches shorter than 2 mm, nor gaps between them.
+  /// @param share  of the layer
+  void add(const std::vector<Path>& paths, std::size_t layer, double share);
 
   bool isOn() const { return steps_ != 0; }
-
-  /// Adds events to the paths of the next layer: at its start, and before and after what lies over nothing.
-  /// No fan follows stretches shorter than 2 mm, nor gaps between them.
-  /// @param share  of the layer
-  void addTo(std::vector<Path>& paths, double share);
+  /// In the order of the motion.
+  const std::vector<FanChange>& changes() const { return changes_; }
 
  private:
-  void addTo(Path& path, double share);
-  void change(Path& path, std::size_t motion, double share);
+  double shareOf(PathRole role, std::size_t layer, double layer_share) const;
+  void addPath(const Path& path, const WaypointIndex& begin, double share);
+  void change(const WaypointIndex& before, double share);
 
   const FanSettings& settings_;
+  std::array<std::optional<double>, kPathRoles> by_role_;
+  std::vector<FanChange> changes_;
   std::int64_t steps_ = 0;
 };
+
+/// Adds the event before its motion.
+void addEvent(Path& path, std::size_t motion, double share);
 
 }  // namespace lamina

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/laid_runs.hpp"
+
+#include <algorithm>
+
+#include "geometry/polygon/inside.hpp"
+
+namespace lamina {
+
+double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::size_t before) {
+  if (regions.size() == 1 && paths.size() > before) return 0.0;
+  double missed = 0.0;
+  for (const Region& region : regions) {
+    const std::vector<Polygon> borders = outlines({region});
+    const auto goes_inside = [&](const Path& path) {
+      return path.role != PathRole::Travel &&
+             std::any_of(path.points.begin(), path.points.end(),
+                         [&](const Point3& point) { return contains(borders, point.head<2>()); });
+    };
+    if (std::none_of(paths.begin() + static_cast<std::ptrdiff_t>(before), paths.end(), goes_inside))
+      missed += area({region});
+  }
+  return missed;
+}
+
+std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before) {
+  std::vector<RunEnds> ends;
+  for (std::size_t i = before; i < paths.size(); ++i)
+    if (kindOf(paths[i].role) == RoleKind::Infill)
+      ends.push_back({paths[i].firstPoint().head<2>(), paths[i].lastPoint().head<2>()});
+  return ends;
+}
+
+}  // namespace lamina

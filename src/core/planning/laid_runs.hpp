@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/order/ordering.hpp"
+
+namespace lamina {
+
+/// Area [mm²] of those regions into which none of the paths goes that follow the first so many.
+double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::size_t before);
+
+/// Ends of the runs of infill among the paths that follow the first so many.
+std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before);
+
+}  // namespace lamina
