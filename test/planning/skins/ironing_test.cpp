@@ -49,8 +49,8 @@ TEST(Ironing, IsTheLastThingInItsLayer) {
     if (path.role == PathRole::Ironing) {
       has_begun = true;
       EXPECT_EQ(path.feed_mm_s.at(1), 20.0);
-      EXPECT_NEAR(planWidth(path.bead.at(1)), 0.1, 1e-9) << "as lines are apart";
-      EXPECT_NEAR(path.bead.at(1).height_mm, 0.15 * 0.2, 1e-12);
+      EXPECT_NEAR(crossSection(path.bead.at(1)), 0.15 * 0.1 * 0.2, 1e-12) << "flow, spacing, layer height";
+      EXPECT_NEAR(path.bead.at(1).height_mm, 0.2, 1e-12);
     }
     if (has_begun) {
       EXPECT_TRUE(path.role == PathRole::Ironing || path.role == PathRole::Travel) << toString(path.role);

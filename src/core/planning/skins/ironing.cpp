@@ -21,8 +21,7 @@ std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& s
 }
 
 Bead ironingBead(const IroningSettings& settings, double layer_height_mm) {
-  const double height_mm = settings.flow * layer_height_mm;
-  return beadOfArea(settings.spacing_mm * height_mm, height_mm);
+  return beadOfArea(settings.flow * settings.spacing_mm * layer_height_mm, layer_height_mm);
 }
 
 }  // namespace lamina

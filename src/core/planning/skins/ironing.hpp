@@ -16,7 +16,8 @@ bool laysInOneSense(const SkinSettings& settings, PathRole role);
 /// @param seen  of one layer
 std::vector<FillPath> ironingLines(const Regions& seen, const IroningSettings& settings, double angle_rad);
 
-/// As wide as lines are apart, and as thin as the flow says of the layer's height [mm].
+/// As high as the layer and so narrow that it holds what the flow says [mm]: it lies in what is there
+/// already, so that measures of areas count no more than that volume.
 Bead ironingBead(const IroningSettings& settings, double layer_height_mm);
 
 }  // namespace lamina
