@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import PLAIN, lamina, told
 
 WALLS = ("--set", "infill.density=0", "--set", "skirt.count=0")
 ARCS = ("--set", "program.arcs_tolerance_mm=0.0125")
@@ -20,7 +20,7 @@ class Arcs(unittest.TestCase):
         return os.path.join(self.folder.name, name)
 
     def lines(self, name, *settings):
-        told("slice", self.part, *WALLS, *settings, "-o", self.path(name))
+        told("slice", self.part, *PLAIN, *WALLS, *settings, "-o", self.path(name))
         with open(self.path(name), encoding="utf-8") as file:
             return file.read().splitlines()
 

@@ -5,7 +5,7 @@ import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import PLAIN, lamina, told
 
 FILAMENT_MM2 = math.pi * 0.875 ** 2
 
@@ -56,7 +56,7 @@ class FlowAndTravel(unittest.TestCase):
     def sliced(self, part, *settings):
         output = self.path("part.gcode")
         sets = [word for setting in ("skirt.count=0", *settings) for word in ("--set", setting)]
-        summary = told("slice", part, "-o", output, *sets)
+        summary = told("slice", part, "-o", output, *PLAIN, *sets)
         return Program(output), summary
 
     def refusal(self, part, *settings):

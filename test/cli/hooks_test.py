@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import PLAIN, lamina, told
 
 SETTINGS = """\
 hooks:
@@ -32,7 +32,7 @@ class Hooks(unittest.TestCase):
         return os.path.join(self.folder.name, name)
 
     def lines(self, *arguments):
-        told("slice", self.part, *arguments, "-o", self.path("part.gcode"))
+        told("slice", self.part, *PLAIN, *arguments, "-o", self.path("part.gcode"))
         with open(self.path("part.gcode"), encoding="utf-8") as file:
             return file.read().splitlines()
 

@@ -5,6 +5,10 @@ import sys
 
 LAMINA = sys.argv.pop(1)
 
+# Without what is laid by default so that parts come off a printer whole.
+PLAIN = [word for setting in ("skins.top_layers=0", "skins.bottom_layers=0", "bridges.use=false", "overhangs.use=false")
+         for word in ("--set", setting)]
+
 
 def lamina(*arguments):
     return subprocess.run([LAMINA, *arguments], capture_output=True, text=True, check=False)

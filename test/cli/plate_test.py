@@ -3,7 +3,7 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import PLAIN, lamina, told
 
 
 class Plates(unittest.TestCase):
@@ -45,7 +45,7 @@ class Plates(unittest.TestCase):
         plate = self.write("plate.yaml", "plate:\n  parts:\n"
                            "    - {file: box.stl, at_mm: [50, 60], turn_deg: [0, 0, 90]}\n"
                            "    - {file: box.stl, at_mm: [100, 60], settings: {infill.density: 1}}\n  labels: m486\n")
-        first, second = told("slice", "--plate", plate, "-o", self.path("plate.gcode"))["parts"]
+        first, second = told("slice", "--plate", plate, *PLAIN, "-o", self.path("plate.gcode"))["parts"]
         self.assertEqual(first["at_mm"], [50, 60])
         self.assertAlmostEqual(first["size_mm"][0], 10.0, places=6)
         self.assertGreater(second["deposited_mm3"], 1.2 * first["deposited_mm3"])
@@ -65,8 +65,8 @@ class Plates(unittest.TestCase):
     def test_regions_have_settings_of_their_own(self):
         modifiers = self.write("modifiers.yaml",
                                "modifiers:\n  - {box_mm: [[0, -9, -1], [11, 9, 9]], settings: {infill.density: 0.9}}\n")
-        usual = told("slice", self.box)["deposited_mm3"]
-        self.assertGreater(told("slice", self.box, "--set", f"part.modifiers={modifiers}")["deposited_mm3"],
+        usual = told("slice", self.box, *PLAIN)["deposited_mm3"]
+        self.assertGreater(told("slice", self.box, *PLAIN, "--set", f"part.modifiers={modifiers}")["deposited_mm3"],
                            1.1 * usual)
 
     def test_a_part_is_laid_flat(self):

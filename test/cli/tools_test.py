@@ -3,9 +3,9 @@ import os
 import tempfile
 import unittest
 
-from lamina_command import lamina, motions, told
+from lamina_command import PLAIN, lamina, motions, told
 
-TOOLS = ("--set", "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]", "--set", "tool.infill=1")
+TOOLS = (*PLAIN, "--set", "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]", "--set", "tool.infill=1")
 
 
 def facets(bottom, top):

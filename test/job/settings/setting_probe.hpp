@@ -92,7 +92,6 @@ std::vector<SettingProbe> hookProbes();
 std::vector<SettingProbe> plateProbes();
 std::vector<SettingProbe> toolProbes();
 std::vector<SettingProbe> loopProbes();
-std::vector<SettingProbe> emergencyProbes();
 
 /// All of them.
 std::vector<SettingProbe> allProbes();

@@ -5,6 +5,7 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "job/settings/silent_machine.hpp"
+#include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina::test {
@@ -32,6 +33,19 @@ std::string toldALocked(const SettingTexts& set) {
   streamer.start(0.0);
   streamer.elapse(0.0);
   streamer.receive("<Alarm|MPos:0.000,0.000,0.000>\n", 0.1);
+  return streamer.takeOutput();
+}
+
+/// What a Klipper is sent that does not hear a stop, at its port.
+std::string sentToADeafKlipper(const SettingTexts& set) {
+  const auto settings = settingsWith<StreamSettings>(set);
+  Streamer streamer(StreamableProgram::fromText("job", "M109 S200\n", settings), settings);
+  streamer.start(0.0);
+  streamer.receive("ok FIRMWARE_NAME:Klipper FIRMWARE_VERSION:v0.12\n", 0.1);
+  streamer.receive("// Klipper state: Ready\nok\n", 0.2);
+  streamer.receive("// ECHO LAMINA=1\nok\n", 0.3);
+  streamer.abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  for (double now = 2.0; now < 15.0; now += 1.0) streamer.elapse(now);
   return streamer.takeOutput();
 }
 
@@ -70,6 +84,10 @@ std::vector<SettingProbe> streamProbes() {
        "stream.journal=/somewhere",
        [](const SettingTexts& set) { return journalPath(settingsWith<StreamSettings>(set), "/dev/ttyUSB0"); },
        {{"stream.journal=/elsewhere"}}},
+      {"a Klipper that does not hear a stop",
+       "stream.firmware=klipper",
+       sentToADeafKlipper,
+       {{"stream.emergency_stop=unconfirmed"}}},
       {"a grbl that has locked itself", "stream.firmware=grbl", toldALocked, {{"stream.unlock=once"}}}};
 }
 
