@@ -47,7 +47,6 @@ TEST(SettingsCoverage, OfSearches) { expectEffects(searchProbes()); }
 TEST(SettingsCoverage, OfScaffolds) { expectEffects(scaffoldProbes()); }
 TEST(SettingsCoverage, OfStreaming) { expectEffects(streamProbes()); }
 TEST(SettingsCoverage, OfTheEmulator) { expectEffects(emulatorProbes()); }
-TEST(SettingsCoverage, OfEmergencyStops) { expectEffects(emergencyProbes()); }
 TEST(SettingsCoverage, OfStartup) { expectEffects(startupProbes()); }
 TEST(SettingsCoverage, OfApproaches) { expectEffects(approachProbes()); }
 TEST(SettingsCoverage, OfPlates) { expectEffects(plateProbes()); }
