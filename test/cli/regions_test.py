@@ -131,7 +131,8 @@ class Regions(unittest.TestCase):
         self.assertEqual(self.sliced(cone, [], *held)[0]["support_mm3"], 0.0)  # they lean 31 deg
         summary, found = self.sliced(cone, [RIGHT + ", kind: support_enforcer"], *held)
         self.assertGreater(summary["support_mm3"], 10.0)
-        self.assertGreater(min(m.end[0] for m in found if m.lays() and m.role.startswith("support")), -0.01)
+        # Outlines of what stands below an overhang are simplified by 0.4 bead widths.
+        self.assertGreater(min(m.end[0] for m in found if m.lays() and m.role.startswith("support")), -0.16)
 
     def test_a_region_has_bridges_of_its_own(self):
         plain, found = self.sliced(self.bridge, ["from_mm: 0, settings: {skins.top_layers: 3, skins.bottom_layers: 3}"])

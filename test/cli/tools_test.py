@@ -5,7 +5,8 @@ import unittest
 
 from lamina_command import PLAIN, lamina, motions, told
 
-TOOLS = (*PLAIN, "--set", "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]", "--set", "tool.infill=1")
+TWO = "tools.list=[{name: a}, {name: b, offset_mm: [30, 0, 0]}]"
+TOOLS = (*PLAIN, "--set", TWO, "--set", "tool.infill=1")
 
 
 def facets(bottom, top):
@@ -82,7 +83,7 @@ class Tools(unittest.TestCase):
     def test_tool_of_supports_alone_changes_once_and_purges(self):
         tee = self.path("bridge.stl")
         told("part", "bridge", "-o", tee)
-        tools = ("--set", TOOLS[1], "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
+        tools = ("--set", TWO, "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
         found = self.motions("supports.gcode", *tools, part=tee)
         self.assertEqual({m.tool for m in found if m.lays() and m.role == "support"}, {1})
         self.assertTrue([m for m in found if m.lays() and m.role == "prime"])
@@ -116,7 +117,7 @@ class Tools(unittest.TestCase):
         self.assertNotIn(1.4, self.heights(found, "outer_wall"))
 
     def test_plates_lay_their_skirt_with_the_tool_of_walls(self):
-        of_one = ("--set", TOOLS[1], "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
+        of_one = ("--set", TWO, "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
         told("slice", self.part, self.part, *of_one, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
@@ -164,14 +165,14 @@ class Tools(unittest.TestCase):
         with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
             file.write("plate:\n  parts:\n    - {file: box.stl, name: black}\n    - {file: box.stl, name: white, settings: "
                        "{tool.walls: 1, tool.infill: 1, tool.skin: 1}}\n")
-        told("slice", "--plate", self.path("plate.yaml"), "--set", TOOLS[1], "-o", self.path("plate.gcode"))
+        told("slice", "--plate", self.path("plate.yaml"), "--set", TWO, "-o", self.path("plate.gcode"))
         with open(self.path("plate.gcode"), encoding="utf-8") as file:
             found = motions(file.read())
         self.assertEqual({(m.part, m.tool) for m in found if m.lays() and m.part}, {("black", 0), ("white", 1)})
 
     def test_copies_on_a_belt_keep_their_tool(self):
         belt = ("--set", "machine.name=belt_45", "--set", "slicing.plane.angle_deg=45", "--set", "part.copies=2", "--set",
-                TOOLS[1], "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
+                TWO, "--set", "tool.walls=1", "--set", "tool.infill=1", "--set", "tool.skin=1")
         lines = self.lines("belt.gcode", *belt)
         self.assertEqual([line for line in lines if line in ("T0", "T1")], ["T1"])
 

@@ -34,7 +34,7 @@ LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<doub
                                  const LoopSettings& settings);
 
 /// Brings what a process wants within the limits of amount, slope and volume.
-LayerCorrection limitedCorrection(const LayerCells& cells, std::vector<double> wanted,
+LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings);
 
 /// Greatest change of the amount per length that the feeder follows at that speed [1/mm].

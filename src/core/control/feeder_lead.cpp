@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/control/feeder_lead.hpp"
 
-#include <utility>
-
 namespace lamina {
 namespace {
 
@@ -40,7 +38,7 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
   for (std::size_t i = 0; i + 1 < amount.size() && feeder.lag_s > 0.0; ++i)
     commands.amount[i] +=
         feeder.lag_s * (amount[i + 1] - amount[i]) / (commands.time_s[i + 1] - commands.time_s[i]);
-  commands.amount = limitedCorrection(cells, std::move(commands.amount), withoutVolumeBound(settings)).amount;
+  commands.amount = limitedCorrection(cells, commands.amount, withoutVolumeBound(settings)).amount;
   for (double& time_s : commands.time_s) time_s -= feeder.dead_time_s;
   return commands;
 }
@@ -60,7 +58,7 @@ std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<dou
     led[i] += part * (commands.amount[k + 1] - commands.amount[k]);
   }
   // What is commanded for the next run while this one is laid must not step either.
-  return limitedCorrection(cells, std::move(led), withoutVolumeBound(settings)).amount;
+  return limitedCorrection(cells, led, withoutVolumeBound(settings)).amount;
 }
 
 }  // namespace lamina

@@ -77,7 +77,7 @@ double greatestSlope(double feeder_rate_s, double speed_mm_s) {
   return speed_mm_s > 0.0 ? feeder_rate_s / speed_mm_s : std::numeric_limits<double>::infinity();
 }
 
-LayerCorrection limitedCorrection(const LayerCells& cells, std::vector<double> wanted,
+LayerCorrection limitedCorrection(const LayerCells& cells, const std::vector<double>& wanted,
                                   const LoopSettings& settings) {
   LayerCorrection correction;
   correction.amount = wanted;
@@ -100,14 +100,14 @@ LayerCorrection freeCorrection(const LayerCells& cells, const LayerKnowledge& kn
   std::vector<double> wanted(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     wanted[i] = (1.0 + settings.gain * error[i] / cells.height_mm[i]) / known.gain[i] - 1.0;
-  return limitedCorrection(cells, std::move(wanted), settings);
+  return limitedCorrection(cells, wanted, settings);
 }
 
 LayerCorrection learntCorrection(const LayerCells& cells, const std::vector<double>& gain,
                                  const LoopSettings& settings) {
   std::vector<double> wanted(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) wanted[i] = 1.0 / gain[i] - 1.0;
-  return limitedCorrection(cells, std::move(wanted), settings);
+  return limitedCorrection(cells, wanted, settings);
 }
 
 std::vector<double> fadedCorrection(const LayerCells& cells, const std::vector<double>& from,

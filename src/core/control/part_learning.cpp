@@ -58,7 +58,7 @@ PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
   }
   learnt.amount = smoothAcrossLayers(learnt.amount);
   for (std::size_t k = 0; k < part.size(); ++k)
-    learnt.amount[k] = limitedCorrection(part[k].cells, std::move(learnt.amount[k]), settings).amount;
+    learnt.amount[k] = limitedCorrection(part[k].cells, learnt.amount[k], settings).amount;
   return learnt;
 }
 

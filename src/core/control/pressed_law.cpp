@@ -16,7 +16,7 @@ LayerCorrection pressedCorrection(const LayerCells& cells, const SectionKnowledg
   LoopSettings bounded = settings;
   bounded.least_amount = std::max(settings.least_amount, -kPressedAmount);
   bounded.greatest_amount = std::min(settings.greatest_amount, kPressedAmount);
-  return limitedCorrection(cells, std::move(wanted), bounded);
+  return limitedCorrection(cells, wanted, bounded);
 }
 
 DropDecision dropDecision(double error_mm, double drop_mm) {

@@ -87,12 +87,14 @@ class PlaceCooler {
     const double feed_mm_s = travelFeed(layer);
     const std::vector<LaidPlace>& places = pieces.placed.places;
     std::vector<double> ready_s;
+    ready_s.reserve(places.size());
     for (const LaidPlace& place : places)
       ready_s.push_back(leftBeneath(place.box, below_) + settings_.least_layer_time_s);
     const std::vector<std::size_t> order = visitOrder(pieces, ready_s, may_reorder_ && isFree(layer));
     const bool is_as_planned = std::is_sorted(order.begin(), order.end());
     if (!is_as_planned) ++summary_.reordered_layers;
     below_ = {};
+    below_.boxes.reserve(places.size());
     for (const LaidPlace& place : places) below_.boxes.push_back(place.box);
     below_.left_s.assign(places.size(), 0.0);
     const std::vector<std::size_t> place_of = placeOfVisits(pieces);

@@ -78,13 +78,11 @@ PlacedLayer placesOf(const ToolpathLayer& layer, const Eigen::Quaterniond& layer
     const bool goes_on = !placed.visits.empty() && box == before;
     if (!goes_on) {
       placed.visits.push_back({begin, p, p});
-      if (box != kNowhere) {
-        if (place_of_box[box] == kNowhere) {
-          place_of_box[box] = placed.places.size();
-          placed.places.push_back({united.boxes[box], {}});
-        }
-        placed.places[place_of_box[box]].visits.push_back(placed.visits.size() - 1);
+      if (box != kNowhere && place_of_box[box] == kNowhere) {
+        place_of_box[box] = placed.places.size();
+        placed.places.push_back({united.boxes[box], {}});
       }
+      if (box != kNowhere) placed.places[place_of_box[box]].visits.push_back(placed.visits.size() - 1);
     }
     placed.visits.back().end = begin = p + 1;
     before = box;

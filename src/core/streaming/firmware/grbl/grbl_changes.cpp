@@ -10,7 +10,7 @@ std::string GrblJob::change(const LiveChange& change, double now) {
   const bool is_running =
       state() == PackmlState::Execute || state() == PackmlState::Holding || state() == PackmlState::Held;
   if (!is_running || !isRunning()) return kNoJobToChange;
-  const std::string refusal = overrides_.set(change, now);
+  std::string refusal = overrides_.set(change, now);
   if (refusal.empty()) poll(now);
   return refusal;
 }
