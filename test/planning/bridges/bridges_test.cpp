@@ -302,7 +302,8 @@ TEST(Bridges, OverAGridCrossBothOfItsDirections) {
   settings.bridges.is_over_infill = true;
   double between = 0.0;
   double all = 0.0;
-  for (const Path& path : plannedPart(layers, settings).toolpath.layers[16].paths)
+  const Plan plan = plannedPart(layers, settings);
+  for (const Path& path : plan.toolpath.layers[16].paths)
     for (std::size_t m = 0; path.role == PathRole::Skin && m < path.motionCount(); ++m) {
       const Point3 way = path.points[path.motionEnd(m)] - path.points[m];
       const double turned_deg = std::atan2(way.y(), way.x()) * 180.0 / M_PI - 55.0;
