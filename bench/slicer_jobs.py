@@ -9,10 +9,23 @@ import os
 import pathlib
 import subprocess
 
+from slicer_runs import PLAIN
+
 LAYER_MM = "0.2"
 WIDTH_MM = "0.4"
 DENSITY = 0.15
 SUPPORT_ANGLE_DEG = 45
+# Feeds [mm/s] of a job that all three are to run alike, without least layer times.
+OUTER_WALL, INNER_WALL, SOLID, INFILL, FIRST_LAYER, TRAVEL = 30, 45, 45, 60, 20, 150
+LAMINA_FEEDS = {"feed.outer_wall_mm_s": OUTER_WALL, "feed.inner_wall_mm_s": INNER_WALL, "feed.skin_mm_s": SOLID,
+                "feed.top_skin_mm_s": SOLID, "feed.infill_mm_s": INFILL, "feed.first_layer_mm_s": FIRST_LAYER,
+                "feed.bridge_mm_s": SOLID, "travel.feed_mm_s": TRAVEL}
+PRUSA_FEEDS = ["--external-perimeter-speed", OUTER_WALL, "--perimeter-speed", INNER_WALL, "--small-perimeter-speed", INNER_WALL,
+               "--solid-infill-speed", SOLID, "--top-solid-infill-speed", SOLID, "--bridge-speed", SOLID, "--infill-speed", INFILL,
+               "--first-layer-speed", FIRST_LAYER, "--travel-speed", TRAVEL, "--slowdown-below-layer-time", 0]
+CURA_FEEDS = {"speed_wall_0": OUTER_WALL, "speed_wall_x": INNER_WALL, "speed_topbottom": SOLID, "speed_roofing": SOLID,
+              "speed_infill": INFILL, "speed_print_layer_0": FIRST_LAYER, "speed_layer_0": FIRST_LAYER, "speed_travel": TRAVEL,
+              "speed_travel_layer_0": TRAVEL, "speed_slowdown_layers": 1, "cool_min_layer_time": 0}
 
 
 def cura_resources():
@@ -27,19 +40,21 @@ def cura_resources():
     return resources
 
 
-def lamina_command(executable, mesh, output, skins, support=None):
+def lamina_command(executable, mesh, output, skins, support=None, feeds="own"):
     settings = {
         "slicing.layer_height_mm": LAYER_MM, "slicing.first_layer_height_mm": LAYER_MM, "bead.width_mm": WIDTH_MM,
         "walls.count": 2, "infill.strategy": "zigzag", "infill.density": DENSITY, "skirt.count": 0,
-        "skins.top_layers": skins, "skins.bottom_layers": skins,
+        **PLAIN, "skins.top_layers": skins, "skins.bottom_layers": skins,
     }
     if support:
         settings.update({"supports.use": "true", "supports.kind": support, "supports.angle_deg": SUPPORT_ANGLE_DEG})
+    if feeds == "common":
+        settings.update(LAMINA_FEEDS)
     assignments = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
     return [executable, "slice", mesh, "-o", output, "--json", *assignments], {}
 
 
-def prusa_command(executable, mesh, output, skins, support=None):
+def prusa_command(executable, mesh, output, skins, support=None, feeds="own"):
     supports = ["--support-material", "--support-material-threshold", str(SUPPORT_ANGLE_DEG),
                 "--support-material-spacing", f"{float(WIDTH_MM) / DENSITY:.4f}"] if support else []
     return [
@@ -48,6 +63,7 @@ def prusa_command(executable, mesh, output, skins, support=None):
         "--perimeters", "2", "--fill-density", f"{100 * DENSITY:g}%", "--fill-pattern", "rectilinear",
         "--top-solid-layers", str(skins), "--bottom-solid-layers", str(skins), "--solid-infill-below-area", "0",
         "--gap-fill-speed", "0", "--skirts", "0", "--brim-width", "0", "--center", "100,100", *supports,
+        *(map(str, PRUSA_FEEDS) if feeds == "common" else []),
         "--output", output, mesh,
     ], {}
 
@@ -61,7 +77,7 @@ def cura_definition():
     return str(cura_resources() / "definitions" / "fdmprinter.def.json")
 
 
-def cura_command(executable, mesh, output, skins, support=None):
+def cura_command(executable, mesh, output, skins, support=None, feeds="own"):
     distance = float(WIDTH_MM) / DENSITY
     settings = {
         "layer_height": LAYER_MM, "layer_height_0": LAYER_MM, "line_width": WIDTH_MM, "wall_line_width": WIDTH_MM,
@@ -80,6 +96,8 @@ def cura_command(executable, mesh, output, skins, support=None):
             "support_top_distance": 0.2, "support_bottom_distance": 0.2, "support_z_distance": 0.2,
             "support_infill_sparse_thickness": LAYER_MM,
         })
+    if feeds == "common":
+        settings.update(CURA_FEEDS)
     assignments = [text for key, value in settings.items() for text in ("-s", f"{key}={value}")]
     command = [executable, "slice", "-j", cura_definition(), *assignments, "-e0", *assignments, "-l", mesh, "-o",
                output]

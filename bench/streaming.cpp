@@ -4,7 +4,13 @@
 // once; and how long the next line takes after an ok with one line under way.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
+#include <linux/capability.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
+#include <sched.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -14,6 +20,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,36 +33,58 @@ namespace {
 
 constexpr int kLines = 50000;
 
-StreamableProgram zigzag() {
+StreamableProgram zigzag(int lines = kLines) {
   std::string text = "G90\nM82\nG1 F6000\n";
-  for (int i = 0; i < kLines - 3; ++i) {
+  for (int i = 0; i < lines - 3; ++i) {
     text += "G1 X" + std::to_string(100 + i % 97) + ".123 Y" + std::to_string(i % 89) + ".456 E" +
             std::to_string(0.01 * i) + "\n";
   }
   return StreamableProgram::fromText("zigzag", text);
 }
 
-/// Firmware that does nothing but count lines and say ok.
+/// Firmware runs on a processor of its own: where that is allowed, the peer waits for nobody.
+void runAheadOfAll() {
+  sched_param parameters{};
+  parameters.sched_priority = sched_get_priority_max(SCHED_FIFO);
+  ::sched_setscheduler(0, SCHED_FIFO, &parameters);
+}
+
+/// While it lives, threads that this one begins may not raise their priority, as those of any user.
+class AsAnyUser {
+ public:
+  AsAnyUser() {
+    ::syscall(SYS_capget, &header_, rights_.data());
+    std::array<__user_cap_data_struct, 2> fewer = rights_;
+    fewer[0].effective &= ~(1U << CAP_SYS_NICE);
+    ::syscall(SYS_capset, &header_, fewer.data());
+  }
+  ~AsAnyUser() { ::syscall(SYS_capset, &header_, rights_.data()); }
+  AsAnyUser(const AsAnyUser&) = delete;
+  AsAnyUser& operator=(const AsAnyUser&) = delete;
+
+ private:
+  __user_cap_header_struct header_{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, 2> rights_{};
+};
+
+/// By what the peer is reached. What comes from a terminal, a pseudo-terminal too, is passed on by a thread
+/// of the kernel that has no priority, so that on a busy machine the kernel's scheduler is measured there.
+enum class PeerLink { Terminal, Tcp };
+
+/// Firmware that does nothing but count lines and say ok, at once unless it is given time.
 class InstantPeer {
  public:
-  InstantPeer() : machine_(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    ::grantpt(machine_);
-    ::unlockpt(machine_);
-    std::array<char, 128> name{};
-    ::ptsname_r(machine_, name.data(), name.size());
-    path_ = name.data();
-    host_ = ::open(name.data(), O_RDWR | O_NOCTTY);
-    termios options{};
-    ::tcgetattr(host_, &options);
-    ::cfmakeraw(&options);
-    ::tcsetattr(host_, TCSANOW, &options);
+  /// @param line  how long it takes to run one
+  explicit InstantPeer(PeerLink link = PeerLink::Terminal, std::chrono::microseconds line = {})
+      : line_(line) {
+    link == PeerLink::Tcp ? listen() : openTerminal();
     thread_ = std::thread([this] { run(); });
   }
   ~InstantPeer() {
     is_over_ = true;
     thread_.join();
-    ::close(machine_);
-    ::close(host_);
+    for (const int descriptor : {machine_, host_, listener_})
+      if (descriptor >= 0) ::close(descriptor);
   }
   InstantPeer(const InstantPeer&) = delete;
   InstantPeer& operator=(const InstantPeer&) = delete;
@@ -67,7 +96,40 @@ class InstantPeer {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void openTerminal() {
+    machine_ = ::posix_openpt(O_RDWR | O_NOCTTY);
+    ::grantpt(machine_);
+    ::unlockpt(machine_);
+    std::array<char, 128> name{};
+    ::ptsname_r(machine_, name.data(), name.size());
+    path_ = name.data();
+    host_ = ::open(name.data(), O_RDWR | O_NOCTTY);
+    termios options{};
+    ::tcgetattr(host_, &options);
+    ::cfmakeraw(&options);
+    ::tcsetattr(host_, TCSANOW, &options);
+  }
+
+  void listen() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    listener_ = ::socket(AF_INET, SOCK_STREAM, 0);
+    if (::bind(listener_, reinterpret_cast<const sockaddr*>(&address), size) != 0 ||
+        ::listen(listener_, 1) != 0)
+      throw std::runtime_error("cannot listen on the loopback interface");
+    ::getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
+    path_ = "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+  }
+
   void run() {
+    runAheadOfAll();
+    if (listener_ >= 0) {
+      machine_ = ::accept(listener_, nullptr, nullptr);
+      const int at_once = 1;
+      ::setsockopt(machine_, IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
+    }
     std::array<char, 4096> buffer{};
     std::string line;
     while (!is_over_) {
@@ -86,6 +148,7 @@ class InstantPeer {
         }
       }
       if (answer.empty()) continue;
+      if (line_.count() > 0) std::this_thread::sleep_for(line_);
       answered_ = Clock::now();
       has_answered_ = ::write(machine_, answer.data(), answer.size()) > 0;
     }
@@ -102,8 +165,10 @@ class InstantPeer {
     return "ok\n";
   }
 
-  int machine_;
+  std::chrono::microseconds line_;
+  int machine_ = -1;
   int host_ = -1;
+  int listener_ = -1;
   std::string path_;
   std::uint64_t taken_ = 0;
   std::vector<double> waits_;
@@ -158,26 +223,60 @@ void linesToInstantPeerWithJournal(benchmark::State& state) {
 }
 BENCHMARK(linesToInstantPeerWithJournal)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void measureOkToNextLine(benchmark::State& state, const StreamJournal& journal) {
-  const StreamableProgram program = zigzag();
+/// The peer of a measurement, and the lines that it gets.
+struct Pace {
+  PeerLink link = PeerLink::Terminal;
+  std::chrono::microseconds line{0};
+  int lines = kLines;
+};
+constexpr int kPacedLines = 5000;
+constexpr Pace kTerminal{};
+constexpr Pace kTcp{PeerLink::Tcp};
+// Motions of a millisecond, as short as printers take them.
+constexpr Pace kPacedTcp{PeerLink::Tcp, std::chrono::microseconds(1000), kPacedLines};
+
+/// @param with_peer  what the streamer's session does beside a peer that waits for it
+template <class WithPeer>
+void measureOkToNextLine(benchmark::State& state, const Pace& pace, WithPeer with_peer) {
+  const StreamableProgram program = zigzag(pace.lines);
   std::vector<double> waits;
   for (auto _ : state) {
-    const InstantPeer peer;
-    stream(program, peer.path(), 1, state, journal);
+    const InstantPeer peer(pace.link, pace.line);
+    with_peer(program, peer);
     waits = peer.waits();
   }
   std::sort(waits.begin(), waits.end());
   state.counters["p50_us"] = 1e6 * waits[waits.size() / 2];
   state.counters["p99_us"] = 1e6 * waits[waits.size() * 99 / 100];
+  state.counters["p999_us"] = 1e6 * waits[waits.size() * 999 / 1000];
   state.counters["worst_us"] = 1e6 * waits.back();
-  state.SetItemsProcessed(state.iterations() * kLines);
+  state.SetItemsProcessed(state.iterations() * pace.lines);
 }
 
-void okToNextLine(benchmark::State& state) { measureOkToNextLine(state, {}); }
-BENCHMARK(okToNextLine)->Unit(benchmark::kMillisecond)->UseRealTime();
+void okToNextLine(benchmark::State& state, const Pace& pace) {
+  measureOkToNextLine(state, pace, [&](const StreamableProgram& program, const InstantPeer& peer) {
+    stream(program, peer.path(), 1, state);
+  });
+}
+BENCHMARK_CAPTURE(okToNextLine, terminal, kTerminal)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(okToNextLine, tcp, kTcp)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(okToNextLine, paced_tcp, kPacedTcp)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// On a machine that is busy with something else (stress-ng --cpu 8): what a user without rights gets.
+void okToNextLineAsAnyUser(benchmark::State& state, const Pace& pace) {
+  measureOkToNextLine(state, pace, [&](const StreamableProgram& program, const InstantPeer& peer) {
+    const AsAnyUser fewer_rights;
+    stream(program, peer.path(), 1, state);
+  });
+}
+BENCHMARK_CAPTURE(okToNextLineAsAnyUser, terminal, kTerminal)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(okToNextLineAsAnyUser, tcp, kTcp)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(okToNextLineAsAnyUser, paced_tcp, kPacedTcp)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void okToNextLineWithJournal(benchmark::State& state) {
-  measureOkToNextLine(state, beginJournal(kJournal));
+  measureOkToNextLine(state, kTerminal, [&](const StreamableProgram& program, const InstantPeer& peer) {
+    stream(program, peer.path(), 1, state, beginJournal(kJournal));
+  });
   std::remove(kJournal);
 }
 BENCHMARK(okToNextLineWithJournal)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -8,6 +8,8 @@
 #include "arguments/setting_options.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
+#include "lamina/streaming/resume/rest_offer.hpp"
 #include "lamina/streaming/resume/rest_program.hpp"
 #include "subcommand.hpp"
 
@@ -18,6 +20,7 @@ namespace {
 struct ResumeArguments {
   std::string program;
   std::string output;
+  std::string port;  ///< whose last job is to be told of; empty to write the rest
   std::optional<std::uint64_t> line;
   std::optional<std::int32_t> layer;
   std::optional<double> height_mm;
@@ -30,11 +33,38 @@ std::uint64_t lineFrom(const ResumeArguments& arguments, const StreamableProgram
   if (arguments.layer) return firstLineOfLayer(program, *arguments.layer);
   if (arguments.height_mm) return firstLineAtHeight(program, *arguments.height_mm);
   throw InvalidInput(
-      "where to go on is not given; expected --from-line, --from-layer or --from-height (lamina stream "
-      "--progress tells what is known)");
+      "where to go on is not given; expected --from-line, --from-layer or --from-height (lamina resume "
+      "--port tells what is known)");
+}
+
+/// What is known of the port's last job, and from where it could be gone on with; nothing is written.
+void showOffer(const ResumeArguments& arguments, OutputFormat format) {
+  StreamSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
+  const JournalledProgress known = readJournal(journalPath(settings, arguments.port));
+  const auto program = StreamableProgram::fromFile(arguments.program);
+  if (known.job.program_sha256 != sha256Of(program))
+    throw InvalidProgram(
+        arguments.program +
+        " is not the program of the port's last job, or was changed; known is: " + describeProgress(known));
+  const RestOffer offer = offerRest(program, known.progress.taken_through);
+  if (format == OutputFormat::Text) {
+    std::printf("%s\n%s", describeProgress(known).c_str(), describeOffer(offer).c_str());
+    return;
+  }
+  nlohmann::ordered_json json = {{"known", describeProgress(known)},
+                                 {"from_line", offer.line},
+                                 {"from_layer", nullptr},
+                                 {"from_height", offer.height_mm}};
+  if (offer.layer) json["from_layer"] = *offer.layer;
+  std::printf("%s\n", json.dump().c_str());
 }
 
 void runResume(const ResumeArguments& arguments, OutputFormat format) {
+  if (!arguments.port.empty()) return showOffer(arguments, format);
+  if (arguments.output.empty()) throw InvalidInput("--output is not given; expected a file for the rest");
   if (!arguments.nozzle_height_mm)
     throw InvalidInput(
         "--nozzle-height is not given: z is not homed onto a part, so that the nozzle's height must be "
@@ -67,7 +97,7 @@ void addResume(CLI::App& app, Chosen& chosen) {
       "resume", "Write the rest of a program, for a machine that has lost its position; sends nothing");
   auto arguments = std::make_shared<ResumeArguments>();
   command->add_option("program", arguments->program, "G-code file")->required();
-  command->add_option("-o,--output", arguments->output, "file for the rest")->required();
+  auto* const output = command->add_option("-o,--output", arguments->output, "file for the rest");
   auto* const line = command->add_option("--from-line", arguments->line, "command to go on from, from 1");
   auto* const layer =
       command->add_option("--from-layer", arguments->layer, "layer to go on from, as comments number them");
@@ -77,7 +107,16 @@ void addResume(CLI::App& app, Chosen& chosen) {
   layer->excludes(height);
   command->add_option("--nozzle-height", arguments->nozzle_height_mm,
                       "z of the nozzle when the rest begins, as measured [mm]");
-  command->add_option("--set", arguments->settings, "key=value, one of resume.*; may be repeated");
+  command
+      ->add_option("--port,-p", arguments->port,
+                   "print what is known of that port's last job and from where it could be gone on with; "
+                   "writes nothing")
+      ->excludes(output)
+      ->excludes(line)
+      ->excludes(layer)
+      ->excludes(height);
+  command->add_option("--set", arguments->settings,
+                      "key=value, one of resume.*, with --port one of stream.*; may be repeated");
   addJsonFlag(*command, chosen);
   command->callback(
       [arguments, &chosen] { chosen.run = [arguments, &chosen] { runResume(*arguments, chosen.format); }; });

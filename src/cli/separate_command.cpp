@@ -23,6 +23,7 @@ struct SeparateCommand {
 
 constexpr std::array kSeparateCommands = {
     SeparateCommand{"decide", "lamina-optimise", kDecideDescription},
+    SeparateCommand{"estimate", "lamina-estimate", kEstimateDescription},
     SeparateCommand{"optimise", "lamina-optimise", kOptimiseDescription},
 };
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "arguments/setting_options.hpp"
 #include "lamina/base/clock.hpp"
@@ -36,18 +37,23 @@ StreamSettings settingsFrom(const StreamArguments& arguments) {
   return settings;
 }
 
+JobBeginning beginningOf(const StreamArguments& arguments) {
+  return arguments.mode == StreamMode::Resume ? JobBeginning::GoOn : JobBeginning::Anew;
+}
+
 /// Streams to the end, or to the safe stop after Ctrl-C.
 StreamStatus streamWhole(const StreamableProgram& program, const StreamSettings& settings,
                          const StreamArguments& arguments, const StreamJournal& journal) {
   constexpr double kPollInterval = 0.1;  // s
   TerminalProgress progress;
+  bool is_warned = false;
   const auto report = [&](const StreamStatus& status) {
+    if (!status.warning.empty() && !std::exchange(is_warned, true))
+      std::fprintf(stderr, "warning: %s\n", status.warning.c_str());
     progress.report(toString(status.state),
                     static_cast<double>(status.lines_acknowledged) / static_cast<double>(status.lines_total));
   };
-  const auto beginning =
-      arguments.mode == StreamMode::Resume ? PrintBeginning::Follow : PrintBeginning::Upload;
-  StreamSession session(program, settings, arguments.port, report, {{}, journal, beginning});
+  StreamSession session(program, settings, arguments.port, report, {{}, journal, beginningOf(arguments)});
   LiveInput input;
   while (!session.waitFor(kPollInterval)) {
     if (arguments.is_live) input.follow(session);
@@ -93,7 +99,8 @@ void print(const StreamStatus& status, double duration_s, OutputFormat format) {
                                    {"lines_per_s", lines_per_s},
                                    {"firmware", status.firmware_name},
                                    {"not_done", status.commands_not_done},
-                                   {"first_not_done", status.first_not_done}};
+                                   {"first_not_done", status.first_not_done},
+                                   {"warning", status.warning}};
     json.update(starvationJson(status.starvation));
     json["state"] = toString(status.state);
     std::printf("%s\n", json.dump().c_str());
@@ -128,6 +135,7 @@ void showProgress(const std::string& journal, OutputFormat format) {
                                        {"program_sha256", known.job.program_sha256},
                                        {"port", known.job.port},
                                        {"firmware", known.job.firmware_name},
+                                       {"uploaded_as", known.job.uploaded_as},
                                        {"lines", known.job.lines_total},
                                        {"taken_through", known.progress.taken_through},
                                        {"sent_through", known.progress.sent_through},
@@ -137,14 +145,6 @@ void showProgress(const std::string& journal, OutputFormat format) {
   std::printf("%s\n", json.dump().c_str());
 }
 
-/// A print server prints by itself, and knows itself how far it is.
-StreamJournal journalFor(const StreamArguments& arguments, const std::string& path,
-                         const StreamableProgram& program) {
-  if (isPrintServer(arguments.port)) return {};
-  return arguments.mode == StreamMode::Resume ? resumeJournal(path, program, arguments.port.name)
-                                              : beginJournal(path);
-}
-
 void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const StreamSettings settings = settingsFrom(arguments);
   const std::string journal_path = journalPath(settings, arguments.port.name);
@@ -152,7 +152,7 @@ void runStream(const StreamArguments& arguments, Chosen& chosen) {
   const auto program = StreamableProgram::fromFile(arguments.program, settings);
   const SteadyClock clock;
   const double start = clock.now();
-  const StreamJournal journal = journalFor(arguments, journal_path, program);
+  const StreamJournal journal = journalFor(journal_path, program, arguments.port, beginningOf(arguments));
   const StreamStatus status = streamWhole(program, settings, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);

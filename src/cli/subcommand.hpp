@@ -39,11 +39,14 @@ void printConfig(const SettingsSchema& schema, OutputFormat format);
 
 /// What `lamina --help` says of the subcommands of another executable.
 inline constexpr char kDecideDescription[] = "Choose one point of a front by weights";
+inline constexpr char kEstimateDescription[] =
+    "Height errors, gains and correction maps of a recorded print, from its bag";
 inline constexpr char kOptimiseDescription[] =
     "Run a study: search configurations for what it wants; stopped, it goes on where it was";
 
 // Each adds its subcommand with all its options; when it stands on the command line, `chosen.run` is set.
 // `chosen` must outlive the parsing.
+void addCalibrate(CLI::App& app, Chosen& chosen);
 void addCheck(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
 void addDecide(CLI::App& app, Chosen& chosen);

@@ -10,6 +10,7 @@
 #include <lamina/Bead.h>
 #include <lamina/ChangeJob.h>
 #include <lamina/ComputeStiffnessAction.h>
+#include <lamina/CorrectionMap.h>
 #include <lamina/DepositionState.h>
 #include <lamina/DepositionSummary.h>
 #include <lamina/DriveToolpathAction.h>
@@ -22,6 +23,8 @@
 #include <lamina/InclineSummary.h>
 #include <lamina/LayerHeight.h>
 #include <lamina/LoadProgram.h>
+#include <lamina/LoopFigures.h>
+#include <lamina/LoopState.h>
 #include <lamina/MachineRest.h>
 #include <lamina/MachineState.h>
 #include <lamina/Measuring.h>
@@ -31,6 +34,7 @@
 #include <lamina/ProcessValue.h>
 #include <lamina/ProfileCounts.h>
 #include <lamina/RunStartup.h>
+#include <lamina/SetLoop.h>
 #include <lamina/Setting.h>
 #include <lamina/SimulateDepositionAction.h>
 #include <lamina/SliceAction.h>

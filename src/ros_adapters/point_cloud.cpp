@@ -80,6 +80,22 @@ void append(sensor_msgs::PointCloud2& cloud, std::initializer_list<double> milli
 
 }  // namespace
 
+std::vector<std::vector<Point3>> profilesFromMessage(const sensor_msgs::PointCloud2& cloud) {
+  const std::size_t x = offsetOf(cloud, "x");
+  const std::size_t y = offsetOf(cloud, "y");
+  const std::size_t z = offsetOf(cloud, "z");
+  checkLayout(cloud);
+  if (cloud.width == 0) return {};  // whatever height it states
+  std::vector<std::vector<Point3>> rows(cloud.height);
+  for (std::uint32_t row = 0; row < cloud.height; ++row) {
+    const std::uint8_t* at = cloud.data.data() + std::size_t(row) * cloud.row_step;
+    rows[row].reserve(cloud.width);
+    for (std::uint32_t i = 0; i < cloud.width; ++i, at += cloud.point_step)
+      rows[row].push_back(Point3(floatAt(at + x), floatAt(at + y), floatAt(at + z)) * kMillimetresPerMetre);
+  }
+  return rows;
+}
+
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud) {
   const std::size_t x = offsetOf(cloud, "x");
   const std::size_t y = offsetOf(cloud, "y");
@@ -119,12 +135,14 @@ sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points,
   return cloud;
 }
 
-sensor_msgs::PointCloud2 toCloudMessage(const HeightMap& heights, const HeightMap& deviation) {
+sensor_msgs::PointCloud2 toCloudMessage(const HeightMap& heights, const HeightMap& deviation,
+                                        const Eigen::Isometry3d& bed_from_maps) {
   sensor_msgs::PointCloud2 cloud = emptyCloud({"x", "y", "z", "deviation"});
   for (std::size_t cell = 0; cell < heights.grid().cellCount(); ++cell) {
     if (!heights.isKnown(cell)) continue;
     const Point2 centre = heights.grid().centre(cell);
-    append(cloud, {centre.x(), centre.y(), heights.at(cell), deviation.at(cell)});
+    const Point3 place = bed_from_maps * Point3(centre.x(), centre.y(), heights.at(cell));
+    append(cloud, {place.x(), place.y(), place.z(), deviation.at(cell)});
   }
   return cloud;
 }

@@ -25,6 +25,11 @@ struct CloudPoints {
 ///   bytes than the layout asks for
 CloudPoints fromMessage(const sensor_msgs::PointCloud2& cloud, const Eigen::Isometry3d& target_from_cloud);
 
+/// The rows of a cloud in its own frame [mm], all points of each, not finite ones too: a profile sensor's
+/// lines.
+/// @throws InvalidInput as the other
+std::vector<std::vector<Point3>> profilesFromMessage(const sensor_msgs::PointCloud2& cloud);
+
 /// A cloud with the fields x, y and z (float32). Header: the publisher's.
 /// @param points  [mm]
 sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points);
@@ -44,7 +49,9 @@ sensor_msgs::PointCloud2 toCloudMessage(const std::vector<Point3>& points,
 /// One point per known cell, with the fields x, y, z and `deviation` (float32) [m], the last NaN where
 /// unknown.
 /// @param deviation  of the same grid as `heights`
-sensor_msgs::PointCloud2 toCloudMessage(const HeightMap& heights, const HeightMap& deviation);
+sensor_msgs::PointCloud2 toCloudMessage(
+    const HeightMap& heights, const HeightMap& deviation,
+    const Eigen::Isometry3d& bed_from_maps = Eigen::Isometry3d::Identity());
 
 /// The map as seen from above: 32FC1 [m], rows from the highest y down, NaN where unknown.
 sensor_msgs::Image toImageMessage(const HeightMap& map);

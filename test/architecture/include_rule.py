@@ -45,11 +45,15 @@ ARROWS = {
     "kriging": ["optimisation"],
     "study": ["optimisation", "picture"],
     "monitoring": ["toolpath"],
+    "calibration": ["toolpath"],
     "control": ["toolpath"],
     "control/program": ["control", "gcode_rewrite"],
+    "control/run": ["control", "deposition"],
+    "control/report": ["control/run", "picture"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",
-            "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program"],
+            "stiffness", "metrics", "study", "verification/collision", "monitoring", "control/program",
+            "control/report"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 ROS_HEADER = re.compile(r"^(ros/|tf2|tf2_ros/|actionlib/|rosbag/|nodelet/|pluginlib/|diagnostic_updater/|[a-z0-9_]+_msgs/)")

@@ -6,7 +6,8 @@ import sys
 LAMINA = sys.argv.pop(1)
 
 # Without what is laid by default so that parts come off a printer whole.
-PLAIN = [word for setting in ("skins.top_layers=0", "skins.bottom_layers=0", "bridges.use=false", "overhangs.use=false")
+PLAIN = [word for setting in ("skins.top_layers=0", "skins.bottom_layers=0", "bridges.use=false", "overhangs.use=false",
+                              "cooling.least_layer_time_s=0", "fan.use=false")
          for word in ("--set", setting)]
 
 

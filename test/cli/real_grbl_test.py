@@ -128,6 +128,29 @@ class RealGrbl(unittest.TestCase):
         self.assertNotIn("in time", errors)
         self.assert_ran_the_start_of(lines)
 
+    def test_it_holds_in_front_of_a_layer(self):
+        self.run_grbl()
+        lines = steps(120)
+        with_layers = lines[:3] + [";LAYER:0"] + lines[3:63] + [";LAYER:1"] + lines[63:]
+        streaming = self.begin(with_layers, "--live")
+        for _ in range(300):
+            if os.path.exists(self.record) and len(self.ran()) > 5:
+                break
+            time.sleep(0.05)
+        streaming.stdin.write("pause_at_layer 1\n")
+        streaming.stdin.flush()
+        for _ in range(300):
+            if len(self.ran()) >= 63:
+                break
+            time.sleep(0.1)
+        time.sleep(4.0)
+        self.assertEqual(self.assert_ran_the_start_of(lines), 63)
+        streaming.stdin.write("resume\n")
+        _, errors = streaming.communicate(timeout=PATIENCE_S)
+        self.assertEqual(streaming.returncode, 0, errors)
+        self.assertIn("holds in front of layer 1", errors)
+        self.assertEqual(self.assert_ran_the_start_of(lines), len(lines))
+
     def test_a_job_that_was_killed_goes_on_where_the_machine_stands(self):
         self.run_grbl()
         lines = steps(60)
@@ -161,6 +184,18 @@ class RealGrbl(unittest.TestCase):
         self.assertIn("line 2", errors)
         self.assertIn("M104", errors)
         self.assertEqual(self.ran(), [])
+
+    def test_a_laser_whose_beam_would_burn_on_is_told_of(self):
+        self.run_grbl()
+        descriptor = os.open(self.port, os.O_RDWR | os.O_NOCTTY)
+        time.sleep(1.5)
+        os.write(descriptor, b"$32=1\n")
+        time.sleep(0.5)
+        os.close(descriptor)
+        for power, is_told in (("M3 S10", True), ("M4 S10", False)):
+            code, _, errors = self.stream(["G21", "G90", power, "G1 X1 F300", "M5"])
+            self.assertEqual(code, 0, errors)
+            self.assertEqual("line 3: '%s' keeps the laser on" % power in errors, is_told, errors)
 
     def test_a_locked_machine_is_unlocked_only_where_that_is_asked_for(self):
         self.run_grbl()

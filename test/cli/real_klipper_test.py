@@ -116,6 +116,21 @@ class RealKlipper(unittest.TestCase):
         self.assertIn("an emergency stop was sent; the machine halted", told)
         self.assertEqual(self.sent().count("M112"), 1)
 
+    def test_an_emergency_stop_is_heard_behind_all_that_waits(self):
+        """Klipper looks for it while it keeps fewer than twenty lines: questions, and a stop that is said again and again."""
+        self.run_klipper()
+        job = self.begin(["M106 S255", "M106 P1 S255", "G4 P900000"], "stream.probe_after_s=0.1", "stream.safe_stop_timeout_s=8",
+                         "stream.emergency_stop=unconfirmed")
+        time.sleep(10.0)
+        job.send_signal(signal.SIGINT)
+        _, told = job.communicate(timeout=PATIENCE_S)
+        self.skip_if_stalled(told)
+        self.assertIn("an emergency stop was sent; the machine halted", told)
+        waiting = self.sent()[self.sent().index("G4 P900000"):]
+        self.assertEqual(waiting[-1], "M112")
+        self.assertGreater(len(waiting), 10)
+        self.assertLess(len(waiting), 20)
+
     def test_it_is_changed_between_two_lines(self):
         self.run_klipper()
         lines = spiral(300)

@@ -37,6 +37,7 @@ class RealMoonraker(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         self.program = self.path("part.gcode")
+        self.environment = {**os.environ, "XDG_STATE_HOME": self.path("state")}
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -74,11 +75,16 @@ class RealMoonraker(unittest.TestCase):
     def files(self):
         return [file["path"] for file in self.ask("/server/files/list?root=gcodes")]
 
+    def lamina(self, *words):
+        return subprocess.run([LAMINA, *words, "--port", self.url], env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S,
+                              check=False)
+
     def begin(self, lines, *settings, live=False, text=None):
         with open(self.program, "wb") as program:
             program.write(text if text is not None else "".join(line + "\n" for line in lines).encode())
         command = [LAMINA, "stream", self.program, "--port", self.url] + [word for setting in settings for word in ("--set", setting)]
-        job = subprocess.Popen(command + ["--live"] * live, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        job = subprocess.Popen(command + ["--live"] * live, env=self.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: (job.kill(), job.communicate()) if job.poll() is None else None)
         return job
 
@@ -205,8 +211,11 @@ class RealMoonraker(unittest.TestCase):
         self.assertEqual(self.ran(), lines)
 
     def type(self, job, *lines):
-        job.stdin.write("".join(line + "\n" for line in lines))
-        job.stdin.flush()
+        try:
+            job.stdin.write("".join(line + "\n" for line in lines))
+            job.stdin.flush()
+        except BrokenPipeError:
+            self.fail(self.end_of(job)[2])
 
     def await_machine(self, what, is_so):
         for _ in range(150):
@@ -285,16 +294,22 @@ class RealMoonraker(unittest.TestCase):
         self.await_lines(150)
         job.kill()
         job.communicate()
-        followed = subprocess.run([LAMINA, "stream", self.program, "--port", self.url, "--resume"], capture_output=True, text=True,
-                                  timeout=PATIENCE_S, check=False)
+        known = json.loads(self.lamina("stream", self.program, "--progress", "--json").stdout)
+        self.assertEqual([known["uploaded_as"]], self.files())
+        self.assertEqual(known["state"], "Execute")
+        self.assertGreater(known["taken_through"], 0)
+        self.assertLessEqual(known["taken_through"], len(self.ran()) + 50)  # Klipper counts what it has read
+        offer = json.loads(self.lamina("resume", self.program, "--json").stdout)
+        self.assertEqual(offer["from_line"], known["taken_through"] + 1)
+        followed = self.lamina("stream", self.program, "--resume")
         self.skip_if_stalled(followed.stderr)
         self.assertEqual(followed.returncode, 0, followed.stderr)
         self.assertIn("Complete: %d lines" % len(lines), followed.stdout)
         self.assertEqual(self.ran(), lines)
         self.assertEqual(self.files(), [])
-        again = subprocess.run([LAMINA, "stream", self.program, "--port", self.url, "--resume"], capture_output=True, text=True,
-                               timeout=PATIENCE_S, check=False)
+        again = self.lamina("stream", self.program, "--resume")
         self.assertEqual(again.returncode, 1)
+        self.assertIn("the machine had read line 1200 of 1200", again.stderr)
 
     def test_it_follows_what_another_does(self):
         self.run_moonraker()
@@ -315,6 +330,49 @@ class RealMoonraker(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("was cancelled at the machine", told)
         self.assertEqual(self.files(), [])
+
+    def test_an_earlier_print_that_was_cancelled_is_left_alone(self):
+        self.run_moonraker()
+        job = self.begin(spiral(1200))
+        self.await_lines(150)
+        job.kill()
+        job.communicate()
+        self.ask("/printer/print/cancel", "POST")
+        self.ask("/printer/gcode/script?script=M104%20S170", "POST")  # for another job
+        stored = self.files()
+        followed = subprocess.run([LAMINA, "stream", self.program, "--port", self.url, "--resume"], capture_output=True, text=True,
+                                  timeout=PATIENCE_S, check=False)
+        self.skip_if_stalled(followed.stderr)
+        self.assertEqual(followed.returncode, 1)
+        self.assertIn("was cancelled at the machine; its heaters and its file were left as they are", followed.stderr)
+        self.assertEqual(self.machine()["extruder"]["target"], 170)
+        self.assertEqual(self.files(), stored)
+
+    def test_changes_that_wait_for_heat_do_not_lose_the_print(self):
+        self.run_moonraker()
+        job = self.begin(spiral(10) + ["M109 S250"] + spiral(10), "stream.silence_timeout_s=15", live=True)
+        self.await_lines(10)
+        time.sleep(2.0)
+        self.type(job, "feed 80", "feed 81", "feed 82", "feed 83")
+        time.sleep(40.0)
+        self.assertIsNone(job.poll(), "it is followed all the time")
+        self.ask("/printer/emergency_stop", "POST")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 1)
+        self.assertIn("M220 S80: no answer within 10 s", told)
+        self.assertIn("the printer has shut itself down", told)
+
+    def test_no_part_is_left_out_where_klipper_cannot(self):
+        self.run_moonraker()
+        if "exclude_object" in self.ask("/printer/objects/list")["objects"]:
+            self.skipTest("the configuration has [exclude_object]")
+        job = self.begin(spiral(500), live=True)
+        self.await_lines(100)
+        time.sleep(1.5)  # until it is seen to print
+        self.type(job, "cancel_part 0")
+        code, _, told = self.end_of(job)
+        self.assertEqual(code, 0, told)
+        self.assertIn("cancel_part 0: this Klipper leaves out no parts: its configuration has no [exclude_object]", told)
 
     def test_an_error_ends_the_print_and_nothing_behind_it_is_run(self):
         self.run_moonraker(NOZZLE_C="25")

@@ -1,12 +1,13 @@
 """Regions of a part with tools, flow, bridges and supports of their own."""
 import os
+import resource
 import tempfile
 import unittest
 import zipfile
 
-from lamina_command import lamina, motions, told
+from lamina_command import PLAIN, lamina, motions, told
 
-LEVEL = ("--set", "slicing.first_layer_height_mm=0.2", "--set", "skirt.count=0")
+LEVEL = (*PLAIN, "--set", "slicing.first_layer_height_mm=0.2", "--set", "skirt.count=0")
 MIDDLE = (110.0, 110.0, 0.0)
 TOOLS = ("--set", "tools.list=[{name: black}, {name: white}]")
 
@@ -81,10 +82,11 @@ class Regions(unittest.TestCase):
         def laid(found, role, layer):
             return 2.405282 * sum(m.filament for m in found if m.lays() and m.role == role and m.layer == layer)
         region, purge = [RIGHT + ", settings: {tool: 1}"], ("--set", "tools.purge_mm3=40")
-        _, plain = self.sliced(self.box, region, *TOOLS, *purge)
-        into = ("--set", "tools.purge_into_infill=true")
+        hidden = ("--set", "skins.top_layers=1", "--set", "skins.bottom_layers=1")
+        _, plain = self.sliced(self.box, region, *TOOLS, *purge, *hidden)
+        into = (*hidden, "--set", "tools.purge_into_infill=true")
         _, found = self.sliced(self.box, region, *TOOLS, *purge, *into)
-        for layer in range(10):
+        for layer in range(1, 9):
             infill = laid(found, "infill", layer)
             self.assertAlmostEqual(infill, laid(plain, "infill", layer), places=3)
             self.assertAlmostEqual(laid(found, "prime", layer) + infill, 40.0, delta=0.4)
@@ -95,7 +97,26 @@ class Regions(unittest.TestCase):
             self.assertNotIn("infill", [role for tool, role in order if tool == order[0][0]])
         # As much as the infill holds needs no tower.
         _, found = self.sliced(self.box, region, *TOOLS, *into, "--set", "tools.purge_mm3=5")
-        self.assertNotIn("prime", {m.role for m in found})
+        self.assertEqual({m.layer for m in found if m.lays() and m.role == "prime"}, set(range(10)))
+        self.assertLess(laid(found, "prime", 5), laid(found, "prime", 9))
+
+    def test_no_tool_takes_what_purges_another(self):
+        regions = [box((-2, -99, -1), (99, 99, 99)) + ", settings: {tool: 1}",
+                   box((4, -99, -1), (99, 99, 99)) + ", settings: {tool: 2}"]
+        three = ("--set", "tools.list=[{name: a}, {name: b}, {name: c}]", "--set", "skins.top_layers=1", "--set",
+                 "skins.bottom_layers=1", "--set", "infill.density=0.5", "--set", "tools.purge_mm3=30")
+        _, found = self.sliced(self.box, regions, *three, "--set", "tools.purge_into_infill=true")
+        for layer in range(1, 9):
+            at_work, purged = None, {}
+            for motion in (m for m in found if m.lays() and m.layer == layer):
+                if at_work is not None and motion.tool != at_work:
+                    purged[motion.tool] = 0.0
+                at_work = motion.tool
+                if at_work in purged and motion.role in ("prime", "infill"):
+                    purged[at_work] += 2.405282 * motion.filament
+                elif at_work in purged:
+                    self.assertGreater(purged.pop(at_work), 29.0, (layer, at_work))
+            self.assertFalse(purged)
 
     def test_a_region_has_a_flow_of_its_own(self):
         usual, _ = self.sliced(self.box, [], "--set", "infill.density=1")
@@ -159,8 +180,12 @@ class Regions(unittest.TestCase):
         for motion in crossings:
             self.assertAlmostEqual(motion.end[2], 2.5, places=3)
 
-    def threemf(self, boxes, entry, config):
-        """A 3MF file of one object of boxes, and what a slicer writes beside it."""
+    def threemf(self, boxes, entry, config, model="3D/3dmodel.model", before=""):
+        """A 3MF file of one object of boxes, and what a slicer writes beside it.
+
+        @param model   where the archive has its model
+        @param before  the object in it
+        """
         corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
         faces = ((0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4),
                  (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5))
@@ -178,10 +203,10 @@ class Regions(unittest.TestCase):
                           '.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.'
                           '3dmanufacturing-3dmodel+xml"/></Types>')
             file.writestr("_rels/.rels", f'<?xml version="1.0"?><Relationships xmlns="{relation}"><Relationship Target='
-                          '"/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>'
+                          f'"/{model}" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>'
                           '</Relationships>')
-            file.writestr("3D/3dmodel.model", '<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft'
-                          f'.com/3dmanufacturing/core/2015/02"><resources><object id="4" type="model">{mesh}</object>'
+            file.writestr(model, '<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft'
+                          f'.com/3dmanufacturing/core/2015/02"><resources>{before}<object id="4" type="model">{mesh}</object>'
                           '</resources><build><item objectid="4"/></build></model>')
             if config:
                 file.writestr(entry, config)
@@ -204,6 +229,54 @@ class Regions(unittest.TestCase):
         left_out = sliced("ParameterModifier")
         self.assertAlmostEqual(left_out["sliced_volume_mm3"], 1600.0, places=3)
         self.assertIn("1 volumes of the file", left_out["notes"][0])
+
+    def negative(self, number=4):
+        return ('<?xml version="1.0"?><config><object id="%d"><volume firstid="12" lastid="23"><metadata type="volume" '
+                'key="volume_type" value="NegativeVolume"/></volume></object></config>' % number)
+
+    def test_level_layers_that_were_chosen_mind_volumes(self):
+        part = self.threemf([((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9))], "Metadata/Slic3r_PE_model.config",
+                            self.negative())
+        for mode in ("planar", "auto"):
+            summary = told("slice", part, *LEVEL, "--set", "slicing.mode=" + mode)
+            self.assertEqual(summary["mode"], "planar")
+            self.assertAlmostEqual(summary["sliced_volume_mm3"], 4 * (400 - 100), places=3)
+            self.assertFalse([note for note in summary["notes"] if "volumes of the file" in note])
+        inclined = told("slice", part, *LEVEL, "--set", "slicing.plane.angle_deg=45", "--set", "machine.name=belt_45")
+        self.assertIn("1 volumes of the file", " ".join(inclined["notes"]))
+
+    def test_volumes_are_found_by_what_the_archive_says(self):
+        boxes, entry = [((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9))], "Metadata/Slic3r_PE_model.config"
+        comment = '<!-- <object id="9"> -->'
+        for model in ("3D/3dmodel.model", "3D/part.model"):
+            part = self.threemf(boxes, entry, self.negative(), model, comment)
+            self.assertAlmostEqual(told("slice", part, *LEVEL)["sliced_volume_mm3"], 4 * (400 - 100), places=3)
+        done = lamina("slice", self.threemf(boxes, entry, self.negative(7)), *LEVEL)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("object 7", done.stderr)
+
+    def test_sizes_that_headers_state_take_no_room(self):
+        boxes, entry = [((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9))], "Metadata/Slic3r_PE_model.config"
+        with open(self.threemf(boxes, entry, self.negative()), "rb") as file:
+            archive = bytearray(file.read())
+        # Sizes stand 24 bytes into the entry of the central directory, its name 46.
+        at = archive.rindex(b"3D/3dmodel.model") - 46
+        self.assertEqual(archive[at:at + 4], b"PK\x01\x02")
+        archive[at + 24:at + 28] = (0xE0000000).to_bytes(4, "little")
+        with open(self.path("part.3mf"), "wb") as file:
+            file.write(archive)
+        lamina("slice", self.path("part.3mf"), *LEVEL)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 1500000, "KiB")
+
+    def test_volumes_are_numbered_as_in_the_file(self):
+        boxes = [((0, 0, 0), (20, 20, 4)), ((5, 5, -1), (15, 15, 9)), ((30, 30, 0), (30, 31, 1))]
+        config = '<?xml version="1.0"?><config><object id="4">'
+        for first, kind in ((12, "ParameterModifier"), (24, "NegativeVolume")):
+            config += ('<volume firstid="%d" lastid="%d"><metadata type="volume" key="volume_type" value="%s"/></volume>'
+                       % (first, first + (11 if first == 12 else 5), kind))
+        done = lamina("slice", self.threemf(boxes, "Metadata/Slic3r_PE_model.config", config + "</object></config>"))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("volume 1 of the part's file", done.stderr)
 
     def test_lists_of_volumes_that_are_broken_are_refused(self):
         for config, word in (('<config><object id="x">', "id of object is 'x'"), ("<config", "part.3mf")):

@@ -1,10 +1,11 @@
 """Seen skins, ironing and cooling as somebody who slices sees them: in the summary, the program and its measures."""
+import math
 import os
 import re
 import tempfile
 import unittest
 
-from lamina_command import lamina, told
+from lamina_command import lamina, motions, told
 
 SKINS = ["--set", "skins.top_layers=2", "--set", "skins.bottom_layers=2", "--set", "skirt.count=0"]
 PLATE = """<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="22mm" viewBox="0 0 30 22">
@@ -49,8 +50,26 @@ class Skins(unittest.TestCase):
     def test_the_order_changes_the_program_and_not_what_is_laid(self):
         one_sense, shortest = self.program(), self.program("--set", "skins.monotonic=false")
         self.assertNotEqual(one_sense, shortest)
-        top = one_sense.rindex(";TYPE:top_skin")
-        self.assertEqual(one_sense[:top].count("\n"), shortest[:shortest.rindex(";TYPE:top_skin")].count("\n"))
+
+        def skin(program):
+            return [m for m in motions(program) if m.role == "top_skin" and m.lays()]
+
+        def lines(program):
+            """Where lines of the skin lie across, and how much each lays; where they end they join otherwise."""
+            found = []
+            for at, filament in sorted((m.start[0] + m.start[1], m.filament) for m in skin(program)
+                                       if abs(sum(m.end[:2]) - sum(m.start[:2])) < 0.02 < math.dist(m.start, m.end)):
+                if not found or at - found[-1][0] > 0.1:
+                    found.append([at, 0.0])
+                found[-1][1] += filament
+            return found
+        self.assertGreater(len(lines(one_sense)), 50)
+        for line, same in zip(lines(one_sense), lines(shortest)):
+            self.assertAlmostEqual(line[0], same[0], delta=0.05)
+            self.assertAlmostEqual(line[1], same[1], delta=0.02)  # 0.5 mm of a bead
+        self.assertEqual(len(lines(one_sense)), len(lines(shortest)))
+        volumes = [sum(m.filament for m in skin(program)) for program in (one_sense, shortest)]
+        self.assertAlmostEqual(volumes[0] / volumes[1], 1.0, delta=0.01)
 
     def test_the_fan_has_its_share_of_the_role(self):
         fan = ["--set", "fan.use=true", "--set", "fan.full_below_s=0", "--set", "fan.off_above_s=1", "--set", "fan.least=0.2"]
@@ -59,6 +78,23 @@ class Skins(unittest.TestCase):
         self.assertEqual(re.findall(r"M106 S(\d+)", skin)[0], "204")
         refused = lamina("slice", "box", "--set", "fan.by_role=roof=1")
         self.assertIn("fan.by_role", refused.stderr)
+
+    def test_a_solid_part_has_the_roles_of_skins(self):
+        solid = self.program("--set", "infill.density=1")
+        self.assertLess(solid.index(";TYPE:bottom_skin"), solid.index(";TYPE:top_skin"))
+        self.assertNotIn(";TYPE:infill", self.program("--set", "infill.density=1", "--set", "skins.top_layers=4"))
+
+    def test_infill_is_laid_every_other_layer(self):
+        box = ["slice", "box", "--set", "skins.top_layers=0", "--set", "skins.bottom_layers=0"]
+        both = ["--set", "infill.every_layers=2"]
+        self.assertIn("0.8 of bead.width_mm", lamina(*box, *both).stderr)
+
+        def infills(*settings):
+            told(*box, "--set", "machine.nozzle_mm=0.8", "--set", "bead.width_mm=0.8", *settings, "-o", self.path("box.gcode"))
+            with open(self.path("box.gcode"), encoding="utf-8") as file:
+                return file.read().count(";TYPE:infill")
+
+        self.assertEqual(infills(*both), infills() // 2)
 
     def test_places_are_left_alone_only_by_waiting(self):
         alone = ["--set", "cooling.least_layer_time_s=60", "--set", "cooling.interval=place"]

@@ -172,6 +172,10 @@ class StreamResume(unittest.TestCase):
         streaming.send_signal(signal.SIGTERM)
         self.assertNotEqual(streaming.wait(PATIENCE_S), 0)
         self.assertEqual(self.known()["state"], "Aborted")
+        offer = told("resume", self.program, *self.options())
+        taken = self.known()["taken_through"]
+        self.assertEqual((offer["from_line"], offer["from_layer"], offer["from_height"]), (taken + 1, taken // 100, 0))
+        self.assertIn("line %d of 3000 was certainly taken" % taken, offer["known"])
         done = lamina("stream", self.program, *self.options(), "--resume", "--json")
         self.assertEqual(json.loads(done.stdout)["error"]["code"], "InvalidInput")
 

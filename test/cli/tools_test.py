@@ -83,7 +83,7 @@ class Tools(unittest.TestCase):
     def test_tool_of_supports_alone_changes_once_and_purges(self):
         tee = self.path("bridge.stl")
         told("part", "bridge", "-o", tee)
-        tools = ("--set", TWO, "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
+        tools = (*PLAIN, "--set", TWO, "--set", "supports.use=true", "--set", "supports.tool=1", "--set", "tools.purge_mm3=30")
         found = self.motions("supports.gcode", *tools, part=tee)
         self.assertEqual({m.tool for m in found if m.lays() and m.role == "support"}, {1})
         self.assertTrue([m for m in found if m.lays() and m.role == "prime"])
@@ -153,13 +153,22 @@ class Tools(unittest.TestCase):
         parts = {m.part for m in found if m.lays() and m.role != "prime" and m.role != "skirt"}
         self.assertEqual(parts, {"box 1", "box 2"})
         self.assertIn(";PART:\nM486 S-1\n", text)
-        for order, word in (("by_part", "plate.order"), ("by_layer", "lies beside one")):
+        for order, word in (("by_part", "plate.order"), ("by_layer", "slicing.layer_height_mm is 0.3")):
             with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
                 file.write("plate:\n  parts:\n    - {file: box.stl}\n    - {file: box.stl, settings: "
                            "{slicing.layer_height_mm: 0.3}}\n  order: %s\n" % order)
             done = lamina("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60")
             self.assertEqual(done.returncode, 1)
             self.assertIn(word, done.stderr)
+
+    def test_plates_leave_room_for_their_tower(self):
+        settings = (*TOOLS, "--set", "tools.purge_mm3=100", "--set", "plate.spacing_mm=5")
+        room = int((220 - 2 * 4.4 + 5) // 15)  # boxes of 10 mm in a row of the bed
+        told("slice", *[self.part] * room, *settings, "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            found = motions(file.read())
+        tower = [m.end[0] for m in found if m.lays() and m.role == "prime"]
+        self.assertLess(max(tower), 220.0)
 
     def test_parts_of_a_plate_have_tools_of_their_own(self):
         with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:

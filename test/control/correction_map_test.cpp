@@ -94,10 +94,21 @@ TEST(CorrectionMap, RefusesWhatIsNone) {
     readCorrectionMap(changed("-0.3", "-3"), "map.csv");
     FAIL();
   } catch (const InvalidInput& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "map.csv: correction of path 4, station 0: the amount changes by -3.000000; expected more than -1");
+    EXPECT_STREQ(error.what(),
+                 "map.csv: correction of path 4, station 0: the amount changes by -3.000000; expected more "
+                 "than -1 and "
+                 "at most 5.000000");
   }
+}
+
+TEST(CorrectionMap, RefusesWhatNoLoopAsksFor) {
+  const auto mapWith = [](const PlaceCorrection& place) {
+    return CorrectionMap{"part", 0, 1, {{0, 1.0, {place}}}};
+  };
+  EXPECT_NO_THROW(validate(mapWith({5.0, 5.0, -3.0})));
+  EXPECT_THROW(validate(mapWith({50.0, 0.0, 0.0})), InvalidInput);
+  EXPECT_THROW(validate(mapWith({0.0, 5.1, 0.0})), InvalidInput);
+  EXPECT_THROW(validate(mapWith({0.0, 0.0, 101.0})), InvalidInput);
 }
 
 }  // namespace

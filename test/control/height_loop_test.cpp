@@ -103,6 +103,21 @@ TEST(HeightLoop, RefusesReadingsOfNoCell) {
   HeightLoop loop((LoopSettings()));
   loop.beginLayer(layerOf(0));
   EXPECT_THROW(loop.see(60, {0.0, 6, 0.02}), InvalidInput);
+  EXPECT_THROW(loop.seeDeficit(60, 0.1), InvalidInput);
+  EXPECT_NO_THROW(loop.seeDeficit(59, 0.1)) << "nothing is laid yet";
+  LayerCorrection shorter;
+  shorter.amount.assign(59, 0.0);
+  EXPECT_THROW(loop.lay(shorter), InvalidInput);
+  EXPECT_THROW(loop.lay(loop.correction(LoopState::Off), {0.0}), InvalidInput);
+}
+
+TEST(HeightLoop, ContestsReadingsOfNoKnownNoise) {
+  HeightLoop loop((LoopSettings()));
+  loop.beginLayer(layerOf(0));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(loop.see(3, {0.0, 6, infinity}).use, ReadingUse::Contested);
+  EXPECT_EQ(loop.see(3, {0.0, 6, std::nan("")}).use, ReadingUse::Contested);
+  EXPECT_EQ(loop.endLayer().coverage, 0.0);
 }
 
 CellReading anyReading() {
@@ -131,14 +146,29 @@ TEST(HeightLoop, IsMovedByNoSingleCloudByMoreThanATenth) {
     unseen.endLayer();
     loop.beginLayer(layerOf(5));
     unseen.beginLayer(layerOf(5));
-    const auto with = loop.correction(LoopState::Active).amount;
-    const auto without = unseen.correction(LoopState::Active).amount;
-    for (std::size_t i = 0; i < with.size(); ++i) {
-      RC_ASSERT(std::isfinite(with[i]));
-      RC_ASSERT(with[i] >= settings.least_amount && with[i] <= settings.greatest_amount);
-      RC_ASSERT(std::abs(with[i] - without[i]) <= 0.1 * amountRange(settings) + 1e-12);
+    for (const LoopState state : {LoopState::Active, LoopState::Coasting}) {
+      const auto with = loop.correction(state).amount;
+      const auto without = unseen.correction(state).amount;
+      for (std::size_t i = 0; i < with.size(); ++i) {
+        RC_ASSERT(std::isfinite(with[i]));
+        RC_ASSERT(with[i] >= settings.least_amount && with[i] <= settings.greatest_amount);
+        RC_ASSERT(std::abs(with[i] - without[i]) <= 0.1 * amountRange(settings) + 1e-12);
+      }
     }
   }));
+}
+
+TEST(HeightLoop, IsMovedByNoSingleCloudByMoreThanATenthOfAPressedAmount) {
+  LoopSettings settings;
+  settings.process = LoopProcess::Pressed;
+  HeightLoop loop = laidLoop(settings, 4, 1.0);
+  loop.beginLayer(layerOf(4));
+  loop.lay(loop.correction(LoopState::Active));
+  for (std::size_t i = 0; i < loop.cells().size(); ++i) loop.seeDeficit(i, 0.9);
+  loop.endCloud();
+  loop.endLayer();
+  loop.beginLayer(layerOf(5));
+  for (const double amount : loop.correction(LoopState::Active).amount) EXPECT_NEAR(amount, 0.1 * 0.3, 1e-9);
 }
 
 TEST(HeightLoop, StaysWithinItsLimitsWhateverItSees) {

@@ -117,6 +117,26 @@ TEST(FeederLead, CommandsWhatIsNeededWhereTheNozzleWillBe) {
   EXPECT_EQ(ledCorrection(cells, amount, {}, LoopSettings()), amount);
 }
 
+TEST(FeederLead, LeadsAMapByPlaces) {
+  const ToolpathLayer layer = test::straightBeadLayer({0.0, 3.0}, 100.0);
+  const LayerCells cells = layerCells(layer, 4, 0.5);
+  CellCorrections corrections;
+  for (const double s : cells.along_mm) corrections.amount.push_back(0.1 * std::sin(2.0 * M_PI * s / 50.0));
+  corrections.dz_mm.assign(cells.size(), 0.25);
+  CorrectionMap map = correctionMap(cells, corrections, "part", 3);
+  EXPECT_EQ(digestOf(ledMap(map, layer, {}, LoopSettings())), digestOf(map)) << "no delay";
+  const CorrectionMap led = ledMap(map, layer, {1.5, 0.0}, LoopSettings());
+  ASSERT_EQ(led.paths.size(), 2U);
+  EXPECT_EQ(led.layer, 4U);
+  for (double s = 0.25; s < 80.0; s += 0.5) {
+    EXPECT_NEAR(correctionAt(led.paths[1], s).amount, correctionAt(map.paths[1], s + 15.0).amount, 1e-9);
+    EXPECT_NEAR(correctionAt(led.paths[1], s).dz_mm, 0.25, 1e-12) << "axes follow at once";
+  }
+  map.paths.push_back({9, 1.0, {{0.2, 0.0, 0.0}}});
+  EXPECT_EQ(ledMap(map, layer, {1.5, 0.0}, LoopSettings()).paths.back().stations[0].amount, 0.2)
+      << "of a path without cells";
+}
+
 TEST(PressedLaw, FillsWhatIsMissingWithinItsRange) {
   const LayerCells cells = test::straightBeads({0.0}, 30.0, 0.5);
   const std::vector<double> gain(cells.size(), 1.0);

@@ -67,6 +67,17 @@ TEST(MetalSplit, AsksForAnExponent) {
   EXPECT_THROW(metalSplit(cells, halves(cells), PowerSource::Fixed, LoopSettings()), InvalidConfig);
 }
 
+TEST(MetalSplit, RefusesWhatLeavesNoSpeed) {
+  const LayerCells cells = test::straightBeads({0.0}, 40.0, 1.0);
+  LoopSettings settings = wireSettings(-0.3);
+  settings.heat = 0.15;
+  settings.greatest_speed_mm_s = 8.0;  // 10 mm/s less 15 % of heat is 8.7 mm/s
+  EXPECT_THROW(metalSplit(cells, halves(cells), PowerSource::Fixed, settings), InvalidInput);
+  EXPECT_NO_THROW(metalSplit(cells, halves(cells), PowerSource::Follows, settings));
+  settings.least_speed_mm_s = 9.0;
+  EXPECT_THROW(metalSplit(cells, halves(cells), PowerSource::Follows, settings), InvalidConfig);
+}
+
 TEST(InterpassDwell, IsTheTimeAWallCools) {
   const auto dwell = [](const CoolingWall& wall, double interpass_c) {
     LoopSettings settings;

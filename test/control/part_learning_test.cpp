@@ -91,6 +91,12 @@ TEST(PartLearning, LearnsNothingFromAnAbortedPart) {
   EXPECT_EQ(after.amount, map.amount);
 }
 
+TEST(PartLearning, RefusesLayersWithoutAValuePerCell) {
+  LaidPart part = laidPart({}, 1);
+  part.layers[3].growth_error_mm.pop_back();
+  EXPECT_THROW(learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings()), InvalidInput);
+}
+
 TEST(PartLearning, RefusesAMapOfAnotherMachine) {
   const LaidPart part = laidPart({}, 1);
   const PartMap map = learntFromPart({}, kPart, part.layers, PartEnd::Complete, LoopSettings());

@@ -88,5 +88,12 @@ TEST(PathLowPass, OfASingleBeadIsThatOfItsPath) {
   EXPECT_EQ(lowPassed(values, cells, 3.0), lowPassed(values, stationsOf(cells, cells.runs[0]), 3.0));
 }
 
+TEST(PathLowPass, LeavesTheMeanOfAPathThatIsMuchShorterThanIt) {
+  // In its taps, or images, such a path would stand billions of times.
+  const std::vector<double> even =
+      lowPassed({1.0, 2.0, 6.0}, {{0.5e-9, 1.5e-9, 2.5e-9}, 3e-9, PathEnds::Reflected}, 3.0);
+  for (const double value : even) EXPECT_NEAR(value, 3.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -76,5 +76,22 @@ TEST(Replanning, AddsLayersToWideDipsAndBeadsToSmallOnes) {
   EXPECT_EQ(decisions[2].first, 35U);
 }
 
+TEST(Replanning, CutsNoDipAtTheSeamOfAClosedPath) {
+  ToolpathLayer layer = test::straightBeadLayer({0.0}, 40.0);
+  layer.paths[0].points = {{0, 0, 1.5}, {40, 0, 1.5}, {40, 40, 1.5}, {0, 40, 1.5}};
+  layer.paths[0].is_closed = true;
+  const LayerCells cells = layerCells(layer, 0, 1.0);
+  std::vector<double> error(cells.size(), 0.0);
+  for (std::size_t i = 0; i < 6; ++i) error[i] = error[cells.size() - 1 - i] = 1.2;  // 12 mm: four beads
+  const auto decisions = regionDecisions(cells, error);
+  ASSERT_EQ(decisions.size(), 1U);
+  EXPECT_EQ(decisions[0].step, RegionStep::AddLayer);
+  EXPECT_EQ(decisions[0].first, cells.size() - 6);
+  EXPECT_EQ(decisions[0].count, 12U);
+  const auto everywhere = regionDecisions(cells, std::vector<double>(cells.size(), 1.2));
+  ASSERT_EQ(everywhere.size(), 1U);
+  EXPECT_EQ(everywhere[0].count, cells.size());
+}
+
 }  // namespace
 }  // namespace lamina

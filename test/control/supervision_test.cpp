@@ -11,7 +11,7 @@ namespace lamina {
 namespace {
 
 StabilityReport sound() { return {true, 3.0, {}, ""}; }
-LoopStatus activeLoop() { return afterRequest({}, LoopRequest::Active, sound()); }
+LoopStatus activeLoop() { return afterRequest(LoopRequest::Active, sound()); }
 
 LayerFigures soundFigures(double mean_error_mm = 0.02, double rmse_mm = 0.05) {
   LayerFigures figures;
@@ -38,11 +38,11 @@ bool raised(const LoopStep& step, LoopAlarm alarm, LoopReaction reaction) {
 
 TEST(Supervision, StartsOnlyWhatMayStart) {
   EXPECT_EQ(activeLoop().state, LoopState::Active);
-  EXPECT_EQ(afterRequest({}, LoopRequest::Identify, sound()).state, LoopState::Identifying);
-  const LoopStatus blocked = afterRequest({}, LoopRequest::Active, {false, 3.0, {}, "not calibrated"});
+  EXPECT_EQ(afterRequest(LoopRequest::Identify, sound()).state, LoopState::Identifying);
+  const LoopStatus blocked = afterRequest(LoopRequest::Active, {false, 3.0, {}, "not calibrated"});
   EXPECT_EQ(blocked.state, LoopState::Blocked);
   EXPECT_EQ(blocked.reason, "not calibrated");
-  EXPECT_EQ(afterRequest(blocked, LoopRequest::Off, {}).state, LoopState::Off);
+  EXPECT_EQ(afterRequest(LoopRequest::Off, {}).state, LoopState::Off);
 }
 
 TEST(Supervision, FindsNothingWrongWithASoundLayer) {
@@ -102,7 +102,7 @@ TEST(Supervision, CoastsUntilCalibratedWhenTheTimeOffsetMoves) {
   EXPECT_TRUE(raised(step, LoopAlarm::TimeOffset, LoopReaction::Coast));
   const LoopStatus after = afterLayer(step.status, soundFigures(), {}).status;
   EXPECT_EQ(after.state, LoopState::Coasting) << "a layer that is seen does not mend it";
-  EXPECT_EQ(afterRequest(after, LoopRequest::Active, sound()).state, LoopState::Active);
+  EXPECT_EQ(afterRequest(LoopRequest::Active, sound()).state, LoopState::Active);
 }
 
 TEST(Supervision, LeavesAContestedLayerOut) {
@@ -111,6 +111,8 @@ TEST(Supervision, LeavesAContestedLayerOut) {
   const LoopStep step = afterLayer(activeLoop(), figures, {});
   EXPECT_TRUE(raised(step, LoopAlarm::Contested, LoopReaction::LeaveOut));
   EXPECT_EQ(step.status.unmeasured_layers, 1);
+  figures.is_measured = false;  // so much is contested that too little is seen
+  EXPECT_TRUE(raised(afterLayer(activeLoop(), figures, {}), LoopAlarm::Contested, LoopReaction::LeaveOut));
 }
 
 TEST(Supervision, HoldsWhenTheMeanJumps) {
@@ -119,6 +121,28 @@ TEST(Supervision, HoldsWhenTheMeanJumps) {
   EXPECT_TRUE(raised(afterLayer(before, soundFigures(-1.1), {}), LoopAlarm::Step, LoopReaction::Hold));
   EXPECT_TRUE(afterLayer(before, soundFigures(1.2), {}).alarms.empty());
   EXPECT_TRUE(afterLayer(activeLoop(), soundFigures(9.0), {}).alarms.empty()) << "nothing to compare with";
+}
+
+TEST(Supervision, AllowsEachLayerThatWasNotMeasuredItsStep) {
+  LayerFigures figures = soundFigures(0.1);
+  figures.layer = 4;
+  LoopStatus status = afterLayer(activeLoop(), figures, {}).status;
+  for (int k = 0; k < 2; ++k) status = afterLayer(status, unmeasured(), {}).status;
+  figures = soundFigures(1.3);  // 1.2 mm in three layers: 0.27 of each
+  figures.layer = 7;
+  EXPECT_FALSE(raised(afterLayer(status, figures, {}), LoopAlarm::Step, LoopReaction::Hold));
+}
+
+TEST(Supervision, TakesANewPlanForNoStep) {
+  LayerFigures figures = soundFigures(1.4, 1.4);
+  figures.limited_share = 0.06;
+  LoopStatus status = afterLayer(activeLoop(), figures, {}).status;
+  status = afterReplan(status, -1.4);
+  EXPECT_EQ(status.state, LoopState::Active);
+  EXPECT_EQ(status.saturated_layers, 0);
+  figures = soundFigures(0.05);
+  figures.layer = 1;
+  EXPECT_TRUE(afterLayer(status, figures, {}).alarms.empty());
 }
 
 TEST(Supervision, WarnsOfDeviationAndHoldsAtTheSecondLayer) {
@@ -197,8 +221,8 @@ TEST(Supervision, IsSwitchedOffFromEveryState) {
       status = afterWatch(afterLayer(status, figures, settings).status, watch, settings).status;
       RC_ASSERT(status.state != LoopState::Off && status.state != LoopState::Blocked);
     }
-    RC_ASSERT(afterRequest(status, LoopRequest::Off, {}).state == LoopState::Off);
-    RC_ASSERT(afterRequest(status, LoopRequest::Active, sound()).state == LoopState::Active);
+    RC_ASSERT(afterRequest(LoopRequest::Off, {}).state == LoopState::Off);
+    RC_ASSERT(afterRequest(LoopRequest::Active, sound()).state == LoopState::Active);
   }));
 }
 

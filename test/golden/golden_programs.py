@@ -21,7 +21,8 @@ LIST = pathlib.Path(__file__).with_name("golden_programs.sha256")
 STRATEGIES = ["zigzag", "contour", "spiral", "hilbert", "hilbert_quadtree", "hybrid", "perimeters"]
 PATTERNS = ["grid", "triangles", "cubic", "honeycomb", "gyroid"]
 DROPS = ["drops_contour", "drops_dense", "drops_raster"]
-PLAIN = {"skins.top_layers": "0", "skins.bottom_layers": "0", "bridges.use": "false", "overhangs.use": "false"}
+PLAIN = {"skins.top_layers": "0", "skins.bottom_layers": "0", "bridges.use": "false", "overhangs.use": "false",
+         "cooling.least_layer_time_s": "0", "fan.use": "false"}
 COARSE = {"slicing.layer_height_mm": "0.5", "slicing.first_layer_height_mm": "0.5", **PLAIN}
 PLATE = {"part": "blind_hole_plate", "size": {"x_mm": "16", "y_mm": "12", "z_mm": "2", "hole_radius_mm": "4", "hole_depth_mm": "1"}}
 BLADE = {"part": "blade", "size": {"height_mm": "4", "chord_mm": "16", "lean_deg": "15"}}

@@ -16,6 +16,7 @@ SliceJob metalJob(const std::string& part, HybridLines lines) {
   SliceJob job;
   job.part = part;
   PlanSettings& planning = job.settings.planning;
+  planning = PlanSettings{};
   planning.bead.width_mm = 1.5;
   planning.walls.count = 0;
   planning.skirt.count = 0;

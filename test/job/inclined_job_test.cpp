@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -12,6 +13,8 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "lamina/toolpath/scan_height.hpp"
+#include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
@@ -99,6 +102,8 @@ TEST(InclinedJob, DirectSlicingIsPlanarSlicingOfTheTurnedMeshTurnedBack) {
     writeFile(folder.file("upright.obj"), objOf(mesh));
     writeFile(folder.file("turned.obj"), objOf(turned_mesh));
     SliceJob direct = upright(folder.file("upright.obj"), angle, heading);
+    direct.settings = test::plainSettings();  // bridges know of the bed, and waits of the part's box
+    direct.settings.slicing.plane = {angle, heading, ToolAxis::Down};
     direct.settings.planning.anchoring.strategy = Anchoring::None;
     direct.settings.planning.skirt.count = 0;
     SliceJob planar = direct;
@@ -195,11 +200,34 @@ TEST(InclinedJob, AnUprightHeadLaysInclinedLayersIfTheNozzleStaysUpright) {
 
 TEST(InclinedJob, RefusesWhatNeedsLevelLayers) {
   SliceJob job = upright("box", 20.0, 0.0);
-  job.settings.scan.every_layers = 1;
-  EXPECT_NE(failureOf<InvalidConfig>(job).find("scan.every_layers is 1"), std::string::npos);
-  job.settings.scan.every_layers = 0;
   job.settings.planning.skirt.count = 3;
   EXPECT_NE(failureOf<InvalidConfig>(job).find("skirt.count is 3"), std::string::npos);
+}
+
+/// The sensor is carried over every layer in the layer's own plane, on the machines that look at it squarely
+/// and on those that look down on it.
+TEST(InclinedJob, ScansItsLayers) {
+  for (const char* machine : {"belt_45", "gantry_45"}) {
+    SliceJob job;
+    job.part = "box";
+    job.settings.machine.name = machine;
+    job.settings.slicing.plane.angle_deg = 45.0;
+    job.settings.scan.every_layers = 1;
+    const Toolpath level = inLayerFrame(run(job).toolpath);
+    for (const ToolpathLayer& layer : level.layers) {
+      EXPECT_TRUE(isScanned(layer, 1.0)) << machine;
+      Box2 printed;
+      Box2 swept;  // by the middle of the line, 25 mm beside the nozzle
+      for (const Path& path : layer.paths)
+        for (const Point3& point : path.points) {
+          if (path.role != PathRole::Travel) printed.include(Point2(point.head<2>()));
+          if (path.role == PathRole::Travel && std::abs(point.z() - scanHeight(layer, 1.0)) < 1e-6)
+            swept.include(Point2(point.head<2>() + Point2(25, 0)));
+        }
+      EXPECT_LT(swept.low.y(), printed.low.y()) << machine;
+      EXPECT_GT(swept.high.y(), printed.high.y()) << machine;
+    }
+  }
 }
 
 TEST(InclinedJob, ABeltPrintsPartsOfAnyLengthFromItsStart) {
@@ -231,6 +259,38 @@ TEST(InclinedJob, ABeltPrintsPartsOfAnyLengthFromItsStart) {
   EXPECT_GT(start, 0.0);
   EXPECT_LT(start, 2.0 * 5.0 * M_SQRT2 + 1e-9);
   EXPECT_NEAR(end, 20000.0 + 40.0, 2.0 * 5.0 * M_SQRT2);
+}
+
+std::map<PathRole, double> volumesByRole(const ToolpathLayer& layer) {
+  std::map<PathRole, double> volumes;
+  for (const Path& path : layer.paths)
+    if (path.role != PathRole::Travel) volumes[path.role] += depositedVolume(path);
+  return volumes;
+}
+
+/// Areas are on a grid that ends 10 m from the origin; the first layers lie at 12 and 14 m in their planes.
+TEST(InclinedJob, ABeltClosesALongBeamAlikeAllAlong) {
+  for (const double length_mm : {17000.0, 20000.0}) {
+    const test::ScratchFolder folder;
+    SliceJob job;
+    job.part = folder.file("beam.stl");
+    job.settings.machine.name = "belt_45";
+    job.settings.slicing.plane.angle_deg = 45.0;
+    job.settings.slicing.layer_height_mm = job.settings.slicing.first_layer_height_mm = 5.0;
+    job.settings.planning.bead.width_mm = 6.0;
+    writeStl(job.part, test::boxBetween({0, 0, 0}, {50, length_mm, 80}));
+    const SlicedPart sliced = run(job);
+    const std::size_t count = sliced.toolpath.layers.size();
+    ASSERT_GT(count, 2400U);
+    const auto near = volumesByRole(sliced.toolpath.layers[count - 100]);
+    EXPECT_GT(near.at(PathRole::Skin), 100.0) << "where four layers do not cover it";
+    for (const std::size_t far : {100U, 500U, 1000U, 1500U, 2000U}) {
+      const auto volumes = volumesByRole(sliced.toolpath.layers[far]);
+      ASSERT_EQ(volumes.size(), near.size()) << far;
+      for (const PathRole role : {PathRole::OuterWall, PathRole::InnerWall, PathRole::Skin})
+        EXPECT_NEAR(volumes.at(role), near.at(role), 0.03 * near.at(role)) << far << ", " << toString(role);
+    }
+  }
 }
 
 TEST(InclinedJob, ABeltAtAnotherAngleIsDescribedByAFileAndLeavesTheBedAlone) {

@@ -23,6 +23,15 @@ std::map<std::string, std::string> textsOf(JobSettings settings) {
   return texts;
 }
 
+TEST(JobSettings, CloseAndBridgePartsUnlessToldOtherwise) {
+  const PlanSettings planning = loadJobSettings("", {}).planning;
+  EXPECT_EQ(planning.skins.top_layers, 4);
+  EXPECT_EQ(planning.skins.bottom_layers, 4);
+  EXPECT_TRUE(planning.bridges.is_used);
+  EXPECT_TRUE(planning.overhangs.is_used);
+  EXPECT_FALSE(hasSkins(PlanSettings{}.skins)) << "the planner lays what it is told";
+}
+
 TEST(JobSettings, HasTheKeysThatUsersKnow) {
   const auto texts = textsOf({});
   for (const char* key :

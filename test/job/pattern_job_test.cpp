@@ -9,6 +9,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina {
@@ -60,7 +61,7 @@ TEST(GyroidJob, LaysOneSurfaceInThePartInLevelAndInclinedLayers) {
 
 /// Squares of a pitch where beads of a grid cross, each laid twice: p² in (2 s)², of p / s in all.
 TEST(PatternJob, TellsHowMuchLiesOnItselfWhereLinesCross) {
-  SliceJob job;
+  SliceJob job = test::plainJob();
   job.settings.planning.infill.strategy = "grid";
   job.settings.planning.infill.density = 0.2;
   const std::vector<std::string> notes = slicedBlock(job).summary.notes;

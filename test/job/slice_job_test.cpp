@@ -123,7 +123,7 @@ TEST_F(SliceJobTest, ScalesThePart) {
 TEST_F(SliceJobTest, ReportsItsStages) {
   Watch watch;
   runSliceJob(job_, watch);
-  EXPECT_EQ(watch.stages(), (std::set<std::string>{"read", "slice", "plan", "write"}));
+  EXPECT_EQ(watch.stages(), (std::set<std::string>{"read", "slice", "skins", "plan", "cool", "write"}));
 }
 
 TEST_F(SliceJobTest, WritesNothingWhenCancelled) {

@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "support/scanned_plates.hpp"
 
 namespace lamina {
@@ -42,6 +43,26 @@ TEST(HeightMonitor, AFlatPlateShowsItsOffset) {
   EXPECT_NEAR(statistics.rms_mm, 0.037, 1e-12);
   EXPECT_NEAR(statistics.worst_mm, 0.037, 1e-12);
   EXPECT_DOUBLE_EQ(statistics.coverage, 1.0);
+}
+
+TEST(HeightMonitor, AnInclinedPlateShowsItsOffsetAlongItsNormal) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.25 * M_PI, Point3::UnitX()));
+  const Eigen::Isometry3d bed_from_part(Eigen::Translation3d(30, -4, 11));
+  HeightMonitor monitor(turned(scannedPlates({kPlate}), turn), bed_from_part, {});
+  const auto onBed = [&](const Point3& in_layers) { return Point3(bed_from_part * (turn * in_layers)); };
+  EXPECT_NEAR(monitor.heightOf(onBed({3, 4, 1.3})), 1.3, 1e-12);
+  EXPECT_TRUE((monitor.bedFromHeights() * Point3(3, 4, 1.3)).isApprox(onBed({3, 4, 1.3}), 1e-12));
+  for (double y = 4.05; y < 16.0; y += 0.1) {
+    std::vector<Point3> profile;
+    for (double x = 4.05; x < 26.0; x += 0.1) profile.push_back(onBed({x, y, 0.2 + 0.037}));
+    monitor.insert(profile, monitor.heightOf(onBed({0, y, 1.3})));
+  }
+  const auto reports = monitor.finish();
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_NEAR(reports[0].expected_height_mm, 0.2, 1e-12);
+  EXPECT_NEAR(reports[0].statistics.mean_mm, 0.037, 1e-9);
+  EXPECT_NEAR(reports[0].statistics.worst_mm, 0.037, 1e-9);
+  EXPECT_DOUBLE_EQ(reports[0].statistics.coverage, 1.0);
 }
 
 TEST(HeightMonitor, ATiltedPlateShowsItsSlope) {

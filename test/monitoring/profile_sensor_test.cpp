@@ -94,6 +94,77 @@ TEST(ProfileSensor, NoiseHasItsDeviationAndIsRepeatable) {
   EXPECT_EQ(points, ProfileSensor(settings).measure(plate(0.0), lookingDown({50, 50, 60})));
 }
 
+/// Points of a plate 3 mm high, from 60 mm above it.
+std::vector<Point3> ofPlate(const ProfileSensorSettings& settings, double now_s = 0.0) {
+  return ProfileSensor(settings).measure(plate(3.0), lookingDown({50, 50, 3.0 + kStandOff}), 3.0, now_s);
+}
+
+TEST(ProfileSensor, NoiseIsThatOfASensorWithoutDefects) {
+  ProfileSensorSettings settings;
+  const auto plain = ofPlate(settings);
+  settings.bias_mm = 0.25;
+  const auto shifted = ofPlate(settings);
+  ASSERT_EQ(plain.size(), shifted.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(shifted[i].z(), plain[i].z() + 0.25);
+  settings.bias_mm = 0.0;
+  settings.spray_rate = 0.1;
+  const auto sprayed = ofPlate(settings);
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) same += sprayed[i] == plain[i] ? 1 : 0;
+  EXPECT_NEAR(static_cast<double>(same), 270.0, 20.0);
+}
+
+TEST(ProfileSensor, NoiseCorrelatesAsTold) {
+  ProfileSensorSettings settings;
+  settings.noise_mm = 0.05;
+  settings.noise_correlation = 0.6;
+  settings.points = 20000;
+  const auto points = ofPlate(settings);
+  double squares = 0.0;
+  double products = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    squares += std::pow(points[i].z() - kStandOff, 2);
+    products += (points[i].z() - kStandOff) * (points[i - 1].z() - kStandOff);
+  }
+  EXPECT_NEAR(std::sqrt(squares / 20000), 0.05, 0.003);
+  EXPECT_NEAR(products / squares, 0.6, 0.03);
+}
+
+TEST(ProfileSensor, DefectsHaveTheirRates) {
+  ProfileSensorSettings settings = quiet();
+  settings.points = 20000;
+  settings.spray_rate = 0.02;
+  std::size_t above = 0;
+  for (const Point3& point : ofPlate(settings)) above += point.z() < kStandOff - 1e-9 ? 1 : 0;
+  EXPECT_NEAR(static_cast<double>(above), 400.0, 80.0);
+  settings.spray_rate = 0.0;
+  settings.dropout_rate = 0.1;
+  EXPECT_NEAR(static_cast<double>(ofPlate(settings).size()), 18000.0, 200.0);
+  settings.dropout_rate = 0.0;
+  settings.mirror_rate = 0.01;
+  const auto mirrored = ofPlate(settings);
+  EXPECT_NEAR(static_cast<double>(mirrored.size()), 20200.0, 60.0);
+  for (std::size_t i = 1; i < mirrored.size(); ++i) {
+    if (mirrored[i].z() <= kStandOff + 1e-9) continue;
+    EXPECT_NEAR(mirrored[i].x() / mirrored[i].z(), mirrored[i - 1].x() / mirrored[i - 1].z(), 1e-9)
+        << "in the column of the point before";
+  }
+}
+
+TEST(ProfileSensor, DriftsByTheHourAndStampsLate) {
+  ProfileSensorSettings settings = quiet();
+  settings.drift_mm_h = 0.1;
+  EXPECT_NEAR(ofPlate(settings, 1800.0).front().z(), kStandOff + 0.05, 1e-9);
+  EXPECT_EQ(ProfileSensor(quiet()).stampError(), 0.0);
+  settings.time_offset_s = 0.08;
+  EXPECT_EQ(ProfileSensor(settings).stampError(), 0.08);
+  settings.stamp_jitter_s = 0.001;
+  ProfileSensor sensor(settings);
+  double squares = 0.0;
+  for (int i = 0; i < 5000; ++i) squares += std::pow(sensor.stampError() - 0.08, 2) / 5000;
+  EXPECT_NEAR(std::sqrt(squares), 0.001, 0.00005);
+}
+
 TEST(ProfileSensor, RefusesARangeThatStartsBehindIt) {
   ProfileSensorSettings settings;
   settings.range_mm = 130.0;

@@ -38,7 +38,7 @@ TEST_P(DropConsistency, TakesTheDefaultsAndWhatAgreesWithThem) {
 TEST_P(DropConsistency, RefusesWhatDropsDoNotFollow) {
   for (const char* assignment :
        {"infill.density=0.5", "infill.density=0", "infill.pitch_mm=0.5", "infill.outer_layers=2",
-        "walls.count=3", "skirt.count=2", "voids.refill=beads"}) {
+        "walls.count=3", "skirt.count=2", "voids.refill=beads", "bead.flow=0.9"}) {
     const SettingText setting = settingFromAssignment(assignment);
     const std::string refusal = refusalOf(GetParam(), {assignment});
     for (const std::string& told : {setting.key, setting.text, std::string("expected")})
@@ -89,6 +89,37 @@ TEST(PitchConsistency, IsHalfToTwiceTheWidthThatABeadFills) {
   EXPECT_NO_THROW(requireSensiblePitch({0.4, 0.71}, 0.2));
   for (const double pitch_mm : {0.01, 0.17, 0.72, 50.0})
     EXPECT_THROW(requireSensiblePitch({0.4, pitch_mm}, 0.2), InvalidConfig) << pitch_mm;
+}
+
+TEST(ToolConsistency, PurgesIntoHiddenInfillOnly) {
+  const auto refusal = [](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"tools.purge_into_infill=true", "skins.top_layers=2",
+                                    "skins.bottom_layers=2"};
+    all.insert(all.end(), more.begin(), more.end());
+    return refusalOf("zigzag", all);
+  };
+  EXPECT_EQ(refusal({"tools.purge_mm3=40"}), "");
+  EXPECT_NE(refusal({}).find("tools.purge_mm3 has no volume"), std::string::npos) << refusal({});
+  for (const char* seen : {"infill.density is 1", "infill.pitch_mm is 0.4", "infill.outer_layers is 2",
+                           "skins.top_layers is 0", "skins.bottom_layers is 0"}) {
+    std::string assignment = seen;
+    assignment.replace(assignment.find(" is "), 4, "=");
+    const std::string told = refusal({"tools.purge_mm3=40", assignment});
+    EXPECT_NE(told.find(seen), std::string::npos) << told;
+  }
+  EXPECT_EQ(refusal({"tools.purge_mm3=40", "skins.top_layers=0", "skins.top_mm=0.4"}), "");
+}
+
+TEST(ToolConsistency, NamesTheKeyAndItsValue) {
+  const std::string tools = "tools.list=[{name: a}, {name: b}]";
+  EXPECT_NE(refusalOf("vase", {tools, "tool.infill=1"}).find("tool.infill is 1"), std::string::npos);
+  const std::string of_supports = refusalOf("zigzag", {tools, "supports.interface_tool=4"});
+  EXPECT_NE(of_supports.find("supports.interface_tool is 4"), std::string::npos) << of_supports;
+}
+
+TEST(IroningConsistency, TellsWhatSkinsThereAre) {
+  const std::string told = refusalOf("zigzag", {"ironing.use=true"});
+  EXPECT_NE(told.find("skins.top_layers 0 and skins.top_mm 0 mm"), std::string::npos) << told;
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, DropConsistency,

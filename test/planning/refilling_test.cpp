@@ -55,6 +55,16 @@ TEST(Refilling, LeavesNoVoidThatABeadCanFill) {
   EXPECT_LT(after.uncovered_mm2, before.uncovered_mm2);
 }
 
+TEST(Refilling, FillsNoMoreForALesserFlow) {
+  const Plan usual = refillingPlanned(hilbert(VoidRefill::Beads));
+  PlanSettings less = hilbert(VoidRefill::Beads);
+  less.bead.flow = 0.8;
+  const Plan plan = refillingPlanned(less);
+  EXPECT_EQ(plan.refilling.runs, usual.refilling.runs);
+  EXPECT_NEAR(plan.refilling.deposited_mm3, 0.8 * usual.refilling.deposited_mm3,
+              1e-6 * usual.refilling.deposited_mm3);
+}
+
 TEST(Refilling, CountsWhatItAdds) {
   const Plan without = refillingPlanned(hilbert(VoidRefill::None));
   const Plan with = refillingPlanned(hilbert(VoidRefill::Beads));

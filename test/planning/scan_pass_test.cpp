@@ -9,6 +9,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/scan_height.hpp"
 
 namespace lamina {
@@ -65,6 +66,15 @@ TEST(ScanPass, FollowsEachNthLayerAndTheLast) {
   for (std::size_t i = 0; i < 8; ++i)
     EXPECT_EQ(isScanned(scanned.layers[i], 1.0), i == 2 || i == 5 || i == 7) << "layer " << i;
   EXPECT_NO_THROW(validate(scanned));
+}
+
+TEST(ScanPass, IsKnownInLayersThatAreTurned) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.25 * M_PI, Point3::UnitX()));
+  const Toolpath scanned = turned(withScanPasses(diagonals(3, {0, 0}, {10, 10}), every(2), kOffset), turn);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(isScanned(scanned.layers[i], 1.0, layerNormal(scanned)), i > 0) << "layer " << i;
+    EXPECT_FALSE(isScanned(scanned.layers[i], 1.0)) << "layer " << i;
+  }
 }
 
 TEST(ScanPass, IsRetractedAndDepositsNothing) {

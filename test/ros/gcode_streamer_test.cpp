@@ -11,16 +11,20 @@
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <mutex>
 
 #include "conversions.hpp"
+#include "correction_messages.hpp"
+#include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "node_process.hpp"
 #include "ros_home.hpp"
+#include "support/control_layers.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 
@@ -310,6 +314,72 @@ TEST_F(GcodeStreamer, StopsTheMachineSafelyOnSigterm) {
   EXPECT_EQ(::waitpid(child, &status, 0), child);
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
   EXPECT_DOUBLE_EQ(machine->nozzleTarget(), 0.0);
+}
+
+/// Three layers of two beads each.
+lamina::MachineToolpath threeLayers() {
+  lamina::MachineToolpath placed;
+  placed.toolpath.part_name = "beads";
+  for (int k = 1; k <= 3; ++k) {
+    lamina::ToolpathLayer layer = lamina::test::straightBeadLayer({0.0, 3.0}, 40.0, 1.5 * k);
+    lamina::Path up;
+    up.role = lamina::PathRole::Travel;
+    up.feed_mm_s = 50.0;
+    if (k > 1) {
+      up.points = {placed.toolpath.layers.back().paths.back().lastPoint(), layer.paths[0].firstPoint()};
+      layer.paths.insert(layer.paths.begin(), up);
+    }
+    placed.toolpath.layers.push_back(layer);
+  }
+  placed.bed_from_part = Eigen::Translation3d(50.0, 60.0, 0.0);
+  placed.id = lamina::toolpathId(placed.toolpath);
+  return placed;
+}
+
+/// All that commands push forth [mm].
+double filamentOf(const std::vector<std::string>& commands) {
+  double sum = 0.0;
+  lamina::GcodeHandlers handlers;
+  handlers.motion = [&](const lamina::GcodeMotion& motion) { sum += motion.extrusion_mm; };
+  lamina::GcodeReader reader({}, handlers);
+  for (const std::string& command : commands) reader.read(command + "\n");
+  reader.finish();
+  return sum;
+}
+
+TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
+  const lamina::MachineToolpath placed = threeLayers();
+  const std::string port = kPort + "_corrected";
+  const TestMachine machine(0.0, {}, port);
+  const lamina::test::NodeProcess node(
+      LAMINA_NODE, {"__ns:=/corrected", "_port:=" + port, "_corrections/use:=true", "_loop/wait_s:=1",
+                    "_corrections/folder:=" + folder_.file("corrections")});
+  Client client("/corrected/stream_program", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
+  ros::Publisher toolpath = node_.advertise<lamina_msgs::Toolpath>("/corrected/toolpath", 1, true);
+  ros::Publisher correction = node_.advertise<lamina_msgs::CorrectionMap>("/corrected/correction", 10, true);
+  toolpath.publish(toMessage(placed));
+  ASSERT_TRUE(
+      waitUntil([&] { return toolpath.getNumSubscribers() > 0 && correction.getNumSubscribers() > 0; }));
+  MachineState::ConstPtr state;
+  const ros::Subscriber states = node_.subscribe<MachineState>(
+      "/corrected/machine_state", 100, [&](const MachineState::ConstPtr& message) { state = message; });
+  lamina_msgs::StreamProgramGoal goal;
+  goal.toolpath_id = placed.id;
+  client.sendGoal(goal);
+  ASSERT_TRUE(waitUntil([&] { return state && state->state == MachineState::EXECUTE; }));
+  const lamina::LayerCells cells = layerCells(placed.toolpath.layers[1], 1, 0.5);
+  const auto map = correctionMap(cells, {std::vector<double>(cells.size(), 0.3), {}, {}}, placed.id, 1);
+  correction.publish(toMessage(map));
+  EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
+  EXPECT_EQ(client.getState().toString(), "SUCCEEDED") << client.getState().getText();
+  // The map of the last layer never comes.
+  constexpr double kFilamentArea = 0.25 * M_PI * 1.75 * 1.75;
+  const double of_layer_mm = 2.0 * 40.0 * crossSection(lamina::Bead{3.0, 1.5}) / kFilamentArea;
+  EXPECT_NEAR(filamentOf(machine.commands()), (3.0 + 0.3) * of_layer_mm, 1e-3);
+  std::ifstream file(folder_.file("corrections") + "/record.csv");
+  const std::string record((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_NE(record.find("\n1,1," + toMessage(map).digest + "\n2,0,none\n"), std::string::npos) << record;
 }
 
 TEST_F(GcodeStreamer, GoesOnWithTheJobOfANodeThatWasKilled) {

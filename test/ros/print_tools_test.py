@@ -1,15 +1,21 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 The Lamina authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, without a master.
+"""What tools/print_inclined and tools/print_by_joints make of what a machine reports, and tools/draw_closed_loop of two prints, without
+a master.
 
 Usage: print_tools_test.py ROOT
 """
+import contextlib
 import importlib.machinery
 import importlib.util
+import io
+import json
 import pathlib
 import sys
+import tempfile
 import unittest
+import xml.etree.ElementTree
 from unittest import mock
 
 import rospy
@@ -98,6 +104,45 @@ class ByJoints(unittest.TestCase):
             tool("print_by_joints").Process().await_connection()
         subscriber.return_value.get_num_connections.return_value = 1
         tool("print_by_joints").Process().await_connection()
+
+
+class ClosedLoop(unittest.TestCase):
+    def folder(self, root, name, errors):
+        """A print of a row of 10 cells, whose layers are off by so much [mm]."""
+        folder = root / name
+        folder.mkdir()
+        (folder / "deviation.json").write_text(json.dumps([[0.5 * i, 2.0, errors[-1]] for i in range(10)]))
+        rows = [f"{layer},{layer + 1},{error},{abs(error)},{error},1,10,5,seen" for layer, error in enumerate(errors)]
+        head = "layer,expected_height_mm,mean_error_mm,rms_error_mm,worst_error_mm,coverage,cells,profiles,sight"
+        (folder / "layer_heights.csv").write_text("\n".join(["# comment", head] + rows + ["9,10,,,,0,0,0,not seen"]) + "\n")
+        return str(folder)
+
+    def test_one_picture_and_one_sentence_tell_both_prints(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            root = pathlib.Path(scratch)
+            off = self.folder(root, "off", [-0.1, -0.5, -1.0, -1.0])
+            on = self.folder(root, "on", [-0.1, -0.1, 0.1, 0.1])
+            said = io.StringIO()
+            with contextlib.redirect_stdout(said):
+                tool("draw_closed_loop").main(off, on, str(root / "both.svg"))
+            self.assertIn("off by 1.000 mm", said.getvalue())
+            self.assertIn("by 0.100 mm with it: 90 % less", said.getvalue())
+            picture = xml.etree.ElementTree.parse(root / "both.svg").getroot()
+            names = [each.tag.split("}")[1] for each in picture.iter()]
+            self.assertEqual((names.count("image"), names.count("polyline")), (2, 2))
+
+    def test_the_scale_is_white_as_planned_and_blue_where_too_low(self):
+        draw = tool("draw_closed_loop")
+        self.assertEqual(draw.colour(0.0), (247, 247, 247))
+        self.assertEqual(draw.colour(-1.0), (5, 48, 97))
+        self.assertEqual(draw.colour(7.0), (103, 0, 31))
+
+    def test_a_print_of_which_nothing_was_measured_is_a_failure(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = self.folder(pathlib.Path(scratch), "off", [0.1])
+            (pathlib.Path(folder) / "deviation.json").write_text("[]")
+            with self.assertRaisesRegex(SystemExit, "nothing was measured"):
+                tool("draw_closed_loop").Print(folder)
 
 
 if __name__ == "__main__":

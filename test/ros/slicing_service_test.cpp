@@ -123,7 +123,10 @@ TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
 TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
   const auto markers = [this] { return latchedMarkers(lamina::names::kOverhangMarkers); };
   // Sparse infill bridges the gaps of the layer before.
-  ASSERT_EQ(call("box", {settingMessage("overhang.report", "true")}).status.code, Status::OK + 0);
+  const std::vector<lamina_msgs::Setting> sparse = {settingMessage("overhang.report", "true"),
+                                                    settingMessage("skins.top_layers", "0"),
+                                                    settingMessage("skins.bottom_layers", "0")};
+  ASSERT_EQ(call("box", sparse).status.code, Status::OK + 0);
   ASSERT_EQ(markers().size(), 2U);
   EXPECT_EQ(markers()[1].ns, "bridge");
   EXPECT_EQ(markers()[1].header.frame_id, lamina::names::kPartFrame);

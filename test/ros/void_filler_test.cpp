@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "request_settings.hpp"
 #include "support/drop_programs.hpp"
+#include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace {
@@ -47,7 +48,7 @@ class VoidFiller : public testing::Test {
 
   /// A box of 20 mm whose infill leaves every other line open.
   std::string slicedBox() const {
-    lamina::SliceJob job;
+    lamina::SliceJob job = lamina::test::plainJob();
     job.part = "box";
     job.output = folder_.file("box.gcode");
     job.settings.planning.infill.density = 0.5;

@@ -30,7 +30,7 @@ using Display = lamina::test::MarkerDisplay;
 using lamina::test::part;
 using lamina::test::waitFor;
 
-constexpr int kLayers = 8;
+constexpr int kWallLayers = 8;
 const char* const kGrey = "#9a9a9a";
 const char* const kAmber = "#f0a000";
 const char* const kGreen = "#2e9e3f";
@@ -72,10 +72,10 @@ class Panel : public testing::Test {
 TEST_F(Panel, InclinesTheProgramThatIsChosenAndShowsBothParts) {
   Display original("source_layers");
   auto inclined = std::make_unique<Display>("inclined_layers");
-  std::ofstream(folder_.file("wall.gcode")) << tiltedWall(kLayers);
+  std::ofstream(folder_.file("wall.gcode")) << tiltedWall(kWallLayers);
   EXPECT_TRUE(shines(kGrey));
   typeSource(folder_.file("wall.gcode"));
-  ASSERT_TRUE(waitFor([&] { return original.segments() == kLayers; })) << original.segments();
+  ASSERT_TRUE(waitFor([&] { return original.segments() == kWallLayers; })) << original.segments();
   EXPECT_EQ(inclined->segments(), 0U);
   press("run");
   EXPECT_TRUE(shines(kAmber));
@@ -85,11 +85,11 @@ TEST_F(Panel, InclinesTheProgramThatIsChosenAndShowsBothParts) {
   EXPECT_NE(message().find("8 layers"), std::string::npos) << message();
   // (100 - 0.5) / sqrt(2) is y of the upright wall.
   EXPECT_NE(lamina::readFile(folder_.file("wall_rotate.gcode")).find("Y70.357"), std::string::npos);
-  ASSERT_TRUE(waitFor([&] { return inclined->segments() == kLayers; })) << inclined->segments();
-  EXPECT_EQ(original.segments(), kLayers + 0U);
+  ASSERT_TRUE(waitFor([&] { return inclined->segments() == kWallLayers; })) << inclined->segments();
+  EXPECT_EQ(original.segments(), kWallLayers + 0U);
 
   auto& slider = part<QSlider>(*content_, "layers");
-  EXPECT_EQ(slider.maximum(), kLayers);
+  EXPECT_EQ(slider.maximum(), kWallLayers);
   slider.setFocus();
   QTest::keyClick(&slider, Qt::Key_Home);
   QTest::keyClick(&slider, Qt::Key_Right);

@@ -138,8 +138,7 @@ class WallPrinter {
     plan_[k] -= figures.mean_error_mm;  // heights count from what is laid
     flow_ *= heights->flow;
     loop_.replan(-figures.mean_error_mm, heights->flow);
-    status_ = {};
-    status_.state = LoopState::Active;
+    status_ = afterReplan(status_, -figures.mean_error_mm);
   }
 
   /// Where the top of a layer should be.

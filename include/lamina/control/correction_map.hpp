@@ -52,8 +52,9 @@ CorrectionMap correctionMap(const LayerCells& cells, const CellCorrections& corr
 /// 16 hexadecimal digits that depend on every value of the map and nothing else (FNV-1a).
 std::string digestOf(const CorrectionMap& map);
 
-/// @throws InvalidInput naming path and station: what is not finite, an amount or speed of -1 or less, a
-///   distance that is not positive, paths that do not ascend, a path without stations
+/// @throws InvalidInput naming path and station: what is not finite, an amount or speed of -1 or less or of
+///   more than 5, a shift of more than 100 mm, a distance that is not positive, paths that do not ascend, a
+///   path without stations
 void validate(const CorrectionMap& map);
 
 /// The map as comma-separated rows under comments that state toolpath, layer, sequence and digest; it reads

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "lamina/control/correction_map.hpp"
 #include "lamina/control/layer_law.hpp"
 
 namespace lamina {
@@ -34,6 +35,12 @@ FeederCommands feederCommands(const LayerCells& cells, const std::vector<double>
 /// that command by place. Without delay this is the correction itself.
 std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<double>& amount,
                                   const FeederDelay& feeder, const LoopSettings& settings);
+
+/// A layer's map with its amounts led as `ledCorrection` leads them, at stations as dense as the map's
+/// densest. Paths without cells (`layerCells`) stay as they are. Without delay this is the map itself.
+/// @throws InvalidInput as `validate`
+CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
+                     const LoopSettings& settings);
 
 /// When the nozzle comes by each cell at the planned speed, runs without a pause between them [s].
 std::vector<double> timesOf(const LayerCells& cells);

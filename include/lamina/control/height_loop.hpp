@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "lamina/control/cell_estimate.hpp"
@@ -54,6 +55,7 @@ class HeightLoop {
   LayerCorrection correction(LoopState state) const;
 
   /// The layer is laid with that correction.
+  /// @throws InvalidInput if there is not one value per cell
   void lay(const LayerCorrection& correction);
   /// The same, the nozzle running that far below the plan [mm]: of a pressed process this is the error.
   void lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm);
@@ -81,9 +83,12 @@ class HeightLoop {
 
  private:
   LayerKnowledge filled(std::vector<double> error_mm, std::vector<double> gain) const;
-  LayerCorrection law(const LayerKnowledge& known) const;
-  void boundByClouds(LayerCorrection& correction) const;
+  /// By the law of the process, in that state, from that knowledge.
+  LayerCorrection asked(LoopState state, const LayerKnowledge& known,
+                        const std::vector<double>& deficit) const;
+  void boundByClouds(LayerCorrection& correction, LoopState state) const;
   void requireCell(std::size_t cell) const;
+  void requireOnePerCell(const std::string& what, std::size_t count) const;
   void believePatches();
   std::vector<MeasuredGain> heightGains();
   std::vector<MeasuredGain> sectionGains() const;
@@ -97,10 +102,11 @@ class HeightLoop {
   std::vector<CellEstimate> estimates_;
   std::vector<double> deficit_;  ///< of cross-section, of a pressed process
   std::vector<bool> is_section_seen_;
-  std::vector<double> laid_;      ///< correction of the layer
-  double cloud_sigma_mm_ = 0.0;   ///< greatest of the cloud's readings
-  LayerKnowledge before_clouds_;  ///< as if nothing had been seen of the layer below
-  std::size_t clouds_below_ = 0;  ///< that saw the layer below
+  std::vector<double> laid_;            ///< correction of the layer
+  double cloud_sigma_mm_ = 0.0;         ///< greatest of the cloud's readings
+  LayerKnowledge before_clouds_;        ///< as if nothing had been seen of the layer below
+  std::vector<double> before_deficit_;  ///< likewise
+  std::size_t clouds_below_ = 0;        ///< that saw the layer below
   std::size_t layers_begun_ = 0;
   double spread_;
   double limited_share_ = 0.0;

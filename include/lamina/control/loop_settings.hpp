@@ -70,6 +70,9 @@ struct LoopSettings {
 /// Adds the keys loop.*.
 void describe(SettingsSchema& schema, LoopSettings& settings);
 
+/// Adds those of the keys loop.* that say what the feeder follows, and how late.
+void describeFeeding(SettingsSchema& schema, LoopSettings& settings);
+
 /// Range of the relative change of the amount laid.
 inline double amountRange(const LoopSettings& settings) {
   return settings.greatest_amount - settings.least_amount;

@@ -24,7 +24,8 @@ enum class PowerSource { Fixed, Follows };
 /// `loop.speed_exponent`: the mean to the wire feed, what is left of each cell to the speed,
 /// v = v0 ((1 + m) / (1 + wire))^(1 / a). The speed stays within its window; heat per length stays within
 /// `loop.heat` of the planned: by the power where that follows, else by less speed.
-/// @throws InvalidConfig if the exponent is 0
+/// @throws InvalidConfig if the exponent is 0, or the least speed is above the greatest
+/// @throws InvalidInput if a cell's planned speed is so far outside the window that heat leaves none
 MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& amount, PowerSource source,
                            const LoopSettings& settings);
 

@@ -19,14 +19,14 @@ struct Stations {
 };
 
 /// Gaussian low-pass of values along a path, cut off at four standard deviations: each station counts by the
-/// length it stands for. A constant stays as it is. Costs stations times those within reach.
+/// length it stands for. A constant stays as it is. Costs stations times those within reach; equal stations
+/// share one kernel.
 /// @param sigma_mm  standard deviation; 0 changes nothing
 /// @throws InvalidInput if the stations do not ascend within the length, or are not as many as values
 std::vector<double> lowPassed(const std::vector<double>& values, const Stations& stations, double sigma_mm);
 
-/// The same along each path of a layer, and then across: cells of other beads, or of the same one coming
-/// back, that lie next to it, no farther than 1.25 bead widths, count by the same Gaussian of their distance.
-/// Other layers have no part in it.
+/// The same along each path of a layer, and then across: the cells beside each on neighbouring beads
+/// (`CellsBeside`) count by the same Gaussian of their distance. Other layers have no part in it.
 std::vector<double> lowPassed(const std::vector<double>& values, const LayerCells& cells, double sigma_mm);
 
 /// The stations of a run of cells.

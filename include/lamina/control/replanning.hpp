@@ -51,7 +51,7 @@ struct RegionDecision {
   RegionStep step = RegionStep::None;
   std::size_t run = 0;
   std::size_t first = 0;  ///< cell of the layer
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< on a closed run they go on behind its last cell with its first
 };
 
 /// Whole layers are added or left out where all cells of a stretch at least three bead widths long are off by

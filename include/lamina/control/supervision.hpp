@@ -66,7 +66,8 @@ struct LoopStatus {
   int deviating_layers = 0;
   int inconsistent_layers = 0;
   bool has_figures = false;
-  double mean_error_mm = 0.0;  ///< of the layer before
+  std::size_t layer = 0;       ///< measured last
+  double mean_error_mm = 0.0;  ///< of that layer
   double rmse_mm = 0.0;
 };
 
@@ -81,7 +82,7 @@ enum class LoopRequest : std::uint8_t { Off, Identify, Active };
 
 /// Off at any time. Else the loop is blocked where the report refuses it, with its reason; a request is also
 /// what ends `Open`, `Blocked` and a coasting that does not end by itself.
-LoopStatus afterRequest(const LoopStatus& status, LoopRequest request, const StabilityReport& report);
+LoopStatus afterRequest(LoopRequest request, const StabilityReport& report);
 
 /// What the sensor and its transforms do, at an instant.
 struct SensorWatch {
@@ -97,6 +98,10 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
 
 /// Judges a layer that is done. While the loop is off or blocked, nothing is judged.
 LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const LoopSettings& settings);
+
+/// The layers left were planned anew, their heights counted from a plan that much higher: what was judged of
+/// the layers before holds no more, and the loop is active.
+LoopStatus afterReplan(const LoopStatus& status, double raised_mm);
 
 /// Judges a layer that is about to begin.
 /// @param lump_mm       highest believed cell under the head's way, above the nozzle

@@ -52,6 +52,15 @@ struct InputSettings {
   double extrude_mm = 0.0;  ///< height of the part that an outline (SVG) becomes; 0 refuses outlines
 };
 
+/// How a part is planned that nothing else is said of: closed by four solid layers above and below, with
+/// threads over gaps and slower walls where they overhang, as printers of filament need it. `PlanSettings` by
+/// itself has none of these.
+PlanSettings planOfPrinters();
+/// The same of cooling: layers of 5 s at least. `CoolingSettings` by itself asks for no time.
+CoolingSettings coolingOfPrinters();
+/// The same of the fan, which `FanSettings` by itself leaves alone.
+FanSettings fanOfPrinters();
+
 /// The settings of all stages from mesh to program.
 struct JobSettings {
   InputSettings input;
@@ -72,10 +81,10 @@ struct JobSettings {
   LiftSettings lifting;
   OrientationSettings orientation;
   CompensationSettings compensation;
-  PlanSettings planning;
+  PlanSettings planning = planOfPrinters();
   FlowSettings flow;
-  CoolingSettings cooling;
-  FanSettings fan;
+  CoolingSettings cooling = coolingOfPrinters();
+  FanSettings fan = fanOfPrinters();
   HookSettings hooks;
   PauseSettings pauses;
   DropVoidSettings drop_voids;

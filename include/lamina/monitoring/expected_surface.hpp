@@ -16,13 +16,13 @@ namespace lamina {
 /// deposited length.
 class ExpectedSurface {
  public:
-  /// @param bed_from_part translation [mm]
-  ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& bed_from_part);
+  /// @param heights_from_part  frame of the grid and the heights, translation [mm]
+  ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& heights_from_part);
 
   /// Adds what the next layer deposits.
   void addLayer(const ToolpathLayer& layer);
 
-  /// Heights after the layers added so far [mm, bed frame].
+  /// Heights after the layers added so far [mm].
   const HeightMap& heights() const { return heights_; }
 
   /// Cells of the latest layer, the skirt left out, that should be level with the nozzle: their centres lie
@@ -34,7 +34,7 @@ class ExpectedSurface {
   void addMotion(const Point3& start, const Point3& end, const Bead& bead, PathRole role);
 
   HeightMap heights_;
-  Eigen::Isometry3d bed_from_part_;
+  Eigen::Isometry3d heights_from_part_;
   std::vector<std::uint32_t> top_in_layer_;  ///< latest layer (from 1) that has the cell among its top cells
   std::vector<std::size_t> top_cells_;
   std::uint32_t layers_ = 0;

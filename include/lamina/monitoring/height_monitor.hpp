@@ -39,7 +39,7 @@ const char* toString(LayerSight sight);
 /// What a layer measured.
 struct LayerHeightReport {
   std::size_t layer = 0;
-  double expected_height_mm = 0.0;  ///< top of the layer [bed frame]
+  double expected_height_mm = 0.0;  ///< top of the layer, along its normal
   HeightStatistics statistics;
   LayerSight sight = LayerSight::Seen;
   std::size_t profiles = 0;  ///< of its scan
@@ -55,12 +55,18 @@ using LayerHeightReports = std::vector<LayerHeightReport>;
 /// What comes must come in the order of time; `StampedHeights` sees to that.
 class HeightMonitor {
  public:
+  /// Maps and heights are those of `heightsFromPart`.
   /// @param bed_from_part translation [mm]
   /// @throws InvalidInput if the toolpath deposits nothing or is too large for the cell size; names one that
   /// fits
   HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part, const MonitorSettings& settings);
 
-  /// The nozzle tip has gone straight to that height [mm, bed frame].
+  /// Height of a place over the bed [mm], along the layers' normal.
+  double heightOf(const Point3& on_bed) const { return (heights_from_bed_ * on_bed).z(); }
+  /// Where the maps lie on the bed: the identity for layers that are level on it.
+  Eigen::Isometry3d bedFromHeights() const { return heights_from_bed_.inverse(); }
+
+  /// The nozzle tip has gone straight to that height [mm, along the layers' normal].
   /// @return the report of the layer that this shows to be done, if it does
   LayerHeightReports move(double nozzle_height);
 
@@ -101,7 +107,9 @@ class HeightMonitor {
   void fuse(const std::vector<Point3>& points);
 
   Toolpath toolpath_;
-  Eigen::Isometry3d bed_from_part_;
+  Eigen::Isometry3d heights_from_part_;
+  Eigen::Isometry3d heights_from_bed_;
+  bool is_bed_frame_;  ///< that of the heights
   LayerClock clock_;
   MeasuredSurface measured_;
   ExpectedSurface expected_;

@@ -27,7 +27,8 @@ class MeasuredSurface {
   /// Whether a point was the first of its cell in this pass, a further one, or beyond the grid.
   enum class Fused { First, Further, Outside };
 
-  /// @param point [mm, bed frame]; one that is beyond the grid or not finite changes nothing and is Outside
+  /// @param point [mm, frame of the grid]; one that is beyond the grid or not finite changes nothing and is
+  /// Outside
   Fused insert(const Point3& point) {
     const std::size_t index = grid_.cellAt(point.head<2>());
     if (index == HeightGrid::kNoCell || !std::isfinite(point.z())) return Fused::Outside;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 
@@ -18,8 +19,11 @@ namespace lamina {
 ///
 /// @param units_per_mm  the tree's unit of length: 1e-3 for metres, which OctoMap's own tools take for
 /// granted
+/// @param tree_from_map  where the map lies, translation [mm]
 /// @throws InvalidInput if the map reaches farther than the tree's 32768 leaves from the origin
-std::shared_ptr<octomap::OcTree> octreeOf(const HeightMap& surface, double units_per_mm);
+std::shared_ptr<octomap::OcTree> octreeOf(
+    const HeightMap& surface, double units_per_mm,
+    const Eigen::Isometry3d& tree_from_map = Eigen::Isometry3d::Identity());
 
 /// Writes the tree as OctoMap's binary `.bt`; the file appears whole or not at all.
 /// @throws FileError

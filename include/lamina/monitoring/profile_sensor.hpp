@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "lamina/base/random.hpp"
@@ -20,7 +21,16 @@ struct ProfileSensorSettings {
   double stand_off_mm = 60.0;  ///< distance along z at which the line has its width
   double range_mm = 40.0;      ///< depth of the measuring range, half before and half beyond the stand-off
   double noise_mm = 0.01;      ///< standard deviation along z
-  int seed = 1;                ///< of the noise
+  int seed = 1;                ///< of the noise and of what is wrong
+  // What is wrong with the sensor; with these values nothing is.
+  double noise_correlation = 0.0;  ///< of the noise, from one point to the next
+  double time_offset_s = 0.0;      ///< stamp less true time
+  double stamp_jitter_s = 0.0;     ///< standard deviation of stamps
+  double spray_rate = 0.0;         ///< share of points that show something between sensor and surface
+  double mirror_rate = 0.0;        ///< share of points with a second return in their column
+  double dropout_rate = 0.0;       ///< share of points that are missing
+  double bias_mm = 0.0;            ///< added to depths
+  double drift_mm_h = 0.0;         ///< added to depths per hour
 };
 
 /// Adds the keys sensor.*.
@@ -36,17 +46,28 @@ class ProfileSensor {
   /// fan. Rays that meet nothing known within the range give no point. The columns of the surface cast
   /// shadows.
   ///
+  /// A mirror image stands behind the point of its column. Defects have random numbers of their own: with
+  /// some set, the noise is that of a sensor without.
+  ///
   /// @param highest  height above which the surface has nothing [mm]: spares the search there
+  /// @param now_s    since drift began
   std::vector<Point3> measure(const HeightSource& surface, const Eigen::Isometry3d& bed_from_sensor,
-                              double highest = std::numeric_limits<double>::infinity());
+                              double highest = std::numeric_limits<double>::infinity(), double now_s = 0.0);
   std::vector<Point3> measure(const HeightMap& surface, const Eigen::Isometry3d& bed_from_sensor,
-                              double highest = std::numeric_limits<double>::infinity()) {
-    return measure(sourceOf(surface), bed_from_sensor, highest);
+                              double highest = std::numeric_limits<double>::infinity(), double now_s = 0.0) {
+    return measure(sourceOf(surface), bed_from_sensor, highest, now_s);
   }
 
+  /// By how much the next stamp is later than the time of what it is of [s].
+  double stampError();
+
  private:
+  double noise();
+
   ProfileSensorSettings settings_;
   Random random_;
+  Random defects_;
+  std::optional<double> last_noise_mm_;  ///< of the profile
 };
 
 }  // namespace lamina

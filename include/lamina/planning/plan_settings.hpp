@@ -47,6 +47,7 @@ struct InfillSettings {
   double angle_deg = 45.0;
   double alternation_deg = 90.0;  ///< added from one layer to the next
   double wall_overlap = 0.15;     ///< part of the bead width by which infill runs into the innermost wall
+  int every_layers = 1;           ///< sparse infill is laid in one of so many layers, as high as all of them
   LineLinks links;                ///< of sparse infill
 };
 

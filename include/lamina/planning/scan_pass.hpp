@@ -24,10 +24,11 @@ void describe(SettingsSchema& schema, ScanSettings& settings);
 /// and forth along y, in as many swaths side by side as it takes. The travel lifts the nozzle straight up,
 /// keeps `scanHeight` and comes down on the start of the next layer, whose first travel it replaces.
 ///
-/// The sensor travels with the nozzle, its line of light along x of the part.
+/// The sensor travels with the nozzle, its line of light along x of the layers, or over it.
 ///
-/// @param toolpath       planar layers; satisfies `validate`, and so does the result
-/// @param sensor_offset  of the line's middle from the nozzle, in the part's x and y [mm]
+/// @param toolpath       in the frame of its layers, which are plane; satisfies `validate`, and so does the
+/// result
+/// @param sensor_offset  of the line's middle from the nozzle, in the layers' x and y [mm]
 /// @throws InvalidConfig if the swath is not longer than 0; InvalidInput if layers are to be scanned that are
 /// inclined
 Toolpath withScanPasses(Toolpath toolpath, const ScanSettings& settings, const Point2& sensor_offset);

@@ -6,12 +6,13 @@
 
 namespace lamina {
 
-/// Height of the nozzle [mm, part frame] while a sensor beside it scans a finished layer: at least
+/// Height of the nozzle [mm, frame of the layers] while a sensor beside it scans a finished layer: at least
 /// `clearance_mm` above the layer's top, and half a layer off every height at which layers of this thickness
 /// are printed, so that the height alone distinguishes a scan from printing.
 double scanHeight(const ToolpathLayer& layer, double clearance_mm);
 
 /// Whether the layer has a travel at its scan height.
-bool isScanned(const ToolpathLayer& layer, double clearance_mm);
+/// @param normal  of the layers, in the frame of the toolpath; unit
+bool isScanned(const ToolpathLayer& layer, double clearance_mm, const Point3& normal = Point3::UnitZ());
 
 }  // namespace lamina

@@ -59,7 +59,8 @@ void CellEstimate::replan(double raised_mm, double flow) {
 }
 
 ReadingOutcome CellEstimate::see(const CellReading& reading, double correlation) {
-  if (!std::isfinite(reading.error_mm) || !(reading.sigma_mm > 0.0) || reading.points < 1)
+  const bool has_sigma = std::isfinite(reading.sigma_mm) && reading.sigma_mm > 0.0;
+  if (!std::isfinite(reading.error_mm) || !has_sigma || reading.points < 1)
     return {ReadingUse::Contested, 0.0};
   const double noise = readingVariance(reading, correlation);
   const double innovation = reading.error_mm - error();

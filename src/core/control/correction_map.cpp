@@ -39,6 +39,16 @@ class MapFingerprint {
                      std::to_string(station) + ": " + what);
 }
 
+constexpr double kGreatestChange = 5.0;   // of amount and speed, as the law's greatest limit
+constexpr double kGreatestShift = 100.0;  // mm
+
+void requireWithin(const PathCorrection& path, std::size_t station, const char* what, double change) {
+  if (change <= -1.0 || change > kGreatestChange)
+    refuseStation(path, station,
+                  std::string("the ") + what + " changes by " + std::to_string(change) +
+                      "; expected more than -1 and at most " + std::to_string(kGreatestChange));
+}
+
 void requireStations(const PathCorrection& path) {
   if (!(path.station_mm > 0.0) || !std::isfinite(path.station_mm))
     refuseStation(
@@ -50,12 +60,12 @@ void requireStations(const PathCorrection& path) {
     const bool is_finite =
         std::isfinite(place.amount) && std::isfinite(place.speed) && std::isfinite(place.dz_mm);
     if (!is_finite) refuseStation(path, i, "a value is not finite; expected finite ones");
-    if (place.amount <= -1.0)
+    requireWithin(path, i, "amount", place.amount);
+    requireWithin(path, i, "speed", place.speed);
+    if (std::abs(place.dz_mm) > kGreatestShift)
       refuseStation(path, i,
-                    "the amount changes by " + std::to_string(place.amount) + "; expected more than -1");
-    if (place.speed <= -1.0)
-      refuseStation(path, i,
-                    "the speed changes by " + std::to_string(place.speed) + "; expected more than -1");
+                    "the nozzle is shifted by " + std::to_string(place.dz_mm) + " mm; expected at most " +
+                        std::to_string(kGreatestShift) + " mm");
   }
 }
 

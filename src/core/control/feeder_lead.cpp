@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/control/feeder_lead.hpp"
 
+#include <algorithm>
+
 namespace lamina {
 namespace {
 
@@ -10,6 +12,18 @@ LoopSettings withoutVolumeBound(const LoopSettings& settings) {
   LoopSettings unbounded = settings;
   unbounded.layer_volume = amountRange(settings) + 1.0;
   return unbounded;
+}
+
+const PathCorrection* correctionOf(const CorrectionMap& map, std::size_t path) {
+  const auto found = std::find_if(map.paths.begin(), map.paths.end(),
+                                  [path](const PathCorrection& each) { return each.path == path; });
+  return found == map.paths.end() ? nullptr : &*found;
+}
+
+double densestStation(const CorrectionMap& map) {
+  double least = map.paths.front().station_mm;
+  for (const PathCorrection& path : map.paths) least = std::min(least, path.station_mm);
+  return least;
 }
 
 bool isPrompt(const FeederDelay& feeder) { return feeder.dead_time_s == 0.0 && feeder.lag_s == 0.0; }
@@ -59,6 +73,31 @@ std::vector<double> ledCorrection(const LayerCells& cells, const std::vector<dou
   }
   // What is commanded for the next run while this one is laid must not step either.
   return limitedCorrection(cells, led, withoutVolumeBound(settings)).amount;
+}
+
+CorrectionMap ledMap(const CorrectionMap& map, const ToolpathLayer& layer, const FeederDelay& feeder,
+                     const LoopSettings& settings) {
+  validate(map);
+  if (isPrompt(feeder) || map.paths.empty()) return map;
+  const LayerCells cells = layerCells(layer, map.layer, densestStation(map));
+  CellCorrections corrections;
+  for (const CellRun& run : cells.runs) {
+    const PathCorrection* const path = correctionOf(map, run.path);
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+      const PlaceCorrection here =
+          path != nullptr ? correctionAt(*path, cells.along_mm[i]) : PlaceCorrection{};
+      corrections.amount.push_back(here.amount);
+      corrections.speed.push_back(here.speed);
+      corrections.dz_mm.push_back(here.dz_mm);
+    }
+  }
+  corrections.amount = ledCorrection(cells, corrections.amount, feeder, settings);
+  CorrectionMap led = correctionMap(cells, corrections, map.toolpath_id, map.sequence);
+  for (const PathCorrection& path : map.paths)
+    if (correctionOf(led, path.path) == nullptr) led.paths.push_back(path);
+  std::sort(led.paths.begin(), led.paths.end(),
+            [](const PathCorrection& a, const PathCorrection& b) { return a.path < b.path; });
+  return led;
 }
 
 }  // namespace lamina

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "control/run_stretches.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/path_low_pass.hpp"
 #include "lamina/control/pressed_law.hpp"
@@ -121,8 +122,12 @@ void HeightLoop::beginLayer(LayerCells cells) {
     before_clouds_.error_mm = carried(below, before_clouds_.error_mm, 0.0);
     before_clouds_.gain = carried(below, before_clouds_.gain, gains[0]);
     deficit_ = carried(below, deficit_, 0.0);
+    before_deficit_ = carried(below, before_deficit_, 0.0);
   }
   deficit_.resize(cells.size(), 0.0);
+  before_deficit_.resize(cells.size(), 0.0);
+  is_section_seen_.assign(cells.size(), false);
+  laid_.assign(cells.size(), 0.0);
   cells_ = std::move(cells);
   estimates_ = std::move(estimates);
   clouds_below_ = clouds_;
@@ -145,32 +150,37 @@ LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<doub
 
 LayerKnowledge HeightLoop::knowledge() const { return filled(errorsOf(estimates_), gainsOf(estimates_)); }
 
-LayerCorrection HeightLoop::law(const LayerKnowledge& known) const {
-  return settings_.process == LoopProcess::Free
-             ? freeCorrection(cells_, known, settings_)
-             : pressedCorrection(cells_, {deficit_, known.gain}, settings_);
+LayerCorrection HeightLoop::asked(LoopState state, const LayerKnowledge& known,
+                                  const std::vector<double>& deficit) const {
+  if (settings_.process == LoopProcess::Pressed)
+    return pressedCorrection(cells_, {deficit, known.gain}, settings_);
+  return state == LoopState::Coasting ? learntCorrection(cells_, known.gain, settings_)
+                                      : freeCorrection(cells_, known, settings_);
 }
 
 LayerCorrection HeightLoop::correction(LoopState state) const {
   const bool is_learnt_only = layers_begun_ <= static_cast<std::size_t>(settings_.first_layers);
-  LayerCorrection none;
-  none.amount.assign(cells_.size(), 0.0);
-  if (is_learnt_only || (state != LoopState::Active && state != LoopState::Coasting)) return none;
-  if (state == LoopState::Coasting) {
-    const bool learns = settings_.process == LoopProcess::Free;
-    return learns ? learntCorrection(cells_, knowledge().gain, settings_) : none;
+  const bool corrects =
+      state == LoopState::Active || (state == LoopState::Coasting && settings_.process == LoopProcess::Free);
+  if (is_learnt_only || !corrects) {
+    LayerCorrection none;
+    none.amount.assign(cells_.size(), 0.0);
+    return none;
   }
-  LayerCorrection correction = law(knowledge());
-  if (settings_.process == LoopProcess::Free) boundByClouds(correction);
+  LayerCorrection correction = asked(state, knowledge(), deficit_);
+  boundByClouds(correction, state);
   return correction;
 }
 
 /// Bounded is the difference to what the law had asked for had nothing been seen: that a layer is corrected
 /// more than the one before for being predicted too low needs no cloud.
-void HeightLoop::boundByClouds(LayerCorrection& correction) const {
-  const double bound = kCloudShare * amountRange(settings_) * static_cast<double>(clouds_below_);
-  if (bound >= amountRange(settings_)) return;
-  const LayerCorrection before = law(filled(before_clouds_.error_mm, before_clouds_.gain));
+void HeightLoop::boundByClouds(LayerCorrection& correction, LoopState state) const {
+  const double range =
+      settings_.process == LoopProcess::Pressed ? 2.0 * kPressedAmount : amountRange(settings_);
+  const double bound = kCloudShare * range * static_cast<double>(clouds_below_);
+  if (bound >= range) return;
+  const LayerCorrection before =
+      asked(state, filled(before_clouds_.error_mm, before_clouds_.gain), before_deficit_);
   for (std::size_t i = 0; i < correction.amount.size(); ++i)
     correction.amount[i] =
         std::clamp(correction.amount[i], before.amount[i] - bound, before.amount[i] + bound);
@@ -181,6 +191,8 @@ void HeightLoop::lay(const LayerCorrection& correction) {
 }
 
 void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm) {
+  requireOnePerCell("amounts", correction.amount.size());
+  requireOnePerCell("errors of the nozzle", nozzle_error_mm.size());
   limited_share_ = correction.limited_share;
   laid_ = correction.amount;
   is_section_seen_.assign(cells_.size(), false);
@@ -192,6 +204,7 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
       estimates_[i].press(growth, spread_);
   }
   before_clouds_ = {errorsOf(estimates_), gainsOf(estimates_)};
+  before_deficit_ = deficit_;
 }
 
 ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
@@ -230,6 +243,12 @@ void HeightLoop::requireCell(std::size_t cell) const {
                        std::to_string(cells_.size()));
 }
 
+void HeightLoop::requireOnePerCell(const std::string& what, std::size_t count) const {
+  if (count != cells_.size())
+    throw InvalidInput("a layer is laid with " + std::to_string(count) + " " + what +
+                       "; expected one for each of its " + std::to_string(cells_.size()) + " cells");
+}
+
 void HeightLoop::endCloud() {
   ++clouds_;
   believePatches();
@@ -237,22 +256,17 @@ void HeightLoop::endCloud() {
 }
 
 void HeightLoop::believePatches() {
-  for (const CellRun& run : cells_.runs) {
-    const std::size_t end = run.first + run.count;
-    for (std::size_t begin = run.first; begin < end;) {
-      std::size_t last = begin;
-      const auto agrees = [&](std::size_t i) {
-        const auto here = estimates_[i].claimed();
-        const auto before = estimates_[i - 1].claimed();
-        return here && before && std::abs(*here - *before) <= kPatchAgreement * cloud_sigma_mm_;
-      };
-      while (last + 1 < end && agrees(last + 1)) ++last;
-      const double length = static_cast<double>(last - begin + 1) * run.cellLength();
-      const bool is_patch = last > begin && length >= cells_.width_mm[begin];
-      for (std::size_t i = begin; is_patch && i <= last; ++i) estimates_[i].believe();
-      begin = last + 1;
+  const auto agrees = [&](std::size_t a, std::size_t b) {
+    const auto here = estimates_[a].claimed();
+    const auto there = estimates_[b].claimed();
+    return here && there && std::abs(*here - *there) <= kPatchAgreement * cloud_sigma_mm_;
+  };
+  for (const CellRun& run : cells_.runs)
+    for (const CellStretch& stretch : stretchesOf(run, agrees)) {
+      const double length = static_cast<double>(stretch.count) * run.cellLength();
+      if (stretch.count < 2 || length < cells_.width_mm[stretch.first]) continue;
+      for (std::size_t i = 0; i < stretch.count; ++i) estimates_[cellOf(run, stretch, i)].believe();
     }
-  }
 }
 
 void HeightLoop::replan(double raised_mm, double flow) {
@@ -268,9 +282,7 @@ LayerFigures HeightLoop::endLayer() {
     learn(sectionGains());
   else if (before.is_measured)
     learn(heightGains());
-  LayerFigures result = figures();
-  result.consistency = before.consistency;
-  return result;
+  return figures();
 }
 
 std::vector<MeasuredGain> HeightLoop::heightGains() {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
+#include "control/cells_beside.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/spatial/point_grid.hpp"
 
@@ -13,6 +15,14 @@ namespace lamina {
 namespace {
 
 constexpr double kCornerCosine = 0.866;  // turns of more than 30 degrees
+constexpr double kLeastSquare = 0.1;     // of a tool axis across its path, to tell the growth
+constexpr double kSamePlane = 1e-6;      // mm
+
+/// How the cells of a layer grow.
+struct Growth {
+  Eigen::Vector3d normal;
+  bool is_plane;
+};
 
 /// Waypoints of a path with the lengths up to them, the return of a closed one included.
 struct MeasuredPath {
@@ -31,12 +41,16 @@ struct MeasuredPath {
 
 std::vector<double> cornersOf(const MeasuredPath& measured) {
   std::vector<double> corners;
-  const std::size_t motions = measured.path.motionCount();
-  for (std::size_t m = 0; m + 1 < motions; ++m)
-    if (measured.direction(m).dot(measured.direction(m + 1)) < kCornerCosine)
-      corners.push_back(measured.along[m + 1]);
-  const bool turns_at_seam = measured.path.is_closed && motions > 1 &&
-                             measured.direction(motions - 1).dot(measured.direction(0)) < kCornerCosine;
+  std::vector<std::size_t> motions;  // a point that stands twice has no direction
+  for (std::size_t m = 0; m < measured.path.motionCount(); ++m)
+    if (measured.along[m + 1] > measured.along[m]) motions.push_back(m);
+  const auto turns = [&](std::size_t from, std::size_t to) {
+    return measured.direction(from).dot(measured.direction(to)) < kCornerCosine;
+  };
+  for (std::size_t i = 0; i + 1 < motions.size(); ++i)
+    if (turns(motions[i], motions[i + 1])) corners.push_back(measured.along[motions[i + 1]]);
+  const bool turns_at_seam =
+      measured.path.is_closed && motions.size() > 1 && turns(motions.back(), motions.front());
   if (turns_at_seam) corners.insert(corners.begin(), 0.0);
   if (turns_at_seam) corners.push_back(measured.length());
   return corners;
@@ -57,42 +71,106 @@ bool hasCells(const Path& path) {
          kindOf(path.role) != RoleKind::BuildAid && path.motionCount() > 0;
 }
 
-void addRun(LayerCells& cells, const Path& path, std::size_t index, double cell_mm) {
+/// Whether the depositing paths lie within the layer's height of one another.
+bool isPlane(const ToolpathLayer& layer, const Eigen::Vector3d& normal) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const Path& path : layer.paths) {
+    if (!hasCells(path)) continue;
+    for (const Point3& point : path.points) {
+      least = std::min(least, normal.dot(point));
+      greatest = std::max(greatest, normal.dot(point));
+    }
+  }
+  return !(greatest - least > std::max(layer.height_mm, kSamePlane));
+}
+
+/// Goes along a path, forth only.
+class PathWalk {
+ public:
+  explicit PathWalk(const MeasuredPath& measured) : measured_(measured) {}
+
+  void goTo(double along) {
+    while (motion_ + 1 < measured_.path.motionCount() && measured_.along[motion_ + 1] < along) ++motion_;
+    const double length = measured_.along[motion_ + 1] - measured_.along[motion_];
+    part_ = length > 0.0 ? (along - measured_.along[motion_]) / length : 0.0;
+  }
+  std::size_t end() const { return measured_.path.motionEnd(motion_); }  ///< waypoint of what is laid here
+  Point3 point() const {
+    const std::vector<Point3>& points = measured_.path.points;
+    return points[motion_] + part_ * (points[end()] - points[motion_]);
+  }
+  Eigen::Vector3d direction() const { return measured_.direction(motion_); }
+  Eigen::Vector3d againstTool() const {
+    const AlongPath<Eigen::Quaterniond>& held = measured_.path.orientation;
+    const Eigen::Quaterniond turn =
+        held.isCommon() ? held.at(0) : held.at(motion_).slerp(part_, held.at(end()));
+    return turn * -Eigen::Vector3d::UnitZ();
+  }
+
+ private:
+  const MeasuredPath& measured_;
+  std::size_t motion_ = 0;
+  double part_ = 0.0;
+};
+
+/// Against the tool axis and square to the path; where the tool lies along the path, as the normal would.
+Eigen::Vector3d growthAgainst(const Eigen::Vector3d& tool, const Eigen::Vector3d& tangent,
+                              const Eigen::Vector3d& normal) {
+  for (const Eigen::Vector3d& direction : {tool, normal}) {
+    const Eigen::Vector3d square = direction - direction.dot(tangent) * tangent;
+    if (square.norm() > kLeastSquare) return square.normalized();
+  }
+  return tangent.unitOrthogonal();
+}
+
+/// From where the cell begins to where it ends; where the path comes back within it, as the motion goes.
+Eigen::Vector3d tangentOf(const Eigen::Vector3d& chord, double length, const Eigen::Vector3d& motion) {
+  return chord.norm() > 0.5 * length ? Eigen::Vector3d(chord.normalized()) : motion;
+}
+
+void addRun(LayerCells& cells, const Path& path, std::size_t index, double cell_mm, const Growth& growth) {
   const MeasuredPath measured(path);
   if (!(measured.length() > 0.0)) return;
   const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(measured.length() / cell_mm - 1e-9)));
   const std::vector<double> corners = cornersOf(measured);
   cells.runs.push_back({index, cells.size(), count, measured.length(), path.is_closed});
-  std::size_t motion = 0;
+  const double each = measured.length() / static_cast<double>(count);
+  PathWalk walk(measured);
+  Point3 begin = path.firstPoint();
   for (std::size_t i = 0; i < count; ++i) {
     const double along = (static_cast<double>(i) + 0.5) * measured.length() / static_cast<double>(count);
-    while (motion + 1 < path.motionCount() && measured.along[motion + 1] < along) ++motion;
-    const double length = measured.along[motion + 1] - measured.along[motion];
-    const double part = length > 0.0 ? (along - measured.along[motion]) / length : 0.0;
-    const std::size_t end = path.motionEnd(motion);
-    cells.middle.emplace_back(path.points[motion] + part * (path.points[end] - path.points[motion]));
+    walk.goTo(along);
+    const std::size_t end = walk.end();
+    const Eigen::Vector3d motion = walk.direction();
+    const Eigen::Vector3d against_tool = walk.againstTool();
+    cells.middle.emplace_back(walk.point());
     cells.along_mm.push_back(along);
     cells.height_mm.push_back(path.bead.at(end).height_mm);
     cells.width_mm.push_back(path.bead.at(end).width_mm);
     cells.speed_mm_s.push_back(path.feed_mm_s.at(end));
     cells.region.push_back(regionAt(along, measured, corners));
+    walk.goTo(std::min(along + 0.5 * each, measured.length()));
+    const Eigen::Vector3d tangent = tangentOf(walk.point() - begin, each, motion);
+    begin = walk.point();
+    cells.tangent.push_back(tangent);
+    cells.growth.push_back(growth.is_plane ? growth.normal
+                                           : growthAgainst(against_tool, tangent, growth.normal));
   }
-}
-
-Eigen::Matrix<double, 2, 3> planeOf(const Eigen::Vector3d& normal) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
-  return turn.toRotationMatrix().topRows<2>();
 }
 
 }  // namespace
 
-LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell_mm) {
+LayerCells layerCells(const ToolpathLayer& layer, std::size_t index, double cell_mm,
+                      const Eigen::Vector3d& normal) {
   if (!(cell_mm > 0.0) || !std::isfinite(cell_mm))
     throw InvalidInput("cells are " + std::to_string(cell_mm) + " mm long; expected a positive length");
   LayerCells cells;
   cells.layer = index;
+  const Growth growth{normal, isPlane(layer, normal)};
   for (std::size_t p = 0; p < layer.paths.size(); ++p)
-    if (hasCells(layer.paths[p])) addRun(cells, layer.paths[p], p, cell_mm);
+    if (hasCells(layer.paths[p])) addRun(cells, layer.paths[p], p, cell_mm, growth);
+  cells.beside = cellsBeside(cells, normal);
   return cells;
 }
 
@@ -100,7 +178,7 @@ std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells&
                                       const Eigen::Vector3d& normal) {
   std::vector<std::uint32_t> found(layer.size(), kNoCellBelow);
   if (below.size() == 0) return found;
-  const Eigen::Matrix<double, 2, 3> plane = planeOf(normal);
+  const Eigen::Matrix<double, 2, 3> plane = planeSquareTo(normal);
   Box2 box;
   double widest = 0.0;
   for (std::size_t i = 0; i < below.size(); ++i) {
@@ -119,6 +197,27 @@ std::vector<std::uint32_t> cellsBelow(const LayerCells& layer, const LayerCells&
     });
   }
   return found;
+}
+
+Eigen::Vector3d normalOfLayers(const Toolpath& toolpath) {
+  return toolpath.part_from_layers * Eigen::Vector3d::UnitZ();
+}
+
+std::size_t cellsPassed(const LayerCells& cells, std::size_t path, double along_mm, double settle_mm) {
+  double behind = 0.0;  // laid since the end of the run
+  std::size_t passed = 0;
+  for (auto run = cells.runs.rbegin(); run != cells.runs.rend(); ++run) {
+    if (run->path > path) continue;
+    const double laid = run->path == path ? std::clamp(along_mm, 0.0, run->length_mm) : run->length_mm;
+    const double settled = laid - std::max(0.0, settle_mm - behind);
+    const double count = std::floor(settled / run->cellLength() + 1e-9);
+    if (count >= 1.0) {
+      passed = run->first + std::min(run->count, static_cast<std::size_t>(count));
+      break;
+    }
+    behind += laid;
+  }
+  return passed;
 }
 
 double meanOverCells(const LayerCells& cells, const std::vector<double>& values) {

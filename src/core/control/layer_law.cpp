@@ -13,30 +13,36 @@ namespace {
 
 constexpr double kSameAmount = 1e-6;
 
-/// Greatest change of the amount from a cell to the next of its run; that of the last one is to the first.
-double greatestStep(const LayerCells& cells, const CellRun& run, std::size_t cell, double feeder_rate_s) {
-  const std::size_t next = cell + 1 < run.first + run.count ? cell + 1 : run.first;
-  const double speed = std::max(cells.speed_mm_s[cell], cells.speed_mm_s[next]);
-  return greatestSlope(feeder_rate_s, speed) * run.cellLength();
+/// Greatest change of the amount from each cell to the next of its run; that of the last one is to the first.
+std::vector<double> greatestSteps(const LayerCells& cells, const CellRun& run, double feeder_rate_s) {
+  std::vector<double> steps(run.count);
+  double speed = -1.0;
+  double step = 0.0;
+  for (std::size_t i = 0; i < run.count; ++i) {
+    const std::size_t cell = run.first + i;
+    const std::size_t next = i + 1 < run.count ? cell + 1 : run.first;
+    const double fastest = std::max(cells.speed_mm_s[cell], cells.speed_mm_s[next]);
+    if (fastest != speed) step = greatestSlope(feeder_rate_s, fastest) * run.cellLength();
+    speed = fastest;
+    steps[i] = step;
+  }
+  return steps;
 }
 
 /// The greatest function below the values, or with sign -1 the least above, that is as flat as the steps ask.
-void boundSlope(std::vector<double>& values, const LayerCells& cells, const CellRun& run,
-                double feeder_rate_s, double sign) {
-  const std::size_t end = run.first + run.count;
+void boundSlope(double* values, const std::vector<double>& steps, bool is_closed, double sign) {
+  const std::size_t count = steps.size();
   const auto bound = [&](std::size_t cell, std::size_t by, double step) {
     values[cell] = sign * std::min(sign * values[cell], sign * values[by] + step);
   };
-  const std::size_t rounds = run.is_closed ? 2 : 1;  // what holds at the seam goes round once more
+  const std::size_t rounds = is_closed ? 2 : 1;  // what holds at the seam goes round once more
   for (std::size_t round = 0; round < rounds; ++round) {
-    if (run.is_closed) bound(run.first, end - 1, greatestStep(cells, run, end - 1, feeder_rate_s));
-    for (std::size_t i = run.first + 1; i < end; ++i)
-      bound(i, i - 1, greatestStep(cells, run, i - 1, feeder_rate_s));
+    if (is_closed) bound(0, count - 1, steps[count - 1]);
+    for (std::size_t i = 1; i < count; ++i) bound(i, i - 1, steps[i - 1]);
   }
   for (std::size_t round = 0; round < rounds; ++round) {
-    if (run.is_closed) bound(end - 1, run.first, greatestStep(cells, run, end - 1, feeder_rate_s));
-    for (std::size_t i = end - 1; i > run.first; --i)
-      bound(i - 1, i, greatestStep(cells, run, i - 1, feeder_rate_s));
+    if (is_closed) bound(count - 1, 0, steps[count - 1]);
+    for (std::size_t i = count - 1; i > 0; --i) bound(i - 1, i, steps[i - 1]);
   }
 }
 
@@ -44,8 +50,9 @@ void boundSlope(std::vector<double>& values, const LayerCells& cells, const Cell
 void limitSlope(std::vector<double>& amount, const LayerCells& cells, double feeder_rate_s) {
   std::vector<double> above = amount;
   for (const CellRun& run : cells.runs) {
-    boundSlope(amount, cells, run, feeder_rate_s, 1.0);
-    boundSlope(above, cells, run, feeder_rate_s, -1.0);
+    const std::vector<double> steps = greatestSteps(cells, run, feeder_rate_s);
+    boundSlope(amount.data() + run.first, steps, run.is_closed, 1.0);
+    boundSlope(above.data() + run.first, steps, run.is_closed, -1.0);
   }
   for (std::size_t i = 0; i < amount.size(); ++i) amount[i] = 0.5 * (amount[i] + above[i]);
 }
@@ -115,7 +122,7 @@ std::vector<double> fadedCorrection(const LayerCells& cells, const std::vector<d
                                     const LoopSettings& settings) {
   std::vector<double> faded = from;
   if (begin >= cells.size()) return faded;
-  double last = from[begin];
+  double last = from[begin > 0 ? begin - 1 : begin];  // where the nozzle comes from
   for (const CellRun& run : cells.runs) {
     for (std::size_t i = std::max(begin, run.first); i < run.first + run.count; ++i) {
       const double step = greatestSlope(settings.feeder_rate_s, cells.speed_mm_s[i]) * run.cellLength();

@@ -13,17 +13,11 @@ void describeLaw(SettingsSchema& schema, LoopSettings& settings) {
                 "Share of the height error that a layer corrects.");
   schema.number("loop.learning", settings.learning, {0.0, 1.0},
                 "Share of the growth measured that a layer learns.");
-  schema.number("loop.least_amount", settings.least_amount, {-0.95, 0.0},
-                "Least relative change of the amount laid.");
-  schema.number("loop.greatest_amount", settings.greatest_amount, {0.0, 5.0},
-                "Greatest relative change of the amount laid.");
   schema.number("loop.low_pass_mm", settings.low_pass_mm, {0.01, 1000.0},
                 "Standard deviation of the Gaussian by which corrections are smoothed along the bead.");
   schema.choice("loop.narrow_low_pass", settings.narrow_low_pass,
                 {{"refused", NarrowLowPass::Refused}, {"raised", NarrowLowPass::Raised}},
                 "What is done with a low-pass that is too narrow for the calibrations.");
-  schema.number("loop.feeder_rate_s", settings.feeder_rate_s, {0.001, 1000.0},
-                "Greatest change of the relative amount per second.");
   schema.number("loop.layer_volume", settings.layer_volume, {0.0, 10.0, true},
                 "Greatest relative change of the volume of a whole layer.");
   schema.integer("loop.first_layers", settings.first_layers, {0.0, 1000.0},
@@ -41,9 +35,6 @@ void describeMachine(SettingsSchema& schema, LoopSettings& settings) {
       "loop.z", settings.z,
       {{"plan", NozzleHeight::Plan}, {"layer", NozzleHeight::Layer}, {"surface", NozzleHeight::Surface}},
       "Height at which the nozzle runs.");
-  schema.number("loop.dead_time_s", settings.dead_time_s, {0.0, 60.0},
-                "Time from a command until the feeder begins to follow.");
-  schema.number("loop.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
   schema.number("loop.trim", settings.trim, {0.0, 1.5},
                 "Gain of a sensor behind the nozzle times its distance; 0 for none.");
   schema.number("loop.sensor_behind_mm", settings.sensor_behind_mm, {0.0, 1000.0},
@@ -77,8 +68,21 @@ void describeSupervision(SettingsSchema& schema, LoopSettings& settings) {
 
 }  // namespace
 
+void describeFeeding(SettingsSchema& schema, LoopSettings& settings) {
+  schema.number("loop.dead_time_s", settings.dead_time_s, {0.0, 60.0},
+                "Time from a command until the feeder begins to follow.");
+  schema.number("loop.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
+  schema.number("loop.feeder_rate_s", settings.feeder_rate_s, {0.001, 1000.0},
+                "Greatest change of the relative amount per second.");
+  schema.number("loop.least_amount", settings.least_amount, {-0.95, 0.0},
+                "Least relative change of the amount laid.");
+  schema.number("loop.greatest_amount", settings.greatest_amount, {0.0, 5.0},
+                "Greatest relative change of the amount laid.");
+}
+
 void describe(SettingsSchema& schema, LoopSettings& settings) {
   describeLaw(schema, settings);
+  describeFeeding(schema, settings);
   describeMachine(schema, settings);
   describeSupervision(schema, settings);
 }

@@ -8,11 +8,39 @@
 #include "lamina/base/error.hpp"
 
 namespace lamina {
+namespace {
+
+/// Speeds that window and heat leave at a cell [mm/s].
+struct SpeedRange {
+  double least;
+  double greatest;
+};
+
+SpeedRange speedsAt(double planned, PowerSource source, const LoopSettings& settings) {
+  SpeedRange range{settings.least_speed_mm_s, settings.greatest_speed_mm_s};
+  if (source == PowerSource::Fixed) {
+    range.least = std::max(range.least, planned / (1.0 + settings.heat));
+    range.greatest = std::min(range.greatest, planned / std::max(1e-6, 1.0 - settings.heat));
+  }
+  if (!(range.least <= range.greatest))
+    throw InvalidInput("a cell is planned at " + std::to_string(planned) +
+                       " mm/s; expected a speed from which loop.heat leads into " +
+                       std::to_string(settings.least_speed_mm_s) + " to " +
+                       std::to_string(settings.greatest_speed_mm_s) +
+                       " mm/s (loop.least_speed_mm_s, loop.greatest_speed_mm_s)");
+  return range;
+}
+
+}  // namespace
 
 MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& amount, PowerSource source,
                            const LoopSettings& settings) {
   if (settings.speed_exponent == 0.0)
     throw InvalidConfig("loop.speed_exponent is 0; expected a negative power of the travel speed");
+  if (settings.least_speed_mm_s > settings.greatest_speed_mm_s)
+    throw InvalidConfig("loop.least_speed_mm_s is " + std::to_string(settings.least_speed_mm_s) +
+                        " mm/s; expected at most loop.greatest_speed_mm_s, " +
+                        std::to_string(settings.greatest_speed_mm_s) + " mm/s");
   MetalCorrection split;
   split.wire = meanOverCells(cells, amount);
   std::size_t limited = 0;
@@ -20,13 +48,8 @@ MetalCorrection metalSplit(const LayerCells& cells, const std::vector<double>& a
     const double planned = cells.speed_mm_s[i];
     const double left = (1.0 + amount[i]) / (1.0 + split.wire);
     const double wanted = planned * std::pow(left, 1.0 / settings.speed_exponent);
-    double least = settings.least_speed_mm_s;
-    double greatest = settings.greatest_speed_mm_s;
-    if (source == PowerSource::Fixed) {
-      least = std::max(least, planned / (1.0 + settings.heat));
-      greatest = std::min(greatest, planned / std::max(1e-6, 1.0 - settings.heat));
-    }
-    const double speed = std::max(std::min(wanted, greatest), least);
+    const SpeedRange range = speedsAt(planned, source, settings);
+    const double speed = std::clamp(wanted, range.least, range.greatest);
     if (speed != wanted) ++limited;
     split.speed_mm_s.push_back(speed);
     // Power that goes all the way with the speed leaves heat per length as it is planned.

@@ -11,6 +11,14 @@
 namespace lamina {
 namespace {
 
+void requireOnePerCell(const LaidLayer& layer, std::size_t index) {
+  const std::size_t cells = layer.cells.size();
+  for (const std::size_t count : {layer.amount.size(), layer.growth_error_mm.size()})
+    if (count != cells)
+      throw InvalidInput("layer " + std::to_string(index) + " has " + std::to_string(count) +
+                         " values for its " + std::to_string(cells) + " cells; expected one each");
+}
+
 std::string differsIn(const std::string& what, const std::string& is, const std::string& expected) {
   return is == expected ? std::string() : what + " '" + is + "' instead of '" + expected + "'";
 }
@@ -48,6 +56,7 @@ PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
     throw InvalidInput("the part has " + std::to_string(part.size()) + " layers; expected " +
                        std::to_string(before.amount.size()) + ", as the learnt map");
   if (end == PartEnd::Aborted) return before;
+  for (std::size_t k = 0; k < part.size(); ++k) requireOnePerCell(part[k], k);
   PartMap learnt{identity, before.parts + 1, {}};
   for (const LaidLayer& layer : part) {
     const std::vector<double> error = lowPassed(layer.growth_error_mm, layer.cells, settings.low_pass_mm);

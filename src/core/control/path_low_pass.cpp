@@ -3,18 +3,19 @@
 #include "lamina/control/path_low_pass.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
 #include "lamina/base/error.hpp"
-#include "lamina/geometry/spatial/point_grid.hpp"
 
 namespace lamina {
 namespace {
 
-constexpr double kCutOff = 4.0;       // standard deviations
-constexpr double kBeadReach = 1.25;   // bead widths: rasters lie at most one apart
-constexpr double kFoldedReach = 2.0;  // bead widths of the same path that are no neighbour
+constexpr double kCutOff = 4.0;      // standard deviations
+constexpr double kFlat = 4.0;        // a Gaussian so many times as wide as a path leaves its mean alone
+constexpr double kSamePlace = 1e-6;  // of a piece of the path
+constexpr std::size_t kBlock = 16;   // stations at a time
 
 /// A station continued beyond the ends of its path.
 struct Image {
@@ -74,64 +75,123 @@ std::vector<Image> imagesOf(const std::vector<double>& values, const Stations& s
   return images;
 }
 
-/// Bead widths and cells as a grid in the plane in which the layer is widest.
-class NeighbourGrid {
- public:
-  NeighbourGrid(const LayerCells& cells, double widest) : cells_(cells), grid_(boxOf(cells), widest) {
-    for (const Point3& middle : cells.middle) grid_.insert(middle.head<2>());
-    run_of_.resize(cells.size());
-    for (std::size_t r = 0; r < cells.runs.size(); ++r)
-      std::fill_n(run_of_.begin() + static_cast<std::ptrdiff_t>(cells.runs[r].first), cells.runs[r].count, r);
-  }
+/// Whether stations stand in the middles of equal pieces of their path.
+bool areEqual(const Stations& stations) {
+  const std::size_t count = stations.along_mm.size();
+  const double each = stations.length_mm / static_cast<double>(count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::abs(stations.along_mm[i] - (static_cast<double>(i) + 0.5) * each) > kSamePlace * each)
+      return false;
+  return true;
+}
 
-  /// Calls visit(cell, squared distance) for cells within reach, the cell itself included; returns
-  /// whether one of them is of another bead.
-  template <class Visit>
-  bool visitWithinBead(std::size_t cell, Visit visit) const {
-    const double reach = kBeadReach * cells_.width_mm[cell];
-    bool has_neighbour = false;
-    grid_.visitNear(cells_.middle[cell].head<2>(), reach, [&](std::uint32_t other, double) {
-      const double squared = (cells_.middle[other] - cells_.middle[cell]).squaredNorm();
-      if (squared > reach * reach) return;
-      has_neighbour |= isOfOtherBead(cell, other);
-      visit(other, squared);
-    });
-    return has_neighbour;
+/// A path in equal pieces, one value each.
+struct EqualPieces {
+  const double* values;
+  std::size_t count;
+  double each_mm;
+  PathEnds ends;
+
+  double length() const { return static_cast<double>(count) * each_mm; }  ///< [mm]
+};
+
+/// Values of a path, continued beyond its ends by so many.
+std::vector<double> continued(const EqualPieces& pieces, std::size_t beyond) {
+  const auto& [values, count, each_mm, ends] = pieces;
+  std::vector<double> all(count + 2 * beyond);
+  std::copy(values, values + count, all.begin() + static_cast<std::ptrdiff_t>(beyond));
+  const std::size_t period = ends == PathEnds::Joined ? count : 2 * count;
+  for (std::size_t k = 1; k <= beyond; ++k) {
+    const std::size_t after = (k - 1 + count) % period;
+    const std::size_t before = (period - k % period) % period;
+    all[beyond + count + k - 1] = values[after < count ? after : period - 1 - after];
+    all[beyond - k] = values[before < count ? before : period - 1 - before];
+  }
+  return all;
+}
+
+double meanOf(const EqualPieces& pieces) {
+  double sum = 0.0;  // of differences, so that a constant stays as it is to the last bit
+  for (std::size_t i = 0; i < pieces.count; ++i) sum += pieces.values[i] - pieces.values[0];
+  return pieces.values[0] + sum / static_cast<double>(pieces.count);
+}
+
+/// The low-pass over equal pieces: one kernel for all of them.
+void smoothEqual(const EqualPieces& pieces, double sigma_mm, double* smooth) {
+  const std::size_t count = pieces.count;
+  if (sigma_mm > kFlat * pieces.length()) {
+    std::fill_n(smooth, count, meanOf(pieces));
+    return;
+  }
+  const auto taps = static_cast<std::size_t>(kCutOff * sigma_mm / pieces.each_mm);
+  std::vector<double> kernel(taps);
+  double weights = 1.0;
+  for (std::size_t k = 0; k < taps; ++k) {
+    const double apart = static_cast<double>(k + 1) * pieces.each_mm / sigma_mm;
+    kernel[k] = std::exp(-0.5 * apart * apart);
+    weights += 2.0 * kernel[k];
+  }
+  std::vector<double> all = continued(pieces, taps);
+  all.resize(all.size() + kBlock);  // blocks are whole
+  for (std::size_t begin = 0; begin < count; begin += kBlock) {
+    const double* here = all.data() + taps + begin;
+    // Summed are differences, so that a constant stays as it is to the last bit.
+    double twice[kBlock];
+    double sum[kBlock] = {};
+    for (std::size_t j = 0; j < kBlock; ++j) twice[j] = 2.0 * here[j];
+    for (std::size_t k = 0; k < taps; ++k) {
+      const double* after = here + k + 1;
+      const double* before = here - k - 1;
+      for (std::size_t j = 0; j < kBlock; ++j) sum[j] += kernel[k] * (after[j] + before[j] - twice[j]);
+    }
+    const std::size_t end = std::min(kBlock, count - begin);
+    for (std::size_t j = 0; j < end; ++j) smooth[begin + j] = here[j] + sum[j] / weights;
+  }
+}
+
+/// A Gaussian of distances up to a greatest one, from a table.
+class WeightByDistance {
+ public:
+  WeightByDistance(double sigma_mm, double greatest_mm) : per_mm_(kTableSteps / greatest_mm) {
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      const double apart = static_cast<double>(i) / (per_mm_ * sigma_mm);
+      table_[i] = std::exp(-0.5 * apart * apart);
+    }
+  }
+  double at(float distance_mm) const {
+    const double place = static_cast<double>(distance_mm) * per_mm_;
+    const std::size_t i = std::min(static_cast<std::size_t>(place), std::size_t{kTableSteps} - 1);
+    return table_[i] + (place - static_cast<double>(i)) * (table_[i + 1] - table_[i]);
   }
 
  private:
-  static Box2 boxOf(const LayerCells& cells) {
-    Box2 box;
-    for (const Point3& middle : cells.middle) box.include(Point2(middle.head<2>()));
-    return box;
-  }
-  bool isOfOtherBead(std::size_t cell, std::size_t other) const {
-    if (run_of_[cell] != run_of_[other]) return true;
-    const CellRun& run = cells_.runs[run_of_[cell]];
-    double apart = std::abs(cells_.along_mm[cell] - cells_.along_mm[other]);
-    if (run.is_closed) apart = std::min(apart, run.length_mm - apart);
-    return apart > kFoldedReach * cells_.width_mm[cell];
-  }
-
-  const LayerCells& cells_;
-  PointGrid grid_;
-  std::vector<std::size_t> run_of_;
+  static constexpr int kTableSteps = 4096;
+  double per_mm_;
+  std::array<double, kTableSteps + 1> table_{};
 };
 
 std::vector<double> lowPassedAcross(const std::vector<double>& along, const LayerCells& cells, double sigma) {
-  const double widest = *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
-  if (!(widest > 0.0)) return along;
-  const NeighbourGrid grid(cells, widest);
+  float greatest = 0.0F;
+  for (const CellsBeside& beside : cells.beside) {
+    if (beside.left != CellsBeside::kNone) greatest = std::max(greatest, beside.left_mm);
+    if (beside.right != CellsBeside::kNone) greatest = std::max(greatest, beside.right_mm);
+  }
+  if (!(greatest > 0.0F)) return along;
+  const WeightByDistance weight(sigma, static_cast<double>(greatest));
   std::vector<double> across = along;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < cells.beside.size(); ++i) {
+    const CellsBeside& beside = cells.beside[i];
     double sum = 0.0;
-    double weights = 0.0;
-    const bool has_neighbour = grid.visitWithinBead(i, [&](std::size_t other, double squared) {
-      const double weight = std::exp(-0.5 * squared / (sigma * sigma));
-      sum += weight * along[other];
-      weights += weight;
-    });
-    if (has_neighbour) across[i] = sum / weights;
+    double weights = 1.0;
+    const auto count = [&](std::uint32_t other, float distance) {
+      if (other == CellsBeside::kNone) return;
+      const double share = weight.at(distance);
+      sum += share * (along[other] - along[i]);
+      weights += share;
+    };
+    count(beside.left, beside.left_mm);
+    count(beside.right, beside.right_mm);
+    across[i] += sum / weights;
   }
   return across;
 }
@@ -141,6 +201,12 @@ std::vector<double> lowPassedAcross(const std::vector<double>& along, const Laye
 std::vector<double> lowPassed(const std::vector<double>& values, const Stations& stations, double sigma_mm) {
   requireAscending(values, stations);
   if (!(sigma_mm > 0.0) || values.empty() || !(stations.length_mm > 0.0)) return values;
+  if (areEqual(stations)) {
+    std::vector<double> smooth(values.size());
+    const double each_mm = stations.length_mm / static_cast<double>(values.size());
+    smoothEqual({values.data(), values.size(), each_mm, stations.ends}, sigma_mm, smooth.data());
+    return smooth;
+  }
   const double reach = kCutOff * sigma_mm;
   const std::vector<Image> images = imagesOf(values, stations, reach);
   const double factor = -0.5 / (sigma_mm * sigma_mm);
@@ -172,12 +238,10 @@ Stations stationsOf(const LayerCells& cells, const CellRun& run) {
 std::vector<double> lowPassed(const std::vector<double>& values, const LayerCells& cells, double sigma_mm) {
   if (!(sigma_mm > 0.0) || cells.size() == 0) return values;
   std::vector<double> along(values.size());
-  for (const CellRun& run : cells.runs) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(run.first);
-    const std::vector<double> of_run(first, first + static_cast<std::ptrdiff_t>(run.count));
-    const std::vector<double> smooth = lowPassed(of_run, stationsOf(cells, run), sigma_mm);
-    std::copy(smooth.begin(), smooth.end(), along.begin() + static_cast<std::ptrdiff_t>(run.first));
-  }
+  for (const CellRun& run : cells.runs)
+    smoothEqual({values.data() + run.first, run.count, run.cellLength(),
+                 run.is_closed ? PathEnds::Joined : PathEnds::Reflected},
+                sigma_mm, along.data() + run.first);
   return lowPassedAcross(along, cells, sigma_mm);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "control/run_stretches.hpp"
+
 namespace lamina {
 namespace {
 
@@ -79,19 +81,15 @@ std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWin
 
 std::vector<RegionDecision> regionDecisions(const LayerCells& cells, const std::vector<double>& error_mm) {
   std::vector<RegionDecision> decisions;
+  const auto side = [&](std::size_t i) { return sideOf(error_mm[i], cells.height_mm[i]); };
   for (std::size_t r = 0; r < cells.runs.size(); ++r) {
     const CellRun& run = cells.runs[r];
-    const std::size_t end = run.first + run.count;
-    for (std::size_t begin = run.first; begin < end;) {
-      const int side = sideOf(error_mm[begin], cells.height_mm[begin]);
-      std::size_t last = begin;
-      while (last + 1 < end && sideOf(error_mm[last + 1], cells.height_mm[last + 1]) == side) ++last;
-      const std::size_t count = last - begin + 1;
-      const double length = static_cast<double>(count) * run.cellLength();
-      const bool is_wide = length >= kWideRegion * cells.width_mm[begin];
-      const RegionStep step = stepOf(error_mm[begin], cells.height_mm[begin], is_wide);
-      if (step != RegionStep::None) decisions.push_back({step, r, begin, count});
-      begin = last + 1;
+    for (const CellStretch& stretch :
+         stretchesOf(run, [&](std::size_t a, std::size_t b) { return side(a) == side(b); })) {
+      const double length = static_cast<double>(stretch.count) * run.cellLength();
+      const bool is_wide = length >= kWideRegion * cells.width_mm[stretch.first];
+      const RegionStep step = stepOf(error_mm[stretch.first], cells.height_mm[stretch.first], is_wide);
+      if (step != RegionStep::None) decisions.push_back({step, r, stretch.first, stretch.count});
     }
   }
   return decisions;

@@ -63,11 +63,16 @@ void missLayer(LoopStep& step, const LoopSettings& settings) {
 }
 
 void judgeStep(LoopStep& step, const LayerFigures& figures) {
+  if (!step.status.has_figures) return;
+  // Layers that were not measured in between may each have drifted.
+  const std::size_t last = step.status.layer;
+  const auto layers = static_cast<double>(figures.layer > last ? figures.layer - last : 1);
   const double jump = figures.mean_error_mm - step.status.mean_error_mm;
-  if (!step.status.has_figures || std::abs(jump) <= kStepLayers * figures.height_mm) return;
+  const double most = layers * kStepLayers * figures.height_mm;
+  if (std::abs(jump) <= most) return;
   raise(step, LoopAlarm::Step, LoopReaction::Hold,
-        "the mean error jumped by " + value(jump, " mm") + " from one layer to the next; expected at most " +
-            value(kStepLayers * figures.height_mm, " mm") + ": something broke or came off");
+        "the mean error jumped by " + value(jump, " mm") + " within " + value(layers, "") +
+            " layers; expected at most " + value(most, " mm") + ": something broke or came off");
 }
 
 void judgeDeviation(LoopStep& step, const LayerFigures& figures, const LoopSettings& settings) {
@@ -115,7 +120,7 @@ void judgeConsistency(LoopStep& step, const LayerFigures& figures) {
 
 }  // namespace
 
-LoopStatus afterRequest(const LoopStatus&, LoopRequest request, const StabilityReport& report) {
+LoopStatus afterRequest(LoopRequest request, const StabilityReport& report) {
   LoopStatus next;
   if (request == LoopRequest::Off) return next;
   next.reason = report.reason;
@@ -159,7 +164,7 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
 LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const LoopSettings& settings) {
   LoopStep step{status, {}};
   if (!isRunning(status.state)) return step;
-  if (figures.is_measured && figures.contested_share > kContestedShare) {
+  if (figures.contested_share > kContestedShare) {
     raise(step, LoopAlarm::Contested, LoopReaction::LeaveOut,
           value(100.0 * figures.contested_share, " %") +
               " of the layer's cells are contested; expected 20 % at most");
@@ -189,9 +194,20 @@ LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const
           "corrections are at their limits on " + value(100.0 * figures.limited_share, " %") +
               " of the length, three layers running; expected 5 % at most");
   next.has_figures = true;
+  next.layer = figures.layer;
   next.mean_error_mm = figures.mean_error_mm;
   next.rmse_mm = figures.rmse_mm;
   return step;
+}
+
+LoopStatus afterReplan(const LoopStatus& status, double raised_mm) {
+  LoopStatus next;
+  next.state = LoopState::Active;
+  next.has_figures = status.has_figures;
+  next.layer = status.layer;
+  next.mean_error_mm = status.mean_error_mm + raised_mm;
+  next.rmse_mm = std::max(status.rmse_mm, std::abs(next.mean_error_mm));
+  return next;
 }
 
 LoopStep beforeLayer(const LoopStatus& status, double lump_mm, double clearance_mm) {

@@ -50,8 +50,14 @@ std::vector<double> levelled(const std::vector<double>& heights, const PlantBead
 
 }  // namespace
 
-void describe(SettingsSchema& schema, PlantSettings& settings) {
+void describeFeeder(SettingsSchema& schema, PlantSettings& settings) {
   schema.number("plant.gain", settings.gain, {0.05, 5.0}, "Growth over commanded growth at the start.");
+  schema.number("plant.dead_time_s", settings.dead_time_s, {0.0, 60.0}, "Dead time of the feeder.");
+  schema.number("plant.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
+}
+
+void describe(SettingsSchema& schema, PlantSettings& settings) {
+  describeFeeder(schema, settings);
   schema.number("plant.wear", settings.wear, {0.0, 1.0}, "Share of the gain that is lost over the job.");
   schema.number("plant.end_loss", settings.end_loss, {-1.0, 1.0},
                 "Share of the growth lost at ends of beads.");
@@ -65,8 +71,6 @@ void describe(SettingsSchema& schema, PlantSettings& settings) {
                 "Loss of growth per nozzle too far away, in layer heights.");
   schema.number("plant.levelling_mm", settings.levelling_mm, {0.0, 100.0},
                 "Standard deviation of the Gaussian by which the surface levels itself.");
-  schema.number("plant.dead_time_s", settings.dead_time_s, {0.0, 60.0}, "Dead time of the feeder.");
-  schema.number("plant.lag_s", settings.lag_s, {0.0, 60.0}, "Time constant of the feeder.");
   schema.number("plant.thermal", settings.thermal, {0.0, 1.0}, "Share of a layer that settles per 100 K.");
   schema.number("plant.cooling_s", settings.cooling_s, {0.1, 1e5}, "Time in which the wall cools.");
   schema.number("plant.slump_s", settings.slump_s, {0.1, 1e5}, "Time in which a layer settles.");
@@ -78,6 +82,16 @@ void describe(SettingsSchema& schema, PlantSettings& settings) {
   schema.integer("plant.detach_at_layer", settings.detach_at_layer, {0.0, 1e6},
                  "Layer before which a piece of 30 mm breaks off; 0 for none.");
   schema.integer("plant.seed", settings.seed, {0.0, 1e9}, "Seed of what is random.");
+}
+
+bool isDisturbed(const PlantSettings& settings) {
+  const bool has_offset = std::any_of(settings.nozzle_offset_mm.begin(), settings.nozzle_offset_mm.end(),
+                                      [](double offset) { return offset != 0.0; });
+  const bool is_clogged = settings.clog_at_layer > 0 && settings.clog != 0.0;
+  return has_offset || is_clogged || settings.gain != 1.0 || settings.wear != 0.0 ||
+         settings.end_loss != 0.0 || settings.wave != 0.0 || settings.random != 0.0 ||
+         settings.standoff != 0.0 || settings.levelling_mm != 0.0 || settings.dead_time_s != 0.0 ||
+         settings.lag_s != 0.0 || settings.thermal != 0.0 || settings.detach_at_layer > 0;
 }
 
 GrowthPlant::GrowthPlant(PlantSettings settings) : settings_(std::move(settings)) {}

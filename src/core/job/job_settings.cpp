@@ -41,7 +41,7 @@ void requireNothingOnBed(const PlanSettings& settings, const std::string& layers
   require(adhesion.prime.line == PrimeLine::None, "prime.line is set", "'none'");
 }
 
-/// Over inclined layers no line of a sensor lies level, and no loop round them keeps to the bed.
+/// No loop round inclined layers keeps to the bed.
 void requireConsistentPlane(const JobSettings& settings) {
   const double angle_deg = settings.slicing.plane.angle_deg;
   if (angle_deg == 0.0 && settings.slicing.mode == "inclined")
@@ -54,9 +54,6 @@ void requireConsistentPlane(const JobSettings& settings) {
                         "; expected none: only level layers have regions of "
                         "their own settings");
   const std::string inclined = " with slicing.plane.angle_deg " + std::to_string(angle_deg);
-  if (settings.scan.every_layers != 0)
-    throw InvalidConfig("scan.every_layers is " + std::to_string(settings.scan.every_layers) + inclined +
-                        "; expected 0: only level layers are scanned");
   if (settings.planning.first_layer.inset_mm != 0.0)
     throw InvalidConfig("first_layer.inset_mm is " + std::to_string(settings.planning.first_layer.inset_mm) +
                         inclined + "; expected 0: only a level first layer lies on the bed as a whole");
@@ -115,7 +112,10 @@ void requirePlaneLayersFor(const JobSettings& settings) {
           "0: arcs lie in level layers only");
   require(settings.scan.every_layers == 0,
           "scan.every_layers is " + std::to_string(settings.scan.every_layers),
-          "0: only level layers are scanned");
+          "0: only plane layers are scanned");
+  require(settings.planning.infill.every_layers == 1,
+          "infill.every_layers is " + std::to_string(settings.planning.infill.every_layers),
+          "1: only plane layers share an infill");
   require(!settings.drop_voids.is_on, "drop_voids.fill is true",
           "false: voids between drops are filled in level layers");
   require(settings.modifiers.empty(), "part.modifiers is '" + settings.modifiers + "'",
@@ -136,6 +136,26 @@ void requirePlaneLayersFor(const JobSettings& settings) {
 }
 
 }  // namespace
+
+PlanSettings planOfPrinters() {
+  PlanSettings settings;
+  settings.skins.top_layers = settings.skins.bottom_layers = 4;
+  settings.bridges.is_used = true;
+  settings.overhangs.is_used = true;
+  return settings;
+}
+
+CoolingSettings coolingOfPrinters() {
+  CoolingSettings settings;
+  settings.least_layer_time_s = 5.0;
+  return settings;
+}
+
+FanSettings fanOfPrinters() {
+  FanSettings settings;
+  settings.is_used = true;
+  return settings;
+}
 
 void describe(SettingsSchema& schema, JobSettings& settings) {
   describe(schema, settings.input);

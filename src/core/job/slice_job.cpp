@@ -5,11 +5,11 @@
 #include <sys/resource.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "job/cooled_part.hpp"
 #include "job/first_layer_heat.hpp"
 #include "job/flow_control.hpp"
 #include "job/joint_program.hpp"
@@ -22,7 +22,6 @@
 #include "lamina/job/annotations/progress_marks.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/output_writer.hpp"
-#include "lamina/planning/cooling/cooling.hpp"
 #include "lamina/planning/hooks/hooks.hpp"
 #include "lamina/planning/tools/tool_heating.hpp"
 #include "lamina/program/gcode/gcode_dialect.hpp"
@@ -71,21 +70,6 @@ void write(const SliceJob& job, const BuildSpace& space, const SlicedPart& slice
               program, annotations);
 }
 
-/// Least layer times and fan, with a note of what was changed.
-void coolPart(SlicedPart& sliced, const JobSettings& settings, Progress& progress) {
-  const CoolingSummary summary = cool(sliced.toolpath, settings.cooling, settings.motion, progress);
-  const auto note = [&sliced](std::size_t count, const std::string& what) {
-    if (count > 0) sliced.summary.notes.push_back(std::to_string(count) + " layers " + what);
-  };
-  note(summary.slowed_layers, "are slowed down to take their least time");
-  char waiting[64];
-  std::snprintf(waiting, sizeof waiting, "are waited for, %.1f s in all", summary.dwell_s);
-  note(summary.dwells, waiting);
-  note(summary.reordered_layers, "are laid in another order, so that places are left alone for longer");
-  note(summary.too_fast_layers, "take less than their least time, even at the least feed");
-  addFan(sliced.toolpath, settings.fan, settings.motion);
-}
-
 /// Temperatures of tools, pauses, and code of the user's own.
 void hookPart(SlicedPart& sliced, const JobSettings& settings, const BuildSpace& space) {
   HookSite site;
@@ -123,7 +107,7 @@ SlicedPart runIn(const BuildSpace& space, const SliceJob& job, const SliceFuncti
   progress.report("read", 0.0);
   SlicedPart sliced = slice(job, space, progress);
   limitFlowOf(sliced, job.settings, progress);
-  coolPart(sliced, job.settings, progress);
+  coolPart(sliced, job, space, progress);
   finishFlowOf(sliced, job.settings, progress);
   addHeatAfterFirstLayer(sliced.toolpath, job.settings.planning.first_layer, job.settings.program);
   hookPart(sliced, job.settings, space);

@@ -10,15 +10,16 @@
 
 namespace lamina {
 
-ExpectedSurface::ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& bed_from_part)
-    : heights_(grid), bed_from_part_(bed_from_part), top_in_layer_(grid.cellCount(), 0) {}
+ExpectedSurface::ExpectedSurface(const HeightGrid& grid, const Eigen::Isometry3d& heights_from_part)
+    : heights_(grid), heights_from_part_(heights_from_part), top_in_layer_(grid.cellCount(), 0) {}
 
 void ExpectedSurface::addLayer(const ToolpathLayer& layer) {
   ++layers_;
   top_cells_.clear();
   for (const Path& path : layer.paths)
     forEachDepositedSegment(path, [&](const DepositedSegment& segment) {
-      addMotion(bed_from_part_ * segment.start, bed_from_part_ * segment.end, segment.bead, path.role);
+      addMotion(heights_from_part_ * segment.start, heights_from_part_ * segment.end, segment.bead,
+                path.role);
     });
 }
 

@@ -6,17 +6,18 @@
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
 
-HeightGrid gridAround(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+HeightGrid gridAround(const Toolpath& toolpath, const Eigen::Isometry3d& heights_from_part,
                       const MonitorSettings& settings) {
   Box2 area;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths)
       if (path.role != PathRole::Travel)
-        for (const Point3& point : path.points) area.include((bed_from_part * point).head<2>());
+        for (const Point3& point : path.points) area.include((heights_from_part * point).head<2>());
   if (area.isEmpty())
     throw InvalidInput("toolpath '" + toolpath.part_name + "' deposits nothing; nothing to measure");
   const Point2 margin(settings.margin_mm, settings.margin_mm);
@@ -28,12 +29,17 @@ HeightGrid gridAround(const Toolpath& toolpath, const Eigen::Isometry3d& bed_fro
 HeightMonitor::HeightMonitor(Toolpath toolpath, const Eigen::Isometry3d& bed_from_part,
                              const MonitorSettings& settings)
     : toolpath_(std::move(toolpath)),
-      bed_from_part_(bed_from_part),
-      clock_(toolpath_, bed_from_part, settings.scan_clearance_mm),
-      measured_(gridAround(toolpath_, bed_from_part, settings)),
-      expected_(measured_.grid(), bed_from_part),
+      heights_from_part_(heightsFromPart(toolpath_, bed_from_part)),
+      heights_from_bed_(heights_from_part_ * bed_from_part.inverse()),
+      is_bed_frame_(heights_from_part_.matrix() == bed_from_part.matrix()),
+      clock_(toolpath_, heights_from_part_, settings.scan_clearance_mm),
+      measured_(gridAround(toolpath_, heights_from_part_, settings)),
+      expected_(measured_.grid(), heights_from_part_),
       deviation_(measured_.grid()),
-      to_report_(clock_.scannedLayers()) {}
+      to_report_(clock_.scannedLayers()) {
+  // A place on the bed stays the same to the last bit where its height is one over the bed.
+  if (is_bed_frame_) heights_from_bed_.setIdentity();
+}
 
 LayerHeightReports HeightMonitor::move(double nozzle_height) {
   at_scan_of_ = clock_.observe(nozzle_height);
@@ -63,7 +69,8 @@ LayerHeightReports HeightMonitor::insert(const std::vector<Point3>& points, doub
 void HeightMonitor::fuse(const std::vector<Point3>& points) {
   std::size_t first = 0;
   for (const Point3& point : points) {
-    const MeasuredSurface::Fused fused = measured_.insert(point);
+    const MeasuredSurface::Fused fused =
+        measured_.insert(is_bed_frame_ ? point : Point3(heights_from_bed_ * point));
     first += fused == MeasuredSurface::Fused::First ? 1 : 0;
     points_outside_ += fused == MeasuredSurface::Fused::Outside ? 1 : 0;
   }
@@ -104,7 +111,8 @@ LayerHeightReports HeightMonitor::missedBelow(std::size_t layer) {
 LayerHeightReport HeightMonitor::reportOf(std::size_t layer) const {
   LayerHeightReport report;
   report.layer = layer;
-  report.expected_height_mm = (bed_from_part_ * Point3(0.0, 0.0, toolpath_.layers[layer].z_mm)).z();
+  const Point3 top = toolpath_.layers[layer].z_mm * layerNormal(toolpath_);
+  report.expected_height_mm = (heights_from_part_ * top).z();
   return report;
 }
 

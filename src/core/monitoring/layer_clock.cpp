@@ -14,18 +14,26 @@ namespace {
 constexpr double kSteady =
     1e-3;  // mm between two observations: a nozzle that changes height neither prints a layer nor scans it
 
+constexpr double kLevelOnBed = 1e-9;  // sine
+
 }  // namespace
 
-LayerClock::LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part,
+Eigen::Isometry3d heightsFromPart(const Toolpath& toolpath, const Eigen::Isometry3d& bed_from_part) {
+  const Point3 normal = bed_from_part.linear() * layerNormal(toolpath);
+  if (normal.z() > 0.0 && normal.head<2>().norm() < kLevelOnBed) return bed_from_part;
+  return Eigen::Isometry3d(toolpath.part_from_layers.conjugate());
+}
+
+LayerClock::LayerClock(const Toolpath& toolpath, const Eigen::Isometry3d& heights_from_part,
                        double clearance_mm) {
-  requireLevelLayers(toolpath, "the height monitor");
-  const auto onBed = [&bed_from_part](double z) { return (bed_from_part * Point3(0.0, 0.0, z)).z(); };
+  const Point3 normal = layerNormal(toolpath);
+  const auto heightOf = [&](double z) { return (heights_from_part * Point3(z * normal)).z(); };
   for (std::size_t i = 0; i < toolpath.layers.size(); ++i) {
     const ToolpathLayer& layer = toolpath.layers[i];
     const double tolerance = 0.25 * layer.height_mm;
-    prints_.push_back({onBed(layer.z_mm), tolerance, i});
-    if (isScanned(layer, clearance_mm))
-      scans_.push_back({onBed(scanHeight(layer, clearance_mm)), tolerance, i});
+    prints_.push_back({heightOf(layer.z_mm), tolerance, i});
+    if (isScanned(layer, clearance_mm, normal))
+      scans_.push_back({heightOf(scanHeight(layer, clearance_mm)), tolerance, i});
   }
   const auto isLower = [](const Mark& a, const Mark& b) { return a.height_mm < b.height_mm; };
   std::sort(scans_.begin(), scans_.end(), isLower);

@@ -11,15 +11,17 @@
 
 namespace lamina {
 
-std::shared_ptr<octomap::OcTree> octreeOf(const HeightMap& surface, double units_per_mm) {
+std::shared_ptr<octomap::OcTree> octreeOf(const HeightMap& surface, double units_per_mm,
+                                          const Eigen::Isometry3d& tree_from_map) {
   const HeightGrid& grid = surface.grid();
   auto tree = std::make_shared<octomap::OcTree>(grid.cell_mm * units_per_mm);
   const float occupied = tree->getClampingThresMaxLog();
   for (std::size_t cell = 0; cell < grid.cellCount(); ++cell) {
     if (!surface.isKnown(cell)) continue;
-    const Point2 centre = grid.centre(cell) * units_per_mm;
+    const Point2 centre = grid.centre(cell);
+    const Point3 place = tree_from_map * Point3(centre.x(), centre.y(), surface.at(cell)) * units_per_mm;
     octomap::OcTreeKey key;
-    if (!tree->coordToKeyChecked(centre.x(), centre.y(), surface.at(cell) * units_per_mm, key))
+    if (!tree->coordToKeyChecked(place.x(), place.y(), place.z(), key))
       throw InvalidInput("height map reaches farther from the origin than an octree with leaves of " +
                          std::to_string(grid.cell_mm) + " mm, which ends at " +
                          std::to_string(32768.0 * grid.cell_mm) + " mm");

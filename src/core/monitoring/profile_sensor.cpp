@@ -12,6 +12,9 @@
 namespace lamina {
 namespace {
 
+constexpr double kHour = 3600.0;                    // s
+constexpr std::uint64_t kDefects = 0x5DEECE66DULL;  // other numbers than those of the noise
+
 /// Part of a ray within the measuring range [mm, bed frame].
 struct Ray {
   Point3 near;
@@ -65,34 +68,84 @@ std::optional<double> firstHit(const HeightSource& surface, const Ray& ray, doub
   return std::nullopt;
 }
 
+bool isChosen(Random& random, double rate) { return rate > 0.0 && random.uniform(0.0, 1.0) < rate; }
+
 }  // namespace
 
 ProfileSensor::ProfileSensor(const ProfileSensorSettings& settings)
-    : settings_(settings), random_(static_cast<std::uint64_t>(settings.seed)) {
+    : settings_(settings),
+      random_(static_cast<std::uint64_t>(settings.seed)),
+      defects_(static_cast<std::uint64_t>(settings.seed) ^ kDefects) {
   if (!(settings.range_mm < 2.0 * settings.stand_off_mm))
     throw InvalidConfig("sensor.range_mm is " + std::to_string(settings.range_mm) +
                         "; must be below twice sensor.stand_off_mm, " +
                         std::to_string(2.0 * settings.stand_off_mm));
 }
 
+/// Along a profile a process of first order, so that neighbours correlate as told.
+double ProfileSensor::noise() {
+  if (!(settings_.noise_mm > 0.0)) return 0.0;
+  const double fresh = random_.normal(0.0, settings_.noise_mm);
+  const double rho = settings_.noise_correlation;
+  if (rho == 0.0) return fresh;
+  last_noise_mm_ = last_noise_mm_ ? rho * *last_noise_mm_ + std::sqrt(1.0 - rho * rho) * fresh : fresh;
+  return *last_noise_mm_;
+}
+
 std::vector<Point3> ProfileSensor::measure(const HeightSource& surface,
-                                           const Eigen::Isometry3d& bed_from_sensor, double highest) {
+                                           const Eigen::Isometry3d& bed_from_sensor, double highest,
+                                           double now_s) {
   std::vector<Point3> points;
   points.reserve(static_cast<std::size_t>(settings_.points));
+  last_noise_mm_.reset();
   const double nearest = settings_.stand_off_mm - 0.5 * settings_.range_mm;
   const double farthest = settings_.stand_off_mm + 0.5 * settings_.range_mm;
+  const double shift = settings_.bias_mm + settings_.drift_mm_h * now_s / kHour;
   for (int i = 0; i < settings_.points; ++i) {
     const double across = settings_.points == 1 ? 0.0 : double(i) / (settings_.points - 1) - 0.5;
     const Point3 per_mm(across * settings_.width_mm / settings_.stand_off_mm, 0.0, 1.0);
     const Ray ray{bed_from_sensor * Point3(nearest * per_mm), bed_from_sensor * Point3(farthest * per_mm)};
     const auto hit = firstHit(surface, ray, clearPart(ray, highest));
-    const double noise = settings_.noise_mm > 0.0 ? random_.normal(0.0, settings_.noise_mm) : 0.0;
+    const double noise_mm = noise();
     if (!hit) continue;
     const double depth = nearest + *hit * (farthest - nearest);
-    if (*hit > 0.0) points.push_back(depth * per_mm + Point3(0.0, 0.0, noise));
+    if (!(*hit > 0.0) || isChosen(defects_, settings_.dropout_rate)) continue;
+    if (isChosen(defects_, settings_.spray_rate)) {
+      points.push_back(defects_.uniform(nearest, depth) * per_mm);
+    } else {
+      points.push_back(depth * per_mm + Point3(0.0, 0.0, noise_mm));
+      if (shift != 0.0) points.back().z() += shift;
+    }
+    if (isChosen(defects_, settings_.mirror_rate))
+      points.push_back(defects_.uniform(depth, farthest) * per_mm);
   }
   return points;
 }
+
+double ProfileSensor::stampError() {
+  const double jitter = settings_.stamp_jitter_s > 0.0 ? defects_.normal(0.0, settings_.stamp_jitter_s) : 0.0;
+  return settings_.time_offset_s + jitter;
+}
+
+namespace {
+
+void describeDefects(SettingsSchema& schema, ProfileSensorSettings& settings) {
+  const Bounds share{0.0, 1.0};
+  schema.number("sensor.noise_correlation", settings.noise_correlation, {0.0, 0.999},
+                "Correlation of the noise from one point of a profile to the next.");
+  schema.number("sensor.time_offset_s", settings.time_offset_s, {-10.0, 10.0}, "Stamp less true time.");
+  schema.number("sensor.stamp_jitter_s", settings.stamp_jitter_s, {0.0, 1.0},
+                "Standard deviation of stamps.");
+  schema.number("sensor.spray_rate", settings.spray_rate, share,
+                "Share of points that show spray above the surface.");
+  schema.number("sensor.mirror_rate", settings.mirror_rate, share,
+                "Share of points with a second return behind them.");
+  schema.number("sensor.dropout_rate", settings.dropout_rate, share, "Share of points that are missing.");
+  schema.number("sensor.bias_mm", settings.bias_mm, {-100.0, 100.0}, "Added to depths.");
+  schema.number("sensor.drift_mm_h", settings.drift_mm_h, {-100.0, 100.0}, "Added to depths per hour.");
+}
+
+}  // namespace
 
 void describe(SettingsSchema& schema, ProfileSensorSettings& settings) {
   const Bounds length{0.0, 1000.0, true};
@@ -103,6 +156,7 @@ void describe(SettingsSchema& schema, ProfileSensorSettings& settings) {
                 "Depth of the measuring range around the stand-off.");
   schema.number("sensor.noise_mm", settings.noise_mm, {0.0, 10.0}, "Standard deviation of a point's depth.");
   schema.integer("sensor.seed", settings.seed, {0, 2147483647}, "Seed of the noise.");
+  describeDefects(schema, settings);
 }
 
 }  // namespace lamina

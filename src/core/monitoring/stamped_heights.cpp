@@ -66,7 +66,7 @@ void StampedHeights::step() {
   way_begin_ns_ = reached_ ? reached_->stamp_ns : next.stamp_ns;
   was_moving_ = way_mm_ > 0.0;
   reached_ = next;
-  report(monitor_.move(next.tip.z()));
+  report(monitor_.move(monitor_.heightOf(next.tip)));
   if (!monitor_.isScanning()) cells_in_scan_ = 0;
 }
 

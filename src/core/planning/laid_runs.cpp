@@ -24,6 +24,20 @@ double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::s
   return missed;
 }
 
+std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs) {
+  std::vector<RunEnds> ends;
+  ends.reserve(runs.size());
+  for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
+  return ends;
+}
+
+std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops) {
+  std::vector<RunEnds> ends;
+  ends.reserve(loops.size());
+  for (const Polygon& loop : loops) ends.push_back({loop.front(), loop.front()});
+  return ends;
+}
+
 std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before) {
   std::vector<RunEnds> ends;
   for (std::size_t i = before; i < paths.size(); ++i)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/geometry/polygon/polygon.hpp"
+#include "lamina/infill/fill_path.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/order/ordering.hpp"
 
@@ -13,6 +14,11 @@ namespace lamina {
 
 /// Area [mm²] of those regions into which none of the paths goes that follow the first so many.
 double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::size_t before);
+
+/// Where runs start and end.
+std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs);
+/// Of closed runs both are the first point.
+std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops);
 
 /// Ends of the runs of infill among the paths that follow the first so many.
 std::vector<RunEnds> fillsSince(const std::vector<Path>& paths, std::size_t before);

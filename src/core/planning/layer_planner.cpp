@@ -4,24 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/polygon/inside.hpp"
 #include "infill/contour/corner_smoothing.hpp"
 #include "infill/drops/drop_fill.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/error_place.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/geometry/polygon/simplify.hpp"
-#include "lamina/infill/strategy.hpp"
-#include "lamina/planning/plan_settings.hpp"
 #include "lamina/slicing/failing_layer.hpp"
-#include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "lamina/voids/beads/refill.hpp"
 #include "planning/bridges/hollow_below.hpp"
@@ -31,43 +27,22 @@
 #include "planning/modifiers/island_pieces.hpp"
 #include "planning/modifiers/run_clipping.hpp"
 #include "planning/order/anchored_run.hpp"
+#include "planning/order/bed_side.hpp"
 #include "planning/order/ordering.hpp"
 #include "planning/order/support_test.hpp"
 #include "planning/overhangs/overhanging_path.hpp"
 #include "planning/role_feed.hpp"
+#include "planning/run_path.hpp"
 #include "planning/seams/seam.hpp"
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
-#include "planning/travel/travel.hpp"
-#include "planning/walls/infill_spacing.hpp"
 #include "planning/walls/walls.hpp"
-#include "run_path.hpp"
 
 namespace lamina {
 namespace {
-
-constexpr double kEquallyNear = 1e-6;  // mm: rounding of rotations
-
-/// The point of a layer's contours that is nearest to the bed; of several within 1e-6 mm the first along x,
-/// then along y. None of an empty layer.
-std::optional<Point2> bedSide(const Layer& layer, const BedPlane& bed) {
-  const auto height = [&](const Point2& point) {
-    return bed.heightOf({point.x(), point.y(), layer.bounds.top_mm});
-  };
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Polygon& contour : layer.section.contours)
-    for (const Point2& point : contour) lowest = std::min(lowest, height(point));
-  std::optional<Point2> side;
-  for (const Polygon& contour : layer.section.contours)
-    for (const Point2& point : contour)
-      if (height(point) <= lowest + kEquallyNear &&
-          (!side || std::make_pair(point.x(), point.y()) < std::make_pair(side->x(), side->y())))
-        side = point;
-  return side;
-}
 
 bool isAnchored(const PlanContext& context) {
   return context.bed && context.settings.anchoring.strategy == Anchoring::SupportedStart;
@@ -95,6 +70,7 @@ class LayerPlanner {
         cover_(stacked.cover),
         cover_below_(stacked.cover_below),
         branches_(stacked.branches),
+        group_(stacked.group),
         aids_(stacked.aids),
         below_(*stacked.layer, stacked.cover, context.bed, context.settings, index) {
     const Layer& layer = *stacked.layer;
@@ -110,17 +86,15 @@ class LayerPlanner {
 
   /// Once only.
   PlannedLayer plan(const std::vector<Polygon>& contours) {
-    const Regions material = unite(simplify(contours, settings_.simplification_mm));
+    const Regions material =
+        cover_ != nullptr ? *cover_->material : unite(simplify(contours, settings_.simplification_mm));
     setMaterial(material);
     if (aids_ != nullptr)
       for (const AidRuns& aids : *aids_) addAids(aids);
     if (laysDrops()) requireFewDrops(material, settings_.fill.drops);
-    std::vector<RunEnds> islands;
-    for (const Region& island : material) {
-      const Polygon outline = seam_.placed(island.outer);
-      islands.push_back({outline.front(), outline.front()});
-    }
-    for (const OrderedRun& next : orderRuns(islands, nozzle_)) {
+    std::vector<Polygon> islands;
+    for (const Region& island : material) islands.push_back(seam_.placed(island.outer));
+    for (const OrderedRun& next : orderRuns(endsOf(islands), nozzle_)) {
       const Region& island = material[next.run];
       island_ = next.run;
       is_in_island_ = true;
@@ -150,7 +124,16 @@ class LayerPlanner {
     return contact == WallContact::Fitted && !isSolid(infill_) ? WallContact::Overlapping : contact;
   }
 
-  bool takesSkins() const { return cover_ != nullptr && hasSkins(settings_.skins) && !isSolid(infill_); }
+  /// By which the infill reaches into the walls [mm].
+  double overlap() const {
+    return contact() == WallContact::Overlapping ? settings_.infill.wall_overlap * settings_.bead.width_mm
+                                                 : 0.0;
+  }
+
+  bool takesSkins() const {
+    return cover_ != nullptr && hasSkins(settings_.skins) &&
+           (!isSolid(infill_) || context_.strategy.contact == WallContact::Fitted);
+  }
 
   /// @param spans  whether something of the island lies over a gap
   bool needsSkins(bool spans) const {
@@ -175,14 +158,16 @@ class LayerPlanner {
       if (pieces.size() > 1) return addPieces(island, pieces);
       if (pieces.front().plan != &rest) {
         double unprinted_mm2 = 0.0;
-        planBy(pieces.front(), [&](LayerPlanner& planner) { unprinted_mm2 = planner.addIsland(island); });
+        planBy(*pieces.front().plan,
+               [&](LayerPlanner& planner) { unprinted_mm2 = planner.addIsland(island); });
         return unprinted_mm2;
       }
     }
     const bool spans = below_.leavesGaps({island});
     bool has_skins = needsSkins(spans);
     Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
-    if (takesSkins() && !has_skins && hasSmallInfill(walls)) {
+    if (takesSkins() && !has_skins && !isSolid(infill_) &&
+        hasSmall(walls.infill, settings_.skins.least_infill_mm2)) {
       has_skins = true;
       walls = makeWalls({island}, settings_, pitch_, WallContact::Beside);
     }
@@ -193,13 +178,13 @@ class LayerPlanner {
     const std::size_t before = result_.paths.size();
     if (has_skins) {
       addSkinsAndInfill(walls.infill, before);
-      return walls.unprinted_mm2;
+    } else {
+      if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
+      keepSeen(walls.infill);
+      starts_ += startsOf(walls.infill, fillsSince(result_.paths, before), pitch_);
+      addShortest(std::move(walls.narrow_infill), {});
+      if (!isSolid(infill_)) appendTo(sparse_, walls.infill);
     }
-    if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
-    keepSeen(walls.infill);
-    starts_ += startsOf(walls.infill, fillsSince(result_.paths, before), pitch_);
-    addShortest(std::move(walls.narrow_infill), {});
-    if (!isSolid(infill_)) appendTo(sparse_, walls.infill);
     return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, result_.paths, before) : 0.0);
   }
 
@@ -244,9 +229,16 @@ class LayerPlanner {
   }
 
   /// An island in several pieces: as many walls as the piece with the fewest has go all round; the others
-  /// lie in their pieces.
+  /// lie in their pieces. Where the plan itself has none, what holds for whole layers is that of the pieces.
   /// @return area [mm²] that gets no bead
   double addPieces(const Region& island, const std::vector<IslandPiece>& pieces) {
+    const auto is_planned_here = [this](const IslandPiece& each) { return each.plan->context == &context_; };
+    if (std::none_of(pieces.begin(), pieces.end(), is_planned_here)) {
+      double unprinted_mm2 = 0.0;
+      planBy(*pieces.front().plan,
+             [&](LayerPlanner& planner) { unprinted_mm2 = planner.addPieces(island, pieces); });
+      return unprinted_mm2;
+    }
     PlanSettings fewest = settings_;
     fewest.walls.count = leastWalls(pieces);
     Walls walls = makeWalls({island}, fewest, pitch_, WallContact::Beside);
@@ -257,34 +249,48 @@ class LayerPlanner {
     };
     if (settings_.walls.order == WallOrder::OutsideIn) addCommonWalls();
     for (const IslandPiece& piece : pieces)
-      planBy(piece, [&](LayerPlanner& planner) {
+      planBy(*piece.plan, [&](LayerPlanner& planner) {
         planner.addInnerWalls(island, piece.area, static_cast<std::size_t>(fewest.walls.count));
       });
     if (settings_.walls.order == WallOrder::InsideOut) addCommonWalls();
     for (const IslandPiece& piece : pieces)
-      planBy(piece, [&](LayerPlanner& planner) { planner.fillPiece(island, piece.area); });
+      planBy(*piece.plan, [&](LayerPlanner& planner) { planner.fillPiece(island, piece.area); });
     return walls.unprinted_mm2;
   }
 
-  /// Goes on by the settings of a piece from where the nozzle is.
+  /// Goes on by another plan of the layer from where the nozzle is.
   template <class Step>
-  void planBy(const IslandPiece& piece, const Step& step) {
+  void planBy(const LayerVariant& plan, const Step& step) {
     StackedLayer stacked = stacked_;
-    stacked.cover = piece.plan->cover;
-    stacked.cover_below = piece.plan->cover_below;
-    stacked.branches = piece.plan->branches;
+    stacked.cover = plan.cover;
+    stacked.cover_below = plan.cover_below;
+    stacked.branches = plan.branches;
     stacked.aids = nullptr;
     stacked.variants.clear();
-    LayerPlanner planner(stacked, index_, *piece.plan->context);
+    planWith(stacked, plan, step);
+  }
+
+  template <class Step>
+  void planWith(const StackedLayer& stacked, const LayerVariant& plan, const Step& step) {
+    LayerPlanner planner(stacked, index_, *plan.context);
     if (material_ != nullptr) planner.setMaterial(*material_);
     planner.nozzle_ = nozzle_;
     planner.island_ = island_;
     planner.travels_.setSeen(travels_.seen());
     step(planner);
+    takeOver(planner, plan);
+  }
+
+  /// What another planner laid, and found.
+  void takeOver(LayerPlanner& planner, const LayerVariant& plan) {
     starts_ += planner.starts_;
     bridging_ += planner.bridging_;
     appendTo(sparse_, planner.sparse_);
-    appendTo(seen_, planner.seen_);
+    if (plan.context == &context_)
+      appendTo(seen_, planner.seen_);
+    else if (!planner.seen_.empty())
+      seen_by_.push_back({&plan, std::move(planner.seen_)});
+    std::move(planner.seen_by_.begin(), planner.seen_by_.end(), std::back_inserter(seen_by_));
     std::vector<Path>& paths = planner.result_.paths;
     if (paths.empty()) return;
     if (!result_.paths.empty()) addTravelTo(paths.front().firstPoint(), TravelOver::Anything);
@@ -313,10 +319,8 @@ class LayerPlanner {
   void fillPiece(const Region& island, const Regions& piece) {
     const bool spans = below_.leavesGaps({island});
     const bool has_skins = needsSkins(spans);
-    const WallContact beside = has_skins ? WallContact::Beside : contact();
-    const double overlap_mm =
-        beside == WallContact::Overlapping ? settings_.infill.wall_overlap * settings_.bead.width_mm : 0.0;
-    Walls walls = makeWalls({island}, settings_, pitch_, beside);
+    const double overlap_mm = has_skins ? 0.0 : overlap();
+    Walls walls = makeWalls({island}, settings_, pitch_, has_skins ? WallContact::Beside : contact());
     Regions inside = intersection(walls.infill, overlap_mm > 0.0 ? offset(piece, overlap_mm) : piece);
     if (spans) inside = addBridges(below_.bridged(inside, pitch_));
     if (inside.empty()) return;
@@ -332,42 +336,41 @@ class LayerPlanner {
     if (!isSolid(infill_)) appendTo(sparse_, inside);
   }
 
-  /// Bottom skins first and top skins last, so that nothing is laid over what is seen.
+  /// Bottom skins first and top skins last, so that nothing is laid over what is seen. A solid infill gets
+  /// their roles and stays what it is.
   /// @param inside  walls
   /// @param before  how many paths there were before
   void addSkinsAndInfill(const Regions& inside, std::size_t before) {
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
+    const auto lay = [&](const Regions& area, PathRole role) {
+      if (!isSolid(infill_)) return addSkin(area, role);
+      addFitted(area, role, infillRequest(), context_.strategy);
+    };
     areas.skin = withoutLowest(std::move(areas.skin), inside);
-    addSkin(areas.bottom_skin, PathRole::BottomSkin);
-    addSkin(areas.skin, PathRole::Skin);
-    if (infill_.spacing_mm > 0.0 && !areas.sparse.empty()) {
-      const double overlap = contact() == WallContact::Overlapping
-                                 ? settings_.infill.wall_overlap * settings_.bead.width_mm
-                                 : 0.0;
-      addInfill(infillArea(overlap > 0.0 ? offset(areas.sparse, overlap) : areas.sparse));
+    lay(areas.bottom_skin, PathRole::BottomSkin);
+    lay(areas.skin, PathRole::Skin);
+    if (isSolid(infill_)) {
+      lay(areas.sparse, PathRole::Infill);
+    } else if (infill_.spacing_mm > 0.0 && !areas.sparse.empty()) {
+      addInfill(infillArea(overlap() > 0.0 ? offset(areas.sparse, overlap()) : areas.sparse));
     }
     travels_.addSeen(areas.top_skin);
-    addSkin(areas.top_skin, PathRole::TopSkin);
+    lay(areas.top_skin, PathRole::TopSkin);
     if (settings_.ironing.is_used) appendTo(seen_, areas.top_skin);
     starts_ += startsOf(inside, fillsSince(result_.paths, before), pitch_);
-    appendTo(sparse_, areas.sparse);
-  }
-
-  bool hasSmallInfill(const Walls& walls) const {
-    return std::any_of(walls.infill.begin(), walls.infill.end(), [this](const Region& region) {
-      return area({region}) < settings_.skins.least_infill_mm2;
-    });
+    if (!isSolid(infill_)) appendTo(sparse_, areas.sparse);
   }
 
   /// Lays the lowest skin over a sparse infill across its lines, if that is asked for.
   /// @return the other skins
   Regions withoutLowest(Regions skin, const Regions& inside) {
-    if (!bridgesInfill() || infill_.spacing_mm == 0.0) return skin;
+    if (!bridgesInfill() || infill_.spacing_mm == 0.0 || isSolid(infill_)) return skin;
     const SkinAreas beneath = skinAreas(inside, *cover_below_, skinMeasures(settings_, pitch_));
     const Regions lowest = intersection(skin, beneath.sparse);
     if (lowest.empty()) return skin;
     const std::size_t before = result_.paths.size();
-    const double across_deg = acrossLines(linesOf(context_.strategy, settings_.infill, index_ - 1));
+    const double across_deg =
+        acrossLines(linesOf(context_.strategy, settings_.infill, groupOf(settings_.infill, index_ - 1)));
     addSkin(lowest, PathRole::Skin, std::fmod(across_deg - settings_.skins.angle_deg, 360.0));
     markSince(before, settings_.feed.bridge_mm_s);
     return difference(skin, lowest);
@@ -379,18 +382,26 @@ class LayerPlanner {
 
   /// @param turn_deg  against the first layer's skins
   void addSkin(const Regions& area, PathRole role, double turn_deg) {
-    if (area.empty()) return;
-    FittedArea parts{area, {}};
-    if (context_.skin_strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, pitch_);
     InfillRequest request = infillRequest();
     request.pitch_mm = request.spacing_mm = pitch_;
     request.angle_rad = (settings_.skins.angle_deg + turn_deg) * M_PI / 180.0;
     request.turn_rad = turn_deg * M_PI / 180.0;
+    addFitted(area, role, std::move(request), context_.skin_strategy);
+  }
+
+  /// Solid, up to the border of the area.
+  void addFitted(const Regions& area, PathRole role, InfillRequest request, const InfillStrategy& strategy) {
+    if (area.empty()) return;
+    FittedArea parts{area, {}};
+    if (strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, pitch_);
     const bool goes_one_way = laysInOneSense(settings_.skins, role);
     if (goes_one_way) request.advance = LineAdvance::OneSense;
     std::vector<FillPath> fills;
-    if (!parts.wide.empty()) fills = context_.skin_strategy.fill(parts.wide, request);
-    for (FillPath& fill : fills) fill.role = role;
+    if (!parts.wide.empty()) fills = strategy.fill(parts.wide, request);
+    for (FillPath& fill : fills) {
+      fill.role = role;
+      for (double& width : fill.width_mm) width *= pitch_ / request.pitch_mm;
+    }
     for (FillPath& narrow : parts.narrow) narrow.role = role;
     if (goes_one_way)
       for (const FillPath& fill : std::exchange(fills, {})) addFill(fill, area);
@@ -406,20 +417,21 @@ class LayerPlanner {
 
   /// What is seen, across its lines, once the layer is laid.
   void iron() {
-    if (seen_.empty()) return;
+    ironSeen(std::exchange(seen_, {}));
+    for (const IslandPiece& seen : std::exchange(seen_by_, {}))
+      planBy(*seen.plan, [&](LayerPlanner& planner) { planner.ironSeen(seen.area); });
+  }
+
+  void ironSeen(const Regions& seen) {
+    if (seen.empty()) return;
     const double turn_deg = settings_.skins.angle_deg + 90.0 * static_cast<double>(index_ % 4 + 1);
-    addShortest(ironingLines(seen_, settings_.ironing, turn_deg * M_PI / 180.0), seen_);
+    addShortest(ironingLines(seen, settings_.ironing, turn_deg * M_PI / 180.0), seen);
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {
     std::vector<Polygon> loops = outlines(centre_lines);
-    std::vector<RunEnds> ends;
-    ends.reserve(loops.size());
-    for (Polygon& loop : loops) {
-      loop = seam_.placed(std::move(loop));
-      ends.push_back({loop.front(), loop.front()});
-    }
-    for (const OrderedRun& next : orderRuns(ends, nozzle_))
+    for (Polygon& loop : loops) loop = seam_.placed(std::move(loop));
+    for (const OrderedRun& next : orderRuns(endsOf(loops), nozzle_))
       addLoop(seam_.approached(std::move(loops[next.run]), nozzle_), role);
   }
 
@@ -430,7 +442,21 @@ class LayerPlanner {
     return offset(inside, 0.5 * beyond);
   }
 
+  /// That of a group of layers is laid in the last of them, as in one high layer.
   void addInfill(const Regions& area) {
+    if (group_ == nullptr || isSolid(infill_)) return layInfill(area);
+    const GroupedInfill parts = groupedInfill(area, *group_, settings_.bead.width_mm);
+    layInfill(parts.alone);
+    if (parts.together.empty()) return;
+    const Layer high{{top_ - group_->height_mm, top_}, {}};
+    StackedLayer stacked;
+    stacked.layer = &high;
+    stacked.below = stacked_.below;
+    stacked.branches = branches_;
+    planWith(stacked, {&context_}, [&](LayerPlanner& planner) { planner.layInfill(parts.together); });
+  }
+
+  void layInfill(const Regions& area) {
     if (area.empty()) return;
     const SmoothingSettings& smoothing = settings_.fill.smoothing;
     std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
@@ -447,10 +473,7 @@ class LayerPlanner {
 
   /// @param area  over which travels need not be retracted
   void addShortest(std::vector<FillPath> runs, const Regions& area) {
-    std::vector<RunEnds> ends;
-    ends.reserve(runs.size());
-    for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
-    for (const OrderedRun& next : orderRuns(ends, nozzle_))
+    for (const OrderedRun& next : orderRuns(endsOf(runs), nozzle_))
       addFill(next.is_reversed ? reversed(std::move(runs[next.run])) : runs[next.run], area);
   }
 
@@ -460,7 +483,7 @@ class LayerPlanner {
     settings.least_area = settings_.voids.least_area;
     const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
-    addShortest(refill(findVoids(solid, result_, {}), settings), material);
+    addShortest(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
       const Path& path = result_.paths[i];
       if (path.role == PathRole::Travel) continue;
@@ -470,20 +493,11 @@ class LayerPlanner {
   }
 
   InfillRequest infillRequest() const {
-    const InfillSettings& infill = settings_.infill;
-    InfillRequest request;
-    request.pitch_mm = infill_.pitch_mm;
-    request.spacing_mm = infill_.spacing_mm;
-    const double turn = infill.alternation_deg * static_cast<double>(index_);
-    request.angle_rad = std::fmod(infill.angle_deg + turn, 360.0) * M_PI / 180.0;
-    request.turn_rad = std::fmod(turn, 360.0) * M_PI / 180.0;
+    InfillRequest request = requestOf(settings_, infill_, index_);
     request.start = nozzle_;
-    request.layer = index_;
     request.island = island_;
     request.part_from_plan = context_.part_from_layers * Eigen::Translation3d(0.0, 0.0, top_);
-    request.links = infill.links;
     request.branches = branches_;
-    request.settings = settings_.fill;
     return request;
   }
 
@@ -509,10 +523,7 @@ class LayerPlanner {
       std::for_each(runs.begin(), runs.end(), lay);
       return;
     }
-    std::vector<RunEnds> ends;
-    ends.reserve(runs.size());
-    for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
-    for (const OrderedRun& next : orderRuns(ends, nozzle_))
+    for (const OrderedRun& next : orderRuns(endsOf(runs), nozzle_))
       lay(next.is_reversed ? reversed(runs[next.run]) : runs[next.run]);
   }
 
@@ -526,7 +537,8 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    Path path = below_.carried(pathAlong(run, beadOf(run), top_, feedIn(settings_.feed, run.role, index_)));
+    Path path = below_.carried(pathAlong(run, beadsAlong(run, settings_, bead_, pitch_), top_,
+                                         feedIn(settings_.feed, run.role, index_)));
     layPath(withFlow(std::move(path), settings_.bead.flow), over);
   }
 
@@ -535,14 +547,6 @@ class LayerPlanner {
     if (!result_.paths.empty()) addTravelTo(path.firstPoint(), over);
     nozzle_ = path.lastPoint().head<2>();
     result_.paths.push_back(std::move(path));
-  }
-
-  AlongPath<Bead> beadOf(const FillPath& run) const {
-    if (run.deposit == Deposit::Drops) return Bead{settings_.fill.drops.diameter_mm, result_.height_mm};
-    if (run.role == PathRole::Bridge) return threadBead(settings_.bridges, bead_);
-    if (run.role == PathRole::Ironing) return ironingBead(settings_.ironing, result_.height_mm);
-    if (run.width_mm.empty()) return bead_;
-    return beadsOf(run.width_mm, crossSection(bead_) / pitch_, result_.height_mm);
   }
 
   void addTravelTo(const Point3& point, TravelOver over) {
@@ -564,6 +568,7 @@ class LayerPlanner {
   const LayerCover* cover_;                ///< null without skins, bridges and overhanging walls
   const LayerCover* cover_below_;          ///< of the layer below
   const std::vector<Polyline>* branches_;  ///< null for a fill that does not grow
+  const InfillGroup* group_;               ///< null where each layer has an infill of its own
   const LayerAids* aids_;                  ///< null without
   LayerBelow below_;
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
@@ -575,8 +580,9 @@ class LayerPlanner {
   Refilling refilling_;
   Bridging bridging_;
   FillStarts starts_;
-  Regions sparse_;  ///< what the infill of all islands does not fill
-  Regions seen_;    ///< what is to be ironed
+  Regions sparse_;                    ///< what the infill of all islands does not fill
+  Regions seen_;                      ///< what is to be ironed
+  std::vector<IslandPiece> seen_by_;  ///< the same, by other plans
   ToolpathLayer result_;
 };
 

@@ -15,6 +15,7 @@
 #include "lamina/slicing/layer.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/build_aids.hpp"
+#include "planning/infill_group.hpp"
 #include "planning/skins/layer_cover.hpp"
 
 namespace lamina {
@@ -50,6 +51,7 @@ struct StackedLayer {
   const LayerCover* cover_below = nullptr;  ///< of the layer below
   /// For a fill that grows from the layers above; null for others.
   const std::vector<Polyline>* branches = nullptr;
+  const InfillGroup* group = nullptr;       ///< null where each layer has an infill of its own
   const LayerAids* aids = nullptr;          ///< laid first; null for none
   std::vector<LayerVariant> variants = {};  ///< that hold anywhere in it
 };

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
@@ -70,6 +71,9 @@ void requireConsistentDrops(const PlanSettings& settings) {
   if (first.width_factor != 1.0)
     refuse("first_layer.width_factor is " + text(first.width_factor), settings, "the default 1");
   if (first.flow != 1.0) refuse("first_layer.flow is " + text(first.flow), settings, "the default 1");
+  if (settings.bead.flow != 1.0)
+    refuse("bead.flow is " + text(settings.bead.flow), settings,
+           "the default 1: drops are as large as drops.diameter_mm");
   if (settings.travel.comb != Combing::None)
     refuse("travel.comb is not 'none'", settings, "'none': nothing is retracted between drops");
   if (isUsed(settings.adhesion))
@@ -107,8 +111,10 @@ void requireConsistentSkins(const SkinSettings& skins) {
 void requireIronable(const PlanSettings& settings) {
   if (!settings.ironing.is_used || hasTopSkins(settings.skins)) return;
   throw InvalidConfig(
-      "ironing.use is true, and nothing is skin for being seen from above; expected skins.top_layers of 1 or "
-      "more");
+      "ironing.use is true with skins.top_layers " + std::to_string(settings.skins.top_layers) +
+      " and skins.top_mm " + text(settings.skins.top_mm) +
+      " mm, so that nothing is skin for being seen from above; expected top_layers of 1 or more, or "
+      "top_mm above 0");
 }
 
 /// What is laid on the bed is then the raft.
@@ -146,31 +152,79 @@ void requireConsistentHybrid(const PlanSettings& settings) {
                         text(hybrid.delete_below));
 }
 
+/// Layers share an infill where each lays its own beads in its plane.
+void requireOwnInfill(const PlanSettings& settings, const InfillStrategy& strategy) {
+  if (settings.infill.every_layers == 1) return;
+  if (strategy.deposit == Deposit::Bead && strategy.link == LayerLink::Travel) return;
+  throw InvalidConfig("infill.every_layers is " + std::to_string(settings.infill.every_layers) +
+                      " with infill.strategy '" + settings.infill.strategy +
+                      "', which lays drops or goes on from layer to layer; expected 1");
+}
+
 void requireRoofs(const PlanSettings& settings) {
   if (hasSkins(settings.skins) || isSolid(settings.infill)) return;
   throw InvalidConfig("infill.strategy is '" + settings.infill.strategy +
                       "', which holds up skins, and there are none; expected skins.top_layers of 1 or more");
 }
 
+/// What purges a tool is hidden by skins; a solid infill has none.
+void requireHiddenInfill(const PlanSettings& settings) {
+  constexpr double kSolid = 1.25;  // bead widths: lines that are no farther apart touch
+  if (!settings.tools.purge_into_infill) return;
+  const auto refuse_seen = [](const std::string& what, const std::string& expected) {
+    throw InvalidConfig(what + " with tools.purge_into_infill, and what purges would be seen; expected " +
+                        expected);
+  };
+  const InfillSettings& infill = settings.infill;
+  if (isSolid(infill))
+    refuse_seen("infill.density is " + text(infill.density), "less than 1: a solid infill has no skins");
+  if (infill.pitch_mm > 0.0 && infill.pitch_mm <= kSolid * settings.bead.width_mm)
+    refuse_seen("infill.pitch_mm is " + text(infill.pitch_mm) + " mm",
+                "0 or more than " + text(kSolid * settings.bead.width_mm) + " mm");
+  if (infill.outer_layers > 0)
+    refuse_seen("infill.outer_layers is " + std::to_string(infill.outer_layers), "0");
+  if (!hasTopSkins(settings.skins)) refuse_seen("skins.top_layers is 0", "1 or more");
+  if (settings.skins.bottom_layers == 0 && settings.skins.bottom_mm == 0.0)
+    refuse_seen("skins.bottom_layers is 0", "1 or more");
+}
+
+/// The first key that asks for another tool than the first, with its value.
+std::string otherTool(const PlanSettings& settings) {
+  const ToolSettings& tools = settings.tools;
+  const SupportSettings& supports = settings.supports;
+  const std::pair<const char*, int> all[] = {{"tool.walls", tools.walls},
+                                             {"tool.infill", tools.infill},
+                                             {"tool.skin", tools.skin},
+                                             {"tool.support", tools.support},
+                                             {"tool.interface", tools.interface},
+                                             {"supports.tool", supports.tool},
+                                             {"supports.interface_tool", supports.interface_tool}};
+  for (const auto& [key, tool] : all)
+    if (tool > 0) return std::string(key) + " is " + std::to_string(tool);
+  return "";
+}
+
 /// Runs that go on from layer to layer are those of one tool.
 void requireConsistentTools(const PlanSettings& settings, const InfillStrategy& strategy) {
   const ToolSettings& tools = settings.tools;
   requireConsistent(tools);
+  requireHiddenInfill(settings);
   const std::size_t count = toolsOf(tools).size();
   if (count > 0 && settings.first_layer.nozzle_temperature_c != 0.0)
     throw InvalidConfig("first_layer.nozzle_temperature_c is " +
                         text(settings.first_layer.nozzle_temperature_c) +
                         " degrees C with tools.list; expected 0: each tool has its own temperature");
-  for (const int tool : {settings.supports.tool, settings.supports.interface_tool})
+  const std::pair<const char*, int> of_supports[] = {
+      {"supports.tool", settings.supports.tool},
+      {"supports.interface_tool", settings.supports.interface_tool}};
+  for (const auto& [key, tool] : of_supports)
     if (count > 0 && tool >= static_cast<int>(count))
-      throw InvalidConfig("supports.tool or supports.interface_tool is " + std::to_string(tool) +
-                          "; tools.list has " + std::to_string(count) + " tools, counted from 0");
+      throw InvalidConfig(std::string(key) + " is " + std::to_string(tool) + "; tools.list has " +
+                          std::to_string(count) + " tools, counted from 0");
   if (!usesTools(settings)) return;
   if (strategy.deposit == Deposit::Drops || strategy.link != LayerLink::Travel)
-    throw InvalidConfig(
-        "tool.*, supports.tool or supports.interface_tool ask for several tools with drops, or with runs "
-        "that "
-        "go on from layer to layer; expected one");
+    throw InvalidConfig(otherTool(settings) + " with infill.strategy '" + settings.infill.strategy +
+                        "', which lays drops or runs that go on from layer to layer; expected 0: one tool");
 }
 
 }  // namespace
@@ -187,6 +241,7 @@ void requireConsistent(const PlanSettings& settings) {
   requireIronable(settings);
   requireConsistent(settings.overhangs);
   requireConsistentTools(settings, strategy);
+  requireOwnInfill(settings, strategy);
 }
 
 void requireSensiblePitch(const BeadSettings& bead, double layer_height_mm) {

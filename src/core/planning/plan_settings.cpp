@@ -44,6 +44,8 @@ void describe(SettingsSchema& schema, InfillSettings& infill) {
                 "Turn of the infill from each layer to the next.");
   schema.number("infill.wall_overlap", infill.wall_overlap, {0.0, 0.9, false},
                 "Part of the bead width by which infill runs into the innermost wall.");
+  schema.integer("infill.every_layers", infill.every_layers, {1, 100, false},
+                 "Sparse infill is laid in one of so many layers, in beads as high as all of them.");
   schema.choice<LineLink>(
       "infill.link", infill.links.link,
       {{"border", LineLink::Border}, {"none", LineLink::None}, {"up_to_mm", LineLink::UpTo}},

@@ -34,6 +34,7 @@
 #include "planning/planned_aids.hpp"
 #include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
+#include "planning/skins/stack_covers.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
@@ -183,6 +184,7 @@ Plan inOne(std::vector<PlannedLayer> planned) {
 struct StackCover {
   std::vector<LayerCover> covers;               ///< none without skins, bridges and overhanging walls
   std::vector<std::vector<Polyline>> branches;  ///< none for a fill that does not grow
+  std::vector<InfillGroup> groups;              ///< none where each layer has an infill of its own
 };
 
 const LayerCover* coverAt(const StackCover& stack, std::size_t index) {
@@ -221,6 +223,7 @@ StackedLayer stackedAt(const std::vector<Layer>& layers, const StackPlan& plan, 
   stacked.cover = coverAt(plan.stack, index);
   if (index > 0) stacked.cover_below = coverAt(plan.stack, index - 1);
   if (!plan.stack.branches.empty()) stacked.branches = &plan.stack.branches[index];
+  if (!plan.stack.groups.empty()) stacked.group = &plan.stack.groups[index];
   if (!plan.aids.layers.empty()) stacked.aids = &plan.aids.layers[index];
   for (const VariantPlan& variant : plan.variants)
     if (!variant.areas[index].empty()) stacked.variants.push_back(variantAt(variant, index));
@@ -233,28 +236,28 @@ bool laysWithinLayers(const PlanContext& context) {
          context.strategy.link == LayerLink::Travel;
 }
 
-/// Skins are for walls with a sparse infill that stays in its layer.
+/// Skins are for walls with an infill that stays in its layer, be it sparse or solid lines between them.
 bool takesCovers(const PlanContext& context) {
   const PlanSettings& settings = context.settings;
-  const bool takes_skins = hasSkins(settings.skins) && !isSolid(settings.infill);
-  return (takes_skins || settings.ironing.is_used || settings.bridges.is_used ||
-          settings.overhangs.is_used) &&
+  const bool takes_skins = hasSkins(settings.skins) &&
+                           (!isSolid(settings.infill) || context.strategy.contact == WallContact::Fitted);
+  return (takes_skins || settings.ironing.is_used || settings.bridges.is_used || settings.overhangs.is_used ||
+          settings.infill.every_layers > 1) &&
          laysWithinLayers(context);
 }
 
 StackCover stackCover(const std::vector<Layer>& layers, const PlanContext& context, Progress& progress) {
   if (!takesCovers(context)) return {};
-  std::vector<Regions> material(layers.size());
-  std::vector<double> heights_mm(layers.size());
-  const auto unite_layer = [&](std::size_t i) {
-    material[i] = unite(simplify(layers[i].section.contours, context.settings.simplification_mm));
-    heights_mm[i] = layers[i].bounds.height();
-  };
-  parallelFor(layers.size(), unite_layer, progress, "skins");
   StackCover stack;
-  stack.covers = coversOf(std::move(material), heights_mm, context.settings.skins, progress);
-  if (context.strategy.growth == FillGrowth::FromAbove && !isSolid(context.settings.infill))
-    stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, progress);
+  stack.covers = stackCovers(layers, context.settings,
+                             context.bed ? StackPlace::AlongBelt : StackPlace::NearOrigin, progress);
+  if (isSolid(context.settings.infill)) return stack;
+  std::vector<double> heights_mm;
+  heights_mm.reserve(layers.size());
+  for (const Layer& layer : layers) heights_mm.push_back(layer.bounds.height());
+  stack.groups = infillGroups(stack.covers, heights_mm, context.settings, progress);
+  if (context.strategy.growth != FillGrowth::FromAbove) return stack;
+  stack.branches = branchesUnderSkins(stack.covers, heights_mm, context.settings, progress);
   return stack;
 }
 
@@ -272,14 +275,32 @@ void requireBeadsInLayers(const PlanContext& context) {
                       "within each layer");
 }
 
+/// What is refilled is measured as all of a layer is laid at one flow.
+void requireFlowFor(VoidRefill refill, double flow_of_region, double flow) {
+  if (refill == VoidRefill::None || flow_of_region == flow) return;
+  throw InvalidConfig("bead.flow is " + std::to_string(flow_of_region) + " in a region and " +
+                      std::to_string(flow) +
+                      " elsewhere, with voids.refill 'beads'; expected the same, or voids.refill 'none'");
+}
+
+/// The groups of layers of one region end within those of another.
+void requireInfillInEachLayer(const InfillSettings& infill) {
+  if (infill.every_layers == 1) return;
+  throw InvalidConfig("infill.every_layers is " + std::to_string(infill.every_layers) +
+                      " in a part of which regions have settings of their own; expected 1");
+}
+
 std::vector<VariantPlan> variantPlans(const std::vector<Layer>& layers,
                                       const std::vector<PlanVariant>& variants, const PlanContext& plan,
                                       Progress& progress) {
   std::vector<VariantPlan> plans;
   if (!variants.empty()) requireBeadsInLayers(plan);
+  if (!variants.empty()) requireInfillInEachLayer(plan.settings.infill);
   for (const PlanVariant& variant : variants) {
     PlanContext context = contextFor(layers, variant.settings);
     requireBeadsInLayers(context);
+    requireFlowFor(plan.settings.voids.refill, context.settings.bead.flow, plan.settings.bead.flow);
+    requireInfillInEachLayer(context.settings.infill);
     StackCover stack = stackCover(layers, context, progress);
     PlanContext on_bed = bedContext(context);
     plans.push_back({variant.areas, std::move(context), std::move(on_bed), std::move(stack)});
@@ -302,11 +323,13 @@ PlannedLayer planAnywhere(const StackedLayer& stacked, std::size_t index, const 
       stacked.cover_below != nullptr ? moved(*stacked.cover_below, -away) : LayerCover{};
   const std::vector<Polyline> branches =
       stacked.branches != nullptr ? moved(*stacked.branches, -away) : std::vector<Polyline>{};
+  const InfillGroup group = stacked.group != nullptr ? moved(*stacked.group, -away) : InfillGroup{};
   const LayerAids aids = stacked.aids != nullptr ? moved(*stacked.aids, -away) : LayerAids{};
   PlannedLayer planned = planLayer(
       {&layer, stacked.below != nullptr ? &below : nullptr, stacked.cover != nullptr ? &cover : nullptr,
        stacked.cover_below != nullptr ? &cover_below : nullptr,
-       stacked.branches != nullptr ? &branches : nullptr, stacked.aids != nullptr ? &aids : nullptr},
+       stacked.branches != nullptr ? &branches : nullptr, stacked.group != nullptr ? &group : nullptr,
+       stacked.aids != nullptr ? &aids : nullptr},
       index, near);
   for (Path& path : planned.layer.paths)
     for (Point3& point : path.points) point.head<2>() += away;
@@ -343,8 +366,10 @@ void putOnRaft(Plan& plan, const PlannedAids& aids, const PlanContext& context, 
 
 /// @throws InvalidConfig if there is to be a prime tower over layers that are not level
 void requireTower(const PlanContext& context) {
-  if (context.settings.tools.purge_mm3.empty() || (!context.bed && !context.lift)) return;
-  throw InvalidConfig("tools.purge_mm3 is set for " + std::string(context.bed ? "inclined" : "curved") +
+  const std::vector<double>& purge_mm3 = context.settings.tools.purge_mm3;
+  if (purge_mm3.empty() || (!context.bed && !context.lift)) return;
+  throw InvalidConfig("tools.purge_mm3 is " + std::to_string(purge_mm3.front()) + " mm3 for " +
+                      std::string(context.bed ? "inclined" : "curved") +
                       " layers; expected none: a prime tower stands on level ones");
 }
 

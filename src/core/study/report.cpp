@@ -7,7 +7,7 @@
 #include <map>
 
 #include "lamina/base/text.hpp"
-#include "study/html.hpp"
+#include "picture/html.hpp"
 
 namespace lamina {
 namespace {

@@ -18,12 +18,13 @@ double scanHeight(const ToolpathLayer& layer, double clearance_mm) {
   return layer.z_mm + layers * layer.height_mm;
 }
 
-bool isScanned(const ToolpathLayer& layer, double clearance_mm) {
+bool isScanned(const ToolpathLayer& layer, double clearance_mm, const Point3& normal) {
   const double height = scanHeight(layer, clearance_mm);
-  return std::any_of(layer.paths.begin(), layer.paths.end(), [height](const Path& path) {
+  return std::any_of(layer.paths.begin(), layer.paths.end(), [&](const Path& path) {
     return path.role == PathRole::Travel &&
-           std::any_of(path.points.begin(), path.points.end(),
-                       [height](const Point3& point) { return std::abs(point.z() - height) < kSameHeight; });
+           std::any_of(path.points.begin(), path.points.end(), [&](const Point3& point) {
+             return std::abs(normal.dot(point) - height) < kSameHeight;
+           });
   });
 }
 

@@ -6,14 +6,14 @@
 
 #include <utility>
 
-#include "action_end.hpp"
-#include "action_progress.hpp"
 #include "conversions.hpp"
 #include "deposit_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "names.hpp"
+#include "progress/action_end.hpp"
+#include "progress/action_progress.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"

@@ -35,7 +35,7 @@ EmulatedMachineNode::EmulatedMachineNode(ros::NodeHandle node, const EmulatedMac
       deposited_(node.advertise<sensor_msgs::PointCloud2>(names::kDeposited, 1, true)),
       bed_from_program_(programFromBed(machine_).inverse()),
       tool_axis_(toolAxisOf(machine_)),
-      deposit_(bareBed(buildSpaceOf(machine_), settings)),
+      deposit_(bareBed(buildSpaceOf(machine_), tool_axis_, settings)),
       shown_(deposit_->surface().grid.area()),
       sensor_(settings.sensor) {
   EmulatedObserver observer;
@@ -99,23 +99,28 @@ void EmulatedMachineNode::execute(const ExecutedMotion& motion) {
   std::vector<MotionSample> samples =
       samplesOf(motion, measures ? settings_.profile_spacing_mm : settings_.position_spacing_mm);
   for (MotionSample& sample : samples) sample.position = bed_from_program_ * sample.position;
+  if (!deposits) deposit_->endBead();
   Point3 from = bed_from_program_ * motion.start;
+  double from_s = motion.start_s;
   for (const MotionSample& sample : samples) {
     // Piece by piece, so that the sensor never sees what is still to come.
-    if (deposits) lay(from, sample.position, volume / static_cast<double>(samples.size()));
+    const double piece_mm3 = deposits ? volume / static_cast<double>(samples.size()) : 0.0;
+    if (deposits) lay({from, sample.position, tool_axis_, tool_axis_, piece_mm3}, {from_s, sample.time_s});
     from = sample.position;
+    from_s = sample.time_s;
     publishPosition(sample);
     if (measures) publishProfile(sample, &sample == &samples.back() ? Blank::Published : Blank::LeftOut);
   }
 }
 
-void EmulatedMachineNode::lay(const Point3& from, const Point3& to, double volume_mm3) {
+void EmulatedMachineNode::lay(const ToolAxisMotion& motion, const MachineTimes& times) {
+  const Point3& to = motion.end;
   const bool is_shown =
       (to.head<2>() - shown_.low).minCoeff() >= 0.0 && (shown_.high - to.head<2>()).minCoeff() > 0.0;
   if (!is_shown)
     ROS_WARN_ONCE("material deposited at %.1f, %.1f mm is not kept: it lies beyond the bed that is shown",
                   to.x(), to.y());
-  deposit_->lay({from, to, tool_axis_, tool_axis_, volume_mm3});
+  deposit_->lay(motion, times);
   has_news_ = true;
 }
 
@@ -135,10 +140,10 @@ void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
 void EmulatedMachineNode::publishProfile(const MotionSample& sample, Blank blank) {
   const Eigen::Isometry3d bed_from_nozzle = bedFromNozzle(machine_, axisValues(machine_, sample.position));
   const auto points = sensor_.measure(deposit_->surface(), bed_from_nozzle * machine_.nozzle_from_sensor,
-                                      deposit_->highest());
+                                      deposit_->highest(), sample.time_s);
   if (points.empty() && blank == Blank::LeftOut) return;
   sensor_msgs::PointCloud2 message = toCloudMessage(points);
-  message.header.stamp = stampOf(sample.time_s);
+  message.header.stamp = stampOf(sample.time_s + sensor_.stampError());
   message.header.frame_id = names::kSensorFrame;
   profile_.publish(message);
   const std::lock_guard<std::mutex> lock(stamps_mutex_);

@@ -54,7 +54,7 @@ class EmulatedMachineNode {
   void run();
   void tryExecute(const ExecutedMotion& motion);
   void execute(const ExecutedMotion& motion);
-  void lay(const Point3& from, const Point3& to, double volume_mm3);
+  void lay(const ToolAxisMotion& motion, const MachineTimes& times);
   void publishPosition(const MotionSample& sample);
   void publishProfile(const MotionSample& sample, Blank blank);
   void publishDeposited();

@@ -3,8 +3,10 @@
 #include "machine_deposit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "lamina/deposition/bead_deposit.hpp"
 #include "lamina/geometry/voxel/voxel_view.hpp"
 
@@ -19,7 +21,7 @@ class VoxelsOnBed final : public MachineDeposit {
   VoxelsOnBed(const Box3& shown, double voxel_mm)
       : deposit_(voxelFrame(shown, voxel_mm), DepositionSettings{}, TopHeights::Kept) {}
 
-  void lay(const ToolAxisMotion& motion) override { deposit_.lay(motion); }
+  void lay(const ToolAxisMotion& motion, const MachineTimes&) override { deposit_.lay(motion); }
   double highest() const override { return deposit_.highest(); }
   std::vector<Point3> points() const override { return shownVoxels(deposit_.grid(), kMostPoints); }
 
@@ -40,14 +42,16 @@ class VoxelsOnBed final : public MachineDeposit {
   VoxelDeposit deposit_;
 };
 
-class HeightsOnBed final : public MachineDeposit {
- public:
-  HeightsOnBed(const Box3& shown, double cell_mm)
-      : deposit_(HeightMap(heightGrid({shown.low.head<2>(), shown.high.head<2>()}, cell_mm), 0.0)) {}
+HeightMap bareHeights(const Box3& shown, double cell_mm) {
+  return HeightMap(heightGrid({shown.low.head<2>(), shown.high.head<2>()}, cell_mm), 0.0);
+}
 
-  void lay(const ToolAxisMotion& motion) override {
-    deposit_.lay({motion.start, motion.end, motion.volume_mm3});
-  }
+/// A map of heights as `Deposit` lays it.
+template <class Deposit>
+class HeightsOnBed : public MachineDeposit {
+ public:
+  explicit HeightsOnBed(Deposit deposit) : deposit_(std::move(deposit)) {}
+
   double highest() const override { return deposit_.highest(); }
   HeightSource surface() const override { return sourceOf(deposit_.surface()); }
 
@@ -62,9 +66,37 @@ class HeightsOnBed final : public MachineDeposit {
     return points;
   }
 
+ protected:
+  Deposit& deposit() { return deposit_; }
+
  private:
-  BeadDeposit deposit_;
+  Deposit deposit_;
 };
+
+class BeadsOnBed final : public HeightsOnBed<BeadDeposit> {
+ public:
+  using HeightsOnBed::HeightsOnBed;
+  void lay(const ToolAxisMotion& motion, const MachineTimes&) override {
+    deposit().lay({motion.start, motion.end, motion.volume_mm3});
+  }
+};
+
+class GrownOnBed final : public HeightsOnBed<GrownDeposit> {
+ public:
+  using HeightsOnBed::HeightsOnBed;
+  void lay(const ToolAxisMotion& motion, const MachineTimes& times) override {
+    deposit().lay({motion.start, motion.end, motion.volume_mm3, times.start_s, times.end_s});
+  }
+  void endBead() override { deposit().endBead(); }
+};
+
+void requireUpright(const Eigen::Vector3d& tool_axis) {
+  constexpr double kUpright = 1e-6;
+  if ((tool_axis + Eigen::Vector3d::UnitZ()).norm() <= kUpright) return;
+  throw InvalidConfig("plant.* is set on a machine whose tool axis leans by " +
+                      std::to_string(std::acos(std::clamp(-tool_axis.z(), -1.0, 1.0)) * 180.0 / M_PI) +
+                      " deg; expected an upright one, along which beads grow");
+}
 
 /// What the machine reaches over its bed; of a bed without end, `belt_mm`.
 Box3 shownBed(BuildSpace space, double belt_mm) {
@@ -87,11 +119,19 @@ DepositModel modelFor(const BuildSpace& space, DepositModel asked) {
 
 }  // namespace
 
-std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const EmulatedMachineSettings& settings) {
+std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const Eigen::Vector3d& tool_axis,
+                                        const EmulatedMachineSettings& settings) {
   const DepositModel model = modelFor(space, settings.deposit_model);
   const Box3 shown = shownBed(std::move(space), settings.deposit_belt_mm);
-  if (model == DepositModel::Heights) return std::make_unique<HeightsOnBed>(shown, settings.deposit_cell_mm);
-  return std::make_unique<VoxelsOnBed>(shown, settings.deposit_cell_mm);
+  const double cell_mm = settings.deposit_cell_mm;
+  if (isDisturbed(settings.plant)) {
+    requireUpright(tool_axis);
+    return std::make_unique<GrownOnBed>(
+        GrownDeposit(bareHeights(shown, cell_mm), settings.plant, settings.grown));
+  }
+  if (model == DepositModel::Heights)
+    return std::make_unique<BeadsOnBed>(BeadDeposit(bareHeights(shown, cell_mm)));
+  return std::make_unique<VoxelsOnBed>(shown, cell_mm);
 }
 
 }  // namespace lamina

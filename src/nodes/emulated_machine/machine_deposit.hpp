@@ -12,6 +12,12 @@
 
 namespace lamina {
 
+/// Machine times of a motion [s].
+struct MachineTimes {
+  double start_s = 0.0;
+  double end_s = 0.0;
+};
+
 /// What an emulated machine has deposited, in frame `bed`.
 class MachineDeposit {
  public:
@@ -20,7 +26,9 @@ class MachineDeposit {
   MachineDeposit& operator=(const MachineDeposit&) = delete;
   virtual ~MachineDeposit() = default;
 
-  virtual void lay(const ToolAxisMotion& motion) = 0;
+  virtual void lay(const ToolAxisMotion& motion, const MachineTimes& times) = 0;
+  /// What comes next does not go on from what was laid last.
+  virtual void endBead() {}
   /// What a sensor above sees; valid while this lives.
   virtual HeightSource surface() const = 0;
   /// Largest height of the surface [mm].
@@ -30,7 +38,10 @@ class MachineDeposit {
 };
 
 /// Nothing yet, over the bed that the settings say is shown.
+/// @param tool_axis  of the machine, of unit length [bed]
 /// @throws InvalidInput if that has more cells than a map can have
-std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const EmulatedMachineSettings& settings);
+/// @throws InvalidConfig if the process is disturbed and the tool axis not upright, as growth is upwards
+std::unique_ptr<MachineDeposit> bareBed(BuildSpace space, const Eigen::Vector3d& tool_axis,
+                                        const EmulatedMachineSettings& settings);
 
 }  // namespace lamina

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/deposition/grown_deposit.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/monitoring/profile_sensor.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
@@ -32,12 +33,14 @@ struct EmulatedMachineSettings {
   double deposit_belt_mm = 200.0;         ///< how much of a belt the map shows
   double deposited_period_s = 0.5;        ///< between publications of the deposited material
   bool profile_while_depositing = false;  ///< whether the sensor also measures during motions that deposit
+  PlantSettings plant;  ///< what is wrong with the process; deposits as `GrownDeposit` if anything is
+  GrownDepositSettings grown;
   EmulatedSettings emulator;
   ProfileSensorSettings sensor;
 };
 
 /// Adds the keys pty, tcp_port, faults, machine.*, filament_diameter_mm, position_spacing_mm,
-/// profile_spacing_mm, deposit.*, profile_while_depositing, emulator.*, motion.* and sensor.*.
+/// profile_spacing_mm, deposit.*, profile_while_depositing, plant.*, emulator.*, motion.* and sensor.*.
 void describe(SettingsSchema& schema, EmulatedMachineSettings& settings);
 
 /// @throws InvalidConfig if a fault is none

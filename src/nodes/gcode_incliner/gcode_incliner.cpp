@@ -10,17 +10,17 @@
 #include <filesystem>
 #include <optional>
 
-#include "action_end.hpp"
-#include "action_progress.hpp"
 #include "conversions.hpp"
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "markers/toolpath_markers.hpp"
 #include "names.hpp"
+#include "progress/action_end.hpp"
+#include "progress/action_progress.hpp"
+#include "progress/service_progress.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
-#include "service_progress.hpp"
 #include "status.hpp"
 
 namespace lamina {

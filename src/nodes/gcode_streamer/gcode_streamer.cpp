@@ -6,8 +6,11 @@
 #include <sensor_msgs/JointState.h>
 
 #include "conversions.hpp"
+#include "correction_messages.hpp"
 #include "lamina/base/clock.hpp"
+#include "lamina/control/supervision.hpp"
 #include "lamina/program/gcode/gcode_flavour.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "startup_messages.hpp"
@@ -58,6 +61,11 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
         toolpath_ = toolpath;
       };
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
+    onCorrection(*map);
+  };
+  if (settings_.corrections.is_used)
+    correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
   updater_.setHardwareID(settings_.port.name);
   updater_.add("stream", this, &GcodeStreamer::diagnose);
   const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
@@ -92,7 +100,7 @@ StreamStatus GcodeStreamer::stream(const lamina_msgs::StreamProgramGoal& goal) {
   beginJob(goal, program);
   StreamStatus status;
   try {
-    status = streamProgram(program, journalFor(goal, program));
+    status = streamProgram(program, goal.resume ? JobBeginning::GoOn : JobBeginning::Anew);
   } catch (const Error&) {
     status.failure = currentFailure();
     startup_.endJob(program, status);
@@ -115,16 +123,20 @@ void GcodeStreamer::beginJob(const lamina_msgs::StreamProgramGoal& goal, const S
   startup_.beginJob(identity);
 }
 
-StreamJournal GcodeStreamer::journalFor(const lamina_msgs::StreamProgramGoal& goal,
-                                        const StreamableProgram& program) const {
-  const std::string path = journalPath(settings_.stream, settings_.port.name);
-  return goal.resume ? resumeJournal(path, program, settings_.port.name) : beginJournal(path);
-}
-
-StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, const StreamJournal& journal) {
+StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobBeginning beginning) {
+  const StreamJournal journal =
+      journalFor(journalPath(settings_.stream, settings_.port.name), program, settings_.port, beginning);
+  const std::shared_ptr<LayerCorrector> corrector = correctorFor(program);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (corrector && first_layer_map_) corrector->hear(*first_layer_map_);
+    corrector_ = corrector;
+    decisions_logged_ = 0;
+  }
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
-      SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal});
+      SessionOptions{[this](const FirmwareReply& reply) { startup_.heard(reply); }, journal, beginning,
+                     corrector});
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     session_ = session;
@@ -136,9 +148,11 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, cons
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
     publishState(status);
+    if (corrector) logDecisions(*corrector);
     if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
     if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
   }
+  if (corrector) logDecisions(*corrector);
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
   return session->status();
@@ -169,7 +183,68 @@ StreamableProgram GcodeStreamer::programFromToolpath(const std::string& id) cons
   return StreamableProgram::fromText("toolpath " + id, std::move(text), settings_.stream);
 }
 
+std::shared_ptr<LayerCorrector> GcodeStreamer::correctorFor(const StreamableProgram& program) const {
+  if (!settings_.corrections.is_used) return nullptr;
+  lamina_msgs::ToolpathConstPtr message;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    message = toolpath_;
+  }
+  if (!message)
+    throw InvalidInput("corrections.use is set, but no toolpath was published that the program could be of");
+  const Eigen::Affine3d program_from_bed = programFromBed(machine_);
+  if (!program_from_bed.isApprox(Eigen::Affine3d::Identity()))
+    throw InvalidConfig(
+        "corrections.use is set for " + machine_.name +
+        ", whose programs are in values of its axes; expected a machine whose programs are in "
+        "coordinates of the bed");
+  const MachineToolpath planned = fromMessage(*message);
+  return std::make_shared<LayerCorrector>(
+      program, ProgrammedToolpath{planned.id, placed(planned.toolpath, planned.bed_from_part)},
+      settings_.corrections);
+}
+
+void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
+  try {
+    CorrectionMap map = toCore(message);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (corrector_) {
+      const std::string refusal = corrector_->hear(std::move(map));
+      if (!refusal.empty()) ROS_WARN("a correction is not used: %s", refusal.c_str());
+    } else if (map.layer == 0) {
+      // Of the layers above nothing can be known before the job.
+      first_layer_map_ = std::move(map);
+    }
+  } catch (const Error& error) {
+    ROS_WARN("a correction is not used: %s", error.what());
+  }
+}
+
+void GcodeStreamer::logDecisions(const LayerCorrector& corrector) {
+  const std::vector<LayerDecision> decisions = corrector.decisions();
+  for (; decisions_logged_ < decisions.size(); ++decisions_logged_) {
+    const LayerDecision& each = decisions[decisions_logged_];
+    if (!each.digest.empty()) {
+      ROS_INFO("layer %lu is laid by map %s", static_cast<unsigned long>(each.layer), each.digest.c_str());
+    } else if (!each.refusal.empty()) {
+      ROS_WARN("layer %lu is laid as planned: %s", static_cast<unsigned long>(each.layer),
+               each.refusal.c_str());
+    } else if (each.layer > 0) {
+      ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
+               static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer),
+               settings_.corrections.loop.wait_s);
+    }
+  }
+  const std::string failure = corrector.recordFailure();
+  if (!failure.empty()) ROS_WARN_ONCE("the corrections are not recorded: %s", failure.c_str());
+}
+
 void GcodeStreamer::finish(const StreamStatus& status, double duration_s) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    corrector_.reset();
+    first_layer_map_.reset();
+  }
   const lamina_msgs::StreamProgramResult result = toResult(status, duration_s);
   if (status.failure.code == ErrorCode::Ok) {
     ROS_INFO("streamed %lu lines in %.1f s, %lu resends",
@@ -248,12 +323,15 @@ bool GcodeStreamer::onChange(lamina_msgs::ChangeJob::Request& request,
 void GcodeStreamer::onStatus(const StreamStatus& status) {
   bool has_changed = false;
   bool has_moved = false;
+  bool is_warned = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     has_changed = status.state != status_.state;
+    is_warned = !status.warning.empty() && status.warning != status_.warning;
     has_moved = status.position && (!status_.position || *status.position != *status_.position);
     status_ = status;
   }
+  if (is_warned) ROS_WARN_STREAM(status.warning);
   if (has_changed) publishState(status);
   if (position_ && has_moved) publishPosition(*status.position);
 }

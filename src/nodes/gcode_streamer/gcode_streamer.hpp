@@ -9,10 +9,12 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "lamina/kinematics/cartesian/cartesian_machine.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
+#include "layer_corrector.hpp"
 #include "messages.hpp"
 #include "startup_service.hpp"
 #include "streamer_settings.hpp"
@@ -21,6 +23,9 @@ namespace lamina {
 
 /// Streams programs to a machine on request: a G-code file, or the toolpath published last. Its action,
 /// services and topics: docs/nodes/gcode_streamer.md.
+///
+/// With `corrections.use`, the lines of each layer are corrected before they are numbered, by the map that
+/// has come for it when the machine rests in front of it.
 ///
 /// A machine with a start-up sequence (`startup.*`) takes a job only when every step is satisfied.
 ///
@@ -36,12 +41,15 @@ class GcodeStreamer {
   void onGoal(const lamina_msgs::StreamProgramGoalConstPtr& goal);
   StreamStatus stream(const lamina_msgs::StreamProgramGoal& goal);
   void beginJob(const lamina_msgs::StreamProgramGoal& goal, const StreamableProgram& program);
-  StreamJournal journalFor(const lamina_msgs::StreamProgramGoal& goal,
-                           const StreamableProgram& program) const;
-  StreamStatus streamProgram(const StreamableProgram& program, const StreamJournal& journal);
+  StreamStatus streamProgram(const StreamableProgram& program, JobBeginning beginning);
   StreamableProgram programFor(const lamina_msgs::StreamProgramGoal& goal) const;
   StreamableProgram programFromToolpath(const std::string& id) const;
   void finish(const StreamStatus& status, double duration_s);
+
+  /// What corrects the program on its way; null if programs are not corrected.
+  std::shared_ptr<LayerCorrector> correctorFor(const StreamableProgram& program) const;
+  void onCorrection(const lamina_msgs::CorrectionMap& message);
+  void logDecisions(const LayerCorrector& corrector);
 
   bool onPause(Trigger::Request& request, Trigger::Response& response);
   bool onResume(Trigger::Request& request, Trigger::Response& response);
@@ -63,6 +71,7 @@ class GcodeStreamer {
   ros::Publisher state_;
   ros::Publisher position_;
   ros::Subscriber toolpath_subscriber_;
+  ros::Subscriber correction_;
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;
@@ -72,6 +81,9 @@ class GcodeStreamer {
 
   mutable std::mutex mutex_;  ///< of everything below
   std::shared_ptr<StreamSession> session_;
+  std::shared_ptr<LayerCorrector> corrector_;     ///< of the job under way
+  std::optional<CorrectionMap> first_layer_map_;  ///< that came while there was no job
+  std::size_t decisions_logged_ = 0;              ///< of the job under way
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;

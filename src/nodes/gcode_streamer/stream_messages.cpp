@@ -2,21 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stream_messages.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "conversions.hpp"
 #include "status.hpp"
 
 namespace lamina {
 namespace {
 
+constexpr char kNotReported[] = "not reported by this firmware";
+
 std::uint32_t count(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+
+/// Without the last bits, which are of the fraction: 1.1 is 110 %, where a whole number may be asked for.
+double inUnit(double value, double per_unit) {
+  constexpr double kSteps = 1e6;
+  return std::round(kSteps * per_unit * value) / kSteps;
+}
+
+const char* counterOf(StarvationSource source) {
+  if (source == StarvationSource::Nobody) return "nobody";
+  return source == StarvationSource::Machine ? "machine" : "streamer";
+}
+
+void addStarvation(const Starvation& starvation, diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  if (starvation.source == StarvationSource::Nobody) {
+    diagnostics.add("times starved", kNotReported);
+  } else {
+    diagnostics.add("times starved", starvation.count);
+  }
+  if (starvation.source == StarvationSource::Streamer) {
+    diagnostics.add("longest starvation [s]", starvation.longest_s);
+  } else {
+    diagnostics.add("longest starvation [s]", kNotReported);
+  }
+}
 
 }  // namespace
 
 LiveChange liveChangeOf(const std::string& setting, double value) {
   constexpr double kPercent = 100.0;
+  constexpr double kMillimetres = 1000.0;
   if (setting == "feed" || setting == "flow" || setting == "rapid" || setting == "spindle")
-    return liveChange(setting, kPercent * value);
-  if (setting == "babystep") return liveChange(setting, 1000.0 * value);
+    return liveChange(setting, inUnit(value, kPercent));
+  if (setting == "babystep") return liveChange(setting, inUnit(value, kMillimetres));
   return liveChange(setting, value);
 }
 
@@ -63,9 +93,13 @@ lamina_msgs::StreamProgramResult toResult(const StreamStatus& status, double dur
   result.firmware = status.firmware_name;
   result.commands_not_done = count(status.commands_not_done);
   result.first_not_done = status.first_not_done;
-  result.starvations = count(status.starvation.count);
-  result.longest_starvation = status.starvation.longest_s;
-  result.longest_starvation_line = count(status.starvation.line);
+  const Starvation& starvation = status.starvation;
+  result.starvations = count(starvation.count);
+  result.starvations_counted_by = counterOf(starvation.source);
+  result.longest_starvation = starvation.source == StarvationSource::Streamer
+                                  ? starvation.longest_s
+                                  : std::numeric_limits<double>::quiet_NaN();
+  result.longest_starvation_line = count(starvation.line);
   return result;
 }
 
@@ -73,7 +107,8 @@ void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticS
   using diagnostic_msgs::DiagnosticStatus;
   if (status.failure.code == ErrorCode::Cancelled || status.failure.code == ErrorCode::Ok) {
     const bool is_troubled = status.resends > 0 || status.commands_not_done > 0 ||
-                             status.starvation.count > 0 || !status.message.empty();
+                             status.starvation.count > 0 || !status.message.empty() ||
+                             !status.warning.empty();
     diagnostics.summary(is_troubled ? DiagnosticStatus::WARN : DiagnosticStatus::OK, toString(status.state));
   } else {
     diagnostics.summary(DiagnosticStatus::ERROR, status.failure.message);
@@ -85,13 +120,9 @@ void fillDiagnostics(const StreamStatus& status, diagnostic_updater::DiagnosticS
   diagnostics.add("probes", status.probes);
   diagnostics.add("firmware", status.firmware_name);
   diagnostics.add("commands not done", status.commands_not_done);
-  if (status.starvation.source == StarvationSource::Nobody) {
-    diagnostics.add("times starved", "not reported by this firmware");
-  } else {
-    diagnostics.add("times starved", status.starvation.count);
-  }
-  diagnostics.add("longest starvation [s]", status.starvation.longest_s);
+  addStarvation(status.starvation, diagnostics);
   diagnostics.add("last message", status.message);
+  diagnostics.add("warning", status.warning);
   if (!status.temperatures) return;
   diagnostics.add("nozzle [degC]", status.temperatures->nozzle_c);
   if (status.temperatures->nozzle_target_c) {

@@ -4,6 +4,16 @@
 
 namespace lamina {
 
+void describe(SettingsSchema& schema, StreamCorrectionSettings& settings) {
+  schema.flag("corrections.use", settings.is_used,
+              "Whether programs are corrected, layer by layer, by the maps on the topic correction.");
+  schema.text("corrections.folder", settings.folder,
+              "Folder for the maps that were applied and the record of them; empty for none.");
+  schema.number("loop.wait_s", settings.loop.wait_s, {0.0, 600.0},
+                "Time that the start of a layer waits for its corrections.");
+  describeFeeding(schema, settings.loop);
+}
+
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
   schema.text("port", settings.port.name,
               "Serial port or pseudo-terminal, tcp:host:port, or http://host:port of a print server.");
@@ -12,6 +22,7 @@ void describe(SettingsSchema& schema, GcodeStreamerSettings& settings) {
   describe(schema, settings.stream);
   describe(schema, settings.program);
   describe(schema, settings.startup);
+  describe(schema, settings.corrections);
 }
 
 }  // namespace lamina

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "correction_settings.hpp"
 #include "lamina/base/settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/program/program_settings.hpp"
@@ -18,9 +19,10 @@ struct GcodeStreamerSettings {
   StreamSettings stream;
   ProgramSettings program;
   StartupSettings startup;
+  StreamCorrectionSettings corrections;
 };
 
-/// Adds the keys port, baud, machine.*, stream.*, program.* and startup.*.
+/// Adds the keys port, baud, machine.*, stream.*, program.*, startup.*, corrections.* and some of loop.*.
 void describe(SettingsSchema& schema, GcodeStreamerSettings& settings);
 
 }  // namespace lamina

@@ -42,7 +42,7 @@ void saveHeights(const std::string& folder, const HeightMonitor& monitor,
   drawHeightMap(folder + "/height_map.png", heights, {"Measured height: " + part, summary});
   drawDeviation(folder + "/deviation.png", monitor.deviation(),
                 {"Measured less expected height: " + part, summary});
-  writeOctree(folder + "/height_map.bt", *octreeOf(heights, kMetresPerMillimetre));
+  writeOctree(folder + "/height_map.bt", *octreeOf(heights, kMetresPerMillimetre, monitor.bedFromHeights()));
   writeFile(folder + "/layer_heights.csv", layerHeightCsv(layers));
 }
 

@@ -43,14 +43,15 @@ ros::Publisher advertiseOctomap(ros::NodeHandle& node) {
   return node.advertise<octomap_msgs::Octomap>(names::kHeightOctomap, 1, true);
 }
 
-void publishOctomap(const ros::Publisher& publisher, const HeightMap& heights) {
+void publishOctomap(const ros::Publisher& publisher, const HeightMap& heights,
+                    const Eigen::Isometry3d& bed_from_heights) {
   octomap_msgs::Octomap message;
-  if (octomap_msgs::binaryMapToMsg(*octreeOf(heights, kMetresPerMillimetre), message))
+  if (octomap_msgs::binaryMapToMsg(*octreeOf(heights, kMetresPerMillimetre, bed_from_heights), message))
     publishOnBed(publisher, message);
 }
 #else
 ros::Publisher advertiseOctomap(ros::NodeHandle&) { return {}; }
-void publishOctomap(const ros::Publisher&, const HeightMap&) {}
+void publishOctomap(const ros::Publisher&, const HeightMap&, const Eigen::Isometry3d&) {}
 #endif
 
 }  // namespace
@@ -95,8 +96,8 @@ void HeightTopics::publishMaps(const HeightMonitor& monitor) {
   const bool wants_octomap = octomap_ && octomap_.getNumSubscribers() > 0;
   if (height_map_.getNumSubscribers() > 0 || wants_octomap) {
     const HeightMap heights = monitor.measured().heights();
-    publishOnBed(height_map_, toCloudMessage(heights, monitor.deviation()));
-    if (wants_octomap) publishOctomap(octomap_, heights);
+    publishOnBed(height_map_, toCloudMessage(heights, monitor.deviation(), monitor.bedFromHeights()));
+    if (wants_octomap) publishOctomap(octomap_, heights, monitor.bedFromHeights());
   }
   if (deviation_.getNumSubscribers() > 0) publishOnBed(deviation_, toImageMessage(monitor.deviation()));
 }

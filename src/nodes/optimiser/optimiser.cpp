@@ -6,12 +6,12 @@
 
 #include <utility>
 
-#include "action_end.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/study/study_reader.hpp"
 #include "names.hpp"
 #include "optimiser_settings.hpp"
+#include "progress/action_end.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
 

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <string>
 
-#include "action_progress.hpp"
 #include "lamina/base/progress.hpp"
 #include "lamina/job/study/study_job.hpp"
 #include "messages.hpp"
+#include "progress/action_progress.hpp"
 
 namespace lamina {
 

@@ -7,6 +7,7 @@ namespace lamina {
 void describe(SettingsSchema& schema, ControllerSettings& settings) {
   describe(schema, settings.machine, "Machine or robot that is simulated.");
   describe(schema, settings.servo);
+  describeFeeder(schema, settings.plant);
   schema.number("report_hz", settings.report_hz, {0.0, 1000.0, true},
                 "Positions, feedback and process states a second.");
   schema.number("path_tolerance", settings.path_tolerance, {0.0, 1e3},

@@ -71,6 +71,7 @@ SimulatedControllerNode::SimulatedControllerNode(ros::NodeHandle node, const Con
       transforms_(model_->urdf()),
       epoch_(ros::Time::now()),
       controller_(clock_, *model_, settings.servo, parked(*model_)),
+      flow_(settings.plant),
       awaited_(settings.host_wait_s),
       position_(node.advertise<sensor_msgs::JointState>(names::kMachinePosition, kQueue)),
       process_state_(node.advertise<lamina_msgs::ProcessState>(names::kProcessState, kQueue)),
@@ -231,8 +232,9 @@ void SimulatedControllerNode::report(const ros::Time& now) {
   lamina_msgs::ProcessState process;
   const ros::Duration behind(behind_s_);
   // Nothing is deposited but on the way of a goal.
-  const lamina_msgs::ProcessPoint point =
-      toMessage(server_.isActive() ? process_.at(now - behind) : safeSignals());
+  ProcessSignals signals = server_.isActive() ? process_.at(now - behind) : safeSignals();
+  signals.flow_mm3_s = flow_.at((now - epoch_).toSec(), signals.flow_mm3_s);
+  const lamina_msgs::ProcessPoint point = toMessage(signals);
   process.header.stamp = now;
   process.flow = point.flow;
   process.laser = point.laser;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "arriving_flow.hpp"
 #include "awaited_process.hpp"
 #include "controller_settings.hpp"
 #include "follow_joint_trajectory.hpp"
@@ -62,6 +63,7 @@ class SimulatedControllerNode {
   std::uint64_t reports_ = 0;
   SimulatedController controller_;
   ProcessQueue process_;
+  ArrivingFlow flow_;
   AwaitedProcess awaited_;
   ros::Publisher position_;
   ros::Publisher process_state_;

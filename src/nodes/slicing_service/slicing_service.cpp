@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing_service.hpp"
 
-#include "action_end.hpp"
-#include "action_progress.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "markers/collision_markers.hpp"
@@ -12,9 +10,11 @@
 #include "markers/region_markers.hpp"
 #include "markers/toolpath_markers.hpp"
 #include "names.hpp"
+#include "progress/action_end.hpp"
+#include "progress/action_progress.hpp"
+#include "progress/service_progress.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
-#include "service_progress.hpp"
 #include "status.hpp"
 
 namespace lamina {

@@ -4,11 +4,11 @@
 
 #include <ros/ros.h>
 
-#include "action_end.hpp"
-#include "action_progress.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/job/stiffness_job.hpp"
 #include "names.hpp"
+#include "progress/action_end.hpp"
+#include "progress/action_progress.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
 #include "status.hpp"

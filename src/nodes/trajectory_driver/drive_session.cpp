@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace lamina {
 namespace {
@@ -84,7 +85,8 @@ void DriveSession::feed(const ros::Time& now) {
     if (queued_s == 0.0 && !was_starved_) ++status_.feeding.starvations;
     was_starved_ = queued_s == 0.0;
   }
-  while (const std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
+  while (std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
+    if (motion_.correction) chunk = motion_.correction->corrected(std::move(*chunk));
     // First what is to happen on the way, then the way.
     links_.process.send(*chunk, begin_, motion_.toolpath_id);
     links_.controller.send(*chunk, begin_);
@@ -151,6 +153,11 @@ bool DriveSession::awaitEnd(const ros::Time& now) {
     giveUp(now, {ErrorCode::TimedOut, "the controller has not come to the end of its last goal " +
                                           std::to_string(overdue_s) + " s after it was due"});
   return true;
+}
+
+std::string DriveSession::correct(const CorrectionMap& map) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return motion_.correction ? motion_.correction->hear(map) : "the machine is on its way to the start";
 }
 
 void DriveSession::hear(const ControllerReport& report, const ros::Time& now) {

@@ -4,10 +4,12 @@
 
 #include <ros/time.h>
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "chunk_correction.hpp"
 #include "controller_client.hpp"
 #include "driver_settings.hpp"
 #include "lamina/base/error.hpp"
@@ -39,7 +41,8 @@ struct DriveStatus {
 struct DriveMotion {
   const TimedPath& path;
   std::string toolpath_id;
-  PackmlState running = PackmlState::Execute;  ///< Starting on the way to the start
+  PackmlState running = PackmlState::Execute;             ///< Starting on the way to the start
+  std::shared_ptr<ChunkCorrection> correction = nullptr;  ///< null if it is driven as planned
 };
 
 /// What a drive is connected with.
@@ -59,6 +62,10 @@ class DriveSession {
   /// Hands over what is due. False once the motion has ended and everything is at rest.
   bool step(const ros::Time& now);
   void hear(const ControllerReport& report, const ros::Time& now);
+
+  /// A map for what is not handed over yet.
+  /// @return why it is not used, in words; empty if it is
+  std::string correct(const CorrectionMap& map);
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);

@@ -20,6 +20,9 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
                            {{"arrival", SilenceBy::Arrival}, {"stamps", SilenceBy::Stamps}},
                            "Clock of that silence: the arrival of reports, or their stamps.");
   describe(schema, settings.approach);
+  schema.flag("corrections.use", settings.is_corrected,
+              "Whether what is not handed over yet is corrected by the maps on the topic correction.");
+  describeFeeding(schema, settings.loop);
   schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
                 "From the first chunk sent to the first motion.");
   schema.number("lift_mm", settings.lift_mm, {0.0, 1e3}, "How far the tool is lifted after an abort.");

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/control/loop_settings.hpp"
 #include "lamina/job/run_settings.hpp"
 #include "lamina/kinematics/cartesian/machine_settings.hpp"
 #include "lamina/trajectory/approach.hpp"
@@ -32,6 +33,8 @@ struct DriverSettings {
   ClearanceSettings clearance;
   TrackingLimits tracking;
   ApproachSettings approach;
+  bool is_corrected = false;      ///< by the maps on the topic correction
+  LoopSettings loop;              ///< of which `describeFeeding` counts
   double start_delay_s = 0.5;     ///< from the first chunk to its first point
   double lift_mm = 10.0;          ///< of the tool after an abort
   double lift_mm_s = 10.0;        ///< speed of that
@@ -39,7 +42,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
-/// tracking.*, approach.*, check_clearance, start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
+/// tracking.*, approach.*, corrections.use, some of loop.*, check_clearance, start_delay_s, lift_mm,
+/// lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

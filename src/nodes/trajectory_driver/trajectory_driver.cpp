@@ -4,6 +4,7 @@
 
 #include <ros/ros.h>
 
+#include "correction_messages.hpp"
 #include "drive_messages.hpp"
 #include "joint_messages.hpp"
 #include "markers/check_markers.hpp"
@@ -69,6 +70,11 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   };
   diagnostics_timer_ = node.createTimer(ros::Duration(1.0), update);
   toolpath_subscriber_ = node.subscribe<lamina_msgs::Toolpath>(names::kToolpath, 1, onToolpath);
+  const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
+    onCorrection(*map);
+  };
+  if (settings_.is_corrected)
+    correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
   DriveStatus idle;
   idle.state = PackmlState::Idle;
   publishState(idle);
@@ -126,7 +132,11 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
   }
   const TimedPath& path = *job.timed.trajectory;
   ROS_INFO("driving %s: %.1f s on %s", job.toolpath_id.c_str(), path.duration(), model_->name().c_str());
-  DriveStatus status = run({path, job.toolpath_id});
+  std::shared_ptr<ChunkCorrection> correction;
+  if (settings_.is_corrected)
+    correction = std::make_shared<ChunkCorrection>(
+        DrivenToolpath{placed.id, placed.toolpath, placed.bed_from_part}, settings_.loop, *model_);
+  DriveStatus status = run({path, job.toolpath_id, PackmlState::Execute, correction});
   if (status.state == PackmlState::Complete) deposited_.publish(growing_->whole());
   show(status);
   return status;
@@ -178,6 +188,21 @@ DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
     if (!ros::Duration(kStep).sleep()) break;
   }
   return session->status();
+}
+
+void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
+  try {
+    const CorrectionMap map = toCore(message);
+    const auto job = session();
+    const std::string refusal = job ? job->correct(map) : "nothing is driven";
+    if (refusal.empty())
+      ROS_INFO("layer %lu is corrected by map %s from here on", static_cast<unsigned long>(map.layer),
+               message.digest.c_str());
+    else
+      ROS_WARN("a correction is not used: %s", refusal.c_str());
+  } catch (const Error& error) {
+    ROS_WARN("a correction is not used: %s", error.what());
+  }
 }
 
 void TrajectoryDriver::show(const DriveStatus& status) {

@@ -45,6 +45,7 @@ class TrajectoryDriver {
   DriveStatus drive(const std::string& toolpath_id);
   MachineToolpath toolpath(const std::string& id);
   DriveStatus run(const DriveMotion& motion);
+  void onCorrection(const lamina_msgs::CorrectionMap& message);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
 
@@ -60,6 +61,7 @@ class TrajectoryDriver {
   ros::Publisher deposited_;
   ros::Publisher findings_;
   ros::Subscriber toolpath_subscriber_;
+  ros::Subscriber correction_;
   ros::ServiceServer pause_;
   ros::ServiceServer resume_;
   ros::ServiceServer abort_;

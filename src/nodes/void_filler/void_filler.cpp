@@ -6,9 +6,9 @@
 
 #include "lamina/base/error.hpp"
 #include "names.hpp"
+#include "progress/service_progress.hpp"
 #include "refusal_text.hpp"
 #include "request_settings.hpp"
-#include "service_progress.hpp"
 #include "status.hpp"
 #include "void_messages.hpp"
 

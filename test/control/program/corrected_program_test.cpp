@@ -212,11 +212,52 @@ TEST(CorrectedProgram, ShiftsTheNozzleAndTakesItBack) {
   EXPECT_NEAR(played(text).highest_mm, 3.0, 1e-9);
 }
 
+/// What stands in the corrected program between the last deposit and the end code's first motion.
+std::string beforeTheLift(double dz_mm) {
+  const Toolpath part = beadPart();
+  std::string program = programOf(part);
+  program += "G91\nG0 Z5 F600\nG90\n";
+  const std::string text = correctedProgram(program, part, {evenMap(part, 1, {0.0, 0.0, dz_mm})}, {}).text;
+  const std::size_t last = text.rfind(" E");
+  const std::size_t from = text.find('\n', last) + 1;
+  return text.substr(from, text.rfind("G91") - from);
+}
+
+TEST(CorrectedProgram, StatesNoPlaceWhileTheEndCodeCountsFromWhereItIs) {
+  EXPECT_EQ(beforeTheLift(0.3).find("G1 X"), std::string::npos) << "would go down into the bead";
+  EXPECT_NE(beforeTheLift(-0.3).find("G1 X40.000 Y6.000 Z3.000"), std::string::npos);
+  const Toolpath part = beadPart();
+  const std::string program = programOf(part) + "G91\nG0 Z5 F600\n";
+  const std::string text = correctedProgram(program, part, {evenMap(part, 1, {0.0, 0.0, -0.3})}, {}).text;
+  EXPECT_EQ(text.substr(text.rfind("G91")), "G91\nG0 Z5 F600\n");
+}
+
 TEST(CorrectedProgram, RefusesMapsOfOtherToolpaths) {
   const Toolpath part = beadPart();
   const CorrectionMap map = evenMap(part, 0, {0.1, 0.0, 0.0});
   EXPECT_THROW(correctedProgram("", ringPart(), {map}, {}), InvalidInput);
   EXPECT_THROW(correctedProgram("", part, {map, map}, {}), InvalidInput);
+}
+
+TEST(CorrectedProgram, RefusesShiftsBeyondALayer) {
+  const Toolpath part = beadPart();
+  EXPECT_NO_THROW(correctedProgram("", part, {evenMap(part, 0, {0.0, 0.0, -1.5})}, {}));
+  EXPECT_THROW(correctedProgram("", part, {evenMap(part, 0, {0.0, 0.0, -1.6})}, {}), InvalidInput);
+}
+
+TEST(CorrectedProgram, HoldsNoMoreThanTheStationsOfAMap) {
+  const Toolpath part = beadPart();
+  CorrectionMap map = evenMap(part, 0, {0.1, 0.0, 0.0});
+  for (PathCorrection& path : map.paths) {
+    path.station_mm = 1e-9;  // 40 mm of them would be 4e10 pieces
+    path.stations.resize(2);
+  }
+  const std::string program = programOf(part);
+  EXPECT_NEAR(played(correctedProgram(program, part, {map}, {}).text).laid_mm, 1.05 * played(program).laid_mm,
+              1e-3);
+  CorrectionWriting never;
+  never.split_change = 0.0;
+  EXPECT_THROW(correctedProgram(program, part, {map}, never), InvalidInput);
 }
 
 TEST(CorrectedProgram, LeavesWhatIsBesideTheToolpath) {
@@ -237,6 +278,32 @@ TEST(CorrectedProgram, RefusesAChecksum) {
   const std::size_t line = program.find("G1", program.find(";LAYER:0"));
   program.insert(program.find('\n', line), "*12");
   EXPECT_THROW(correctedProgram(program, part, {evenMap(part, 0, {0.1, 0, 0})}, {}), InvalidProgram);
+}
+
+TEST(CorrectedProgram, TakesMapsUntilTheirLayersBegin) {
+  const Toolpath part = beadPart();
+  const std::string program = programOf(part);
+  const CorrectionMap second = mapOf(part, 1, [](double) { return PlaceCorrection{0.1, 0.0, 0.0}; });
+  const std::string expected = correctedProgram(program, part, {second}, {}).text;
+  const std::size_t layer = program.find(";LAYER:1");
+  ASSERT_NE(layer, std::string::npos);
+  ProgramCorrector corrector(part, {}, {});
+  std::string text;
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < program.size();) {
+    if (begin == layer) {
+      CorrectionMap late = second;
+      late.layer = 0;
+      EXPECT_THROW(corrector.add(late), InvalidInput) << "the first layer is laid";
+      corrector.add(second);
+      EXPECT_THROW(corrector.add(second), InvalidInput) << "one a layer";
+    }
+    const std::size_t end = std::min(program.find('\n', begin), program.size());
+    corrector.read(std::string_view(program).substr(begin, end - begin), ++number, text);
+    if (end < program.size()) text += '\n';
+    begin = end + 1;
+  }
+  EXPECT_EQ(text, expected);
 }
 
 }  // namespace

@@ -52,10 +52,11 @@ TEST(BorderConnection, IsNotLongerThanAllowed) {
 
 TEST(BorderConnection, CoversNoMoreThanAllowed) {
   BorderConnection scarce = kConnection;
-  scarce.most_mm2 = 0.1 * 10.0 + 1e-9;
+  // 10 mm along the border, and 0.3 mm from the end of each run to it.
+  scarce.most_mm2 = 0.1 * 10.6 + 1e-9;
   const std::vector<FillPath> runs = {run({{5, 5}, {5, 0.3}}), run({{9.7, 5}, {6, 5}})};
   EXPECT_EQ(connectAlongBorder(runs, kBorderConnectionSquare, scarce).size(), 1U);
-  scarce.most_mm2 = 0.1 * 9.9;
+  scarce.most_mm2 = 0.1 * 10.5;
   EXPECT_EQ(connectAlongBorder(runs, kBorderConnectionSquare, scarce).size(), 2U);
 }
 

@@ -103,7 +103,7 @@ TEST(VariableWidthRuns, StayInsideAndFillWhatTheyCover) {
         }
       }
     }
-    RC_ASSERT(std::abs(variableWidthRunsFilledArea(runs) / area(regions) - 1.0) < 0.08);
+    RC_ASSERT(std::abs(variableWidthRunsFilledArea(runs) / area(regions) - 1.0) < 0.03);
   }));
 }
 

@@ -22,6 +22,7 @@ class ModifiersTest : public ::testing::Test {
   ModifiersTest() {
     job_.part = folder_.file("cube.stl");
     writeStl(job_.part, test::boxBetween({0, 0, 0}, {20, 20, 4}));
+    job_.settings.planning = PlanSettings{};
     job_.settings.planning.skirt.count = 0;
     job_.settings.planning.infill.density = 0.0;
     job_.settings.modifiers = folder_.file("modifiers.yaml");

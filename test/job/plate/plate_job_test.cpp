@@ -175,6 +175,7 @@ TEST_F(PlateJobTest, MergesLayersOfDifferentHeightsByTheirTops) {
 
 TEST_F(PlateJobTest, GivesPartsSettingsOfTheirOwn) {
   const std::string file = box("box", {20, 20, 2});
+  job_.settings.planning = PlanSettings{};
   job_.settings.planning.walls.count = 0;
   add(file).name = "dense";
   job_.plate.parts.back().settings = {{"infill.density", "1"}};
@@ -221,6 +222,7 @@ TEST_F(PlateJobTest, MarksPartsThatAreReadBack) {
 
 TEST_F(PlateJobTest, LabelsPartsForFirmware) {
   add(box("my part", {10, 10, 1})).copies = 2;
+  job_.settings.fan.is_used = false;
   job_.output = folder_.file("plate.gcode");
   job_.settings.plate.labels = ObjectLabels::M486;
   run();

@@ -49,6 +49,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Bounded{"machine.greatest_layer_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"},
                     Bounded{"machine.nozzle_mm", "0.2", "0.15", "slicing.layer_height_mm is 0.2"}));
 
+TEST(InfillOfSeveralLayers, IsNoHigherThanTheNozzleLays) {
+  const SettingText of_three = {"infill.every_layers", "3"};
+  EXPECT_EQ(refusalOf({of_three, {"machine.nozzle_mm", "0.75"}}), "") << "0.6 mm, and 0.8 of 0.75";
+  EXPECT_EQ(
+      refusalOf({of_three, {"machine.nozzle_mm", "0.74"}}),
+      "infill.every_layers is 3 of 0.2 mm, which makes beads 0.6 mm high; must be at most 0.592 mm, 0.8 "
+      "of machine.nozzle_mm");
+  EXPECT_NE(refusalOf({of_three}).find("bead.width_mm"), std::string::npos) << "where no nozzle is known";
+  EXPECT_NE(refusalOf({of_three, {"machine.nozzle_mm", "2"}, {"slicing.heights", "adaptive"}}), "");
+}
+
 TEST(UnknownCapabilities, RefuseNothing) {
   EXPECT_EQ(refusalOf({{"program.nozzle_temperature_c", "500"}}), "");
 }

@@ -6,6 +6,7 @@
 
 #include "job/settings/setting_probe.hpp"
 #include "lamina/control/loop_settings.hpp"
+#include "lamina/control/profile_reading.hpp"
 #include "lamina/deposition/growth_plant.hpp"
 #include "lamina/deposition/path_follower.hpp"
 #include "lamina/dynamics/tracking_simulation.hpp"
@@ -42,7 +43,7 @@ std::vector<std::string> coreKeys() {
   return keysOfAll<JobSettings, InclineSettings, RunSettings, SearchSettings, KrigingSettings,
                    ScaffoldSettings, StartupSettings, StreamSettings, EmulatedSettings, ApproachSettings,
                    TrajectoryFeederSettings, ServoSettings, FollowingSettings, MonitorSettings,
-                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings>();
+                   ProfileSensorSettings, TrackingSettings, LoopSettings, PlantSettings, SightSettings>();
 }
 
 const std::vector<TestedElsewhere>& testedElsewhere() {

@@ -4,9 +4,11 @@
 #include "job/settings/setting_probe.hpp"
 #include "lamina/control/metal_split.hpp"
 #include "lamina/control/part_learning.hpp"
+#include "lamina/control/profile_reading.hpp"
 #include "lamina/control/stability.hpp"
 #include "lamina/control/trailing_trim.hpp"
 #include "support/control_layers.hpp"
+#include "support/measured_layers.hpp"
 #include "support/printed_wall.hpp"
 
 namespace lamina::test {
@@ -117,6 +119,44 @@ std::string learnt(const SettingTexts& set) {
       learntFromPart({}, {}, {layer}, PartEnd::Complete, settingsWith<LoopSettings>(set)).amount[0]);
 }
 
+/// What two profiles over a bead say, one with something wrong everywhere, one from the side.
+std::string sighted(const SettingTexts& set) {
+  const auto settings = settingsWith<SightSettings>(set);
+  const MeasuredLayer measured = inclinedLayer(0.0, 1, {3.0, 1.5});
+  CellAtlas atlas(settings.window_layers);
+  atlas.add(std::make_shared<const LayerCells>(cellsOf(measured)));
+  SensorProfile profile;
+  profile.toolpath_from_sensor = sensorOver(measured, 0, 0.5);
+  for (int i = -14; i <= 14; ++i) profile.points.emplace_back(0.1 * i, 0.0, i < 0 ? 60.0 : 62.0);
+  std::vector<double> numbers;
+  const auto note = [&] {
+    const ProfileReadings read = readProfile(profile, atlas, {}, settings);
+    numbers.push_back(double(read.counts.used));
+    for (const LayerReading& one : read.readings) numbers.push_back(one.reading.sigma_mm);
+  };
+  note();
+  profile.toolpath_from_sensor.rotate(Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()));
+  profile.toolpath_from_sensor.translation() =
+      measured.place(0, 0.5, 0.0, 0.0) - profile.toolpath_from_sensor.linear() * Point3(0, 0, 60);
+  note();
+  return numbersText(numbers);
+}
+
+SettingProbe sightProbe() {
+  return {"a bead that is seen",
+          "",
+          sighted,
+          {{"sight.window_layers=1"},
+           {"sight.crown_share=0.5"},
+           {"sight.sigma_mm=0.05"},
+           {"sight.spacing_mm=0.3"},
+           {"sight.pose_sigma_mm=0.05"},
+           {"sight.greatest_angle_deg=30"},
+           {"sight.least_depth_mm=61", "sight.greatest_depth_mm=65"},
+           {"sight.greatest_depth_mm=61"},
+           {"sight.trim_points=12"}}};
+}
+
 SettingProbe lawProbe() {
   return {"a wall in a closed loop",
           "plant.gain=0.9;plant.end_loss=0.15;plant.wave=0.05;plant.random=0.03",
@@ -169,6 +209,7 @@ SettingProbe plantProbe() {
 std::vector<SettingProbe> loopProbes() {
   return {lawProbe(),
           plantProbe(),
+          sightProbe(),
           {"a loop that is supervised",
            "",
            supervised,

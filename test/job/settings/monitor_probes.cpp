@@ -15,8 +15,9 @@ std::string seen(const SettingTexts& set) {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Point3(50, 50, 75);
   pose.linear() = Eigen::AngleAxisd(M_PI, Point3::UnitX()).toRotationMatrix();
-  std::vector<double> numbers;
-  for (const Point3& point : ProfileSensor(settingsWith<ProfileSensorSettings>(set)).measure(map, pose)) {
+  ProfileSensor sensor(settingsWith<ProfileSensorSettings>(set));
+  std::vector<double> numbers{sensor.stampError()};
+  for (const Point3& point : sensor.measure(map, pose, 1.0, 600.0)) {
     numbers.push_back(point.x());
     numbers.push_back(point.z());
   }
@@ -50,7 +51,15 @@ std::vector<SettingProbe> monitorProbes() {
             {"sensor.stand_off_mm=70"},
             {"sensor.range_mm=10"},
             {"sensor.noise_mm=0.05"},
-            {"sensor.seed=2"}}},
+            {"sensor.seed=2"},
+            {"sensor.noise_correlation=0.5"},
+            {"sensor.time_offset_s=0.1"},
+            {"sensor.stamp_jitter_s=0.01"},
+            {"sensor.spray_rate=0.1"},
+            {"sensor.mirror_rate=0.1"},
+            {"sensor.dropout_rate=0.1"},
+            {"sensor.bias_mm=0.2"},
+            {"sensor.drift_mm_h=0.1"}}},
           {"a monitor of heights",
            "",
            monitored,

@@ -10,6 +10,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/geometry/parts/parts.hpp"
+#include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lamina::test {
@@ -31,6 +32,15 @@ SettingTexts settingTexts(const std::string& assignments) {
   for (std::string one; std::getline(stream, one, ';');)
     if (!one.empty()) texts.push_back(settingFromAssignment(one));
   return texts;
+}
+
+template <>
+JobSettings settingsWith<JobSettings>(const SettingTexts& set) {
+  JobSettings settings = plainSettings();
+  SettingsSchema schema;
+  describe(schema, settings);
+  for (const SettingText& setting : set) schema.set(setting.key, setting.text);
+  return settings;
 }
 
 std::string numbersText(const std::vector<double>& numbers) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lamina/base/settings.hpp"
+#include "lamina/job/job_settings.hpp"
 
 namespace lamina::test {
 
@@ -39,6 +40,10 @@ Settings settingsWith(const SettingTexts& set) {
   for (const SettingText& setting : set) schema.set(setting.key, setting.text);
   return settings;
 }
+
+/// From walls and infill alone on (`plainSettings`): a setting has its effect whatever jobs do by default.
+template <>
+JobSettings settingsWith<JobSettings>(const SettingTexts& set);
 
 template <class Settings>
 std::vector<std::string> keysOf() {

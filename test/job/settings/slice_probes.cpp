@@ -56,6 +56,7 @@ SettingProbe planningProbe() {
            {"infill.angle_deg=30"},
            {"infill.alternation_deg=45"},
            {"infill.wall_overlap=0.3"},
+           {"infill.every_layers=2", "machine.nozzle_mm=1"},
            {"infill.link=none"},
            {"infill.link_mm=3", "infill.link=up_to_mm"},
            {"skirt.count=2"},

@@ -9,7 +9,8 @@ namespace {
 
 constexpr char kTwoTools[] =
     "slicing.layer_height_mm=0.4;slicing.first_layer_height_mm=0.4;bead.width_mm=0.8;skirt.count=0;"
-    "tools.list=[{name: a}, {name: b}];tool.infill=1;skins.top_layers=1;tools.purge_mm3=20";
+    "tools.list=[{name: a}, {name: "
+    "b}];tool.infill=1;skins.top_layers=1;skins.bottom_layers=1;tools.purge_mm3=20";
 
 }  // namespace
 

@@ -100,6 +100,9 @@ TEST(BuildSpace, OfABeltIsEndlessAlongItAndSpokenOfInAxisValues) {
   // 5 mm over the belt is 5 / sin 45 deg up the incline, whose foot is then 5 mm behind.
   EXPECT_TRUE((space.program_from_bed * Point3(12, -7, 5)).isApprox(Point3(12, 5 * M_SQRT2, 12), kWithin));
   EXPECT_TRUE(sensorOffset(space).isApprox(Point2(25, 0), kWithin)) << "it looks along the tool axis";
+  const Eigen::Quaterniond inclined(Eigen::AngleAxisd(0.25 * M_PI, Point3::UnitX()));
+  EXPECT_TRUE(sensorOffset(space, inclined).isApprox(Point2(25, 0), kWithin))
+      << "and square to layers at 45 deg";
 }
 
 TEST(BuildSpace, OfFiveAxesIsThatOfTheLinearOnesWithAToolAxisThatCanTurn) {

@@ -128,6 +128,24 @@ TEST(FanSpinUp, RunsThroughALullThatIsShorter) {
   expectTold(toldOf(toolpath, settings), {{0, 0.9}, {60, 0.2}, {80, 0.9}});
 }
 
+TEST(FanSpinUp, KeepsTheGreaterOfTwoRisesThatAreTooLate) {
+  FanSettings settings = fanOfBridges();
+  settings.spin_up_s = 5.0;
+  settings.by_role = "top_skin=0.6";
+  Toolpath toolpath = oneLayer({stretch(PathRole::Infill, 0, 20), stretch(PathRole::Bridge, 20, 30),
+                                stretch(PathRole::Infill, 30, 40), stretch(PathRole::TopSkin, 40, 60)});
+  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {30, 0.6}});
+}
+
+TEST(FanSpinUp, KeepsAFallToMoreThanWhatFollowsTheLull) {
+  FanSettings settings = fanOfBridges();
+  settings.spin_up_s = 5.0;
+  settings.by_role = "top_skin=0.6,skin=0.4";
+  Toolpath toolpath = oneLayer({stretch(PathRole::Bridge, 0, 100), stretch(PathRole::TopSkin, 100, 120),
+                                stretch(PathRole::Infill, 120, 140), stretch(PathRole::Skin, 140, 200)});
+  expectTold(toldOf(toolpath, settings), {{0, 0.9}, {100, 0.6}, {120, 0.4}});
+}
+
 TEST(FanSpinUp, FallsOnlyAsFarAsWhatFollowsALull) {
   FanSettings settings = fanOfBridges();
   settings.spin_up_s = 2.0;

@@ -143,8 +143,40 @@ TEST(PlaceInterval, ChangesNothingWhereItIsShort) {
 }
 
 TEST(PlaceInterval, NeverWaitsForWhatBeginsAnew) {
-  Toolpath toolpath = towers({{0}, {30}, {0}});
+  Toolpath toolpath = towers({{0}, {30}, {60}});
   EXPECT_EQ(leftAlone(toolpath, aloneFor(20.0)).dwells, 0U);
+}
+
+TEST(PlaceInterval, RemembersPlacesThatLayersInBetweenLeaveOut) {
+  // As on a plate of parts whose layers are not as high.
+  Toolpath toolpath = towers({{0}, {30}, {0}, {30}});
+  const CoolingSummary summary = leftAlone(toolpath, aloneFor(20.0));
+  EXPECT_EQ(summary.dwells, 1U) << "the second tower has been left for as long by then";
+  EXPECT_NEAR(summary.dwell_s, 20.0 - 12.0, 0.01);
+}
+
+TEST(PlaceInterval, CountsNoWaitThatTheWaysTake) {
+  CoolingSettings settings = aloneFor(0.001);
+  settings.lift_mm = 1.0;
+  Toolpath toolpath = towers({{0}, {0}});
+  for (Path& path : toolpath.layers[1].paths)
+    if (path.role == PathRole::Travel) path.feed_mm_s = 1.0;
+  toolpath.layers[0].paths.front().is_closed = true;
+  EXPECT_EQ(leftAlone(toolpath, settings).dwells, 0U);
+}
+
+TEST(PlaceInterval, LeavesOutTheWipeBehindWhatComesLastNoMore) {
+  Toolpath toolpath = towers({{0, 30}, {30, 0}, {0, 30}});
+  // Along the loop that ends the second layer.
+  const Path last = toolpath.layers[1].paths.back();
+  const Path wipe = wayBetween(last.points[0], last.points[0] + Point3(2, 0, 0));
+  toolpath.layers[1].paths.push_back(wipe);
+  toolpath.layers[2].paths.front() = wayBetween(wipe.lastPoint(), toolpath.layers[2].paths[1].firstPoint());
+  const CoolingSummary summary = leftAlone(toolpath, aloneFor(20.0));
+  EXPECT_EQ(orderOf(toolpath)[1], (std::vector<double>{0, 30}));
+  EXPECT_EQ(summary.reordered_layers, 1U);
+  for (const Path& path : toolpath.layers[1].paths) EXPECT_NE(path.points, wipe.points);
+  EXPECT_NEAR(shortestPause(toolpath), 20.0, 0.01);
 }
 
 TEST(PlaceInterval, CountsIslandsWhoseBoxesOverlapAsOne) {

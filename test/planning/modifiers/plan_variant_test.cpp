@@ -273,6 +273,104 @@ TEST(PlanVariant, HasSkinsOfItsOwn) {
   EXPECT_NEAR(skins_mm3, 8 * 0.2 * 0.5 * side * side, 0.02 * skins_mm3);
 }
 
+TEST(PlanVariant, IsIronedByItsToolAndFeed) {
+  PlanSettings settings = sparse(0.3);
+  settings.skins.top_layers = 2;
+  settings.ironing.is_used = true;
+  settings.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  PlanSettings white = settings;
+  white.tools.walls = white.tools.infill = white.tools.skin = 1;
+  white.feed.ironing_mm_s = 7.0;
+  white.bead.flow = 0.5;
+  const auto ironed = [](const Toolpath& toolpath) {
+    std::vector<Path> paths;
+    for (const ToolpathLayer& layer : toolpath.layers)
+      for (const Path& path : layer.paths)
+        if (path.role == PathRole::Ironing) paths.push_back(path);
+    return paths;
+  };
+  const auto volume_of = [](const std::vector<Path>& paths) {
+    double sum_mm3 = 0.0;
+    for (const Path& path : paths) sum_mm3 += depositedVolume(path);
+    return sum_mm3;
+  };
+  const std::vector<Path> usual = ironed(variedPlan(settings, {}));
+  const Regions all = {Region{rectangle(-1, -1, 21, 21), {}}};
+  const std::vector<Path> whole = ironed(variedPlan(settings, {variantOf(white, all)}));
+  ASSERT_FALSE(whole.empty());
+  for (const Path& path : whole) {
+    EXPECT_EQ(path.tool, 1U);
+    EXPECT_EQ(path.feed_mm_s.at(1), 7.0);
+  }
+  EXPECT_NEAR(volume_of(whole), 0.5 * volume_of(usual), 1e-9);
+  for (const Path& path : ironed(variedPlan(settings, {variantOf(white, kRightHalf)})))
+    for (std::size_t m = 0; m < path.motionCount(); ++m)
+      EXPECT_EQ(path.tool, isRightOf(10.0, path, m) ? 1U : 0U);
+}
+
+TEST(PlanVariant, HoldsForWallsOfAnIslandThatVariantsShare) {
+  PlanSettings usual = sparse(0.15);
+  PlanSettings rear = usual;
+  rear.seam.placement = SeamPlacement::Rear;
+  rear.walls.order = WallOrder::OutsideIn;
+  PlanSettings dense = rear;
+  dense.infill.density = 0.5;
+  const Regions left = {Region{rectangle(-1, -1, 10, 21), {}}};
+  const Toolpath toolpath =
+      variedPlan(usual, {variantOf(rear, left, 10, 20), variantOf(dense, kRightHalf, 10, 20)});
+  for (std::size_t l = 0; l < 30; ++l) {
+    const std::vector<Path>& paths = toolpath.layers[l].paths;
+    const auto walls_at = [&](PathRole role) {
+      return std::find_if(paths.begin(), paths.end(), [role](const Path& path) { return path.role == role; });
+    };
+    const auto outer = walls_at(PathRole::OuterWall);
+    ASSERT_NE(outer, paths.end());
+    const bool holds = l >= 10 && l < 20;
+    EXPECT_EQ(outer->firstPoint().y() > 19.0, holds) << l;
+    EXPECT_EQ(outer < walls_at(PathRole::InnerWall), holds) << l;
+  }
+}
+
+TEST(PlanVariant, HoldsForBeadsInGapsBetweenWalls) {
+  // 1 mm wide: one loop, and 0.68 pitches within it.
+  const auto layers = test::layersOf(2, [](int) { return std::vector<Polygon>{rectangle(0, 0, 20, 1)}; });
+  PlanSettings settings = sparse(0.15);
+  settings.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  PlanSettings white = settings;
+  white.tools.walls = white.tools.infill = white.tools.skin = 1;
+  white.bead.flow = 0.5;
+  const auto gap_at = [&](const std::vector<PlanVariant>& variants, double x, std::uint32_t tool) {
+    NoProgress nobody;
+    const Box2 bed{{-100.0, -100.0}, {100.0, 100.0}};
+    const Toolpath toolpath = planPart("part", layers, settings, VariedBed{bed, variants}, nobody).toolpath;
+    double section_mm2 = 0.0;
+    for (const Path& path : toolpath.layers[1].paths) {
+      if (path.role != PathRole::GapFill) continue;
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const double a = path.points[m].x();
+        const double b = path.points[path.motionEnd(m)].x();
+        if (std::min(a, b) > x || std::max(a, b) < x) continue;
+        EXPECT_EQ(path.tool, tool);
+        section_mm2 = crossSection(path.bead.at(path.motionEnd(m)));
+      }
+    }
+    return section_mm2;
+  };
+  const PlanVariant right{white, std::vector<Regions>(2, kRightHalf)};
+  const double usual_mm2 = gap_at({}, 15.0, 0);
+  ASSERT_GT(usual_mm2, 0.0);
+  EXPECT_NEAR(gap_at({right}, 15.0, 1), 0.5 * usual_mm2, 1e-9);
+  EXPECT_NEAR(gap_at({right}, 5.0, 0), usual_mm2, 1e-9);
+}
+
+TEST(PlanVariant, RefusesAnotherFlowWhereVoidsAreRefilled) {
+  PlanSettings settings = sparse(1.0);
+  settings.voids.refill = VoidRefill::Beads;
+  PlanSettings half = settings;
+  half.bead.flow = 0.5;
+  EXPECT_THROW(variedPlan(settings, {variantOf(half, kRightHalf)}), InvalidConfig);
+}
+
 TEST(PlanVariant, RefusesFillsThatLeaveTheirLayer) {
   PlanSettings chained = sparse(0.15);
   chained.infill.strategy = "contour";

@@ -55,6 +55,14 @@ double solidVolumeOf(const ToolpathLayer& layer) {
 
 Polygon centredSquare(double side) { return rectangle(-0.5 * side, -0.5 * side, 0.5 * side, 0.5 * side); }
 
+/// Squares of 40, 30, 20 and 10 mm, 20 layers each.
+std::vector<Layer> steppedPyramid() {
+  return test::layersOf(80, [](int l) {
+    const int step = l / 20;
+    return std::vector<Polygon>{centredSquare(40.0 - 10.0 * step)};
+  });
+}
+
 TEST(Skins, CloseACubeAboveAndBelow) {
   const auto layers = test::layersOf(100, [](int) { return std::vector<Polygon>{centredSquare(20)}; });
   const Toolpath toolpath = plan(layers, fourAndFour());
@@ -80,6 +88,51 @@ TEST(Skins, LeaveTheSparseLayersBetweenAsTheyWere) {
         << l;
 }
 
+/// A skin of a solid infill is that infill by another name.
+TEST(Skins, GiveASolidInfillTheirRoles) {
+  PlanSettings solid = fourAndFour();
+  solid.infill.density = 1.0;
+  PlanSettings without = solid;
+  without.skins = SkinSettings{};
+  const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{centredSquare(20)}; });
+  const Toolpath skinned = plan(layers, solid);
+  const Toolpath plain = plan(layers, without);
+  for (std::size_t l = 0; l < 20; ++l) {
+    const PathRole role = l == 0             ? PathRole::BottomSkin
+                          : l == 19          ? PathRole::TopSkin
+                          : l < 4 || l >= 16 ? PathRole::Skin
+                                             : PathRole::Infill;
+    const double laid = depositedBy(plain.layers[l], PathRole::Infill);
+    EXPECT_NEAR(depositedBy(skinned.layers[l], role), laid, 0.003 * laid) << l;
+    EXPECT_NEAR(depositedBy(skinned.layers[l], PathRole::Infill), role == PathRole::Infill ? laid : 0.0,
+                1e-9);
+  }
+  solid.infill.strategy = "hilbert";
+  EXPECT_EQ(depositedBy(plan(layers, solid), PathRole::TopSkin), 0.0) << "a curve is not cut";
+}
+
+TEST(Skins, GiveSolidOuterLayersTheirRoles) {
+  PlanSettings settings = fourAndFour();
+  settings.infill.outer_layers = 2;
+  const auto layers = test::layersOf(20, [](int) { return std::vector<Polygon>{centredSquare(20)}; });
+  const Toolpath toolpath = plan(layers, settings);
+  const double of_layer = std::pow(20 - 2 * kWalls, 2) * kSkinLayerHeight;
+  EXPECT_NEAR(depositedBy(toolpath.layers[0], PathRole::BottomSkin), of_layer, 0.01 * of_layer);
+  EXPECT_NEAR(depositedBy(toolpath.layers[1], PathRole::Skin), of_layer, 0.01 * of_layer);
+  EXPECT_NEAR(depositedBy(toolpath.layers[19], PathRole::TopSkin), of_layer, 0.01 * of_layer);
+}
+
+TEST(Skins, ShareOutASolidLayerWithASeenRim) {
+  PlanSettings solid = fourAndFour();
+  solid.infill.density = 1.0;
+  const Toolpath toolpath = plan(steppedPyramid(), solid);
+  const double ring = (std::pow(40 - 2 * kWalls, 2) - std::pow(30 - 2 * kWalls, 2)) * kSkinLayerHeight;
+  const double rest = std::pow(30 - 2 * kWalls, 2) * kSkinLayerHeight;
+  EXPECT_NEAR(depositedBy(toolpath.layers[19], PathRole::TopSkin), ring, 0.015 * ring);
+  EXPECT_NEAR(depositedBy(toolpath.layers[19], PathRole::Infill), rest, 0.015 * rest);
+  EXPECT_NEAR(depositedBy(toolpath.layers[18], PathRole::Skin), ring, 0.015 * ring);
+}
+
 TEST(Skins, TurnByAQuarterFromLayerToLayer) {
   const auto layers = test::layersOf(4, [](int) { return std::vector<Polygon>{centredSquare(20)}; });
   const Toolpath toolpath = plan(layers, fourAndFour());
@@ -97,14 +150,6 @@ TEST(Skins, TurnByAQuarterFromLayerToLayer) {
     EXPECT_EQ(along > 5 * across, l % 2 == 0) << "45 deg, then 135 deg";
     EXPECT_EQ(across > 5 * along, l % 2 == 1);
   }
-}
-
-/// Squares of 40, 30, 20 and 10 mm, 20 layers each.
-std::vector<Layer> steppedPyramid() {
-  return test::layersOf(80, [](int l) {
-    const int step = l / 20;
-    return std::vector<Polygon>{centredSquare(40.0 - 10.0 * step)};
-  });
 }
 
 TEST(Skins, CoverTheStepsOfAPyramid) {

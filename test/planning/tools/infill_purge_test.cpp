@@ -66,6 +66,40 @@ TEST(InfillPurge, LeavesRunsOfNothingButInfill) {
   EXPECT_NEAR(leadingInfill(runs[1]), 2 * kLine, 1e-12);
 }
 
+TEST(InfillPurge, LeavesWhatPurgesTheToolBefore) {
+  ToolRuns runs = twoRuns();
+  runs.push_back(runs[1]);
+  runs[2].tool = 2;
+  for (Path& path : runs[2].paths) path.tool = 2;
+  runs = withInfillFirst(std::move(runs), 1, 4 * kLine);
+  ASSERT_NEAR(leadingInfill(runs[1]), 4 * kLine, 1e-12);
+  runs = withInfillFirst(std::move(runs), 2, 4 * kLine);
+  EXPECT_NEAR(leadingInfill(runs[1]), 4 * kLine, 1e-12);
+  EXPECT_NEAR(leadingInfill(runs[2]), 2 * kLine, 1e-12) << "its own alone";
+  EXPECT_EQ(placesOf(runs[1]), (std::vector<double>{13, 15, 3, 5, 11, 17}));
+}
+
+TEST(InfillPurge, TakesWhatARunLaysBehindItsPurge) {
+  ToolRuns runs = twoRuns();
+  runs.push_back({2, {lineAt(21, PathRole::OuterWall, 2)}, {}});
+  runs = withInfillFirst(std::move(runs), 1, 0.5 * kLine);
+  runs = withInfillFirst(std::move(runs), 2, 1.5 * kLine);
+  EXPECT_NEAR(leadingInfill(runs[1]), kLine, 1e-12);
+  EXPECT_EQ(placesOf(runs[1]), (std::vector<double>{13, 11, 17}));
+  EXPECT_NEAR(leadingInfill(runs[2]), 2 * kLine, 1e-12);
+}
+
+TEST(InfillPurge, LeavesNoPartOfAWayThatWasAWipeAndATravel) {
+  ToolRuns runs = twoRuns();
+  runs[0].paths = {lineAt(1, PathRole::OuterWall, 0), lineAt(2, PathRole::Travel, 0),
+                   lineAt(3, PathRole::Travel, 0),    lineAt(4, PathRole::Infill, 0),
+                   lineAt(5, PathRole::Travel, 0),    lineAt(6, PathRole::Travel, 0),
+                   lineAt(7, PathRole::OuterWall, 0), lineAt(8, PathRole::Travel, 0),
+                   lineAt(9, PathRole::Travel, 0),    lineAt(10, PathRole::Infill, 0)};
+  runs = withInfillFirst(std::move(runs), 1, 100.0 * kLine);
+  EXPECT_EQ(placesOf(runs[0]), (std::vector<double>{1, 7}));
+}
+
 TEST(InfillPurge, OfNothingChangesNothing) {
   const ToolRuns runs = withInfillFirst(twoRuns(), 1, 0.0);
   EXPECT_EQ(placesOf(runs[0]).size() + placesOf(runs[1]).size(), 14U);

@@ -12,6 +12,7 @@
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
+#include "nodes/height_controller/height_controller_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -132,6 +133,13 @@ TEST(NodeConfig, OfLayerHeightMonitorIsCompleteAndHasTheDefaults) {
   lamina::SettingsSchema schema;
   describe(schema, settings);
   expectDefaults("layer_height_monitor", schema);
+}
+
+TEST(NodeConfig, OfHeightControllerIsCompleteAndHasTheDefaults) {
+  lamina::HeightControllerSettings settings;
+  lamina::SettingsSchema schema;
+  describe(schema, settings);
+  expectDefaults("height_controller", schema);
 }
 
 /// Sets what a file states of a node, under its name.

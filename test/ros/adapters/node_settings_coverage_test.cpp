@@ -13,6 +13,7 @@
 #include "nodes/emulated_machine/machine_settings.hpp"
 #include "nodes/gcode_incliner/incliner_settings.hpp"
 #include "nodes/gcode_streamer/streamer_settings.hpp"
+#include "nodes/height_controller/height_controller_settings.hpp"
 #include "nodes/layer_height_monitor/monitor_settings.hpp"
 #include "nodes/optimiser/optimiser_settings.hpp"
 #include "nodes/simulated_controller/controller_settings.hpp"
@@ -30,7 +31,7 @@ std::set<std::string> nodeKeys() {
   std::set<std::string> keys;
   for (const auto& of_node :
        {keysOf<DepositionSimulatorSettings>(), keysOf<EmulatedMachineSettings>(),
-        keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(),
+        keysOf<GcodeInclinerSettings>(), keysOf<GcodeStreamerSettings>(), keysOf<HeightControllerSettings>(),
         keysOf<LayerHeightMonitorSettings>(), keysOf<OptimiserSettings>(), keysOf<ControllerSettings>(),
         keysOf<DriverSettings>(), keysOf<PublisherSettings>()})
     keys.insert(of_node.begin(), of_node.end());
@@ -40,25 +41,43 @@ std::set<std::string> nodeKeys() {
 
 const std::vector<TestedElsewhere>& nodeTests() {
   static const std::vector<TestedElsewhere> all = {
+      {"arrival_hold_s", "ros/height_controller_test.cpp", "arrival_hold_s"},
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
       {"check_clearance", "ros/trajectory_driver.test", "check_clearance"},
+      {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
+      {"corrections.use", "ros/adapters/layer_corrector_test.cpp", "corrections.use"},
       {"controller_wait_s", "ros/trajectory_driver.test", "controller_wait_s"},
+      {"deposit.bead_width_mm", "ros/adapters/machine_deposit_test.cpp", "deposit.bead_width_mm"},
+      {"deposit.layers", "ros/adapters/machine_deposit_test.cpp", "deposit.layers"},
       {"deposit.belt_mm", "ros/emulated_belt.test", "belt_mm"},
       {"deposit.cell_mm", "ros/emulated_belt.test", "cell_mm"},
       {"deposit.model", "ros/deposition_following_test.cpp", "model"},
       {"deposit.period_s", "ros/deposition_following.test", "period_s"},
+      {"feeder.uncertainty_s", "control/run/run_settings_test.cpp", "feeder.uncertainty_s"},
       {"faults", "ros/gcode_streamer_test.cpp", "faults"},
       {"filament_diameter_mm", "ros/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition_following.test", "following/period_s"},
+      {"head.clearance_mm", "control/run/run_settings_test.cpp", "head.clearance_mm"},
       {"host_wait_s", "ros/trajectory_driver.test", "host_wait_s"},
       {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
       {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
       {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
+      {"monitor.reorder_s", "control/run/run_settings_test.cpp", "monitor.reorder_s"},
+      {"monitor.settle_mm", "control/run/run_settings_test.cpp", "monitor.settle_mm"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
+      {"pauses_print", "ros/height_controller_test.cpp", "pauses_print"},
+      {"process.gain_ratio", "control/run/run_settings_test.cpp", "process.gain_ratio"},
+      {"process.levelling_mm", "control/run/run_settings_test.cpp", "process.levelling_mm"},
+      {"process.standoff", "control/run/run_settings_test.cpp", "process.standoff"},
+      {"request", "control/run/run_settings_test.cpp", "\"request\""},
+      {"sensor.place_error_mm", "control/run/run_settings_test.cpp", "sensor.place_error_mm"},
+      {"sensor.place_trusted", "control/run/run_settings_test.cpp", "sensor.place_trusted"},
+      {"sensor.time_offset_sigma_s", "control/run/run_settings_test.cpp", "sensor.time_offset_sigma_s"},
+      {"sensor.time_offset_trusted", "control/run/run_settings_test.cpp", "sensor.time_offset_trusted"},
       {"port", "ros/gcode_streamer.test", "port"},
       {"position_spacing_mm", "ros/told_machine_test.cpp", "position_spacing_mm"},
       {"profile_spacing_mm", "ros/emulated_machine.test", "profile_spacing_mm"},
@@ -87,7 +106,10 @@ TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);
     EXPECT_NE(text.find(setting.word), std::string::npos) << setting.key << " in " << setting.file;
   }
-  EXPECT_EQ(covered, nodeKeys());
+  const std::set<std::string> keys = nodeKeys();
+  for (const std::string& key : keys) EXPECT_EQ(covered.count(key), 1U) << key << " stands in no test";
+  for (const std::string& key : covered)
+    EXPECT_EQ(keys.count(key), 1U) << key << " is no setting of a node alone";
 }
 
 /// When a driver that looks every 10 ms gives up a controller that reports for half a second by its stamps.

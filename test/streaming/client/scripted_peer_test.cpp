@@ -170,7 +170,7 @@ TEST_F(ScriptedPeer, TurnsOffAllThatTheProgramHasTurnedOn) {
     stop += streamer.takeOutput();
   }
   for (const char* command :
-       {"M410", "M5", "M104 S0", "M140 S0", "M104 T1 S0", "M141 S0", "M107", "M107 P1", "M9", "M155 S0"})
+       {"M410", "M5", "M104 S0", "M140 S0", "M104 T1 S0", "M141 S0", "M107", "M106 P1 S0", "M9", "M155 S0"})
     EXPECT_NE(stop.find(std::string(" ") + command + "*"), std::string::npos) << command << " in\n" << stop;
 }
 

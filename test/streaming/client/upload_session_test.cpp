@@ -25,6 +25,7 @@
 #include "streaming/emulator/print_server/emulated_print_server.hpp"
 #include "streaming/transport/http_client.hpp"
 #include "streaming/upload/upload_fixture.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lamina {
 namespace {
@@ -123,6 +124,39 @@ TEST_P(UploadSessionTest, StopsThePrintWhenItIsAbandoned) {
     EXPECT_EQ(emulated.printer.state(), EmulatedPrinter::State::Idle);
     EXPECT_EQ(emulated.printer.nozzle_target_c, 0.0);
   });
+}
+
+TEST_P(UploadSessionTest, KeepsWhatItHasUploadedAndHowFarTheMachineIs) {
+  ListeningServer server(GetParam().make());
+  server.with([](EmulatedPrintServer& emulated) { emulated.printer.lines_per_s = 30.0; });
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto program = StreamableProgram::fromText("part.gcode", test::hotProgram(600));
+  {
+    StreamSession session(program, {}, {server.address(), 0}, {},
+                          {{}, beginJournal(path), JobBeginning::Anew});
+    while (session.status().lines_acknowledged == 0 && !session.isOver()) session.waitFor(0.01);
+    const JournalledProgress known = readJournal(path);
+    EXPECT_EQ(known.progress.state, PackmlState::Execute);
+    EXPECT_EQ(known.job.protocol, GetParam().firmware);
+    EXPECT_EQ(known.job.program_sha256, sha256Of(program));
+    server.with([&](EmulatedPrintServer& emulated) {
+      EXPECT_EQ(emulated.printer.files.count(known.job.uploaded_as), 1U) << known.job.uploaded_as;
+      emulated.printer.lines_per_s = 1e5;
+    });
+    ASSERT_TRUE(session.waitFor(30.0));
+    EXPECT_EQ(session.status().state, PackmlState::Complete) << session.status().failure.message;
+  }
+  const JobProgress known = readJournal(path).progress;
+  EXPECT_EQ(known.state, PackmlState::Complete);
+  EXPECT_EQ(known.taken_through, 602U);
+  server.with([](EmulatedPrintServer& emulated) { emulated.printer.restart(); });
+  StreamSession again(program, {}, {server.address(), 0}, {},
+                      {{}, followJournal(path, program, server.address()), JobBeginning::GoOn});
+  ASSERT_TRUE(again.waitFor(30.0));
+  EXPECT_EQ(again.status().failure.code, ErrorCode::Rejected);
+  EXPECT_NE(again.status().failure.message.find("had read line 602 of 602"), std::string::npos)
+      << again.status().failure.message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Servers, UploadSessionTest,

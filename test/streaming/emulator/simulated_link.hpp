@@ -22,6 +22,13 @@ class SimulatedLink : public SimulatedWire<EmulatedFirmware> {
                                        [this](const ExecutedMotion& motion) { motions.push_back(motion); }}) {
   }
 
+  SimulatedLink(StreamOrder order, const EmulatedSettings& machine, std::vector<Fault> faults,
+                std::uint64_t seed = 1)
+      : SimulatedWire(std::move(order), seed, machine, std::move(faults),
+                      EmulatedObserver{[this](const ExecutedLine& line) { executed.push_back(line); },
+                                       [this](const ExecutedMotion& motion) { motions.push_back(motion); }}) {
+  }
+
   /// Commands of the numbered lines that were run.
   std::vector<std::string> numberedCommands() const {
     std::vector<std::string> commands;

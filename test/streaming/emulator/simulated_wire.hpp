@@ -21,6 +21,9 @@ class SimulatedWire {
   SimulatedWire(const StreamableProgram& program, const StreamSettings& stream, std::uint64_t seed,
                 Parts&&... of_firmware)
       : streamer(program, stream), firmware(std::forward<Parts>(of_firmware)...), random_(seed) {}
+  template <class... Parts>
+  SimulatedWire(StreamOrder order, std::uint64_t seed, Parts&&... of_firmware)
+      : streamer(std::move(order)), firmware(std::forward<Parts>(of_firmware)...), random_(seed) {}
   virtual ~SimulatedWire() = default;
 
   void start() {

@@ -47,6 +47,7 @@ TEST(JobJournal, LiesInTheUsersFolderUnderTheNameOfThePort) {
   ::setenv("XDG_STATE_HOME", "/state", 1);
   EXPECT_EQ(journalPath({}, "/dev/ttyUSB0"), "/state/lamina/dev+ttyUSB0.progress");
   EXPECT_EQ(journalPath({}, "tcp:printer.local:23"), "/state/lamina/tcp%3Aprinter.local%3A23.progress");
+  EXPECT_EQ(journalPath({}, "http://printer:7125"), "/state/lamina/http%3A++printer%3A7125.progress");
   EXPECT_NE(journalPath({}, "/dev/a/b"), journalPath({}, "/dev/a+b"));
   ::unsetenv("XDG_STATE_HOME");
   StreamSettings settings;
@@ -148,6 +149,22 @@ TEST(JobJournal, GoesOnWithTheSameProgramAtTheSamePortOnly) {
   }
 }
 
+TEST(JobJournal, FollowsAPrintWhateverIsKnownOfIt) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const auto program = journalled("G28\nG1 X1\n");
+  EXPECT_FALSE(followJournal(path, program, "/dev/printer").unfinished);
+  JobProgress start;
+  start.sent_through = 2;
+  { const ProgressFile file(path, jobOf(program), start); }
+  EXPECT_TRUE(followJournal(path, program, "/dev/printer").unfinished);
+  EXPECT_FALSE(followJournal(path, program, "/dev/other").unfinished);
+  EXPECT_FALSE(followJournal(path, journalled("G28\nG1 X2\n"), "/dev/printer").unfinished);
+  EXPECT_FALSE(followJournal("", program, "/dev/printer").unfinished);
+  writeFile(path, "no progress file");
+  EXPECT_EQ(followJournal(path, program, "/dev/printer").path, path);
+}
+
 TEST(JobJournal, TellsWhatIsKnown) {
   JournalledProgress known;
   known.job.program = "/part.gcode";
@@ -157,6 +174,11 @@ TEST(JobJournal, TellsWhatIsKnown) {
   EXPECT_EQ(describeProgress(known),
             "/part.gcode at /dev/printer, Execute at 2023-11-14 22:13:20 UTC: line 41 of 900 was certainly "
             "taken, in layer 2; lines 42 to 300 are in doubt");
+  known.job.uploaded_as = "lamina/part-1.gcode";
+  EXPECT_EQ(
+      describeProgress(known),
+      "/part.gcode at /dev/printer, uploaded as lamina/part-1.gcode, Execute at 2023-11-14 22:13:20 UTC: the "
+      "machine had read line 41 of 900, in layer 2; it prints on by itself, so that it may be further");
 }
 
 }  // namespace

@@ -71,6 +71,15 @@ TEST(JobProgress, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read.progress.time_ms, 1'700'000'000'000);
 }
 
+TEST(JobProgress, NamesTheFileOfAPrintServersPrint) {
+  JournalledJob job = anyJob();
+  EXPECT_EQ(decodeJournal(fileAt(7, job), "file").job.uploaded_as, "");
+  const std::size_t streamed = encodeJob(job).size();
+  job.uploaded_as = "lamina/part-1.gcode";
+  EXPECT_EQ(encodeJob(job).size(), streamed + 2 + 19) << "a length of two bytes, and the name";
+  EXPECT_EQ(decodeJournal(fileAt(7, job), "file").job.uploaded_as, "lamina/part-1.gcode");
+}
+
 TEST(JobProgress, ATornWriteAtAnyByteLeavesTheRecordBefore) {
   const JournalledJob job = anyJob();
   const std::string before = fileAt(8, job);

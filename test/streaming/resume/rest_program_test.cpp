@@ -8,6 +8,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
+#include "lamina/streaming/resume/rest_offer.hpp"
 
 namespace lamina {
 namespace {
@@ -35,6 +36,21 @@ ResumeSettings byHand() {
 const char* const kPart =
     "M140 S60\nM104 S210\nG28\nM190 S60\nM109 S210\nG90\nM82\nG92 E0\nG1 X20 Y20 Z0.2 F3000\n"  // 9 lines
     "G1 E2 F300\nM106 S128\n;LAYER:0\nG1 X40 E3 F1200\nG1 Y40 E4\n;LAYER:1\nG1 Z0.4\nG1 X20 E5\nG1 Y20 E6\n";
+
+TEST(RestOffer, IsBehindTheLastLineThatWasTaken) {
+  const RestOffer amid = offerRest(wholeOf(kPart), 14);
+  EXPECT_EQ(amid.line, 15U);
+  EXPECT_EQ(amid.layer, 1);
+  EXPECT_EQ(amid.layer_line, 14U);
+  EXPECT_DOUBLE_EQ(amid.height_mm, 0.4);
+  const RestOffer between = offerRest(wholeOf(kPart), 13);
+  EXPECT_EQ(between.layer, 1);
+  EXPECT_DOUBLE_EQ(between.height_mm, 0.2);
+  EXPECT_FALSE(offerRest(wholeOf(kPart), 0).layer);
+  EXPECT_THROW(offerRest(wholeOf(kPart), 16), InvalidInput) << "it has 16 lines";
+  EXPECT_NE(describeOffer(amid).find("--from-layer 1  which begins at line 14\n--from-height 0.4 "),
+            std::string::npos);
+}
 
 TEST(RestProgram, BeginsInTheOrderThatKeepsThePart) {
   EXPECT_EQ(restFrom(kPart, 15, 50.0, byHand()),

@@ -11,6 +11,7 @@ namespace lamina {
 namespace {
 
 using test::hotProgram;
+using test::MakeServer;
 using test::orderOf;
 using test::ServerKind;
 using test::SimulatedHttp;
@@ -76,11 +77,56 @@ TEST_P(LiveUpload, SendsAChangeThatMayHaveArrivedOnce) {
   link.runUntilState(PackmlState::Execute);
   EXPECT_EQ(link.job.change({LiveSetting::Babystep, 0.1}, link.now), "");
   link.runUntil(link.now + 11.0);
-  EXPECT_NE(link.job.status().message.find("no answer, so that it may still be done"), std::string::npos)
+  EXPECT_NE(link.job.status().message.find("no answer within 10 s; it was not asked for again, for it may"),
+            std::string::npos)
       << link.job.status().message;
   link.runUntil(1e5);
   EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
   EXPECT_EQ(link.server->printer.changes.size(), 1U);
+}
+
+TEST_P(LiveUpload, SendsAChangeAgainThatTheServerHasNotTaken) {
+  SimulatedHttp link = linkTo(hotProgram(3000));
+  link.start();
+  link.runUntilState(PackmlState::Execute);
+  link.turned_away = test::TurnedAway{"M221", {503, "busy"}, link.now + 5.0};
+  EXPECT_EQ(link.job.change({LiveSetting::Flow, 105.0}, link.now), "");
+  EXPECT_EQ(link.job.change({LiveSetting::Feed, 90.0}, link.now), "");
+  link.runUntil(link.now + 3.0);
+  EXPECT_EQ(link.job.status().message,
+            "M221 S105: the command was refused: busy (HTTP status 503); it is asked for again");
+  link.runUntil(1e5);
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.changes, (Commands{"M221 S105", "M220 S90"}));
+}
+
+TEST_P(LiveUpload, TellsWhatAServerSaysThatMayHaveMadeAChange) {
+  SimulatedHttp link = linkTo(hotProgram(3000));
+  link.start();
+  link.runUntilState(PackmlState::Execute);
+  link.turned_away = test::TurnedAway{"M221", {504, "gateway timeout"}};
+  EXPECT_EQ(link.job.change({LiveSetting::Flow, 105.0}, link.now), "");
+  link.runUntil(1e5);
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(
+      link.job.status().message,
+      "M221 S105: the command was refused: gateway timeout (HTTP status 504); it was not asked for again, "
+      "for it may still be done");
+  EXPECT_TRUE(link.server->printer.changes.empty());
+}
+
+TEST_P(LiveUpload, FollowsAPrintThatAnswersNoChangeForLong) {
+  SimulatedHttp link = linkTo(hotProgram(20000));  // 200 s
+  link.late_words = {"M220"};
+  link.faults.late_s = 90.0;  // as Klipper does that waits for heat
+  link.start();
+  link.runUntilState(PackmlState::Execute);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(link.job.change({LiveSetting::Feed, 90.0 + i}, link.now), "");
+  link.runUntil(link.now + 100.0);
+  EXPECT_EQ(link.job.status().state, PackmlState::Execute) << link.job.status().failure.message;
+  link.runUntil(1e5);
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.changes.size(), 8U);
 }
 
 TEST_P(LiveUpload, HoldsOnceInALayer) {
@@ -156,6 +202,69 @@ TEST_P(LiveUpload, FollowsNoPrintOfAnotherProgram) {
       << idle.job.status().failure.message;
 }
 
+/// The machine has printed the program of `following` for a while, and what comes then.
+template <class Happens>
+SimulatedHttp linkToAnEarlierPrint(const MakeServer& make, Happens happens) {
+  SimulatedHttp link(following(hotProgram(500)), {}, make());
+  EmulatedPrinter& printer = link.server->printer;
+  printer.files["lamina/part-1.gcode"] = hotProgram(500);
+  EXPECT_TRUE(printer.print("lamina/part-1.gcode"));
+  printer.elapse(2.0);
+  link.now = 2.0;
+  happens(printer);
+  return link;
+}
+
+void expectLeftAlone(const SimulatedHttp& link) {
+  EXPECT_EQ(link.server->printer.nozzle_target_c, 170.0) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.files.size(), 1U);
+  EXPECT_NE(link.job.status().failure.message.find("left as they are"), std::string::npos)
+      << link.job.status().failure.message;
+}
+
+TEST_P(LiveUpload, LeavesAMachineAloneWhosePrintHasEnded) {
+  SimulatedHttp cancelled = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+    printer.cancel();
+    printer.nozzle_target_c = 170.0;  // for another job
+  });
+  cancelled.run();
+  EXPECT_EQ(cancelled.job.status().failure.code, ErrorCode::Cancelled);
+  expectLeftAlone(cancelled);
+
+  SimulatedHttp failed = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+    printer.breakDown();
+    printer.nozzle_target_c = 170.0;
+  });
+  failed.run();
+  EXPECT_EQ(failed.job.status().state, PackmlState::Aborted);
+  expectLeftAlone(failed);
+}
+
+TEST_P(LiveUpload, LeavesAMachineAloneWhosePrintEndsWhileItIsLookedAt) {
+  SimulatedHttp link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter&) {});
+  link.faults.slow = 1.0;  // 4 s for each answer
+  link.server->printer.lines_per_s = 1.0;
+  link.start();
+  const auto asksForTheFile = [&] { return link.targets.back().find("file") != std::string::npos; };
+  while (!asksForTheFile()) link.runUntil(link.now + 0.5);
+  link.server->printer.cancel();
+  link.server->printer.nozzle_target_c = 170.0;
+  link.runUntilState(PackmlState::Aborted);
+  expectLeftAlone(link);
+}
+
+TEST_P(LiveUpload, TellsThatAnEarlierPrintIsComplete) {
+  SimulatedHttp link = linkToAnEarlierPrint(GetParam().make, [](EmulatedPrinter& printer) {
+    printer.elapse(100.0);
+    printer.nozzle_target_c = 170.0;
+  });
+  link.now = 100.0;
+  link.run();
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(link.job.status().lines_acknowledged, 502U);
+  EXPECT_EQ(link.server->printer.nozzle_target_c, 170.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Servers, LiveUpload,
                          testing::Values(ServerKind{"Moonraker", makeEmulatedMoonraker, "klipper"},
                                          ServerKind{"Duet", makeEmulatedDuet, "reprapfirmware"},
@@ -163,13 +272,45 @@ INSTANTIATE_TEST_SUITE_P(Servers, LiveUpload,
                                                     "reprapfirmware"}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+TEST(LiveUploadToADuet, SendsAChangeAgainForWhichItHasNoRoom) {
+  SimulatedHttp link(orderOf(hotProgram(3000)), {}, makeEmulatedDuet());
+  link.start();
+  link.runUntilState(PackmlState::Execute);
+  link.turned_away = test::TurnedAway{"M221", {200, R"({"err":1})"}, link.now + 5.0};
+  EXPECT_EQ(link.job.change({LiveSetting::Flow, 105.0}, link.now), "");
+  link.runUntil(link.now + 3.0);
+  EXPECT_NE(link.job.status().message.find("no room for another command; it is asked for again"),
+            std::string::npos)
+      << link.job.status().message;
+  link.runUntil(1e5);
+  EXPECT_EQ(link.server->printer.changes, Commands{"M221 S105"});
+}
+
+// Somebody moves it for another job.
+TEST(LiveUploadToMoonraker, StopsNothingWhereAnEarlierPrintIsComplete) {
+  SimulatedHttp link = linkToAnEarlierPrint(makeEmulatedMoonraker, [](EmulatedPrinter& printer) {
+    printer.elapse(100.0);
+    printer.nozzle_target_c = 170.0;
+    printer.moveFor(50.0);
+  });
+  link.now = 100.0;
+  link.start();
+  link.runUntilState(PackmlState::Completing);
+  link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
+  link.runUntil(1e5);
+  EXPECT_EQ(link.job.status().state, PackmlState::Aborted);
+  EXPECT_EQ(link.server->printer.nozzle_target_c, 170.0);
+}
+
 /// Klipper that hears nothing while it waits for heat.
-SimulatedHttp stoppedInVain(EmergencyStop emergency) {
+SimulatedHttp stoppedInVain(EmergencyStop emergency,
+                            const std::optional<test::TurnedAway>& turned_away = {}) {
   StreamSettings settings;
   settings.emergency_stop = emergency;
   SimulatedHttp link(orderOf(hotProgram(500)), settings, makeEmulatedMoonraker());
   link.faults.late_s = 1000.0;
   link.late_words = {"print/cancel"};
+  link.turned_away = turned_away;
   link.start();
   link.runUntilState(PackmlState::Execute);
   link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
@@ -191,6 +332,42 @@ TEST(EmergencyStopOfAnUpload, LeavesAColdMachineWhereItIsAskedFor) {
   EXPECT_NE(message.find("was shut down by an emergency stop"), std::string::npos) << message;
   EXPECT_TRUE(link.server->printer.is_halted);
   EXPECT_EQ(link.server->printer.nozzle_target_c, 0.0);
+}
+
+HttpResponse unavailable() {
+  return {503, R"({"error":{"code":503,"message":"Klippy Host not connected"}})"};
+}
+
+TEST(EmergencyStopOfAnUpload, IsAskedForAgainUntilItIsTaken) {
+  const SimulatedHttp link =
+      stoppedInVain(EmergencyStop::Unconfirmed, test::TurnedAway{"emergency_stop", unavailable(), 15.0});
+  EXPECT_TRUE(link.server->printer.is_halted) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.nozzle_target_c, 0.0);
+  EXPECT_NE(link.job.status().failure.message.find("was shut down by an emergency stop"), std::string::npos);
+}
+
+TEST(EmergencyStopOfAnUpload, IsAskedForAgainWhereTheServerCannotBeReached) {
+  StreamSettings settings;
+  settings.emergency_stop = EmergencyStop::Unconfirmed;
+  SimulatedHttp link(orderOf(hotProgram(5000)), settings, makeEmulatedMoonraker());
+  link.start();
+  link.runUntil(6.0);
+  link.unreachable_from_s = 6.0;
+  link.unreachable_until_s = 20.0;  // the stop is given up at 16 s
+  link.job.abort({ErrorCode::Cancelled, "the user said so"}, link.now);
+  link.runUntil(100.0);
+  EXPECT_TRUE(link.server->printer.is_halted) << link.job.status().failure.message;
+}
+
+TEST(EmergencyStopOfAnUpload, IsToldWhereItWasInVain) {
+  const SimulatedHttp link =
+      stoppedInVain(EmergencyStop::Unconfirmed, test::TurnedAway{"emergency_stop", unavailable()});
+  EXPECT_FALSE(link.server->printer.is_halted);
+  const std::string& message = link.job.status().failure.message;
+  EXPECT_NE(
+      message.find("an emergency stop was asked for: the command was refused: Klippy Host not connected"),
+      std::string::npos)
+      << message;
 }
 
 }  // namespace

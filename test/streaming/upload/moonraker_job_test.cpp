@@ -37,6 +37,24 @@ TEST(MoonrakerJob, StartsNothingBehindAnothersCommand) {
   EXPECT_TRUE(link.server->printer.files.empty());
 }
 
+TEST(MoonrakerJob, FollowsAPrintThroughARestartOfTheServer) {
+  const std::string text = test::hotProgram(500);
+  SimulatedHttp link(orderOf(text), {}, makeEmulatedMoonraker());
+  link.events.push_back({2.5, [](EmulatedPrintServer& server) { server.has_just_started = true; }});
+  link.events.push_back({9.5, [](EmulatedPrintServer& server) { server.has_just_started = false; }});
+  link.run();
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  EXPECT_EQ(link.server->printer.executed(), test::commandsOf(text));
+}
+
+TEST(MoonrakerJob, SaysThatAServerHasNotFoundItsPrinter) {
+  SimulatedHttp link(orderOf("G1 X1\n"), {}, makeEmulatedMoonraker());
+  link.server->has_just_started = true;
+  link.run();
+  EXPECT_EQ(link.job.status().state, PackmlState::Aborted);
+  EXPECT_TRUE(says(link, "Moonraker has not found Klipper yet")) << link.job.status().failure.message;
+}
+
 TEST(MoonrakerJob, TellsAnErrorInOneLineAndHowFarItCame) {
   SimulatedHttp link(orderOf(test::hotProgram(500)), {}, makeEmulatedMoonraker());
   link.events.push_back({3.5, [](EmulatedPrintServer& server) { server.printer.breakDown(); }});
@@ -44,6 +62,25 @@ TEST(MoonrakerJob, TellsAnErrorInOneLineAndHowFarItCame) {
   const std::size_t run = link.server->printer.executed().size();
   EXPECT_TRUE(says(link, "Move out of range: 400.000 0.000 0.000")) << link.job.status().failure.message;
   EXPECT_EQ(link.job.status().lines_acknowledged, run);
+}
+
+TEST(MoonrakerJob, RefusesToLeaveOutPartsWhereKlipperCannot) {
+  SimulatedHttp link(orderOf("EXCLUDE_OBJECT_DEFINE NAME=left\n" + test::hotProgram(500)), {},
+                     makeEmulatedMoonraker());
+  link.server->printer.excludes_parts = false;
+  link.start();
+  link.runUntilState(PackmlState::Execute);
+  EXPECT_EQ(link.job.change({LiveSetting::CancelPart, 0.0}, link.now),
+            "this Klipper leaves out no parts: its configuration has no [exclude_object]");
+}
+
+TEST(MoonrakerJob, ReportsNoBedWhereThereIsNone) {
+  SimulatedHttp link(orderOf("G1 X1\n"), {}, makeEmulatedMoonraker());
+  link.server->printer.has_bed = false;
+  link.run();
+  EXPECT_EQ(link.job.status().state, PackmlState::Complete) << link.job.status().failure.message;
+  ASSERT_TRUE(link.job.status().temperatures);
+  EXPECT_FALSE(link.job.status().temperatures->bed_c);
 }
 
 /// Klipper's own order: a print is complete when its last line was read, and its motions are still to come.

@@ -42,6 +42,13 @@ struct HttpFaults {
   double slow = 0.0;     ///< 4 s until the answer
 };
 
+/// What has these words is answered so, and not done, for a while.
+struct TurnedAway {
+  const char* words = "";
+  HttpResponse answer;
+  double until_s = std::numeric_limits<double>::infinity();
+};
+
 /// What happens at the machine, and when [s].
 struct MachineEvent {
   double at_s = 0.0;
@@ -81,7 +88,8 @@ class SimulatedHttp {
   double unreachable_from_s = std::numeric_limits<double>::infinity();
   double unreachable_until_s = std::numeric_limits<double>::infinity();
   std::vector<const char*> late_words;  ///< what has one of them is as late as `faults` tells
-  std::vector<std::string> targets;     ///< of all requests
+  std::optional<TurnedAway> turned_away;
+  std::vector<std::string> targets;  ///< of all requests
   std::vector<PackmlState> states;
   double now = 0.0;
 
@@ -127,9 +135,12 @@ class SimulatedHttp {
     for (const PackmlState state : job.takeStateChanges()) states.push_back(state);
   }
 
+  static bool has(const HttpRequest& request, const char* words) {
+    return (request.target + request.head).find(words) != std::string::npos;
+  }
   bool isLate(const HttpRequest& request) {
     for (const char* words : late_words)
-      if ((request.target + request.head).find(words) != std::string::npos) return true;
+      if (has(request, words)) return true;
     return strikes(faults.late);
   }
   bool strikes(double rate) { return rate > 0.0 && random_.uniform(0.0, 1.0) < rate; }
@@ -139,6 +150,8 @@ class SimulatedHttp {
     targets.push_back(request.target);
     if (now >= unreachable_from_s && now < unreachable_until_s) {
       outcome_ = Outcome{now + kLatency, {}, {"connection refused", false}};
+    } else if (turned_away && now < turned_away->until_s && has(request, turned_away->words)) {
+      outcome_ = Outcome{now + kLatency, turned_away->answer, {}};
     } else if (strikes(faults.server_error)) {
       outcome_ = Outcome{now + kLatency, HttpResponse{500, "Internal Server Error"}, {}};
     } else if (strikes(faults.lost_request)) {

@@ -325,6 +325,20 @@ TEST_P(UploadJobTest, AStartThatComesTooLateComesToNothing) {
   EXPECT_TRUE(link.server->printer.executed().empty());
 }
 
+TEST(PrintServer, SwitchesOffAllThatTheProgramSwitchesOn) {
+  const auto order = test::orderOf("M104 S200\nM3 S100\nG1 X1\nM106 S255\nM106 P2 S100\nM8\n");
+  for (const auto& server : printServers("auto", order)) {
+    const auto request = server->request(UploadStep::HeatersOff);
+    ASSERT_TRUE(request) << server->firmware();
+    const std::string asked = request->target + escapedForUrl(request->head);
+    EXPECT_TRUE(contains(asked, "M5%0AM106%20P2%20S0%0AM9%0A")) << asked;
+    EXPECT_TRUE(contains(asked, "M107")) << asked;
+  }
+  const auto plain = printServers("klipper", test::orderOf("M104 S200\nG1 X1\n"));
+  EXPECT_EQ(plain.front()->request(UploadStep::HeatersOff)->target,
+            "/printer/gcode/script?script=TURN_OFF_HEATERS%0AM107");
+}
+
 INSTANTIATE_TEST_SUITE_P(Servers, UploadJobTest,
                          testing::Values(test::ServerKind{"moonraker", makeEmulatedMoonraker, "klipper"},
                                          test::ServerKind{"duet", makeEmulatedDuet, "reprapfirmware"},

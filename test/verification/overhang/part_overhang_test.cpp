@@ -7,6 +7,7 @@
 #include "lamina/geometry/mesh_io/mesh_writer.hpp"
 #include "lamina/job/slice_job.hpp"
 #include "lamina/verification/overhang/overhang.hpp"
+#include "support/plain_job.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/solids.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 /// Solid, on a machine whose head is made for layers at 45 deg that follow each other towards -y.
 SliceJob solid(const std::string& part) {
-  SliceJob job;
+  SliceJob job = test::plainJob();
   job.part = part;
   job.settings.planning.infill.density = 1.0;
   job.settings.machine.name = "gantry_45";

@@ -39,14 +39,20 @@ struct CorrectionReport {
 /// to be taken back. The lines come and go one by one, so that a streamer may correct what it has not sent.
 class ProgramCorrector {
  public:
-  /// @param toolpath  that the program was written from, in coordinates of the program
+  /// @param toolpath  that the program was written from, in coordinates of the program; must outlive this
   /// @param maps      one per layer at most
-  /// @throws InvalidInput as `validate`; if a map is of another toolpath, or two are of one layer
+  /// @throws InvalidInput as `validate`; if a map is of another toolpath, or two are of one layer, or one
+  ///   shifts the nozzle by more than its layer's height; if the change at which lines are split is not
+  ///   positive
   ProgramCorrector(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps,
                    const CorrectionWriting& writing);
   ~ProgramCorrector();
   ProgramCorrector(const ProgramCorrector&) = delete;
   ProgramCorrector& operator=(const ProgramCorrector&) = delete;
+
+  /// A map that came meanwhile, of a layer of which nothing is read yet.
+  /// @throws InvalidInput as the constructor; if the layer has begun
+  void add(const CorrectionMap& map);
 
   /// Appends what a line becomes, each line with its line feed but the last.
   /// @param line  without its line feed

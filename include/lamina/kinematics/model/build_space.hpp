@@ -64,9 +64,11 @@ bool canTurnToolAxis(const BuildSpace& space);
 /// level layers.
 BuildSpace withUprightHead(BuildSpace space);
 
-/// Where the sensor's line of sight meets the level of the nozzle tip, seen from the tip [mm, x and y of the
-/// bed]; the tip itself if no sensor is described.
-/// @throws InvalidConfig if the sensor does not look down
-Point2 sensorOffset(const BuildSpace& space);
+/// Where the sensor's line of sight meets the plane of a layer through the nozzle tip, seen from the tip [mm,
+/// x and y of the layer]; the tip itself if no sensor is described.
+/// @param bed_from_layers  the identity for layers that are level
+/// @throws InvalidConfig if the sensor does not look down on the layer
+Point2 sensorOffset(const BuildSpace& space,
+                    const Eigen::Quaterniond& bed_from_layers = Eigen::Quaterniond::Identity());
 
 }  // namespace lamina

@@ -14,7 +14,7 @@ namespace lamina {
 /// What was done so that layers cool.
 struct CoolingSummary {
   std::size_t slowed_layers = 0;
-  std::size_t dwells = 0;
+  std::size_t dwells = 0;            ///< layers that are waited for; with `CoolingInterval::Place` islands
   double dwell_s = 0.0;              ///< sum
   std::size_t too_fast_layers = 0;   ///< that even at the least feed take less than they must
   std::size_t reordered_layers = 0;  ///< whose islands are laid in another order than planned

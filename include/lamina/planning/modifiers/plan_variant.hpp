@@ -11,9 +11,9 @@ namespace lamina {
 
 /// Settings of a plan that hold in part of its layers instead of those of the plan.
 ///
-/// Walls follow the outline of the part only. Where a variant has more of them than what is beside it, the
-/// inner ones end at its border. Fills and skins of areas that meet do so as at a wall. Feeds of walls change
-/// on the border. Beads, travels, skirt, voids and what else is of a whole layer stays that of the plan.
+/// Walls follow the part's outline; where a variant has more than its neighbour, the inner ones end at its
+/// border, where feeds change and fills meet as at a wall. What else walls take is of the plan, in an island
+/// of variants alone of the first one; what is of whole layers (beads, travels, skirt, voids) is of the plan.
 struct PlanVariant {
   PlanSettings settings;
   std::vector<Regions> areas;  ///< by layer, [frame of the layers]; those of several variants lie apart

@@ -53,7 +53,7 @@ std::size_t toolFor(PathRole role, const ToolSettings& settings);
 bool assignsTools(const ToolSettings& settings);
 
 /// @throws as `toolsOf`; InvalidConfig if a role has a tool that is not in the list, or volumes are neither
-/// one nor one for each pair of tools
+/// one nor one for each pair of tools, or there is none to purge into infill
 void requireConsistent(const ToolSettings& settings);
 
 }  // namespace lamina

@@ -23,10 +23,10 @@ struct MachinePort {
 /// @throws InvalidInput if it is a web address that cannot be one: "https://..."
 bool isPrintServer(const MachinePort& port);
 
-/// What is done at a print server.
-enum class PrintBeginning : std::uint8_t {
-  Upload,  ///< the program is uploaded and started
-  Follow,  ///< the print of it that an earlier session began is followed; nothing is started
+/// How a job begins.
+enum class JobBeginning : std::uint8_t {
+  Anew,  ///< at a print server the program is uploaded and started
+  GoOn,  ///< with the job of an earlier session; at a print server its print is followed, nothing is started
 };
 
 /// What a session may do besides.
@@ -34,9 +34,18 @@ struct SessionOptions {
   ReplyListener heard;    ///< given every line of the machine, from the session's thread; a print server says
                           ///< none
   StreamJournal journal;  ///< where the progress is kept (`beginJournal`), and the job to go on with
-                          ///< (`resumeJournal`)
-  PrintBeginning beginning = PrintBeginning::Upload;  ///< of no effect at a serial port
+                          ///< (`resumeJournal`), or the print to follow (`followJournal`)
+  JobBeginning beginning = JobBeginning::Anew;  ///< of no effect at a serial port, where the journal says it
+  /// What becomes of the lines on their way; null if they go as they are. Of a job that is revised no
+  /// progress is kept, as its lines are not those of the program.
+  std::shared_ptr<ProgramRevision> revision = nullptr;
 };
+
+/// Where the progress of a job is kept, and, if it is gone on with, what is known of it.
+/// @param path  as `journalPath`
+/// @throws as `beginJournal`, `resumeJournal` and `followJournal`
+StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
+                         JobBeginning beginning);
 
 /// A job under way, in a thread of its own: a streamer at a port, or an upload to a print server, which
 /// prints by itself. All calls may come from any thread.
@@ -50,6 +59,8 @@ class StreamSession {
   /// @throws Disconnected naming the port if there is no machine
   /// @throws FileError if the program is gone, or the password's file
   /// @throws InvalidProgram of a print server, if it would misread the program
+  /// @throws InvalidConfig if the program is to be revised, but goes to a print server or to firmware that
+  ///   takes no revised lines, or an unfinished job is gone on with
   StreamSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
                 Observer observer, SessionOptions options = {});
   /// Aborts a job that is not over, and waits for the safe stop.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "lamina/base/registry.hpp"
+#include "lamina/streaming/job/program_revision.hpp"
 #include "lamina/streaming/job/stream_job.hpp"
 #include "lamina/streaming/job/stream_settings.hpp"
 #include "lamina/streaming/job/streamable_program.hpp"
@@ -33,6 +34,7 @@ struct StreamOrder {
       0;  ///< firmware that counts lines counts from here, so that it knows the job again
   std::optional<UnfinishedLines> unfinished;  ///< nothing for a job that begins
   int answers_due = 0;                        ///< to questions put more than once, which may still come
+  std::shared_ptr<ProgramRevision> revision = nullptr;  ///< null if the lines go as they are
 };
 
 /// How a family of firmware is spoken to: the port through which `Streamer` reaches it. Constant, and called
@@ -51,6 +53,8 @@ class FirmwareProtocol {
 
   /// Whether a job can go on where an earlier session left it, on a machine that has lived on.
   virtual bool canResume() const { return false; }
+  /// Whether the lines of a program can be revised on their way.
+  virtual bool canRevise() const { return false; }
 
   /// A job in Idle, which asks who is there before it sends anything else, unless the order says so.
   /// @throws InvalidConfig where the settings do not suit the firmware

@@ -48,6 +48,8 @@ struct StreamStatus {
   std::optional<ReportedTemperatures> temperatures;
   std::optional<ReportedPosition> position;
   std::string message;  ///< last warning or unknown-command echo of the firmware
+  std::string warning;  ///< what this machine will do with the program that may not be meant, found before
+                        ///< the first line; empty if nothing was
   Failure failure;      ///< why the job was aborted
 };
 

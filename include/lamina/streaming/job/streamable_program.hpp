@@ -35,6 +35,8 @@ class ProgramCursor {
   std::uint64_t textLine() const { return text_line_; }
   /// Bytes of the text up to the end of that line; an end of line that the last one lacks is counted.
   std::uint64_t bytesRead() const { return bytes_read_; }
+  /// That a command read next would belong to.
+  std::int32_t layer() const { return layer_; }
 
  private:
   void readComment(std::string_view comment);

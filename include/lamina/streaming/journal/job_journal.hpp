@@ -43,6 +43,19 @@ JournalledProgress readJournal(const std::string& path);
 StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);
 
+/// Follows the print that a print server runs by itself. What the progress file tells of it is in
+/// `unfinished`, if it tells of this program at this port: the machine itself knows what it prints.
+/// @throws FileError as `beginJournal`
+StreamJournal followJournal(const std::string& path, const StreamableProgram& program,
+                            const std::string& port);
+
+/// What a program and its port say of a job, before the machine is known.
+/// @throws FileError if the program is gone
+JournalledJob describedJob(const StreamableProgram& program, const std::string& port);
+
+/// The same with the time it is.
+JobProgress stampedNow(JobProgress progress);
+
 /// 64 hexadecimal digits over all bytes of the program, comments too.
 /// @throws FileError if the file is gone
 std::string sha256Of(const StreamableProgram& program);

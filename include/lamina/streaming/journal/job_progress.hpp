@@ -23,9 +23,11 @@ struct JournalledJob {
   std::uint64_t lines_total = 0;
   std::uint64_t line_base =
       0;  ///< number of the line before the program's first, by which the job is known again
+  std::string uploaded_as;  ///< file that a print server prints by itself; empty where lines are streamed
 };
 
-/// How far a job is. Lines are those of the program that carry a command, from 1.
+/// How far a job is. Lines are those of the program that carry a command, from 1. Of a print server's print
+/// `taken_through` is the last line that it has read, by its own last word, and all lines have left.
 struct JobProgress {
   std::uint64_t sequence = 0;       ///< of the record; the highest is the newest
   std::uint64_t sent_through = 0;   ///< no line beyond has ever left

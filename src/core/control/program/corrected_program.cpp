@@ -39,22 +39,45 @@ double roundedExtrusion(double value) {
   return std::round(value * units) / units;
 }
 
+void requireShiftsWithinLayer(const CorrectionMap& map, const Toolpath& toolpath) {
+  if (map.layer >= toolpath.layers.size())
+    throw InvalidInput("a correction map is of layer " + std::to_string(map.layer) + "; expected one of " +
+                       std::to_string(toolpath.layers.size()));
+  const double height = toolpath.layers[map.layer].height_mm;
+  for (const PathCorrection& path : map.paths)
+    for (const PlaceCorrection& place : path.stations)
+      if (std::abs(place.dz_mm) > height)
+        throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
+                           " shifts the nozzle by " + std::to_string(place.dz_mm) +
+                           " mm; expected no more than the layer's " + std::to_string(height) + " mm");
+}
+
 }  // namespace
 
 class ProgramCorrector::Writer {
  public:
   Writer(const Toolpath& toolpath, const std::vector<CorrectionMap>& maps, const CorrectionWriting& writing)
-      : maps_(maps),
-        corrections_(maps_),
-        cursor_(toolpath, writing.place_tolerance_mm),
+      : cursor_(toolpath, writing.place_tolerance_mm),
         tracker_(trackerSettings(writing)),
         writing_(writing),
-        normal_(layerNormal(toolpath)) {
-    const std::string id = toolpathId(toolpath);
-    for (const CorrectionMap& map : maps_)
-      if (map.toolpath_id != id)
-        throw InvalidInput("the correction map of layer " + std::to_string(map.layer) + " is of toolpath '" +
-                           map.toolpath_id + "'; expected '" + id + "'");
+        normal_(layerNormal(toolpath)),
+        toolpath_(toolpath),
+        toolpath_id_(toolpathId(toolpath)) {
+    if (!(writing_.split_change > 0.0))
+      throw InvalidInput("lines are split where the amount changes by " +
+                         std::to_string(writing_.split_change) + "; expected a positive change");
+    for (const CorrectionMap& map : maps) add(map);
+  }
+
+  void add(const CorrectionMap& map) {
+    if (map.toolpath_id != toolpath_id_)
+      throw InvalidInput("the correction map of layer " + std::to_string(map.layer) + " is of toolpath '" +
+                         map.toolpath_id + "'; expected '" + toolpath_id_ + "'");
+    requireShiftsWithinLayer(map, toolpath_);
+    if (cursor_.hasBegun(map.layer))
+      throw InvalidInput("the correction map of layer " + std::to_string(map.layer) +
+                         " comes while that layer is laid; expected it before");
+    corrections_.add(map);
   }
 
   void read(std::string_view line, std::size_t number, std::string& out) {
@@ -86,16 +109,28 @@ class ProgramCorrector::Writer {
     const bool has_filament = is_g && command.find('E') != nullptr;
     if (is_g && command.code() == 92 && has_filament) offset_mm_ = 0.0;
     if (is_g && command.code() >= 0 && command.code() <= 3) restore(command, out);
+    if (is_g && (command.code() == 28 || command.code() == 91 || command.code() == 92))
+      leaveShift(command, out);
     out += line_;
   }
 
+  void takeShiftBack(std::string& out) {
+    out += "G1 ";
+    appendCoordinates(out, place_, writing_.decimals);
+    out += '\n';
+    shift_mm_ = 0.0;
+  }
+
+  /// Before commands after which the place of the nozzle cannot be stated any more. A nozzle that runs above
+  /// the plan stays there: it would be driven into what it has just laid.
+  void leaveShift(const GcodeBlock& command, std::string& out) {
+    if (command.code() == 92 && !command.hasAny("XYZ")) return;
+    if (shift_mm_ < 0.0) takeShiftBack(out);
+    shift_mm_ = 0.0;
+  }
+
   void restore(const GcodeBlock& command, std::string& out) {
-    if (shift_mm_ != 0.0 && command.hasAny("XYZ")) {
-      out += "G1 ";
-      appendCoordinates(out, place_, writing_.decimals);
-      out += '\n';
-      shift_mm_ = 0.0;
-    }
+    if (shift_mm_ != 0.0 && command.hasAny("XYZ")) takeShiftBack(out);
     if (hasOffset() && command.find('E') != nullptr) {
       out += "G92 E";
       appendFixed(out, tracker_.motion().filament_from, kExtrusionDecimals);
@@ -275,12 +310,13 @@ class ProgramCorrector::Writer {
     if (std::abs(wanted - tracker_.feed()) <= kSameFeed) feed_.reset();
   }
 
-  std::vector<CorrectionMap> maps_;
   CorrectionsByPath corrections_;
   DepositCursor cursor_;
   ProgramTracker tracker_;
   CorrectionWriting writing_;
   Point3 normal_;
+  const Toolpath& toolpath_;
+  std::string toolpath_id_;
   CorrectionReport report_;
   std::string_view line_;
   Point3 place_ = Point3::Zero();  ///< where the program thinks the nozzle is
@@ -296,6 +332,8 @@ ProgramCorrector::ProgramCorrector(const Toolpath& toolpath, const std::vector<C
     : writer_(std::make_unique<Writer>(toolpath, maps, writing)) {}
 
 ProgramCorrector::~ProgramCorrector() = default;
+
+void ProgramCorrector::add(const CorrectionMap& map) { writer_->add(map); }
 
 void ProgramCorrector::read(std::string_view line, std::size_t number, std::string& out) {
   writer_->read(line, number, out);

@@ -28,6 +28,10 @@ bool DepositCursor::isAtEnd() const {
          (place_.run + 1 == runs_.size() && place_.along_mm >= last_length_mm_ - tolerance_mm_);
 }
 
+bool DepositCursor::hasBegun(std::size_t layer) const {
+  return !runs_.empty() && (place_.run > 0 || place_.along_mm > 0.0) && runs_[place_.run].layer >= layer;
+}
+
 Point3 DepositCursor::pointAt(const Place& place) const {
   const Path& path = *runs_[place.run].path;
   const Point3& start = path.points[place.motion];

@@ -29,6 +29,8 @@ class DepositCursor {
 
   /// The start of one of the paths that come next, if the point is there.
   std::optional<LaidStretch> startingAt(const Point3& point) const;
+  /// Whether some of a layer, or of one above, is laid.
+  bool hasBegun(std::size_t layer) const;
   /// Whether all of the toolpath is laid.
   bool isAtEnd() const;
 

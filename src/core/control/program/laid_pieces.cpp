@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "control/program/laid_pieces.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
+#include <utility>
 
 #include "lamina/base/error.hpp"
 
@@ -17,10 +18,12 @@ std::vector<double> linearNodes(const PathCorrection& correction, const LaidStre
                                 double split_change) {
   const double step = correction.station_mm;
   std::vector<double> coarse{stretch.from_mm};
-  const auto first = static_cast<long>(std::floor(stretch.from_mm / step - 0.5)) + 1;
-  for (long i = first; (static_cast<double>(i) + 0.5) * step < stretch.to_mm; ++i)
-    if ((static_cast<double>(i) + 0.5) * step > stretch.from_mm)
-      coarse.push_back((static_cast<double>(i) + 0.5) * step);
+  const double first = std::max(0.0, std::floor(stretch.from_mm / step - 0.5));
+  for (auto i = static_cast<std::size_t>(std::min(first, 1e15)); i < correction.stations.size(); ++i) {
+    const double station = (static_cast<double>(i) + 0.5) * step;
+    if (station >= stretch.to_mm) break;
+    if (station > stretch.from_mm) coarse.push_back(station);
+  }
   coarse.push_back(stretch.to_mm);
   std::vector<double> nodes{coarse.front()};
   for (std::size_t i = 1; i < coarse.size(); ++i) {
@@ -35,20 +38,22 @@ std::vector<double> linearNodes(const PathCorrection& correction, const LaidStre
 
 }  // namespace
 
-CorrectionsByPath::CorrectionsByPath(const std::vector<CorrectionMap>& maps) {
-  std::set<std::size_t> layers;
-  for (const CorrectionMap& map : maps) {
-    validate(map);
-    if (!layers.insert(map.layer).second)
-      throw InvalidInput("two correction maps are of layer " + std::to_string(map.layer) +
-                         "; expected one a layer");
-    for (const PathCorrection& path : map.paths) paths_[{map.layer, path.path}] = &path;
-  }
+void CorrectionsByPath::add(const CorrectionMap& map) {
+  validate(map);
+  const std::size_t layer = map.layer;
+  if (!maps_.try_emplace(layer, map).second)
+    throw InvalidInput("two correction maps are of layer " + std::to_string(layer) +
+                       "; expected one a layer");
 }
 
 const PathCorrection* CorrectionsByPath::find(std::size_t layer, std::size_t path) const {
-  const auto found = paths_.find({layer, path});
-  return found == paths_.end() ? nullptr : found->second;
+  const auto map = maps_.find(layer);
+  if (map == maps_.end()) return nullptr;
+  const std::vector<PathCorrection>& paths = map->second.paths;
+  const auto found =
+      std::lower_bound(paths.begin(), paths.end(), path,
+                       [](const PathCorrection& each, std::size_t sought) { return each.path < sought; });
+  return found == paths.end() || found->path != path ? nullptr : &*found;
 }
 
 std::vector<LaidPiece> laidPieces(const PathCorrection& correction, const LaidStretch& stretch,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "control/program/deposit_cursor.hpp"
@@ -18,17 +17,17 @@ struct LaidPiece {
   double end_dz_mm = 0.0;
 };
 
-/// The maps of a toolpath by layer and path. The maps must outlive this.
+/// The maps of a toolpath by layer and path.
 class CorrectionsByPath {
  public:
-  /// @throws InvalidInput if two maps are of one layer
-  explicit CorrectionsByPath(const std::vector<CorrectionMap>& maps);
+  /// @throws InvalidInput as `validate`; if there is a map of the layer already
+  void add(const CorrectionMap& map);
 
   /// None if nothing is known of the path.
   const PathCorrection* find(std::size_t layer, std::size_t path) const;
 
  private:
-  std::map<std::pair<std::size_t, std::size_t>, const PathCorrection*> paths_;
+  std::map<std::size_t, CorrectionMap> maps_;  ///< by layer
 };
 
 /// Pieces of a stretch of a path, in each of which the amount changes by that much at most. Their means are

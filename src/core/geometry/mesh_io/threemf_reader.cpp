@@ -59,17 +59,21 @@ class ThreemfReader {
   explicit ThreemfReader(const std::string& name) : name_(name) {}
 
   Mesh read(std::string_view bytes) {
+    volumes_ = objectVolumes(bytes, name_);
     addItems(bytes, [](const Handle&) {});
     return weld(faces_, name_);
   }
 
+  /// Those that are no material.
   std::vector<MeshVolume> readVolumes(std::string_view bytes) {
-    if (objectVolumes(bytes, name_).empty()) return {};
+    volumes_ = objectVolumes(bytes, name_);
+    if (volumes_.empty()) return {};
     addItems(bytes, [](const Handle&) {});
     return weldedVolumes();
   }
 
   std::vector<MeshObject> readObjects(std::string_view bytes) {
+    volumes_ = objectVolumes(bytes, name_);
     std::vector<MeshObject> objects;
     addItems(bytes, [&](const Handle& object) {
       const IndexedFaces faces = std::exchange(faces_, {});
@@ -93,7 +97,6 @@ class ThreemfReader {
   /// @param added  is called once the faces of an item's object are there
   template <class Added>
   void addItems(std::string_view bytes, const Added& added) {
-    volumes_ = objectVolumes(bytes, name_);
     const Handle model = make([](Object** out) { return NMR::lib3mf_createmodel(out); });
     const Handle reader =
         make([&](Object** out) { return NMR::lib3mf_model_queryreader(model.get(), "3mf", out); });

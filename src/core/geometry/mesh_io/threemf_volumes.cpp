@@ -5,9 +5,12 @@
 #include <zip.h>
 
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "geometry/svg/xml_scanner.hpp"
 #include "lamina/base/error.hpp"
@@ -15,8 +18,9 @@
 namespace lamina {
 namespace {
 
-constexpr zip_uint64_t kMostBytes = 64U << 20U;     // of a list of volumes
-constexpr zip_uint64_t kMostOfModel = 4ULL << 30U;  // bytes
+constexpr std::size_t kMostBytes = 64U << 20U;     // of a list of volumes
+constexpr std::size_t kMostOfModel = 4ULL << 30U;  // bytes
+constexpr const char* kModelRelation = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 
 /// By the numbers that the model gives its objects.
 using NumberedVolumes = std::map<std::uint32_t, std::vector<VolumeRange>>;
@@ -41,19 +45,23 @@ Archive opened(std::string_view bytes, const std::string& name) {
   throw InvalidMesh(name + ": no readable archive: " + reason);
 }
 
-/// The text of an entry; none if there is none of that name.
-std::optional<std::string> entryOf(const Archive& archive, const char* entry, zip_uint64_t most_bytes,
+/// The text of an entry; none if there is none of that name. Headers may state any size: only what is there
+/// takes room.
+std::optional<std::string> entryOf(const Archive& archive, const std::string& entry, std::size_t most_bytes,
                                    const std::string& name) {
-  zip_stat_t stat;
-  zip_stat_init(&stat);
-  if (zip_stat(archive.get(), entry, 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0) return std::nullopt;
-  if (stat.size > most_bytes)
-    throw InvalidMesh(name + ": " + entry + " has " + std::to_string(stat.size) +
-                      " bytes; expected at most " + std::to_string(most_bytes));
-  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen(archive.get(), entry, 0));
-  std::string text(stat.size, '\0');
-  if (!file || zip_fread(file.get(), text.data(), stat.size) != static_cast<zip_int64_t>(stat.size))
-    throw InvalidMesh(name + ": " + entry + " cannot be read");
+  constexpr std::size_t kBlock = 1U << 20U;  // bytes
+  if (zip_name_locate(archive.get(), entry.c_str(), 0) < 0) return std::nullopt;
+  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen(archive.get(), entry.c_str(), 0));
+  std::string text;
+  std::vector<char> block(kBlock);
+  zip_int64_t count = file ? 0 : -1;
+  while (file && (count = zip_fread(file.get(), block.data(), block.size())) > 0) {
+    text.append(block.data(), static_cast<std::size_t>(count));
+    if (text.size() > most_bytes)
+      throw InvalidMesh(name + ": " + entry + " has more than " + std::to_string(most_bytes) +
+                        " bytes; no more are read");
+  }
+  if (count < 0) throw InvalidMesh(name + ": " + entry + " cannot be read");
   return text;
 }
 
@@ -66,6 +74,15 @@ std::optional<VolumeKind> kindOfVolume(const std::string& word) {
   return std::nullopt;
 }
 
+std::uint32_t numberOf(const XmlScanner& scanner, const XmlTag& tag, const std::string& key) {
+  const std::string text = tag.attribute(key);
+  std::uint32_t value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
+    scanner.refuse(tag.line, key + " of " + tag.name + " is '" + text + "'; expected a number");
+  return value;
+}
+
 class VolumeScanner {
  public:
   VolumeScanner(const std::string& text, const std::string& name) : scanner_(text, name) {}
@@ -74,9 +91,10 @@ class VolumeScanner {
     XmlTag tag;
     while (scanner_.next(tag)) {
       if (tag.is_end) continue;
-      if (tag.name == "object") object_ = number(tag, "id");
+      if (tag.name == "object") object_ = numberOf(scanner_, tag, "id");
       if (tag.name == "volume")
-        range_ = {VolumeKind::Modifier, number(tag, "firstid"), number(tag, "lastid")};
+        range_ = {VolumeKind::Modifier, numberOf(scanner_, tag, "firstid"),
+                  numberOf(scanner_, tag, "lastid")};
       if (tag.name == "metadata") addKind(tag);
       if (tag.name == "part") addPart(tag);
     }
@@ -84,15 +102,6 @@ class VolumeScanner {
   }
 
  private:
-  std::uint32_t number(const XmlTag& tag, const std::string& key) const {
-    const std::string text = tag.attribute(key);
-    std::uint32_t value = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
-      scanner_.refuse(tag.line, key + " of " + tag.name + " is '" + text + "'; expected a number");
-    return value;
-  }
-
   void addKind(const XmlTag& tag) {
     const bool is_of_volume = tag.attribute("type") == "volume" && tag.attribute("key") == "volume_type";
     const auto kind = is_of_volume ? kindOfVolume(tag.attribute("value")) : std::nullopt;
@@ -103,7 +112,7 @@ class VolumeScanner {
 
   void addPart(const XmlTag& tag) {
     if (const auto kind = kindOfVolume(tag.attribute("subtype")))
-      found_[number(tag, "id")] = {{*kind, 0, std::numeric_limits<std::size_t>::max()}};
+      found_[numberOf(scanner_, tag, "id")] = {{*kind, 0, std::numeric_limits<std::size_t>::max()}};
   }
 
   XmlScanner scanner_;
@@ -112,23 +121,44 @@ class VolumeScanner {
   NumberedVolumes found_;
 };
 
-/// By the order in which the text of a model has its objects.
-ObjectVolumes inOrder(NumberedVolumes numbered, std::string_view model) {
-  constexpr std::string_view kObject = "<object ";
-  constexpr std::string_view kId = " id=\"";
+/// Where the archive says that its model is.
+std::string modelEntry(const Archive& archive, const std::string& name) {
+  const std::string relations = entryOf(archive, "_rels/.rels", kMostBytes, name).value_or("");
+  XmlScanner scanner(relations, name + ", _rels/.rels");
+  XmlTag tag;
+  while (scanner.next(tag)) {
+    if (tag.is_end || tag.name != "Relationship" || tag.attribute("Type") != kModelRelation) continue;
+    const std::string target = tag.attribute("Target");
+    return target.substr(target.compare(0, 1, "/") == 0 ? 1 : 0);
+  }
+  throw InvalidMesh(name + ": _rels/.rels names no model; expected a relationship of type " +
+                    std::string(kModelRelation));
+}
+
+/// The numbers of the objects of a model, in their order.
+std::vector<std::uint32_t> objectNumbers(const std::string& model, const std::string& name) {
+  std::vector<std::uint32_t> numbers;
+  XmlScanner scanner(model, name);
+  XmlTag tag;
+  while (scanner.next(tag))
+    if (!tag.is_end && tag.name == "object") numbers.push_back(numberOf(scanner, tag, "id"));
+  return numbers;
+}
+
+/// By the order in which a model has its objects.
+ObjectVolumes inOrder(NumberedVolumes numbered, const Archive& archive, const std::string& name) {
+  const std::string entry = modelEntry(archive, name);
+  const std::string model = entryOf(archive, entry, kMostOfModel, name).value_or("");
   ObjectVolumes ordered;
   std::size_t order = 0;
-  for (std::size_t at = model.find(kObject); at != std::string_view::npos; at = model.find(kObject, at + 1)) {
-    const std::string_view tag = model.substr(at, model.find('>', at) - at);
-    const std::size_t id = tag.find(kId);
-    std::uint32_t number = 0;
-    if (id != std::string_view::npos)
-      std::from_chars(tag.data() + id + kId.size(), tag.data() + tag.size(), number);
-    if (const auto found = numbered.find(number); found != numbered.end())
-      ordered[order] = std::move(found->second);
+  for (const std::uint32_t number : objectNumbers(model, name + ", " + entry)) {
+    if (auto found = numbered.extract(number)) ordered[order] = std::move(found.mapped());
     ++order;
   }
-  return ordered;
+  if (numbered.empty()) return ordered;
+  throw InvalidMesh(name + ": object " + std::to_string(numbered.begin()->first) +
+                    " is listed with volumes that are no material, and is none of the " +
+                    std::to_string(order) + " objects of " + entry + "; expected the number of one");
 }
 
 }  // namespace
@@ -140,8 +170,7 @@ ObjectVolumes objectVolumes(std::string_view archive_bytes, const std::string& n
     if (!text) continue;
     NumberedVolumes numbered = VolumeScanner(*text, name + ", " + entry).scan();
     if (numbered.empty()) return {};
-    return inOrder(std::move(numbered),
-                   entryOf(archive, "3D/3dmodel.model", kMostOfModel, name).value_or(""));
+    return inOrder(std::move(numbered), archive, name);
   }
   return {};
 }

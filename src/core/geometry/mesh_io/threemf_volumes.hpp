@@ -25,7 +25,7 @@ using ObjectVolumes = std::map<std::size_t, std::vector<VolumeRange>>;
 /// What slicers write beside the model of a 3MF file of volumes that change how a part is laid:
 /// `Metadata/Slic3r_PE_model.config` gives ranges of triangles, `Metadata/model_settings.config` whole
 /// objects. Nothing if there is neither.
-/// @throws InvalidMesh if one of them cannot be read
+/// @throws InvalidMesh if one of them cannot be read, or lists an object that the model does not have
 ObjectVolumes objectVolumes(std::string_view archive, const std::string& name);
 
 }  // namespace lamina

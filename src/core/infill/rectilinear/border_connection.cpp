@@ -54,7 +54,9 @@ class MeasuredOutline {
   Polyline onward(const BorderPlace& from, const BorderPlace& to) const {
     Polyline way = {from.point};
     const bool wraps = to.along_mm < from.along_mm;
-    const std::size_t count = to.edge + (wraps || to.edge < from.edge ? points_.size() : 0) - from.edge;
+    // Both places at the corner between two edges, found on the later one first: there is no way to go.
+    const bool is_at_corner = !wraps && to.edge < from.edge;
+    const std::size_t count = is_at_corner ? 0 : to.edge + (wraps ? points_.size() : 0) - from.edge;
     for (std::size_t step = 1; step <= count; ++step)
       way.push_back(points_[(from.edge + step) % points_.size()]);
     way.push_back(to.point);
@@ -153,6 +155,13 @@ void append(FillPath& run, const Point2& point, double width) {
   run.width_mm.push_back(width);
 }
 
+/// Of a connection by that way, with the steps from the end of the run to the border and from there to the
+/// next run [mm].
+double lengthOf(const Way& way, const FillPath& run, const FillPath& next) {
+  const Point2& entry = way.is_reversed ? next.points.back() : next.points.front();
+  return (way.points.front() - run.points.back()).norm() + way.length_mm + (entry - way.points.back()).norm();
+}
+
 void join(FillPath& run, const Polyline& way, double width, const FillPath& next) {
   for (const Point2& point : way) append(run, point, width);
   append(run, next.points.front(), width);
@@ -176,7 +185,7 @@ std::vector<FillPath> connectAlongBorder(std::vector<FillPath> runs, const Regio
     open.erase(open.begin());
     connected.push_back(std::move(runs[at]));
     while (const std::optional<Way> way = ways.shortest(at, end, open)) {
-      const double area = way->length_mm * connection.width_mm;
+      const double area = lengthOf(*way, connected.back(), runs[way->run]) * connection.width_mm;
       if (way->length_mm > connection.longest_mm || area > left_mm2) break;
       left_mm2 -= area;
       at = way->run;

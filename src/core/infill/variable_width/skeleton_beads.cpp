@@ -169,6 +169,7 @@ class Lanes {
       const double squared = sum.squaredNorm();
       const double mitre = std::min(2.0 / squared, kSteepestMitre / std::sqrt(squared));
       normals_.push_back(squared > 1e-12 ? Point2(mitre * sum) : normalOf(after));
+      turns_.push_back(cross(normalOf(before), normalOf(after)));
     }
   }
 
@@ -176,9 +177,12 @@ class Lanes {
     return leftOf((points_[segment + 1].point - points_[segment].point).normalized());
   }
 
+  /// Within a bend the border may be as near as the radius, so that lanes have no mitre there.
   Point2 lanePoint(std::size_t vertex, std::size_t segment, int k) const {
     const double share = (k - 0.5 * (count_[segment] - 1)) / count_[segment];
-    return points_[vertex].point + 2.0 * share * points_[vertex].radius_mm * normals_[vertex];
+    const bool is_within_bend = share * turns_[vertex] > 0.0;
+    const Point2 normal = is_within_bend ? Point2(normals_[vertex].normalized()) : normals_[vertex];
+    return points_[vertex].point + 2.0 * share * points_[vertex].radius_mm * normal;
   }
 
   FillPath lane(int k, std::size_t first, std::size_t end) const {
@@ -255,6 +259,7 @@ class Lanes {
   double widest_;  ///< [mm]
   std::vector<int> count_;
   std::vector<Point2> normals_;  ///< point by point, as long as neighbouring lines need it
+  std::vector<double> turns_;    ///< point by point, above 0 to the left
 };
 
 }  // namespace

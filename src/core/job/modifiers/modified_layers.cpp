@@ -159,13 +159,14 @@ void cutAway(Layer& layer, const Regions& negative) {
   layer.section.contours = outlines(difference(unite(layer.section.contours), negative));
 }
 
-/// Marks an area, whatever was marked there before.
-void mark(Regions& marked, Regions& otherwise, const Regions& area) {
-  if (area.empty()) return;
-  if (!otherwise.empty()) otherwise = difference(otherwise, area);
+Regions unitedWith(const Regions& marked, const Regions& area) {
   std::vector<Polygon> all = outlines(marked);
   for (Polygon& outline : outlines(area)) all.push_back(std::move(outline));
-  marked = unite(all);
+  return unite(all);
+}
+
+Regions without(const Regions& marked, const Regions& area) {
+  return marked.empty() ? marked : difference(marked, area);
 }
 
 /// Applies modifiers to the layers of a part one by one.
@@ -190,10 +191,14 @@ class LayerModifier {
           cutAway(modified_.layers[i], areas[i]);
           break;
         case ModifierKind::SupportBlocker:
-          mark(marks.never[i], marks.always[i], areas[i]);
+          if (areas[i].empty()) break;
+          marks.always[i] = without(marks.always[i], areas[i]);
+          marks.never[i] = unitedWith(marks.never[i], areas[i]);
           break;
         case ModifierKind::SupportEnforcer:
-          mark(marks.always[i], marks.never[i], areas[i]);
+          if (areas[i].empty()) break;
+          marks.never[i] = without(marks.never[i], areas[i]);
+          marks.always[i] = unitedWith(marks.always[i], areas[i]);
           break;
       }
     };

@@ -48,19 +48,24 @@ bool stands(const std::string& key, const std::array<std::string_view, count>& e
   });
 }
 
+/// Groups as "feed.*".
+template <std::size_t count>
+std::string listed(const std::array<std::string_view, count>& entries) {
+  std::string names;
+  for (const std::string_view entry : entries)
+    names += (names.empty() ? "" : ", ") + std::string(entry) + (entry.back() == '.' ? "*" : "");
+  return names;
+}
+
 void requireRegionSettings(const StrictYaml& yaml, const Modifier& modifier) {
   for (const SettingText& setting : modifier.settings) {
     const bool is_of_layers = stands(setting.key, kLayerSettings);
     if (is_of_layers && !modifier.heights_mm)
       yaml.refuse("'" + setting.key + "' holds for whole layers only; expected from_mm and to_mm");
     if ((!is_of_layers && !stands(setting.key, kRegionSettings)) || stands(setting.key, kAidSettings))
-      yaml.refuse(
-          "'" + setting.key +
-          "' cannot be set for a region; expected infill.*, skins.*, bridges.*, walls.count, bead.flow "
-          "or flow, tool.walls, tool.infill, tool.skin or tool for all of them, supports.use, "
-          "supports.angle_deg, supports.under_bridges, feed.* but for those of skirt and supports, or "
-          "a setting of a fill strategy; over a range of heights also walls.order, overhangs.* and "
-          "seam.*");
+      yaml.refuse("'" + setting.key + "' cannot be set for a region; expected flow, tool or one of " +
+                  listed(kRegionSettings) + ", but for " + listed(kAidSettings) +
+                  "; over a range of heights also " + listed(kLayerSettings));
   }
 }
 

@@ -59,8 +59,8 @@ void requirePlateSettings(const JobSettings& settings) {
   if (planning.adhesion.prime.line != PrimeLine::None)
     throw InvalidConfig("prime.line is set; expected none: plates have no prime line");
   if (!planning.tools.purge_mm3.empty() && settings.plate.order == PlateOrder::ByPart)
-    throw InvalidConfig(
-        "tools.purge_mm3 is set with plate.order by_part; expected by_layer: one tower stands beside all");
+    throw InvalidConfig("tools.purge_mm3 is " + std::to_string(planning.tools.purge_mm3.front()) +
+                        " mm3 with plate.order by_part; expected by_layer: one tower stands beside all");
   if (planning.skirt.layers != 1)
     throw InvalidConfig("skirt.layers is " + std::to_string(planning.skirt.layers) +
                         "; expected 1: the skirt of a plate stands in its first layer");
@@ -87,8 +87,9 @@ JobSettings settingsOf(const PlatePart& part, const JobSettings& of_plate) {
   }
   settings.placement = Placement::Centre;
   settings.planning.skirt.count = 0;
-  settings.planning.tools.purge_mm3.clear();
   validate(settings);
+  settings.planning.tools.purge_mm3.clear();
+  settings.planning.tools.purge_into_infill = false;
   return settings;
 }
 
@@ -168,13 +169,21 @@ Polygon hullOf(const Mesh& mesh) {
   return convexHull(std::move(points));
 }
 
-/// Of the bed, without room for the skirt.
-Box2 roomFor(const Box3& space, const PlanSettings& settings) {
-  const double skirt_mm = settings.skirt.count > 0
-                              ? settings.skirt.distance_mm + settings.skirt.count * settings.bead.width_mm
-                              : 0.0;
+std::vector<TowerNeighbour> towerNeighbours(const std::vector<PlateItem>& items) {
+  std::vector<TowerNeighbour> parts;
+  parts.reserve(items.size());
+  for (const PlateItem& item : items) parts.push_back({item.name, &item.settings});
+  return parts;
+}
+
+/// Of the bed, without room for skirt and tower.
+Box2 roomFor(const std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
+  const SkirtSettings& skirt = settings.planning.skirt;
+  const double skirt_mm =
+      skirt.count > 0 ? skirt.distance_mm + skirt.count * settings.planning.bead.width_mm : 0.0;
   const Point2 margin = Point2::Constant(skirt_mm);
-  return {space.low.head<2>() + margin, space.high.head<2>() - margin};
+  const Point2 tower(roomForTower(settings, towerNeighbours(items)), 0.0);
+  return {space.low.head<2>() + margin, space.high.head<2>() - margin - tower};
 }
 
 void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings& settings) {
@@ -187,7 +196,7 @@ void arrange(std::vector<PlateItem>& items, const Box3& space, const JobSettings
     footprints.push_back({item.name, hullOf(item.mesh), at});
   }
   const std::vector<PlatePlace> places =
-      arranged(footprints, roomFor(space, settings.planning), settings.plate);
+      arranged(footprints, roomFor(items, space, settings), settings.plate);
   for (std::size_t i = 0; i < items.size(); ++i) {
     PlateItem& item = items[i];
     item.place = places[i];
@@ -289,6 +298,7 @@ class PlateSlicer {
     Sources sources(job_.settings.input);
     items_ = itemsOf(job_.plate, sources, job_.settings);
     requireMergeable(items_, job_.settings.plate.order);
+    requireLayersFor(job_.settings.planning.tools, towerNeighbours(items_));
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
     const std::vector<StandingPart> standing = standingParts(items_);

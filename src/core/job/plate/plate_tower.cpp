@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "lamina/base/error.hpp"
+#include "planning/tools/prime_tower.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/travel.hpp"
 
@@ -30,17 +33,50 @@ bool hasSeveralTools(const Toolpath& plate) {
   return false;
 }
 
+/// Of what is laid first, which is the marked part's.
+std::string partOf(const ToolpathLayer& layer) {
+  for (const Path& path : layer.paths)
+    for (const PathEvent& placed : path.events)
+      if (const auto* const mark = std::get_if<PartMark>(&placed.event);
+          mark != nullptr && !mark->name.empty())
+        return mark->name;
+  return "";
+}
+
+std::string purgeText(const ToolSettings& tools) {
+  char text[96];
+  const double greatest_mm3 = *std::max_element(tools.purge_mm3.begin(), tools.purge_mm3.end());
+  std::snprintf(text, sizeof text, "tools.purge_mm3 is %s%.6g mm3",
+                tools.purge_mm3.size() > 1 ? "up to " : "", greatest_mm3);
+  return text;
+}
+
 /// A tower has one layer on the other.
-void requireStacked(const Toolpath& plate) {
+/// @param plate  whose paths are marked each
+void requireStacked(const Toolpath& plate, const ToolSettings& tools) {
   for (std::size_t l = 1; l < plate.layers.size(); ++l) {
-    const double bottom_mm = plate.layers[l].z_mm - plate.layers[l].height_mm;
-    if (bottom_mm > plate.layers[l - 1].z_mm - kOverlap) continue;
-    throw InvalidConfig("tools.purge_mm3 is set for a plate on which a layer from " +
-                        std::to_string(bottom_mm) + " mm lies beside one up to " +
-                        std::to_string(plate.layers[l - 1].z_mm) +
+    const ToolpathLayer& layer = plate.layers[l];
+    const ToolpathLayer& below = plate.layers[l - 1];
+    if (layer.z_mm - layer.height_mm > below.z_mm - kOverlap) continue;
+    throw InvalidConfig(purgeText(tools) + " for a plate on which a layer of part '" + partOf(layer) +
+                        "' from " + std::to_string(layer.z_mm - layer.height_mm) +
+                        " mm lies beside one of '" + partOf(below) + "' up to " + std::to_string(below.z_mm) +
                         " mm; expected none, or parts of the same layer heights: a prime tower has one layer "
                         "on the other");
   }
+}
+
+/// That lay any of the parts, as far as settings tell: regions may have others.
+std::set<std::size_t> toolsOfParts(const std::vector<TowerNeighbour>& parts) {
+  std::set<std::size_t> tools;
+  for (const TowerNeighbour& part : parts) {
+    const PlanSettings& settings = part.settings->planning;
+    std::vector<PathRole> roles = {PathRole::OuterWall};
+    if (isFilled(settings.infill)) roles.push_back(PathRole::Infill);
+    if (hasSkins(settings.skins)) roles.push_back(PathRole::Skin);
+    for (const PathRole role : roles) tools.insert(toolFor(role, settings.tools));
+  }
+  return tools;
 }
 
 PathEvent markOf(std::size_t motion, const std::string& part) {
@@ -113,10 +149,43 @@ void join(Toolpath& plate, const TravelSettings& settings) {
 
 }  // namespace
 
+void requireLayersFor(const ToolSettings& tower, const std::vector<TowerNeighbour>& parts) {
+  if (tower.purge_mm3.empty() || parts.empty() || toolsOfParts(parts).size() < 2) return;
+  const SlicingSettings& first = parts.front().settings->slicing;
+  for (const TowerNeighbour& part : parts) {
+    const SlicingSettings& slicing = part.settings->slicing;
+    const auto require = [&](const char* key, double value_mm, double of_first_mm) {
+      if (value_mm == of_first_mm) return;
+      throw InvalidConfig(std::string(key) + " is " + std::to_string(value_mm) + " mm of part '" + part.name +
+                          "' and " + std::to_string(of_first_mm) + " mm of part '" + parts.front().name +
+                          "', and " + purgeText(tower) +
+                          "; expected the same: a prime tower has one layer on the other");
+    };
+    require("slicing.layer_height_mm", slicing.layer_height_mm, first.layer_height_mm);
+    require("slicing.first_layer_height_mm", slicing.first_layer_height_mm, first.first_layer_height_mm);
+  }
+}
+
+double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>& parts) {
+  const ToolSettings& tools = plate.planning.tools;
+  const std::size_t count = toolsOfParts(parts).size();
+  if (tools.purge_mm3.empty() || !tools.tower_at_mm.empty() || count < 2) return 0.0;
+  TowerLayer layer{plate.slicing.layer_height_mm, {}};
+  for (const TowerNeighbour& part : parts)
+    layer.height_mm = std::min({layer.height_mm, part.settings->slicing.layer_height_mm,
+                                part.settings->slicing.first_layer_height_mm});
+  const double greatest_mm3 = *std::max_element(tools.purge_mm3.begin(), tools.purge_mm3.end());
+  layer.purges.push_back({0, static_cast<double>(count - 1) * greatest_mm3});
+  PlanSettings alone = plate.planning;
+  alone.tools.tower_mm = 0.0;
+  const double side_mm = PrimeTower({layer}, alone, Box2{Point2(0.0, 0.0), Point2(0.0, 0.0)}).side();
+  return kTowerBesidePart + std::max(side_mm, tools.tower_mm);
+}
+
 Toolpath withTower(Toolpath plate, const PlanSettings& settings) {
   if (!hasSeveralTools(plate)) return plate;
-  requireStacked(plate);
   markEach(plate);
+  requireStacked(plate, settings.tools);
   arrangeTools(plate.layers, settings, levelTravels(settings.travel));
   join(plate, settings.travel);
   giveTravelsTools(plate.layers);

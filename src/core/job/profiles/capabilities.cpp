@@ -53,6 +53,27 @@ void requireLayerHeight(const char* key, double height_mm, const MachineCapabili
                         " mm");
 }
 
+constexpr double kHighestBead = 0.8;  // of the nozzle's diameter
+
+/// Infill of several layers at once is no higher than beads of the nozzle may be.
+void requireInfillHeight(const JobSettings& settings) {
+  const int layers = settings.planning.infill.every_layers;
+  if (layers == 1) return;
+  const std::string asked = "infill.every_layers is " + std::to_string(layers);
+  if (settings.slicing.heights != LayerHeights::Equal)
+    throw InvalidConfig(asked +
+                        " with slicing.heights not 'equal'; expected 1: layers share an infill if they "
+                        "are equally high");
+  const double nozzle_mm = settings.capabilities.nozzle_mm;
+  const bool is_known = nozzle_mm > 0.0;
+  const double greatest_mm = kHighestBead * (is_known ? nozzle_mm : settings.planning.bead.width_mm);
+  const double height_mm = layers * settings.slicing.layer_height_mm;
+  if (height_mm <= greatest_mm * (1.0 + 1e-9)) return;
+  throw InvalidConfig(asked + " of " + textOf(settings.slicing.layer_height_mm) + " mm, which makes beads " +
+                      textOf(height_mm) + " mm high; must be at most " + textOf(greatest_mm) +
+                      " mm, 0.8 of " + (is_known ? "machine.nozzle_mm" : "bead.width_mm"));
+}
+
 }  // namespace
 
 void describe(SettingsSchema& schema, MachineCapabilities& capabilities) {
@@ -87,6 +108,7 @@ void requireCapable(const JobSettings& settings) {
   requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
   requireAtMost({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, "machine.nozzle_mm",
                 machine.nozzle_mm, ": a layer is no higher than the nozzle is wide");
+  requireInfillHeight(settings);
 }
 
 }  // namespace lamina

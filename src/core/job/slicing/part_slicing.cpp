@@ -81,18 +81,11 @@ void place(const SourcePart& source, const BuildSpace& space, const SliceJob& jo
   sliced.summary.repairs = source.repairs;
 }
 
-bool hasLevelLayers(const SlicingSettings& slicing) {
-  return slicing.mode == "planar" && slicing.plane.angle_deg == 0.0;
-}
+bool hasSettingsOfItsOwn(const MeshVolume& volume) { return volume.kind == VolumeKind::Modifier; }
 
-/// Whether layers mind a volume of the part's file.
-bool isMinded(const MeshVolume& volume, const SlicingSettings& slicing) {
-  return hasLevelLayers(slicing) && volume.kind != VolumeKind::Modifier;
-}
-
-std::string volumesNote(std::size_t left_out, const SlicingSettings& slicing) {
+std::string volumesNote(std::size_t left_out, bool are_level) {
   return std::to_string(left_out) + " volumes of the file that change how the part is laid are left out: " +
-         (hasLevelLayers(slicing) ? "their settings are another slicer's" : "only level layers mind them");
+         (are_level ? "their settings are another slicer's" : "only level layers mind them");
 }
 
 }  // namespace
@@ -127,18 +120,16 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   const Point3 drawn = boundingBox(source.mesh).size();
   source = grownForShrinkage(std::move(source), job.settings);
   const Point3 laid = boundingBox(source.mesh).size();
-  const SlicingSettings& slicing = job.settings.slicing;
-  std::vector<MeshVolume>& volumes = source.volumes;
-  const std::size_t volume_count = volumes.size();
-  volumes.erase(std::remove_if(volumes.begin(), volumes.end(),
-                               [&slicing](const MeshVolume& volume) { return !isMinded(volume, slicing); }),
-                volumes.end());
-  const std::size_t left_out = volume_count - volumes.size();
+  const std::size_t volumes = source.volumes.size();
+  const auto with_settings = static_cast<std::size_t>(
+      std::count_if(source.volumes.begin(), source.volumes.end(), hasSettingsOfItsOwn));
   place(source, space, job, sliced);
   sliced.toolpath =
       planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
-  if (left_out > 0) sliced.summary.notes.push_back(volumesNote(left_out, slicing));
+  const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
+  const std::size_t left_out = are_level ? with_settings : volumes;
+  if (left_out > 0) sliced.summary.notes.push_back(volumesNote(left_out, are_level));
   if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, laid));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,

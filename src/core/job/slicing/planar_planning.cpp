@@ -91,7 +91,10 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   const JobSettings& settings = request.job.settings;
   const PlaneSettings& plane = settings.slicing.plane;
   Laps laps;
-  if (plane.angle_deg != 0.0) source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
+  if (plane.angle_deg != 0.0) {
+    source.mesh = turned(std::move(source.mesh), partFromLayers(plane).conjugate());
+    source.volumes.clear();
+  }
   LayerHeightsReport heights = layerHeightsOf(source.mesh, settings.slicing);
   std::vector<Layer> layers = sliceIntoLayers(source, heights.bounds, settings.slicing, progress);
   const FirstLayerSettings& first_layer = settings.planning.first_layer;
@@ -112,7 +115,8 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   if (settings.drop_voids.is_on)
     toolpath = withDropVoidsFilled(std::move(toolpath), settings.drop_voids,
                                    settings.planning.travel.feed_mm_s, progress);
-  toolpath = withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.space));
+  toolpath =
+      withScanPasses(std::move(toolpath), settings.scan, sensorOffset(request.space, partFromLayers(plane)));
   toolpath = inPartFrame(std::move(toolpath), plane);
   return planned;
 }

@@ -29,11 +29,13 @@ BuildSpace withUprightHead(BuildSpace space) {
   return space;
 }
 
-Point2 sensorOffset(const BuildSpace& space) {
+Point2 sensorOffset(const BuildSpace& space, const Eigen::Quaterniond& bed_from_layers) {
   if (!space.tip_from_sensor) return Point2::Zero();
-  const Point3 position = space.tip_from_sensor->translation();
-  const Point3 view = space.tip_from_sensor->linear().col(2);
-  if (!(view.z() < 0.0)) throw InvalidConfig("sensor of machine " + space.name + " does not look down");
+  const Eigen::Matrix3d layers_from_bed = bed_from_layers.conjugate().toRotationMatrix();
+  const Point3 position = layers_from_bed * space.tip_from_sensor->translation();
+  const Point3 view = layers_from_bed * space.tip_from_sensor->linear().col(2);
+  if (!(view.z() < 0.0))
+    throw InvalidConfig("sensor of machine " + space.name + " does not look down on the layers");
   return (position - view * (position.z() / view.z())).head<2>();
 }
 

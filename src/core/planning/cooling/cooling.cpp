@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "lamina/base/parallel.hpp"
-#include "lamina/toolpath/layer_frame.hpp"
 #include "lamina/toolpath/timing.hpp"
 #include "planning/cooling/fan_spin_up.hpp"
 #include "planning/cooling/fan_switch.hpp"
@@ -104,11 +103,7 @@ struct CooledLayer {
 class Cooler {
  public:
   Cooler(Toolpath& toolpath, const CoolingSettings& settings, const MotionLimits& limits)
-      : toolpath_(toolpath),
-        settings_(settings),
-        limits_(limits),
-        ground_{depositionBox(toolpath), layerNormal(toolpath)},
-        heights_(heightsUpTo(toolpath, ground_.up)) {}
+      : toolpath_(toolpath), settings_(settings), limits_(limits), grounds_(parkingGrounds(toolpath)) {}
 
   CooledLayer coolLayer(std::size_t index) const {
     ToolpathLayer& layer = toolpath_.layers[index];
@@ -140,10 +135,8 @@ class Cooler {
   double wait(std::size_t index, double lacking_s) const {
     ToolpathLayer& layer = toolpath_.layers[index];
     const Path& last = layer.paths.back();
-    ParkingGround ground = ground_;
-    ground.highest_mm = heights_[index];
-    Path path =
-        parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer), ground, settings_);
+    Path path = parkedWait(last, last.is_closed ? 0 : last.points.size() - 1, travelFeed(layer),
+                           grounds_[index], settings_);
     Toolpath ways;
     ways.layers = {{layer.z_mm, layer.height_mm, {path}}};
     const double dwell_s = std::max(0.0, lacking_s - timeOf(ways, limits_));
@@ -155,8 +148,7 @@ class Cooler {
   Toolpath& toolpath_;
   const CoolingSettings& settings_;
   const MotionLimits& limits_;
-  ParkingGround ground_;
-  std::vector<double> heights_;  ///< of what is deposited up to and with each layer
+  std::vector<ParkingGround> grounds_;  ///< by layer
 };
 
 }  // namespace

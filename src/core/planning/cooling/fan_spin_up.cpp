@@ -56,7 +56,10 @@ std::vector<FanOrder> sentEarlier(const std::vector<FanOrder>& wanted, double sp
       order.time_s = std::max(0.0, order.time_s - spin_up_s);
       order.is_moved = true;
       FanOrder lull = order;
-      for (; !sent.empty() && sent.back().time_s >= order.time_s; sent.pop_back()) lull = sent.back();
+      const auto is_lull = [&order](const FanOrder& before) {
+        return before.time_s >= order.time_s && before.change.share <= order.change.share;
+      };
+      for (; !sent.empty() && is_lull(sent.back()); sent.pop_back()) lull = sent.back();
       if (last_share() == order.change.share) continue;
       // What ran before the lull was more: then the fan falls where the lull began.
       if (last_share() > order.change.share) {

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 
+#include "lamina/toolpath/layer_frame.hpp"
+
 namespace lamina {
 namespace {
 
 constexpr double kBeside = 5.0;       // mm
 constexpr double kSameHeight = 1e-6;  // mm
 
-/// Where the nozzle waits, at the height where it is.
-Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
+}  // namespace
+
+Point3 parkingPlace(const Point3& here, const Box3& box, ParkPlace place) {
   switch (place) {
     case ParkPlace::Outside:
       return {box.low.x() - kBeside, here.y(), here.z()};
@@ -23,8 +26,6 @@ Point3 parkAt(const Point3& here, const Box3& box, ParkPlace place) {
   return here;
 }
 
-}  // namespace
-
 double travelFeed(const ToolpathLayer& layer) {
   double greatest_mm_s = 0.0;  // others are ends of runs
   for (const Path& path : layer.paths)
@@ -32,17 +33,18 @@ double travelFeed(const ToolpathLayer& layer) {
   return greatest_mm_s > 0.0 ? greatest_mm_s : layer.paths.back().feed_mm_s.at(0);
 }
 
-std::vector<double> heightsUpTo(const Toolpath& toolpath, const Point3& up) {
-  std::vector<double> heights;
-  heights.reserve(toolpath.layers.size());
-  double highest_mm = -std::numeric_limits<double>::infinity();
+std::vector<ParkingGround> parkingGrounds(const Toolpath& toolpath) {
+  std::vector<ParkingGround> grounds;
+  grounds.reserve(toolpath.layers.size());
+  ParkingGround ground{depositionBox(toolpath), layerNormal(toolpath)};
   for (const ToolpathLayer& layer : toolpath.layers) {
     for (const Path& path : layer.paths)
       if (path.role != PathRole::Travel)
-        for (const Point3& point : path.points) highest_mm = std::max(highest_mm, point.dot(up));
-    heights.push_back(highest_mm);
+        for (const Point3& point : path.points)
+          ground.highest_mm = std::max(ground.highest_mm, point.dot(ground.up));
+    grounds.push_back(ground);
   }
-  return heights;
+  return grounds;
 }
 
 Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, const ParkingGround& ground,
@@ -51,7 +53,7 @@ Path parkedWait(const Path& at, std::size_t waypoint, double travel_feed_mm_s, c
   const double above_mm = ground.highest_mm - here.dot(ground.up);
   const double lift_mm = settings.lift_mm + (above_mm > kSameHeight ? above_mm : 0.0);
   const Point3 lift = lift_mm * ground.up;
-  const Point3 park = parkAt(here, ground.part, settings.park);
+  const Point3 park = parkingPlace(here, ground.part, settings.park);
   Path path;
   path.role = PathRole::Travel;
   path.process.is_retracted = true;

@@ -13,6 +13,7 @@
 #include "lamina/toolpath/timing.hpp"
 #include "planning/cooling/parking.hpp"
 #include "planning/cooling/place_order.hpp"
+#include "planning/travel/wiping.hpp"
 
 namespace lamina {
 namespace {
@@ -28,15 +29,30 @@ struct TimedVisit {
 
 /// A layer in pieces that can be put in another order.
 struct LayerPieces {
-  PlacedLayer placed;
+  std::vector<LaidPlace> places;
   std::vector<TimedVisit> visits;
-  std::vector<Path> rest;  ///< travels behind the last visit
+  std::vector<std::size_t> place_of;  ///< of visits; the number of places for those at none
+  std::vector<Path> rest;             ///< travels behind the last visit
+  double travel_feed_mm_s = 0.0;
+  bool is_free = false;  ///< its paths may come in another order
 };
 
-double durationOf(std::vector<Path> paths, const MotionLimits& limits) {
+/// @param paths  stay as they are
+double durationOf(std::vector<Path>& paths, const MotionLimits& limits) {
   Toolpath alone;
-  alone.layers = {{0.0, 0.0, std::move(paths)}};
-  return estimateTime(alone, limits).total_s;
+  alone.layers.resize(1);
+  alone.layers.front().paths.swap(paths);
+  const double duration_s = estimateTime(alone, limits).total_s;
+  alone.layers.front().paths.swap(paths);
+  return duration_s;
+}
+
+/// The number of places for those at none.
+std::vector<std::size_t> placesOfVisits(const PlacedLayer& placed) {
+  std::vector<std::size_t> place_of(placed.visits.size(), placed.places.size());
+  for (std::size_t p = 0; p < placed.places.size(); ++p)
+    for (const std::size_t visit : placed.places[p].visits) place_of[visit] = p;
+  return place_of;
 }
 
 /// Whether the paths of a layer may come in another order.
@@ -53,68 +69,103 @@ class PlaceCooler {
       : toolpath_(toolpath),
         settings_(settings),
         limits_(limits),
-        ground_{depositionBox(toolpath), layerNormal(toolpath)},
-        heights_(heightsUpTo(toolpath, ground_.up)),
+        grounds_(parkingGrounds(toolpath)),
         may_reorder_(hasPlaneLayers(toolpath)) {}
 
   CoolingSummary run(Progress& progress) {
     std::vector<LayerPieces> layers(toolpath_.layers.size());
     parallelFor(
-        layers.size(), [&](std::size_t l) { layers[l] = piecesOf(toolpath_.layers[l]); }, progress, "cool");
+        layers.size(),
+        [&](std::size_t l) {
+          if (!toolpath_.layers[l].paths.empty()) layers[l] = takenApart(toolpath_.layers[l]);
+        },
+        progress, "cool");
     for (std::size_t l = 0; l < layers.size(); ++l)
-      if (!toolpath_.layers[l].paths.empty()) layLayer(l, layers[l]);
+      if (!layers[l].visits.empty() || !layers[l].rest.empty()) layLayer(l, layers[l]);
     return summary_;
   }
 
  private:
-  LayerPieces piecesOf(const ToolpathLayer& layer) const {
+  /// Takes the paths of a layer.
+  LayerPieces takenApart(ToolpathLayer& layer) const {
     LayerPieces pieces;
-    pieces.placed = placesOf(layer, toolpath_.part_from_layers.conjugate());
-    const auto at = [&layer](std::size_t i) { return layer.paths.begin() + static_cast<std::ptrdiff_t>(i); };
+    pieces.travel_feed_mm_s = travelFeed(layer);
+    pieces.is_free = may_reorder_ && isFree(layer);
+    PlacedLayer placed = placesOf(layer, toolpath_.part_from_layers.conjugate());
+    pieces.place_of = placesOfVisits(placed);
+    pieces.places = std::move(placed.places);
+    const auto taken = [&layer](std::size_t begin, std::size_t end) {
+      const auto first = std::make_move_iterator(layer.paths.begin());
+      return std::vector<Path>(first + static_cast<std::ptrdiff_t>(begin),
+                               first + static_cast<std::ptrdiff_t>(end));
+    };
     std::size_t end = 0;
-    for (const PlaceVisit& visit : pieces.placed.visits) {
-      TimedVisit timed{{at(visit.begin), at(visit.first)}, {at(visit.first), at(visit.end)}, 0.0};
-      timed.duration_s = durationOf(timed.paths, limits_);
-      pieces.visits.push_back(std::move(timed));
+    for (const PlaceVisit& visit : placed.visits) {
+      pieces.visits.push_back({taken(visit.begin, visit.first), taken(visit.first, visit.end), 0.0});
+      pieces.visits.back().duration_s = durationOf(pieces.visits.back().paths, limits_);
       end = visit.end;
     }
-    pieces.rest.assign(at(end), layer.paths.end());
+    pieces.rest = taken(end, layer.paths.size());
+    layer.paths.clear();
     return pieces;
   }
 
   void layLayer(std::size_t index, LayerPieces& pieces) {
-    ToolpathLayer& layer = toolpath_.layers[index];
-    const double feed_mm_s = travelFeed(layer);
-    const std::vector<LaidPlace>& places = pieces.placed.places;
     std::vector<double> ready_s;
-    ready_s.reserve(places.size());
-    for (const LaidPlace& place : places)
-      ready_s.push_back(leftBeneath(place.box, below_) + settings_.least_layer_time_s);
-    const std::vector<std::size_t> order = visitOrder(pieces, ready_s, may_reorder_ && isFree(layer));
-    const bool is_as_planned = std::is_sorted(order.begin(), order.end());
-    if (!is_as_planned) ++summary_.reordered_layers;
-    below_ = {};
-    below_.boxes.reserve(places.size());
-    for (const LaidPlace& place : places) below_.boxes.push_back(place.box);
-    below_.left_s.assign(places.size(), 0.0);
-    const std::vector<std::size_t> place_of = placeOfVisits(pieces);
-    layer.paths.clear();
-    for (const std::size_t v : order) {
-      TimedVisit& visit = pieces.visits[v];
-      if (!beginsHere(visit.way.empty() ? visit.paths : visit.way))
-        visit.way = wayTo(visit.paths.front(), index, feed_mm_s);
-      now_s_ += durationOf(visit.way, limits_);
-      const std::size_t place = place_of[v];
-      const bool is_begin = place < places.size() && v == places[place].visits.front();
-      if (is_begin) waitUntil(ready_s[place], index, feed_mm_s);
-      add(layer.paths, visit.way);
-      add(layer.paths, visit.paths);
-      now_s_ += visit.duration_s;
-      if (place < places.size()) below_.left_s[place] = now_s_;
-      last_ = &layer;
+    ready_s.reserve(pieces.places.size());
+    for (const LaidPlace& place : pieces.places)
+      ready_s.push_back(leftBeneath(place.box, left_) + settings_.least_layer_time_s);
+    const std::vector<std::size_t> order = visitOrder(pieces, ready_s);
+    if (!std::is_sorted(order.begin(), order.end())) {
+      ++summary_.reordered_layers;
+      if (order.back() + 1 != pieces.visits.size()) pieces.rest.clear();
     }
-    if (!pieces.rest.empty() && !beginsHere(pieces.rest)) {
-      std::vector<Path> way = wayTo(pieces.rest.front(), index, feed_mm_s);
+    forgetCooled();
+    const std::size_t first = left_.boxes.size();
+    for (const LaidPlace& place : pieces.places) left_.boxes.push_back(place.box);
+    left_.left_s.resize(left_.boxes.size(), 0.0);
+    std::vector<bool> is_begun(pieces.places.size() + 1, false);
+    is_begun.back() = true;  // what is at no place waits for none
+    for (const std::size_t v : order) {
+      const std::size_t place = pieces.place_of[v];
+      goTo(pieces.visits[v], index, pieces.travel_feed_mm_s);
+      if (!is_begun[place]) waitUntil(ready_s[place], index, pieces.travel_feed_mm_s);
+      is_begun[place] = true;
+      lay(pieces.visits[v], toolpath_.layers[index]);
+      if (place < pieces.places.size()) left_.left_s[first + place] = now_s_;
+    }
+    layRest(pieces, index);
+  }
+
+  /// What is cool by now, which nothing waits for.
+  void forgetCooled() {
+    PlaceTimes kept;
+    for (std::size_t i = 0; i < left_.boxes.size(); ++i) {
+      if (left_.left_s[i] + settings_.least_layer_time_s <= now_s_) continue;
+      kept.boxes.push_back(left_.boxes[i]);
+      kept.left_s.push_back(left_.left_s[i]);
+    }
+    left_ = std::move(kept);
+  }
+
+  void goTo(TimedVisit& visit, std::size_t index, double feed_mm_s) {
+    if (!beginsHere(visit.way.empty() ? visit.paths : visit.way))
+      visit.way = wayTo(visit.paths.front(), index, feed_mm_s);
+    now_s_ += durationOf(visit.way, limits_);
+  }
+
+  void lay(TimedVisit& visit, ToolpathLayer& layer) {
+    add(layer.paths, visit.way);
+    add(layer.paths, visit.paths);
+    now_s_ += visit.duration_s;
+    last_ = &layer;
+  }
+
+  void layRest(LayerPieces& pieces, std::size_t index) {
+    ToolpathLayer& layer = toolpath_.layers[index];
+    if (pieces.rest.empty()) return;
+    if (!beginsHere(pieces.rest)) {
+      std::vector<Path> way = wayTo(pieces.rest.front(), index, pieces.travel_feed_mm_s);
       add(layer.paths, way);
     }
     now_s_ += durationOf(pieces.rest, limits_);
@@ -123,13 +174,11 @@ class PlaceCooler {
   }
 
   /// Places whose ground was left first come first; visits of a place keep together then.
-  static std::vector<std::size_t> visitOrder(const LayerPieces& pieces, const std::vector<double>& ready_s,
-                                             bool may_reorder) {
+  static std::vector<std::size_t> visitOrder(const LayerPieces& pieces, const std::vector<double>& ready_s) {
     std::vector<std::size_t> as_planned(pieces.visits.size());
     std::iota(as_planned.begin(), as_planned.end(), std::size_t{0});
     const bool is_sorted = std::is_sorted(ready_s.begin(), ready_s.end());
-    if (!may_reorder || is_sorted || !pieces.rest.empty()) return as_planned;
-    const std::vector<std::size_t> place_of = placeOfVisits(pieces);
+    if (!pieces.is_free || is_sorted || goesOn(pieces)) return as_planned;
     std::vector<std::size_t> rank(ready_s.size() + 1);
     std::vector<std::size_t> sorted(ready_s.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
@@ -138,17 +187,18 @@ class PlaceCooler {
     // Build aids, which are at no place, come first.
     for (std::size_t r = 0; r < sorted.size(); ++r) rank[sorted[r]] = r + 1;
     rank.back() = 0;
-    std::stable_sort(as_planned.begin(), as_planned.end(),
-                     [&](std::size_t a, std::size_t b) { return rank[place_of[a]] < rank[place_of[b]]; });
+    std::stable_sort(as_planned.begin(), as_planned.end(), [&](std::size_t a, std::size_t b) {
+      return rank[pieces.place_of[a]] < rank[pieces.place_of[b]];
+    });
     return as_planned;
   }
 
-  /// The number of places for those at none.
-  static std::vector<std::size_t> placeOfVisits(const LayerPieces& pieces) {
-    std::vector<std::size_t> place_of(pieces.visits.size(), pieces.placed.places.size());
-    for (std::size_t p = 0; p < pieces.placed.places.size(); ++p)
-      for (const std::size_t visit : pieces.placed.places[p].visits) place_of[visit] = p;
-    return place_of;
+  /// Whether more than a wipe follows the last visit.
+  static bool goesOn(const LayerPieces& pieces) {
+    if (pieces.rest.empty()) return false;
+    const bool wipes = pieces.rest.size() == 1 && !pieces.visits.empty() &&
+                       isWipeAlong(pieces.visits.back().paths.back(), pieces.rest.front());
+    return !wipes;
   }
 
   /// Not so where the order of what came before has changed.
@@ -163,16 +213,17 @@ class PlaceCooler {
     const Point3 from = at.lastPoint();
     const Point3 to = next.firstPoint();
     if (from == to) return {};
-    const double level_mm = std::max(from.dot(ground_.up), to.dot(ground_.up));
-    const double top_mm = std::max(level_mm, heights_[index]) + settings_.lift_mm;
+    const Point3& up = grounds_[index].up;
+    const double top_mm =
+        std::max({from.dot(up), to.dot(up), grounds_[index].highest_mm}) + settings_.lift_mm;
     Path way;
     way.role = PathRole::Travel;
     way.process.is_retracted = true;
     way.tool = next.tool;
     way.orientation = next.orientation.at(0);
     way.feed_mm_s = feed_mm_s;
-    for (const Point3& point : {from, Point3(from + (top_mm - from.dot(ground_.up)) * ground_.up),
-                                Point3(to + (top_mm - to.dot(ground_.up)) * ground_.up), to})
+    for (const Point3& point :
+         {from, Point3(from + (top_mm - from.dot(up)) * up), Point3(to + (top_mm - to.dot(up)) * up), to})
       if (way.points.empty() || way.points.back() != point) way.points.push_back(point);
     return {std::move(way)};
   }
@@ -182,14 +233,14 @@ class PlaceCooler {
     const double lacking_s = ready_s - now_s_;
     if (last_ == nullptr || !(lacking_s > 0.0)) return;
     const Path& at = last_->paths.back();
-    ParkingGround ground = ground_;
-    ground.highest_mm = heights_[index];
-    Path wait = parkedWait(at, at.is_closed ? 0 : at.points.size() - 1, feed_mm_s, ground, settings_);
-    const double dwell_s = std::max(0.0, lacking_s - durationOf({wait}, limits_));
-    std::get<Dwell>(wait.events.front().event).duration_s = dwell_s;
-    now_s_ += durationOf({wait}, limits_);
-    last_->paths.push_back(std::move(wait));
-    ++summary_.dwells;
+    Path wait =
+        parkedWait(at, at.is_closed ? 0 : at.points.size() - 1, feed_mm_s, grounds_[index], settings_);
+    std::vector<Path> waits = {std::move(wait)};
+    const double dwell_s = std::max(0.0, lacking_s - durationOf(waits, limits_));
+    std::get<Dwell>(waits.front().events.front().event).duration_s = dwell_s;
+    now_s_ += durationOf(waits, limits_);
+    add(last_->paths, waits);
+    summary_.dwells += dwell_s > 0.0 ? 1 : 0;
     summary_.dwell_s += dwell_s;
   }
 
@@ -200,11 +251,10 @@ class PlaceCooler {
   Toolpath& toolpath_;
   const CoolingSettings& settings_;
   MotionLimits limits_;
-  ParkingGround ground_;
-  std::vector<double> heights_;  ///< of what is deposited up to and with each layer
+  std::vector<ParkingGround> grounds_;  ///< by layer
   bool may_reorder_;
   CoolingSummary summary_;
-  PlaceTimes below_;               ///< of the last layer that deposits
+  PlaceTimes left_;                ///< of what may still be laid over
   ToolpathLayer* last_ = nullptr;  ///< whose last path the nozzle stands at the end of
   double now_s_ = 0.0;
 };

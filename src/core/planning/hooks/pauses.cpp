@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "lamina/planning/hooks/hooks.hpp"
-#include "lamina/toolpath/layer_frame.hpp"
 #include "planning/cooling/parking.hpp"
 #include "planning/hooks/layer_places.hpp"
 
@@ -19,13 +18,11 @@ void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingS
     paused.insert(places.layer(static_cast<std::size_t>(layer), "pause.at_layers"));
   for (const double height_mm : settings.at_heights_mm)
     paused.insert(places.above(height_mm, "pause.at_heights_mm"));
-  ParkingGround ground{depositionBox(toolpath), layerNormal(toolpath)};
-  const std::vector<double> heights = heightsUpTo(toolpath, ground.up);
+  const std::vector<ParkingGround> grounds = parkingGrounds(toolpath);
   for (const std::size_t index : paused) {
     ToolpathLayer& layer = toolpath.layers[index];
     const std::size_t bead = firstBead(layer);
-    ground.highest_mm = heights[index];
-    Path path = parkedWait(layer.paths[bead], 0, travelFeed(layer), ground, parking);
+    Path path = parkedWait(layer.paths[bead], 0, travelFeed(layer), grounds[index], parking);
     path.events.front().event.emplace<OperatorPause>();
     layer.paths.insert(layer.paths.begin() + static_cast<std::ptrdiff_t>(bead), std::move(path));
   }

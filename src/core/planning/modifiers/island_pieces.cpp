@@ -172,7 +172,7 @@ std::vector<Path> laidByPieces(std::vector<Path> paths, std::size_t from,
   std::vector<Path> laid(std::make_move_iterator(paths.begin()),
                          std::make_move_iterator(paths.begin() + static_cast<std::ptrdiff_t>(from)));
   for (std::size_t i = from; i < paths.size(); ++i) {
-    if (kindOf(paths[i].role) != RoleKind::Wall) {
+    if (paths[i].role == PathRole::Travel) {
       laid.push_back(std::move(paths[i]));
       continue;
     }

@@ -160,9 +160,13 @@ LayerCover moved(const LayerCover& cover, const Point2& by) {
   };
   LayerCover at;
   at.material = moved_regions(cover.material);
-  at.above = moved_regions(cover.above);
-  at.below = moved_regions(cover.below);
-  at.whole = moved_regions(cover.whole);
+  // What is the same layer stays so: it costs nothing then.
+  const auto unless_same = [&](const SharedRegions& regions) {
+    return regions == cover.material ? at.material : moved_regions(regions);
+  };
+  at.above = unless_same(cover.above);
+  at.below = unless_same(cover.below);
+  at.whole = unless_same(cover.whole);
   return at;
 }
 

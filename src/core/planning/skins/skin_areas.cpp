@@ -74,4 +74,9 @@ SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMe
   return areas;
 }
 
+bool hasSmall(const Regions& regions, double least_mm2) {
+  return std::any_of(regions.begin(), regions.end(),
+                     [least_mm2](const Region& region) { return area({region}) < least_mm2; });
+}
+
 }  // namespace lamina

@@ -33,4 +33,7 @@ struct SkinAreas {
 /// @param inside  walls, of one layer
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures);
 
+/// Whether a region is smaller than that.
+bool hasSmall(const Regions& regions, double least_mm2);
+
 }  // namespace lamina

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -65,19 +66,25 @@ void forEachEdge(const Region& region, const Visit& visit) {
   for (const Polygon& hole : region.holes) walk(hole);
 }
 
-/// Edges of regions by level bands, as many as a fraction of them.
+/// Edges of regions by level bands, so many that each edge lies in three of them on average at most.
 class EdgeBands {
  public:
   explicit EdgeBands(const Regions& regions) {
     std::size_t count = 0;
+    double spanned_mm = 0.0;
     for (const Region& region : regions)
       forEachEdge(region, [&](const BorderEdge& edge) {
         box_.include(edge.from);
+        spanned_mm += std::abs(edge.to.y() - edge.from.y());
         ++count;
       });
-    bands_.resize(std::max<std::size_t>(1, count / 2));
+    bands_.resize(1);
     if (count == 0) return;
-    per_mm_ = static_cast<double>(bands_.size()) / std::max(box_.size().y(), 1e-9);
+    const double height_mm = std::max(box_.size().y(), 1e-9);
+    const double most =
+        static_cast<double>(count) * std::min(0.5, 2.0 * height_mm / std::max(spanned_mm, 1e-9));
+    bands_.resize(std::max<std::size_t>(1, static_cast<std::size_t>(most)));
+    per_mm_ = static_cast<double>(bands_.size()) / height_mm;
     for (const Region& region : regions)
       forEachEdge(region, [&](const BorderEdge& edge) {
         const auto [low, high] = bandsOf(edge);
@@ -218,11 +225,20 @@ Regions grownByPieces(const Regions& regions, double distance_mm) {
 NeighbouringRegions neighbouring(const Regions& regions, double distance_mm) {
   const std::vector<BoxedRegion> all = boxed(regions);
   std::vector<bool> is_near(all.size(), false);
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  std::vector<std::size_t> from_left(all.size());
+  std::iota(from_left.begin(), from_left.end(), std::size_t{0});
+  std::sort(from_left.begin(), from_left.end(), [&all](std::size_t a, std::size_t b) {
+    return std::make_pair(all[a].box.low.x(), a) < std::make_pair(all[b].box.low.x(), b);
+  });
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::size_t i = from_left[k];
     for (const Polygon& hole : all[i].region->holes)
       if (boxRound(hole).size().minCoeff() < distance_mm) is_near[i] = true;
-    for (std::size_t j = 0; j < i; ++j)
+    const double reach_mm = all[i].box.high.x() + distance_mm;
+    for (std::size_t m = k + 1; m < all.size() && all[from_left[m]].box.low.x() <= reach_mm; ++m) {
+      const std::size_t j = from_left[m];
       if (comeWithin(all[i].box, all[j].box, distance_mm)) is_near[i] = is_near[j] = true;
+    }
   }
   NeighbouringRegions groups;
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -3,6 +3,7 @@
 #include "planning/tools/infill_purge.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -16,64 +17,80 @@ bool isInfillAlone(const ToolRun& run) {
                      [](const Path& path) { return path.role == PathRole::Travel || isHiddenInfill(path); });
 }
 
-/// Paths that are taken out of runs until they hold a volume.
-class TakenInfill {
- public:
-  explicit TakenInfill(double volume_mm3) : missing_mm3_(volume_mm3) {}
+/// Behind the infill that a run begins with, as a number of its paths.
+std::size_t endOfLeadingInfill(const ToolRun& run) {
+  std::size_t end = 0;
+  for (std::size_t p = 0; p < run.paths.size(); ++p) {
+    if (run.paths[p].role == PathRole::Travel) continue;
+    if (!isHiddenInfill(run.paths[p])) break;
+    end = p + 1;
+  }
+  return end;
+}
 
-  /// @return the run without them, and without the travels that led to or from them
-  ToolRun takenFrom(ToolRun run) {
-    std::vector<Path> rest;
-    bool follows_taken = false;
-    for (Path& path : run.paths) {
-      const bool is_travel = path.role == PathRole::Travel;
-      if (isHiddenInfill(path) && missing_mm3_ > 0.0) {
-        missing_mm3_ -= depositedVolume(path);
-        if (!rest.empty() && rest.back().role == PathRole::Travel) rest.pop_back();
-        taken_.push_back(std::move(path));
-        follows_taken = true;
+/// The ways that led to what comes no more: on plates a wipe and a travel.
+void dropLastTravels(std::vector<Path>& paths) {
+  while (!paths.empty() && paths.back().role == PathRole::Travel) paths.pop_back();
+}
+
+/// Infill that is gathered from runs until it holds a volume.
+class GatheredInfill {
+ public:
+  explicit GatheredInfill(double volume_mm3) : missing_mm3_(volume_mm3) {}
+
+  /// @return the run without what it gave, and without the travels that led to or from that
+  ToolRun gatheredFrom(ToolRun run) {
+    const auto purging_end = run.paths.begin() + static_cast<std::ptrdiff_t>(run.purging);
+    std::vector<Path> rest(std::make_move_iterator(run.paths.begin()), std::make_move_iterator(purging_end));
+    bool follows_gathered = false;
+    for (auto path = purging_end; path != run.paths.end(); ++path) {
+      const bool is_travel = path->role == PathRole::Travel;
+      if (isHiddenInfill(*path) && missing_mm3_ > 0.0) {
+        missing_mm3_ -= depositedVolume(*path);
+        dropLastTravels(rest);
+        paths_.push_back(std::move(*path));
+        follows_gathered = true;
         continue;
       }
-      if (!is_travel || !follows_taken) rest.push_back(std::move(path));
-      follows_taken = follows_taken && is_travel;
+      if (!is_travel || !follows_gathered) rest.push_back(std::move(*path));
+      follows_gathered = follows_gathered && is_travel;
     }
-    if (!rest.empty() && rest.back().role == PathRole::Travel) rest.pop_back();
+    dropLastTravels(rest);
     run.paths = std::move(rest);
     return run;
   }
 
   /// In front of what a run has left.
   ToolRun laidFirst(ToolRun run) && {
-    for (Path& path : taken_) path.tool = run.tool;
-    taken_.insert(taken_.end(), std::make_move_iterator(run.paths.begin()),
+    for (Path& path : paths_) path.tool = run.tool;
+    paths_.insert(paths_.end(), std::make_move_iterator(run.paths.begin()),
                   std::make_move_iterator(run.paths.end()));
-    run.paths = std::move(taken_);
+    run.paths = std::move(paths_);
+    run.purging = endOfLeadingInfill(run);
     return run;
   }
 
  private:
   double missing_mm3_;
-  std::vector<Path> taken_;
+  std::vector<Path> paths_;
 };
 
 }  // namespace
 
-ToolRuns withInfillFirst(ToolRuns runs, std::size_t taken, double volume_mm3) {
-  TakenInfill infill(volume_mm3);
-  runs[taken] = infill.takenFrom(std::move(runs[taken]));
-  for (std::size_t r = taken; r-- > 0;)
-    if (!isInfillAlone(runs[r])) runs[r] = infill.takenFrom(std::move(runs[r]));
-  runs[taken] = std::move(infill).laidFirst(std::move(runs[taken]));
+ToolRuns withInfillFirst(ToolRuns runs, std::size_t purged, double volume_mm3) {
+  GatheredInfill infill(volume_mm3);
+  runs[purged] = infill.gatheredFrom(std::move(runs[purged]));
+  for (std::size_t r = purged; r-- > 0;)
+    if (!isInfillAlone(runs[r])) runs[r] = infill.gatheredFrom(std::move(runs[r]));
+  runs[purged] = std::move(infill).laidFirst(std::move(runs[purged]));
   return runs;
 }
 
 double leadingInfill(const ToolRun& run) {
+  const std::size_t end = endOfLeadingInfill(run);
   double sum_mm3 = 0.0;
-  for (const Path& path : run.paths) {
-    if (path.role == PathRole::Travel) continue;
-    if (!isHiddenInfill(path)) break;
-    sum_mm3 += depositedVolume(path);
-  }
+  for (std::size_t p = 0; p < end; ++p)
+    if (run.paths[p].role != PathRole::Travel) sum_mm3 += depositedVolume(run.paths[p]);
   return sum_mm3;
 }
 

@@ -12,7 +12,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kBesidePart = 5.0;      // mm
 constexpr double kNarrowestTower = 5.0;  // mm
 constexpr double kTowerStep = 0.25;      // mm
 constexpr double kKeptSpacing = 5.0;     // pitches
@@ -103,7 +102,7 @@ void PrimeTower::fit() {
 void PrimeTower::place(const Box2& part) {
   const double half = 0.5 * side_mm_;
   const std::vector<double>& at = settings_.tools.tower_at_mm;
-  middle_ = at.empty() ? Point2(part.high.x() + kBesidePart + half, 0.5 * (part.low.y() + part.high.y()))
+  middle_ = at.empty() ? Point2(part.high.x() + kTowerBesidePart + half, 0.5 * (part.low.y() + part.high.y()))
                        : Point2(at[0], at[1]);
   const bool is_beside = middle_.x() - half > part.high.x() || middle_.x() + half < part.low.x() ||
                          middle_.y() - half > part.high.y() || middle_.y() + half < part.low.y();

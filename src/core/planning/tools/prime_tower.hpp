@@ -23,6 +23,8 @@ struct TowerLayer {
   std::vector<Purge> purges;
 };
 
+constexpr double kTowerBesidePart = 5.0;  ///< mm, where it has no place of its own
+
 /// A square tower of two walls, filled by what tools lay into it when they are taken: as much as is asked
 /// for, of which the first of a layer lays the walls. Where no tool changes, walls and a few lines keep it as
 /// high as the part.
@@ -33,6 +35,7 @@ class PrimeTower {
   /// @throws InvalidConfig if it is too small, or stands on the part
   PrimeTower(std::vector<TowerLayer> layers, const PlanSettings& settings, const Box2& part);
 
+  double side() const { return side_mm_; }
   /// One past the last layer in which a tool changes.
   std::size_t height() const { return height_; }
 

@@ -139,6 +139,11 @@ void requireConsistent(const ToolSettings& settings) {
     throw InvalidConfig("tools.purge_mm3 has " + std::to_string(volumes) + " volumes; expected one, or " +
                         std::to_string(count * count) + " for each pair of " + std::to_string(count) +
                         " tools");
+  if (settings.purge_into_infill && volumes == 0)
+    throw InvalidConfig(
+        "tools.purge_into_infill is true and tools.purge_mm3 has no volume; expected one: there is nothing "
+        "to "
+        "purge");
 }
 
 }  // namespace lamina

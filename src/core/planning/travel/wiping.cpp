@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/travel/wiping.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -75,6 +76,17 @@ void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings
     layer.paths = std::move(joined);
     if (!layer.paths.empty()) before = &layer.paths;
   }
+}
+
+bool isWipeAlong(const Path& run, const Path& travel) {
+  if (travel.role != PathRole::Travel || !travel.process.is_retracted || !laysBead(run)) return false;
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < travel.points.size(); ++i)
+    length_mm += (travel.points[i] - travel.points[i - 1]).norm();
+  const std::vector<Point3> way = wayAlong(run, length_mm);
+  return way.size() > 1 &&
+         std::equal(way.begin(), way.end(), travel.points.begin(), travel.points.end(),
+                    [](const Point3& a, const Point3& b) { return (a - b).norm() <= kSameTip; });
 }
 
 }  // namespace lamina

@@ -15,4 +15,7 @@ namespace lamina {
 /// @param layers  of one plane, joined by travels
 void addWipes(std::vector<ToolpathLayer>& layers, const TravelSettings& settings);
 
+/// Whether a travel is such a way along the run that comes before it.
+bool isWipeAlong(const Path& run, const Path& travel);
+
 }  // namespace lamina

@@ -3,7 +3,6 @@
 #include "streaming/client/session_journal.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <random>
 #include <utility>
 
@@ -22,12 +21,6 @@ std::uint64_t anyLineBase() {
   return std::uniform_int_distribution<std::uint64_t>(1'000'000, 8'999'999)(source);
 }
 
-std::uint64_t bytesOf(const StreamableProgram& program) {
-  const auto text = program.openText();
-  text->seekg(0, std::ios::end);
-  return static_cast<std::uint64_t>(std::max<std::streamoff>(text->tellg(), 0));
-}
-
 }  // namespace
 
 SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& program, const std::string& port)
@@ -38,13 +31,9 @@ SessionJournal::SessionJournal(StreamJournal where, const StreamableProgram& pro
     job_ = where_.unfinished->job;
     return;
   }
-  std::error_code error;
-  const auto path = std::filesystem::canonical(program.name(), error);
-  job_.program = error ? program.name() : path.string();
-  job_.program_bytes = bytesOf(program);
-  job_.program_sha256 = sha256Of(program);
-  job_.port = port;
-  job_.lines_total = program.lines();
+  const std::uint64_t line_base = job_.line_base;
+  job_ = describedJob(program, port);
+  job_.line_base = line_base;
 }
 
 StreamOrder SessionJournal::placed(StreamOrder order) const {

@@ -67,6 +67,6 @@ class SessionRecord {
 /// @throws Disconnected, FileError, InvalidProgram, InvalidInput, InvalidConfig
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
                                          const MachinePort& port, StreamSession::Observer observer,
-                                         PrintBeginning beginning);
+                                         SessionOptions options);
 
 }  // namespace lamina

@@ -35,9 +35,15 @@ class LinkSession final : public SessionKind {
               StreamSession::Observer observer, SessionOptions options)
       : port_(std::move(port)),
         record_(port_.name, std::move(observer)),
-        journal_(std::move(options.journal), program, port_.name),
-        streamer_(
-            journal_.placed({program, atPort(settings, port_.name), std::move(options.heard), {}, 0, {}})),
+        journal_(options.revision ? StreamJournal{} : std::move(options.journal), program, port_.name),
+        streamer_(journal_.placed({program,
+                                   atPort(settings, port_.name),
+                                   std::move(options.heard),
+                                   {},
+                                   0,
+                                   {},
+                                   0,
+                                   std::move(options.revision)})),
         transport_(makeTransport(context_, port_.name, port_.baud)),
         timer_(context_, clock_, [this] { onDeadline(); }) {
     transport_->open(events());
@@ -173,12 +179,23 @@ class LinkSession final : public SessionKind {
 
 bool isPrintServer(const MachinePort& port) { return isWebAddress(port.name); }
 
+StreamJournal journalFor(const std::string& path, const StreamableProgram& program, const MachinePort& port,
+                         JobBeginning beginning) {
+  if (beginning == JobBeginning::Anew) return beginJournal(path);
+  return isPrintServer(port) ? followJournal(path, program, port.name)
+                             : resumeJournal(path, program, port.name);
+}
+
 StreamSession::StreamSession(const StreamableProgram& program, const StreamSettings& settings,
                              const MachinePort& port, Observer observer, SessionOptions options) {
+  if (options.revision && (isPrintServer(port) || options.journal.unfinished))
+    throw InvalidConfig(port.name +
+                        (options.journal.unfinished
+                             ? ": an unfinished job cannot go on with lines that are corrected"
+                             : " prints by itself what it was sent whole") +
+                        "; expected a job from its first line, sent line by line, for corrections");
   if (isPrintServer(port)) {
-    if (options.journal.unfinished)
-      throw InvalidConfig(port.name + " prints by itself what it was sent, and keeps no progress file");
-    kind_ = beginUpload(program, settings, port, std::move(observer), options.beginning);
+    kind_ = beginUpload(program, settings, port, std::move(observer), std::move(options));
   } else {
     kind_ = std::make_unique<LinkSession>(program, settings, port, std::move(observer), std::move(options));
   }

@@ -11,6 +11,17 @@ namespace lamina {
 Streamer::Streamer(const StreamableProgram& program, const StreamSettings& settings, ReplyListener heard)
     : Streamer(StreamOrder{program, settings, std::move(heard), {}, 0, {}}) {}
 
+namespace {
+
+/// Why lines cannot be corrected on their way to that firmware; empty if they can, or need not.
+std::string defectOfRevision(const StreamOrder& order, const std::string& protocol) {
+  if (!order.revision || firmwareProtocols().find(protocol)->canRevise()) return {};
+  return "lines cannot be corrected on their way to firmware that speaks " + protocol +
+         "; expected one that numbers lines, as marlin does";
+}
+
+}  // namespace
+
 Streamer::Streamer(StreamOrder order) : order_(std::move(order)) {
   validate(order_.settings);
   const std::string& firmware = order_.settings.firmware;
@@ -23,6 +34,8 @@ Streamer::Streamer(StreamOrder order) : order_(std::move(order)) {
   } else {
     const std::string defect = order_.program.defectFor(firmware);
     if (!defect.empty()) throw InvalidProgram(defect);
+    const std::string unrevised = defectOfRevision(order_, firmware);
+    if (!unrevised.empty()) throw InvalidConfig(unrevised);
     job_ = firmwareProtocols().find(firmware)->begin(order_);
   }
 }
@@ -33,6 +46,8 @@ void Streamer::adopt(double now) {
   if (job_ || !identification_->found()) return;
   const std::string defect = order_.program.defectFor(identification_->found()->protocol);
   if (!defect.empty()) return identification_->abort({ErrorCode::InvalidProgram, defect});
+  const std::string unrevised = defectOfRevision(order_, identification_->found()->protocol);
+  if (!unrevised.empty()) return identification_->abort({ErrorCode::InvalidConfig, unrevised});
   order_.settings.firmware = identification_->found()->protocol;
   order_.firmware_name = identification_->found()->firmware_name;
   order_.answers_due = identification_->answersDue();

@@ -18,6 +18,7 @@
 #include "lamina/base/input_file.hpp"
 #include "lamina/base/text.hpp"
 #include "streaming/client/session_kind.hpp"
+#include "streaming/client/upload_journal.hpp"
 #include "streaming/transport/deadline_timer.hpp"
 #include "streaming/transport/http_client.hpp"
 #include "streaming/upload/upload_job.hpp"
@@ -65,13 +66,18 @@ std::shared_ptr<const UploadOrder> orderFor(const StreamableProgram& program, co
                   settings.connect_timeout_s, aim, std::move(earlier)});
 }
 
+UploadAim aimOf(JobBeginning beginning) {
+  return beginning == JobBeginning::GoOn ? UploadAim::Follow : UploadAim::Print;
+}
+
 /// An upload job and the client that asks its questions.
 class UploadSession final : public SessionKind {
  public:
   UploadSession(const StreamableProgram& program, const StreamSettings& settings, const MachinePort& port,
-                StreamSession::Observer observer, UploadAim aim)
+                StreamSession::Observer observer, SessionOptions options)
       : record_(port.name, std::move(observer)),
-        order_(orderFor(program, settings, aim)),
+        journal_(std::move(options.journal), program, port.name),
+        order_(orderFor(program, settings, aimOf(options.beginning))),
         job_(settings, order_),
         client_(context_, httpAddressOf(port.name), events()),
         timer_(context_, clock_, [this] { onDeadline(); }) {
@@ -137,8 +143,10 @@ class UploadSession final : public SessionKind {
   void flush() {
     if (is_closed_) return;
     if (job_.takeBreak()) client_.breakOff();
-    if (const auto request = job_.takeRequest(clock_.now())) client_.ask(*request, order_->body);
-    record_.publish(job_.status(), job_.takeStateChanges(), clock_.now());
+    const auto request = job_.takeRequest(clock_.now());
+    journal_.keep(job_);
+    if (request) client_.ask(*request, order_->body);
+    record_.publish(journal_.withWhatIsKnown(job_), job_.takeStateChanges(), clock_.now());
     if (!isFinal(job_.status().state)) return timer_.set(job_.nextDeadline());
     is_closed_ = true;
     timer_.cancel();
@@ -150,6 +158,7 @@ class UploadSession final : public SessionKind {
   SteadyClock clock_;
   boost::asio::io_context context_;
   SessionRecord record_;
+  UploadJournal journal_;
   std::shared_ptr<const UploadOrder> order_;
   UploadJob job_;
   HttpClient client_;
@@ -164,9 +173,8 @@ class UploadSession final : public SessionKind {
 
 std::unique_ptr<SessionKind> beginUpload(const StreamableProgram& program, const StreamSettings& settings,
                                          const MachinePort& port, StreamSession::Observer observer,
-                                         PrintBeginning beginning) {
-  const UploadAim aim = beginning == PrintBeginning::Follow ? UploadAim::Follow : UploadAim::Print;
-  return std::make_unique<UploadSession>(program, settings, port, std::move(observer), aim);
+                                         SessionOptions options) {
+  return std::make_unique<UploadSession>(program, settings, port, std::move(observer), std::move(options));
 }
 
 }  // namespace lamina

@@ -17,8 +17,11 @@ Complaint klipperComplaint(std::string_view line) {
 
 Complaint reprapComplaint(std::string_view line) {
   if (hasAtStart(line, "Error:")) return Complaint::Error;
-  const bool is_not_done = hasAtStart(line, "Warning:") &&
-                           (holds(line, "Command is not supported") || holds(line, "was not driven"));
+  if (!hasAtStart(line, "Warning:")) return Complaint::None;
+  // "Driver 0 stall", "motor stall reported by driver(s) 0"
+  const bool is_stall = holds(line, "stall") && holds(line, "river");
+  const bool is_not_done =
+      is_stall || holds(line, "Command is not supported") || holds(line, "was not driven");
   return is_not_done ? Complaint::NotDone : Complaint::None;
 }
 

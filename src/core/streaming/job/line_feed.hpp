@@ -18,16 +18,22 @@ namespace lamina {
 class LineFeed {
  public:
   using Source = std::function<std::optional<ProgramLine>()>;
+  /// Whether the source knows its next line.
+  using Readiness = std::function<bool()>;
 
   /// @param first         number of the first line
   /// @param layer_before  of the line before; -1 if there is none
-  LineFeed(Source source, std::uint64_t first, std::int32_t layer_before = -1)
+  /// @param isReady       empty if the next line is always known
+  LineFeed(Source source, std::uint64_t first, std::int32_t layer_before = -1, Readiness isReady = {})
       : source_(std::move(source)),
+        isReady_(std::move(isReady)),
         line_before_(first - 1),
         layer_before_(layer_before),
         first_kept_(first),
         next_(first) {}
 
+  /// Whether the line to send next is known, or that there is none.
+  bool isNextKnown() const { return next_ - first_kept_ < kept_.size() || !isReady_ || isReady_(); }
   /// The line to send next; null at the end of the program.
   const ProgramLine* peek();
   /// The line given by `peek` was sent.
@@ -45,6 +51,7 @@ class LineFeed {
 
  private:
   Source source_;
+  Readiness isReady_;
   std::uint64_t line_before_;  ///< the first one
   std::int32_t layer_before_;
   std::deque<ProgramLine> kept_;  ///< lines first_kept_ and following

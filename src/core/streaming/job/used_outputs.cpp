@@ -75,7 +75,7 @@ std::vector<std::string> UsedOutputs::heatOff() const {
 
 std::vector<std::string> UsedOutputs::airOff() const {
   std::vector<std::string> commands;
-  for (const int fan : fans_) commands.push_back(fan == 0 ? "M107" : "M107 P" + std::to_string(fan));
+  for (const int fan : fans_) commands.push_back(fan == 0 ? "M107" : "M106 P" + std::to_string(fan) + " S0");
   if (has_coolant_) commands.emplace_back("M9");
   return commands;
 }

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <utility>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
@@ -44,7 +46,7 @@ std::string stateFolder() {
 
 /// A file name that no other port has: "/dev/ttyUSB0" becomes "dev+ttyUSB0".
 std::string fileNameOf(const std::string& port) {
-  const bool is_path = port.compare(0, 4, "tcp:") != 0;
+  const bool is_path = port.compare(0, 4, "tcp:") != 0 && port.compare(0, 5, "http:") != 0;
   const std::string whole =
       is_path ? std::filesystem::absolute(port).lexically_normal().string().substr(1) : port;
   std::string name = percentEncoded(whole, "-_./");
@@ -122,6 +124,42 @@ StreamJournal resumeJournal(const std::string& path, const StreamableProgram& pr
   return {path, known};
 }
 
+StreamJournal followJournal(const std::string& path, const StreamableProgram& program,
+                            const std::string& port) {
+  StreamJournal journal = beginJournal(path);
+  if (path.empty() || !std::filesystem::exists(path)) return journal;
+  try {
+    JournalledProgress known = readJournal(path);
+    const bool is_same = known.job.port == port && known.job.lines_total == program.lines() &&
+                         known.job.program_sha256 == sha256Of(program);
+    if (is_same) journal.unfinished = std::move(known);
+  } catch (const FileError&) {
+    journal.unfinished.reset();  // a damaged file tells nothing, and the machine is asked all the same
+  }
+  return journal;
+}
+
+JournalledJob describedJob(const StreamableProgram& program, const std::string& port) {
+  JournalledJob job;
+  std::error_code error;
+  const auto path = std::filesystem::canonical(program.name(), error);
+  job.program = error ? program.name() : path.string();
+  const auto text = program.openText();
+  text->seekg(0, std::ios::end);
+  job.program_bytes = static_cast<std::uint64_t>(std::max<std::streamoff>(text->tellg(), 0));
+  job.program_sha256 = sha256Of(program);
+  job.port = port;
+  job.lines_total = program.lines();
+  return job;
+}
+
+JobProgress stampedNow(JobProgress progress) {
+  progress.time_ms = std::chrono::duration_cast<std::chrono::milliseconds>(
+                         std::chrono::system_clock::now().time_since_epoch())
+                         .count();
+  return progress;
+}
+
 std::string sha256Of(const StreamableProgram& program) {
   const auto text = program.openText();
   return sha256Of([&text](char* buffer, std::size_t size) {
@@ -133,9 +171,16 @@ std::string sha256Of(const StreamableProgram& program) {
 std::string describeProgress(const JournalledProgress& known) {
   const JobProgress& progress = known.progress;
   const std::string total = std::to_string(known.job.lines_total);
-  std::string text = known.job.program + " at " + known.job.port + ", " + toString(progress.state) + " at " +
-                     timeText(progress.time_ms) + ": line " + std::to_string(progress.taken_through) +
-                     " of " + total + " was certainly taken";
+  const std::string line = std::to_string(progress.taken_through);
+  const std::string when = std::string(", ") + toString(progress.state) + " at " + timeText(progress.time_ms);
+  std::string text = known.job.program + " at " + known.job.port;
+  if (!known.job.uploaded_as.empty()) {
+    text += ", uploaded as " + known.job.uploaded_as + when + ": the machine had read line " + line + " of " +
+            total;
+    if (progress.layer >= 0) text += ", in layer " + std::to_string(progress.layer);
+    return text + (isFinal(progress.state) ? "" : "; it prints on by itself, so that it may be further");
+  }
+  text += when + ": line " + line + " of " + total + " was certainly taken";
   if (progress.layer >= 0) text += ", in layer " + std::to_string(progress.layer);
   if (progress.sent_through > progress.taken_through && progress.state != PackmlState::Complete)
     text += "; lines " + std::to_string(progress.taken_through + 1) + " to " +

@@ -75,6 +75,7 @@ std::optional<JournalledJob> decodeJob(std::string_view bytes) {
   job.firmware_name = reader.text();
   job.lines_total = reader.integer(8);
   job.line_base = reader.integer(8);
+  if (!reader.isAtEnd()) job.uploaded_as = reader.text();
   if (reader.isShort() || !reader.isAtEnd()) return std::nullopt;
   return job;
 }
@@ -125,6 +126,7 @@ std::string encodeJob(const JournalledJob& job) {
   appendText(bytes, job.firmware_name);
   append(bytes, job.lines_total, 8);
   append(bytes, job.line_base, 8);
+  if (!job.uploaded_as.empty()) appendText(bytes, job.uploaded_as);
   append(bytes, crc32Of(bytes), kCrcBytes);
   return bytes;
 }

@@ -3,10 +3,10 @@
 #include "streaming/journal/journal_writer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
 namespace {
@@ -16,12 +16,6 @@ constexpr std::uint64_t kUncertainOks = 8;  // an ok does not say what it is for
 constexpr double kAheadTime = 0.2;          // s
 constexpr double kMeasuringTime = 0.02;     // s: the faster the rate is known, the fewer waits at the start
 constexpr double kAcknowledgementInterval = 0.1;  // s
-
-std::int64_t millisecondsSince1970() {
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
 
 }  // namespace
 
@@ -55,8 +49,7 @@ void JournalWriter::run() {
     lock.unlock();
     std::string failure;
     try {
-      progress.time_ms = millisecondsSince1970();
-      file_.write(progress);
+      file_.write(stampedNow(progress));
     } catch (const Error& error) {
       failure = error.what();
     }

@@ -71,7 +71,7 @@ std::optional<HttpRequest> Duet::request(UploadStep step) {
     case UploadStep::Cancel:
       return code(cancelCommand(last_report.state));
     case UploadStep::HeatersOff:
-      return code(heatersOffCommands(tools_));
+      return code(otherOutputsOff() + heatersOffCommands(tools_));
     case UploadStep::Remove:
       return get("/rr_delete?name=" + escaped);
     case UploadStep::Disconnect:
@@ -214,7 +214,7 @@ ServerAnswer Duet::readResult(UploadStep step, const HttpResponse& response) con
   if (step == UploadStep::Upload)
     return refused("the Duet has not stored the file: its size or checksum is wrong, or the card is full");
   if (step == UploadStep::Verify) return refused("the Duet does not find the file that was uploaded");
-  return {AnswerKind::Later, {ErrorCode::DeviceError, "the Duet has no room for another command"}};
+  return {AnswerKind::NotTaken, {ErrorCode::DeviceError, "the Duet has no room for another command"}};
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ std::string heatersOffCommands(const json& tools) {
   std::string commands = "M140 S-273.15\nM141 S-273.15";
   for (const json& tool : tools)
     if (tool.is_object()) commands += "\nM568 P" + std::to_string(valueAt(tool, "/number", 0)) + " A0";
-  return commands;
+  return commands + "\nM107";
 }
 
 /// Waiting for heat is ended first, since the board hears nothing else meanwhile.

@@ -64,7 +64,7 @@ std::optional<HttpRequest> DuetWithComputer::request(UploadStep step) {
     case UploadStep::Cancel:
       return code(cancelCommand(last_report.state));
     case UploadStep::HeatersOff:
-      return code(heatersOffCommands(tools_));
+      return code(otherOutputsOff() + heatersOffCommands(tools_));
     case UploadStep::Remove:
       return ask("DELETE", path);
     case UploadStep::Disconnect:

@@ -55,6 +55,11 @@ class Moonraker final : public PrintServer {
   std::vector<std::string> heaters_;  ///< as the machine lists them
 };
 
+bool isList(const nlohmann::json& tree, const char* path) {
+  const nlohmann::json::json_pointer pointer(path);
+  return tree.contains(pointer) && tree.at(pointer).is_array();
+}
+
 constexpr auto kReplaced = nlohmann::json::error_handler_t::replace;
 constexpr const char* kGivenBoundary = "lamina-7d1c52b09f3e4a68b1";
 
@@ -86,7 +91,8 @@ std::optional<HttpRequest> Moonraker::plainRequest(UploadStep step) const {
     case UploadStep::Resume:
       return post("/printer/print/resume");
     case UploadStep::HeatersOff:
-      return post("/printer/gcode/script?script=TURN_OFF_HEATERS");
+      return post("/printer/gcode/script?script=" +
+                  escapedForUrl(otherOutputsOff() + "TURN_OFF_HEATERS\nM107"));
     case UploadStep::Remove: {
       HttpRequest request = post("/server/files/gcodes/" + escaped);
       request.method = "DELETE";
@@ -117,7 +123,7 @@ HttpRequest Moonraker::post(const std::string& target) const {
 HttpRequest Moonraker::query() const {
   std::string target =
       "/printer/objects/query?webhooks&print_stats&virtual_sdcard&idle_timeout&gcode_move&heaters&extruder&"
-      "heater_bed&toolhead=stalls&exclude_object=current_object";
+      "heater_bed&toolhead=stalls&exclude_object=excluded_objects";
   for (const std::string& heater : heaters_)
     if (heater != "extruder" && heater != "heater_bed") target += "&" + escapedForUrl(heater);
   return {"GET", target};
@@ -199,6 +205,10 @@ ServerAnswer Moonraker::readConnect(const HttpResponse& response) {
 }
 
 ServerAnswer Moonraker::readReport(const HttpResponse& response) {
+  constexpr int kNotFound = 404;
+  // Moonraker that has just been started knows no such question before it has found Klipper.
+  if (response.status == kNotFound)
+    return {AnswerKind::Later, {ErrorCode::DeviceError, "Moonraker has not found Klipper yet"}};
   const auto tree = jsonOf(response);
   if (!isSuccess(response)) return answerOfStatus("the question how the printer stands", response);
   const nlohmann::json::json_pointer place("/result/status");
@@ -261,14 +271,16 @@ ChangeCommand Moonraker::changed(const LiveChange& change) const {
   return klipperChange(change, order().body.program());
 }
 
+/// Klipper answers for every object that is asked for: one that it has not is empty, and what was asked of it
+/// null.
 void Moonraker::readMachine(const nlohmann::json& status) {
   last_report.bytes_read = valueAt<std::uint64_t>(status, "/virtual_sdcard/file_position", 0);
-  excludes_parts_ = status.contains("exclude_object");
+  excludes_parts_ = isList(status, "/exclude_object/excluded_objects");
   if (status.contains(nlohmann::json::json_pointer("/toolhead/stalls")))
     last_report.stalls = valueAt<std::uint64_t>(status, "/toolhead/stalls", 0);
   last_report.is_moving = valueAt<std::string>(status, "/idle_timeout/state", "") == "Printing";
   const auto position = nlohmann::json::json_pointer("/gcode_move/gcode_position");
-  if (status.contains(position) && status.at(position).is_array() && status.at(position).size() >= 4)
+  if (isList(status, "/gcode_move/gcode_position") && status.at(position).size() >= 4)
     last_report.position = ReportedPosition{valueAt(status, "/gcode_move/gcode_position/0", 0.0),
                                             valueAt(status, "/gcode_move/gcode_position/1", 0.0),
                                             valueAt(status, "/gcode_move/gcode_position/2", 0.0),
@@ -276,14 +288,14 @@ void Moonraker::readMachine(const nlohmann::json& status) {
   ReportedTemperatures now;
   now.nozzle_c = valueAt(status, "/extruder/temperature", 0.0);
   now.nozzle_target_c = valueAt(status, "/extruder/target", 0.0);
-  if (status.contains("heater_bed")) {
+  if (status.contains(nlohmann::json::json_pointer("/heater_bed/temperature"))) {
     now.bed_c = valueAt(status, "/heater_bed/temperature", 0.0);
     now.bed_target_c = valueAt(status, "/heater_bed/target", 0.0);
   }
-  if (status.contains("extruder")) last_report.temperatures = now;
+  if (status.contains(nlohmann::json::json_pointer("/extruder/temperature"))) last_report.temperatures = now;
   const auto listed = nlohmann::json::json_pointer("/heaters/available_heaters");
   heaters_.clear();
-  if (status.contains(listed) && status.at(listed).is_array())
+  if (isList(status, "/heaters/available_heaters"))
     for (const auto& heater : status.at(listed))
       if (heater.is_string()) heaters_.push_back(heater.get<std::string>());
   last_report.has_targets = std::any_of(heaters_.begin(), heaters_.end(), [&](const std::string& heater) {

@@ -27,7 +27,7 @@ enum class UploadStep : std::uint8_t {
   Pause,
   Resume,
   Cancel,
-  HeatersOff,
+  HeatersOff,     ///< and all else that the program switches on
   Change,         ///< what was given last (`give`)
   EmergencyStop,  ///< where there is one that does not wait behind other commands
   Remove,         ///< the file
@@ -39,13 +39,14 @@ struct ServerAnswer {
   enum class Kind : std::uint8_t {
     Done,
     More,       ///< the step has another request
-    Later,      ///< it cannot answer now
+    Later,      ///< it cannot answer now, and may have done it
+    NotTaken,   ///< it has not done it, and may be asked again
     LoggedOut,  ///< the session is over: connect again
     NotMine,    ///< another kind of server
     Refused,
   };
   Kind kind = Kind::Done;
-  Failure failure;  ///< of Later and Refused
+  Failure failure;  ///< of Later, NotTaken and Refused
 };
 
 using AnswerKind = ServerAnswer::Kind;
@@ -106,6 +107,8 @@ class PrintServer {
 
  protected:
   const UploadOrder& order() const { return *order_; }
+  /// Lines that switch off what the program may have left on besides heaters and the fan that cools the part.
+  std::string otherOutputsOff() const;
 
   std::string server_name;
   std::string program_file;

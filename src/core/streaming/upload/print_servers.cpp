@@ -6,6 +6,15 @@
 
 namespace lamina {
 
+std::string PrintServer::otherOutputsOff() const {
+  const UsedOutputs& outputs = order_->body.outputs();
+  std::string lines;
+  for (const auto& commands : {outputs.beamOff(), outputs.airOff()})
+    for (const std::string& command : commands)
+      if (command != "M107") lines += command + "\n";
+  return lines;
+}
+
 std::vector<std::unique_ptr<PrintServer>> printServers(const std::string& firmware,
                                                        const std::shared_ptr<const UploadOrder>& order) {
   std::vector<std::unique_ptr<PrintServer>> servers;

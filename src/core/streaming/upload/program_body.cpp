@@ -77,6 +77,7 @@ void ProgramBody::checkLines() {
           "';', and no line numbers or tape marks");
     }
     if (!has_command) continue;
+    outputs_.see(read);
     if (read.size() > longest_bytes_) {
       longest_bytes_ = read.size();
       longest_line_ = number;

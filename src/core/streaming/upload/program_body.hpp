@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lamina/streaming/job/streamable_program.hpp"
+#include "streaming/job/used_outputs.hpp"
 
 namespace lamina {
 
@@ -27,6 +28,8 @@ class ProgramBody {
   std::uint64_t lineNotUtf8() const { return line_not_utf8_; }
   std::size_t longestCommand() const { return longest_bytes_; }       ///< [bytes]
   std::uint64_t longestCommandLine() const { return longest_line_; }  ///< from 1
+  /// What it switches on.
+  const UsedOutputs& outputs() const { return outputs_; }
   const StreamableProgram& program() const { return program_; }
 
   /// Gives the bytes one after the other.
@@ -56,6 +59,7 @@ class ProgramBody {
   std::uint64_t line_not_utf8_ = 0;
   std::size_t longest_bytes_ = 0;
   std::uint64_t longest_line_ = 0;
+  UsedOutputs outputs_;
 };
 
 }  // namespace lamina

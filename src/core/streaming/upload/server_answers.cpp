@@ -41,9 +41,11 @@ std::string errorTextOf(const HttpResponse& response) {
 
 ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& response) {
   constexpr int kTooManyRequests = 429;
+  constexpr int kUnavailable = 503;
   const std::string why = what + " was refused: " + errorTextOf(response);
-  if (response.status >= 500 || response.status == kTooManyRequests)
-    return {AnswerKind::Later, {ErrorCode::DeviceError, why}};
+  if (response.status == kTooManyRequests || response.status == kUnavailable)
+    return {AnswerKind::NotTaken, {ErrorCode::DeviceError, why}};
+  if (response.status >= 500) return {AnswerKind::Later, {ErrorCode::DeviceError, why}};
   if (response.status / 100 == 3) return refused(why + "; a redirect is not followed");
   return refused(why);
 }

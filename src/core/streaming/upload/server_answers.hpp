@@ -21,8 +21,9 @@ std::optional<nlohmann::json> jsonOf(const HttpResponse& response);
 /// What a server says of an error: its JSON's message, otherwise the status and the beginning of its text.
 std::string errorTextOf(const HttpResponse& response);
 
-/// What a response with a status other than 2xx means to any server: to be asked again later (5xx, 429), or
-/// no (all others, redirects among them, which are not followed).
+/// What a response with a status other than 2xx means to any server: not taken (429, 503), to be asked again
+/// later (other 5xx, as of a proxy that has waited for the answer in vain), or no (all others, redirects
+/// among them, which are not followed).
 /// @param what  "the upload"
 ServerAnswer answerOfStatus(const std::string& what, const HttpResponse& response);
 

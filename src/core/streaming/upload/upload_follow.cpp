@@ -80,7 +80,8 @@ void UploadJob::check(double now) {
   next_at_ = now;
 }
 
-/// A print that was begun earlier is known by the name of its file, and then by its bytes.
+/// A print that was begun earlier is known by the name of its file, and then by its bytes; meanwhile it may
+/// have ended.
 void UploadJob::recognise(double now) {
   const MachineReport& report = server().report();
   const bool is_known = report.state != PrintState::None &&
@@ -94,14 +95,25 @@ void UploadJob::recognise(double now) {
                                   "... (a machine that was restarted has lost it, and its position)"},
         now);
   }
+  // What has ended leaves the machine to others, who may have heated it since.
+  constexpr const char* kLeftAlone = "; its heaters and its file were left as they are";
+  if (report.state == PrintState::Stopped)
+    return abort({ErrorCode::Cancelled, std::string("the print was cancelled at the machine") + kLeftAlone},
+                 now);
+  if (report.state == PrintState::Failed)
+    return abort({ErrorCode::Rejected, "the print has ended with an error: " + report.condition + kLeftAlone},
+                 now);
+  if (is_stored_ && server().isOurs()) return adopt(now);
   server().follow(report.file);
   phase_ = Phase::Verify;
   next_at_ = now;
 }
 
-/// Nothing is started or stopped: the print is followed from where it is.
+/// Nothing is started or stopped: the print is followed from where it is. One that is complete is no longer
+/// there to be stopped.
 void UploadJob::adopt(double now) {
   may_be_started_ = may_be_stored_ = was_seen_ = true;
+  was_complete_ = !server().report().isPrintUnderWay();
   record_.status.lines_sent = record_.status.lines_total;
   record_.enter(PackmlState::Execute);
   phase_ = Phase::Follow;
@@ -237,7 +249,7 @@ void UploadJob::finish(double now) {
 void UploadJob::stop(double now) {
   const MachineReport& report = server().report();
   if (report.is_halted) {
-    if (is_emergency_) {
+    if (emergency_.is_asked) {
       return confirmStop(
           "; it was shut down by an emergency stop, its heaters with it, and has lost its "
           "position: restart it and home it");
@@ -261,7 +273,9 @@ void UploadJob::stop(double now) {
   if (settings_.keep_heaters_on) return awaitStandstill("; the machine has ended the print", now);
   if (!report.has_targets)
     return awaitStandstill("; the machine has ended the print, and its heaters are off", now);
-  if (!asked_heaters_off_ || now >= asked_at_ + kRepeatCommand) {
+  if (isEmergencyStopDue()) {
+    command_ = UploadStep::EmergencyStop;
+  } else if (!asked_heaters_off_ || now >= asked_at_ + kRepeatCommand) {
     command_ = UploadStep::HeatersOff;
     next_at_ = now;
   }
@@ -279,6 +293,10 @@ void UploadJob::awaitStandstill(const std::string& how, double now) {
 /// may still be waiting in the machine for a command to end.
 void UploadJob::askToCancel(double now) {
   const PrintState print = server().report().state;
+  if (isEmergencyStopDue()) {
+    command_ = UploadStep::EmergencyStop;
+    return;
+  }
   if (print == PrintState::Changing) {
     stop_until_ = now + settings_.safe_stop_timeout_s;
     return;
@@ -301,8 +319,8 @@ void UploadJob::giveUpStop(double now) {
   if (under_way_) is_to_break_ = true;
   under_way_.reset();
   const std::string emergency = server().emergencyStop();
-  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty() && !is_emergency_) {
-    is_emergency_ = true;
+  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty() && !emergency_.is_asked) {
+    emergency_.is_asked = true;
     command_ = UploadStep::EmergencyStop;
     next_at_ = now;
     stop_until_ = now + settings_.safe_stop_timeout_s;
@@ -312,9 +330,12 @@ void UploadJob::giveUpStop(double now) {
                                     seconds(settings_.safe_stop_timeout_s) + " that it has ended the print" +
                                     (settings_.keep_heaters_on ? "" : " and turned its heaters off") +
                                     ": look after it";
-  if (!emergency.empty() && !is_emergency_)
+  if (emergency_.is_asked) {
+    record_.status.failure.message += "; an emergency stop was asked for: " + emergency_.answer;
+  } else if (!emergency.empty()) {
     record_.status.failure.message +=
         "; an emergency stop, by which it loses its position, is not kept waiting: " + emergency;
+  }
   close();
 }
 

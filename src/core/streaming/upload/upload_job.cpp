@@ -55,7 +55,13 @@ UploadStep UploadJob::nextStep() const {
       break;
   }
   if (command_) return *command_;
-  return phase_ == Phase::Follow && !changes_.empty() ? UploadStep::Change : UploadStep::Report;
+  return isChangeNext() ? UploadStep::Change : UploadStep::Report;
+}
+
+/// Klipper that waits for heat answers no change, but each report: without these it would count as out of
+/// reach.
+bool UploadJob::isChangeNext() const {
+  return phase_ == Phase::Follow && !changes_.empty() && !is_report_due_;
 }
 
 std::optional<HttpRequest> UploadJob::takeRequest(double now) {
@@ -70,6 +76,7 @@ std::optional<HttpRequest> UploadJob::takeRequest(double now) {
       continue;
     }
     under_way_ = step;
+    if (step == UploadStep::Change) is_report_due_ = true;
     return request;
   }
   return std::nullopt;
@@ -116,10 +123,13 @@ void UploadJob::receive(const HttpResponse& response, double now) {
       next_at_ = now;
       return;
     case AnswerKind::Later:
-      return onTrouble(step, answer.failure, true, now);
+      return onTrouble(step, answer.failure, Arrival::Possible, now);
+    case AnswerKind::NotTaken:
+      return onTrouble(step, answer.failure, Arrival::NotTaken, now);
     case AnswerKind::LoggedOut:
       is_logged_out_ = true;
-      return onTrouble(step, {ErrorCode::DeviceError, "the machine has ended the session"}, false, now);
+      return onTrouble(step, {ErrorCode::DeviceError, "the machine has ended the session"}, Arrival::Never,
+                       now);
     case AnswerKind::NotMine:
       return tryNextServer(now);
     case AnswerKind::Refused:
@@ -130,12 +140,14 @@ void UploadJob::receive(const HttpResponse& response, double now) {
 void UploadJob::fail(const HttpFailure& failure, double now) {
   if (!under_way_) return;
   const UploadStep step = *std::exchange(under_way_, std::nullopt);
-  onTrouble(step, {ErrorCode::Disconnected, failure.why}, failure.reached_server, now);
+  onTrouble(step, {ErrorCode::Disconnected, failure.why},
+            failure.reached_server ? Arrival::Possible : Arrival::Never, now);
 }
 
 void UploadJob::tryNextServer(double now) {
   if (phase_ != Phase::Connect) {
-    return onTrouble(UploadStep::Connect, {ErrorCode::DeviceError, "another server answers now"}, true, now);
+    return onTrouble(UploadStep::Connect, {ErrorCode::DeviceError, "another server answers now"},
+                     Arrival::Possible, now);
   }
   attempts_ = 0;
   if (servers_.size() > 1) {
@@ -162,8 +174,9 @@ void UploadJob::onDone(UploadStep step, double now) {
       return;
     case UploadStep::Report:
       next_at_ = now + (layer_pause_.isNear(record_.status.layer) ? kNearInterval : kReportInterval);
+      is_report_due_ = false;
       onReport(now);
-      if (command_) next_at_ = now;
+      if (command_ || isChangeNext()) next_at_ = now;
       return;
     case UploadStep::Upload:
       record_.status.lines_sent = record_.status.lines_total;
@@ -171,7 +184,6 @@ void UploadJob::onDone(UploadStep step, double now) {
       return;
     case UploadStep::Verify:
       is_stored_ = true;
-      if (order_->aim == UploadAim::Follow) return adopt(now);
       phase_ = Phase::Check;
       return;
     case UploadStep::Start:
@@ -185,6 +197,11 @@ void UploadJob::onDone(UploadStep step, double now) {
     case UploadStep::Change:
       changes_.pop_front();
       return;
+    case UploadStep::EmergencyStop:
+      emergency_.is_taken = true;
+      emergency_.answer = "the server has taken it";
+      command_.reset();
+      return;
     default:
       command_.reset();
       return;
@@ -197,26 +214,21 @@ void UploadJob::onRemoved() {
   if (phase_ == Phase::Remove) phase_ = Phase::Leave;
 }
 
-void UploadJob::onTrouble(UploadStep step, const Failure& why, bool reached_server, double now) {
+void UploadJob::onTrouble(UploadStep step, const Failure& why, Arrival arrival, double now) {
   next_at_ = now + kRetryInterval;
   command_.reset();
   trouble_ = why.message;
-  // A request that may have arrived is not repeated: a babystep would be made twice.
-  if (step == UploadStep::Change && reached_server) onChangeFailed("no answer, so that it may still be done");
   switch (phase_) {
     case Phase::Follow:
     case Phase::Finish:
-      if (now - heard_at_ >= settings_.silence_timeout_s) lose(now);
-      return;
+      return onTroubleInPrint(step, why, arrival, now);
     case Phase::Stop:
-      if (!reached_server && step == UploadStep::Cancel) cancels_ = {};
-      if (!reached_server && step == UploadStep::HeatersOff) asked_heaters_off_ = false;
-      return;
+      return onTroubleInStop(step, why, arrival);
     case Phase::Remove:
     case Phase::Leave:
       return close();
     case Phase::Start:
-      if (reached_server && step == UploadStep::Start) {
+      if (arrival != Arrival::Never && step == UploadStep::Start) {
         // It may print all the same: the machine is asked.
         phase_ = Phase::Follow;
         heard_at_ = now;
@@ -228,6 +240,28 @@ void UploadJob::onTrouble(UploadStep step, const Failure& why, bool reached_serv
       break;
   }
   if (++attempts_ >= kAttempts) abort(why, now);
+}
+
+void UploadJob::onTroubleInPrint(UploadStep step, const Failure& why, Arrival arrival, double now) {
+  if (step == UploadStep::Change && arrival == Arrival::Possible) {
+    // It is not repeated: a babystep would be made twice.
+    onChangeFailed(why.message + "; it was not asked for again, for it may still be done");
+  } else if (step == UploadStep::Change) {
+    record_.status.message = changes_.front() + ": " + why.message + "; it is asked for again";
+  }
+  // Commands may wait in the machine for others to end; reports do not.
+  const bool is_question = step == UploadStep::Report || step == UploadStep::Connect;
+  if (is_question && now - heard_at_ >= settings_.silence_timeout_s) lose(now);
+}
+
+void UploadJob::onTroubleInStop(UploadStep step, const Failure& why, Arrival arrival) {
+  const bool may_be_done = arrival == Arrival::Possible;
+  if (!may_be_done && step == UploadStep::Cancel) cancels_ = {};
+  if (!may_be_done && step == UploadStep::HeatersOff) asked_heaters_off_ = false;
+  if (step == UploadStep::EmergencyStop) emergency_.answer = why.message;
+  // Whether one that may have arrived did is seen in the next report.
+  if (isEmergencyStopDue() && !(step == UploadStep::EmergencyStop && may_be_done))
+    command_ = UploadStep::EmergencyStop;
 }
 
 void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
@@ -248,6 +282,9 @@ void UploadJob::onRefused(UploadStep step, const Failure& why, double now) {
       return onRemoved();  // or it is in use: the next report tells
     case UploadStep::Disconnect:
       return close();
+    case UploadStep::EmergencyStop:
+      emergency_.answer = why.message;
+      break;
     default:
       break;
   }
@@ -302,7 +339,7 @@ void UploadJob::abort(const Failure& why, double now) {
   command_.reset();
   attempts_ = 0;
   next_at_ = now;
-  if (may_be_started_) {
+  if (may_be_started_ && !was_complete_) {
     phase_ = Phase::Stop;
     stop_until_ = now + settings_.safe_stop_timeout_s;
   } else if (phase_ == Phase::Connect || (was_starting && why.code == ErrorCode::Disconnected)) {

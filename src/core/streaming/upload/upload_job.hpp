@@ -59,6 +59,12 @@ class UploadJob {
 
   const StreamStatus& status() const { return record_.status; }
   std::vector<PackmlState> takeStateChanges() { return record_.takeStateChanges(); }
+  /// Whether the request to start the print may have left, now or earlier.
+  bool mayBeStarted() const { return may_be_started_; }
+  /// The firmware behind the server that answers, as `stream.firmware` names it.
+  const char* firmware() const { return server().firmware(); }
+  /// The file of the print, below the server's folder of programs.
+  const std::string& file() const { return server().file(); }
 
  private:
   enum class Phase : std::uint8_t {
@@ -75,13 +81,30 @@ class UploadJob {
     Over
   };
 
+  /// What is known of a request that brought no answer to it.
+  enum class Arrival : std::uint8_t {
+    Never,     ///< nothing of it arrived
+    NotTaken,  ///< the server says that it has not done it
+    Possible,  ///< it may be done
+  };
+  struct AskedEmergencyStop {
+    bool is_asked = false;
+    bool is_taken = false;             ///< the server has said so
+    std::string answer = "no answer";  ///< to the last request, in words
+  };
+
   static std::string seconds(double time_s);
   UploadStep nextStep() const;
+  bool isChangeNext() const;
+  /// Asked for twice it does no harm.
+  bool isEmergencyStopDue() const { return emergency_.is_asked && !emergency_.is_taken; }
   PrintServer& server() const { return *servers_.front(); }
   void beforeAsking(UploadStep step, double now);
   void onDone(UploadStep step, double now);
   void onRemoved();
-  void onTrouble(UploadStep step, const Failure& why, bool reached_server, double now);
+  void onTrouble(UploadStep step, const Failure& why, Arrival arrival, double now);
+  void onTroubleInPrint(UploadStep step, const Failure& why, Arrival arrival, double now);
+  void onTroubleInStop(UploadStep step, const Failure& why, Arrival arrival);
   void onRefused(UploadStep step, const Failure& why, double now);
   void tryNextServer(double now);
   void onReport(double now);
@@ -123,6 +146,7 @@ class UploadJob {
   bool may_be_stored_ = false;
   bool may_be_started_ = false;
   bool was_seen_ = false;      ///< the machine has said that it prints it
+  bool was_complete_ = false;  ///< before it was followed
   bool is_removed_ = false;    ///< the file was, or is refused to be
   bool is_to_resume_ = false;  ///< once it is paused
   std::string trouble_;        ///< the last one
@@ -135,10 +159,11 @@ class UploadJob {
   double completed_at_ = 0.0;
   double stop_until_ = 0.0;
   std::deque<std::string> changes_;  ///< commands that are still to be sent, in order
+  bool is_report_due_ = false;       ///< before the next change
   LayerPause layer_pause_;
   std::optional<std::uint64_t> stalls_before_;  ///< the print
-  bool is_emergency_ = false;                   ///< an emergency stop was asked for
-  std::array<int, 2> cancels_{};                ///< asked for while it printed, and while it was paused
+  AskedEmergencyStop emergency_;
+  std::array<int, 2> cancels_{};  ///< asked for while it printed, and while it was paused
   bool asked_heaters_off_ = false;
 };
 

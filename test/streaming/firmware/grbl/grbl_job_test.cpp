@@ -23,7 +23,8 @@ class GrblPeer : public testing::Test {
   }
 
   /// Answers until the machine is known.
-  void identify(Streamer& streamer, const std::string& options = "[OPT:V,15,128]") {
+  static void identify(Streamer& streamer, const std::string& options = "[OPT:V,15,128]",
+                       const std::string& setting = "$32=0") {
     streamer.start(0.0);
     streamer.elapse(0.0);
     EXPECT_EQ(streamer.takeOutput(), "?");
@@ -36,7 +37,7 @@ class GrblPeer : public testing::Test {
     EXPECT_EQ(streamer.takeOutput(), "$G\n");
     streamer.receive("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\r\nok\r\n", 0.2);
     EXPECT_EQ(streamer.takeOutput(), "$$\n");
-    streamer.receive("$13=0\r\nok\r\n", 0.2);
+    streamer.receive("$13=0\r\n" + setting + "\r\nok\r\n", 0.2);
   }
   /// The first output is lines of the program.
   std::string begin(Streamer& streamer, const std::string& options = "[OPT:V,15,128]") {
@@ -249,6 +250,46 @@ TEST_F(GrblPeer, HoldsAndGoesOn) {
   EXPECT_EQ(streamer.status().state, PackmlState::Unholding);
   streamer.receive(kRun, 1.2);
   EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+}
+
+TEST_F(GrblPeer, HoldsInFrontOfALayerWhenTheLinesBeforeItHaveEnded) {
+  std::string text = ";LAYER:0\n";
+  for (int i = 10; i < 24; ++i)
+    text += (i == 21 ? ";LAYER:1\n" : "") + std::string("G1 X") + std::to_string(i) + " F100\n";
+  Streamer streamer(program(text), settings());
+  EXPECT_EQ(begin(streamer).size(), 120U) << "ten lines of layer 0, which has eleven";
+  EXPECT_EQ(streamer.change({LiveSetting::PauseAtLayer, 1.0}, 0.3), "");
+  streamer.receive("ok\r\nok\r\nok\r\n", 0.3);
+  EXPECT_EQ(streamer.takeOutput(), "G1 X20 F100\n");
+  streamer.receive(kIdle, 0.4);  // from before a line was read
+  streamer.receive("ok\r\nok\r\nok\r\nok\r\nok\r\nok\r\nok\r\nok\r\n", 0.5);
+  streamer.receive(kRun, 0.6);
+  streamer.receive(kIdle, 0.8);
+  EXPECT_EQ(streamer.takeOutput(), "");
+  EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+  streamer.receive(kIdle, 0.9);
+  EXPECT_EQ(streamer.takeOutput(), "!?");
+  streamer.receive("<Hold:0|MPos:20.000,0.000,0.000|FS:0,0>\r\n", 1.0);
+  EXPECT_EQ(streamer.status().state, PackmlState::Held);
+  EXPECT_EQ(streamer.status().message, "holds in front of layer 1");
+  EXPECT_EQ(streamer.status().starvation.count, 0U);
+  EXPECT_TRUE(streamer.resume(9.0));
+  EXPECT_EQ(streamer.takeOutput(), "~?");
+  streamer.receive(kIdle, 9.1);
+  EXPECT_EQ(streamer.takeOutput(), "G1 X21 F100\nG1 X22 F100\nG1 X23 F100\n");
+}
+
+TEST_F(GrblPeer, OfALaserIsWarnedOfABeamThatBurnsOn) {
+  const auto warningOf = [](const std::string& text, const std::string& setting) {
+    Streamer streamer(program(text), settings());
+    identify(streamer, "[OPT:V,15,128]", setting);
+    streamer.elapse(0.2);
+    EXPECT_EQ(streamer.status().state, PackmlState::Execute);
+    return streamer.status().warning;
+  };
+  expectIn("job line 2: 'G1 M3 S500' keeps the laser on", warningOf("G21\nG1 M3 S500\nX1\nM3\n", "$32=1"));
+  EXPECT_EQ(warningOf("G21\nM4 S500\nM30\n", "$32=1"), "");
+  EXPECT_EQ(warningOf("G21\nM3 S500\n", "$32=0"), "") << "a mill";
 }
 
 TEST_F(GrblPeer, ThatHoldsByItselfIsObeyed) {

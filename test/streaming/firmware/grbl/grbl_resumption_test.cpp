@@ -78,6 +78,17 @@ class LivingGrbl {
     }
   }
 
+  /// Asks until the offset of the work is to be told in so many reports, as in one of thirty.
+  void tellOffsetIn(int reports) {
+    const auto tellsIt = [this] {
+      machine.receive("?", now);
+      return machine.takeOutput().find("WCO") != std::string::npos;
+    };
+    while (!tellsIt()) {
+    }
+    for (int asked = 0; asked < 30 - reports; ++asked) EXPECT_FALSE(tellsIt());
+  }
+
   std::vector<std::string> executed;
   EmulatedGrbl machine{
       EmulatedGrblSettings{}, {}, [this](const std::string& line) { executed.push_back(line); }};
@@ -115,6 +126,23 @@ TEST(GrblResumption, GoesOnWithEachLineOnce) {
         << death << ": " << second.status().failure.message;
     EXPECT_EQ(grbl.executed, lines) << death;
   }
+}
+
+// grbl reports Idle in a dwell, and runs what stands behind it before it answers a question.
+TEST(GrblResumption, LooksForThePlaceOnceWhatWasSentHasRun) {
+  const std::string text = "G21\nG90\nG1 X10 F3000\nG4 P5\nG91\nG1 X1\nM5\n";
+  LivingGrbl grbl;
+  auto first = std::make_unique<Streamer>(programOf(text), resumedSettings());
+  grbl.connect(*first, 2.0);
+  ASSERT_EQ(first->status().lines_sent, 7U);
+  ASSERT_EQ(first->status().lines_acknowledged, 3U) << "it dwells";
+  first.reset();
+  grbl.tellOffsetIn(2);  // while it dwells
+  Streamer second(StreamOrder{programOf(text), resumedSettings(), {}, {}, 0, UnfinishedLines{0, 7, ""}, 0});
+  grbl.connect(second, 1e4);
+  EXPECT_EQ(second.status().state, PackmlState::Complete) << second.status().failure.message;
+  EXPECT_EQ(std::count(grbl.executed.begin(), grbl.executed.end(), "G1 X1"), 1);
+  EXPECT_NEAR(grbl.machine.position().x(), 11.0, 1e-9) << "mm: once to 10, and once 1 on";
 }
 
 TEST(GrblResumption, IsNoneOfAMachineThatGreets) {

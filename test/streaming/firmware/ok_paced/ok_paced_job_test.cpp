@@ -164,13 +164,13 @@ TEST(OkPacedProperty, RepRapFirmwareRunsEveryLineOnceOnANoisyLineOrTheJobIsNotCo
 /// A job whose firmware is played by hand.
 class PlayedByHand : public testing::Test {
  protected:
-  void begin(const std::string& firmware) {
+  void begin(const std::string& firmware, const std::string& text = "G28\nG1 X1\n") {
     StreamSettings settings = pacedSettings(firmware, LinkKind::Reliable);
     settings.emergency_stop = emergency_;
+    settings.safe_stop_timeout_s = safe_stop_timeout_s_;
     settings.temperature_interval_s = 0;
     settings.window_lines = 1;
-    program_ = std::make_unique<StreamableProgram>(
-        StreamableProgram::fromText("two lines", "G28\nG1 X1\n", settings));
+    program_ = std::make_unique<StreamableProgram>(StreamableProgram::fromText("two lines", text, settings));
     streamer_ = std::make_unique<Streamer>(*program_, settings);
     streamer_->start(0.0);
   }
@@ -179,11 +179,11 @@ class PlayedByHand : public testing::Test {
     streamer_->receive(text, now);
     return streamer_->takeOutput();
   }
-  void beginKlipper() {
-    begin("klipper");
+  void beginKlipper(const std::string& text = "G28\nG1 X1\n") {
+    begin("klipper", text);
     EXPECT_EQ(answer("ok FIRMWARE_NAME:Klipper FIRMWARE_VERSION:v0.12\n", 0.1), "STATUS\n");
     EXPECT_EQ(answer("// Klipper state: Ready\nok\n", 0.2), "ECHO LAMINA=1\n");
-    EXPECT_EQ(answer("// ECHO LAMINA=1\nok\n", 0.3), "G28\n");
+    EXPECT_EQ(answer("// ECHO LAMINA=1\nok\n", 0.3), text.substr(0, text.find('\n') + 1));
   }
   const StreamStatus& status() const { return streamer_->status(); }
 
@@ -198,7 +198,19 @@ class PlayedByHand : public testing::Test {
     return sent;
   }
 
+  /// Klipper that dwells: it says nothing, and reads nothing.
+  std::string waitUntil(double end) {
+    std::string sent;
+    for (; waited_s_ <= end && !isFinal(status().state); waited_s_ += 0.5) {
+      streamer_->elapse(waited_s_);
+      sent += streamer_->takeOutput();
+    }
+    return sent;
+  }
+
+  double waited_s_ = 2.0;
   EmergencyStop emergency_ = EmergencyStop::Never;
+  double safe_stop_timeout_s_ = StreamSettings().safe_stop_timeout_s;
   std::unique_ptr<StreamableProgram> program_;
   std::unique_ptr<Streamer> streamer_;
 };
@@ -228,6 +240,69 @@ TEST_F(PlayedByHand, AnEmergencyStopEndsWhatDoesNotHearAStop) {
                 "halted"),
             std::string::npos)
       << status().failure.message;
+}
+
+/// Of what was sent and not answered; Klipper looks for an emergency stop among fewer than twenty lines.
+void expectThatKlipperHearsAnEmergencyStop(const std::string& unanswered) {
+  EXPECT_NE(unanswered.find("M112\n"), std::string::npos) << unanswered;
+  EXPECT_LT(std::count(unanswered.begin(), unanswered.end(), '\n'), 20) << unanswered;
+}
+
+TEST_F(PlayedByHand, QuestionsToAMachineThatDwellsLeaveRoomForAnEmergencyStop) {
+  emergency_ = EmergencyStop::Unconfirmed;
+  beginKlipper();
+  std::string unanswered = "G28\n" + waitUntil(900.0);
+  EXPECT_EQ(status().state, PackmlState::Execute);
+  EXPECT_GT(std::count(unanswered.begin(), unanswered.end(), '\n'), 5) << "it is asked now and then";
+  streamer_->abort({ErrorCode::Cancelled, "enough"}, 900.0);
+  unanswered += waitUntil(1000.0);
+  EXPECT_NE(unanswered.find("TURN_OFF_HEATERS\n"), std::string::npos);
+  expectThatKlipperHearsAnEmergencyStop(unanswered);
+}
+
+TEST_F(PlayedByHand, ChangesOfAMachineThatDwellsLeaveRoomForAnEmergencyStop) {
+  emergency_ = EmergencyStop::Unconfirmed;
+  beginKlipper();
+  std::string refusal;
+  for (int i = 0; i < 30; ++i) refusal += streamer_->change({LiveSetting::Feed, 90.0 + i}, 1.0);
+  EXPECT_EQ(refusal.find("the machine waits, and has 13 commands to answer"), 0U) << refusal;
+  streamer_->abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  expectThatKlipperHearsAnEmergencyStop("G28\n" + waitUntil(20.0));
+}
+
+TEST_F(PlayedByHand, StopsThatAreRepeatedForLongLeaveRoomForAnEmergencyStop) {
+  emergency_ = EmergencyStop::Unconfirmed;
+  safe_stop_timeout_s_ = 600.0;
+  beginKlipper("M106 S255\nM106 P1 S255\nM3 S1\nG28\n");
+  answer("ok\n", 0.4);
+  answer("ok\n", 0.5);
+  EXPECT_EQ(answer("ok\n", 0.6), "G28\n");
+  streamer_->abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  const std::string unanswered = "G28\n" + waitUntil(700.0);
+  EXPECT_NE(unanswered.find("M5\nM107\n"), std::string::npos) << unanswered;
+  expectThatKlipperHearsAnEmergencyStop(unanswered);
+}
+
+TEST_F(PlayedByHand, AMachineWhoseHeatersAreOffGetsNoEmergencyStop) {
+  emergency_ = EmergencyStop::Unconfirmed;
+  beginKlipper();
+  streamer_->abort({ErrorCode::Cancelled, "enough"}, 1.0);
+  EXPECT_EQ(answer("ok\nok\nok B:60.0 /0.0 T0:210.0 /0.0\n// ECHO LAMINA=2\nok\n", 1.5),
+            "M400\nECHO LAMINA=3\n");
+  EXPECT_EQ(waitUntil(30.0).find("M112"), std::string::npos) << "only a long motion is waited for";
+  EXPECT_EQ(status().failure.message,
+            "enough; its heaters are off, but it did not confirm that its motions have ended");
+}
+
+TEST_F(PlayedByHand, AStopAfterALostLinkHasItsTime) {
+  beginKlipper();
+  streamer_->disconnect("the cable was pulled", 1.0);
+  streamer_->reconnect(10.9);
+  EXPECT_NE(streamer_->takeOutput().find("TURN_OFF_HEATERS"), std::string::npos);
+  streamer_->receive("B:60.0 /60.0 T0:50.0 /210.0\n", 11.5);
+  EXPECT_EQ(status().message, "") << "sent 0.6 s ago";
+  streamer_->receive("B:60.0 /60.0 T0:50.0 /210.0\n", 20.9);
+  EXPECT_NE(status().message.find("has not heard the stop for 10 s"), std::string::npos) << status().message;
 }
 
 TEST_F(PlayedByHand, KlipperIsCompleteWhenItHasSaidTheLastNumber) {
@@ -337,6 +412,13 @@ TEST(RepRapProtocol, ChecksLinesByTheCrcOfTheFirmware) {
   EXPECT_EQ(reprapCrc("123456789"), 0x31c3);  // the check value of CRC-16/XMODEM
   EXPECT_EQ(reprapFrame(1, "M105").substr(0, 8), "N1 M105*");
   EXPECT_EQ(reprapFrame(1, "M105").size(), 14U) << "always five digits";
+}
+
+TEST(RepRapProtocol, CountsMissedStepsThatTheFirmwareReports) {
+  for (const char* stall : {"Warning: Driver 0 stall", "Warning: Driver 1.2 stall",
+                            "Warning: motor stall reported by driver(s) 0 1"})
+    EXPECT_EQ(readReprapReply(stall).reply.kind, ReplyKind::NotDone) << stall;
+  EXPECT_EQ(readReprapReply("Warning: Driver 0 warning: high temperature").reply.kind, ReplyKind::Warning);
 }
 
 TEST(RepRapProtocol, NamesWhatTheFirmwareWouldMisread) {

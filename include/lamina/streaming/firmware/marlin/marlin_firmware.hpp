@@ -21,6 +21,7 @@ class MarlinFirmware : public FirmwareProtocol, public std::enable_shared_from_t
   bool isSpokenBy(std::string_view firmware_name) const override;
   std::string defectOf(std::string_view command, const StreamSettings& settings) const override;
   bool canResume() const override { return true; }
+  bool canRevise() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 
   /// A command as it goes out: numbered, checked, with its end of line.

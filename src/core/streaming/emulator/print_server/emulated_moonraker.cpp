@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "streaming/emulator/print_server/emulated_print_server.hpp"
 
@@ -17,6 +19,27 @@ std::string between(std::string_view text, std::string_view before, std::string_
   const std::size_t end = text.find(after, first);
   if (end == std::string_view::npos) return {};
   return std::string(text.substr(first, end - first));
+}
+
+/// What Klipper gives of the objects and values that a query names: an object that it has not is empty, a
+/// value null.
+json askedOf(const json& status, const std::string& query) {
+  json asked = json::object();
+  std::istringstream objects(query);
+  for (std::string object; std::getline(objects, object, '&');) {
+    const std::size_t equals = object.find('=');
+    const std::string name = decodedFromUrl(object.substr(0, equals));
+    const json known = status.value(name, json::object());
+    if (equals == std::string::npos) {
+      asked[name] = known;
+      continue;
+    }
+    asked[name] = json::object();
+    std::istringstream values(object.substr(equals + 1));
+    for (std::string value; std::getline(values, value, ',');)
+      asked[name][value] = known.value(value, json());
+  }
+  return asked;
 }
 
 /// Klipper behind Moonraker. The checksum of an upload is not looked at: uploads that are damaged on the way
@@ -46,8 +69,12 @@ HttpResponse EmulatedMoonraker::answer(const HttpRequest& request, std::string_v
     return result(
         {{"klippy_state", printer.is_halted ? "shutdown" : "ready"}, {"moonraker_version", "v0.9.3"}});
   }
+  if (has_just_started && path.compare(0, 9, "/printer/") == 0) return error(404, "Not Found");
   if (path.compare(0, 14, "/server/files/") == 0) return answerFiles(request, path, body);
-  if (path == "/printer/objects/query") return result({{"eventtime", 1.0}, {"status", status()}});
+  if (path == "/printer/objects/query") {
+    const std::string query = request.target.substr(std::min(path.size() + 1, request.target.size()));
+    return result({{"eventtime", 1.0}, {"status", askedOf(status(), query)}});
+  }
   if (path == "/server/gcode_store") return result({{"gcode_store", said()}});
   if (request.method != "POST") return error(404, "Not Found");
   if (printer.is_halted) return error(400, "Lost communication with MCU 'mcu'");
@@ -102,7 +129,7 @@ HttpResponse EmulatedMoonraker::start(const std::string& file) {
 }
 
 HttpResponse EmulatedMoonraker::script(const std::string& text) {
-  if (text == "TURN_OFF_HEATERS") {
+  if (text.find("TURN_OFF_HEATERS") != std::string::npos) {
     printer.nozzle_target_c = printer.bed_target_c = 0.0;
   } else if (text == "SDCARD_RESET_FILE") {
     printer.cancel();
@@ -131,19 +158,23 @@ json EmulatedMoonraker::status() const {
   if (printer.state() == EmulatedPrinter::State::Printing) print = "printing";
   if (printer.state() == EmulatedPrinter::State::Paused) print = "paused";
   const std::string message = print == "error" ? "Move out of range: 400.000\n0.000 0.000" : "";
-  return {{"webhooks",
-           {{"state", printer.is_halted ? "shutdown" : "ready"},
-            {"state_message",
-             printer.is_halted ? "Lost communication with MCU 'mcu'\nOnce the" : "Printer is ready"}}},
-          {"print_stats", {{"state", print}, {"filename", printer.file()}, {"message", message}}},
-          {"virtual_sdcard", {{"file_position", printer.position()}}},
-          {"toolhead", {{"stalls", printer.stalls}}},
-          {"exclude_object", {{"current_object", nullptr}}},
-          {"idle_timeout", {{"state", printer.isMoving() ? "Printing" : "Ready"}}},
-          {"gcode_move", {{"gcode_position", {1.0, 2.0, 3.0, 4.0}}}},
-          {"heaters", {{"available_heaters", {"heater_bed", "extruder"}}}},
-          {"extruder", {{"temperature", 24.5}, {"target", printer.nozzle_target_c}}},
-          {"heater_bed", {{"temperature", 23.5}, {"target", printer.bed_target_c}}}};
+  json heaters = json::array({"extruder"});
+  if (printer.has_bed) heaters.push_back("heater_bed");
+  json status = {{"webhooks",
+                  {{"state", printer.is_halted ? "shutdown" : "ready"},
+                   {"state_message",
+                    printer.is_halted ? "Lost communication with MCU 'mcu'\nOnce the" : "Printer is ready"}}},
+                 {"print_stats", {{"state", print}, {"filename", printer.file()}, {"message", message}}},
+                 {"virtual_sdcard", {{"file_position", printer.position()}}},
+                 {"toolhead", {{"stalls", printer.stalls}}},
+                 {"idle_timeout", {{"state", printer.isMoving() ? "Printing" : "Ready"}}},
+                 {"gcode_move", {{"gcode_position", {1.0, 2.0, 3.0, 4.0}}}},
+                 {"heaters", {{"available_heaters", heaters}}},
+                 {"extruder", {{"temperature", 24.5}, {"target", printer.nozzle_target_c}}}};
+  if (printer.has_bed) status["heater_bed"] = {{"temperature", 23.5}, {"target", printer.bed_target_c}};
+  if (printer.excludes_parts)
+    status["exclude_object"] = {{"excluded_objects", json::array()}, {"current_object", nullptr}};
+  return status;
 }
 
 }  // namespace

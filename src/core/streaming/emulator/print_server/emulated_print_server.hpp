@@ -22,7 +22,8 @@ class EmulatedPrintServer {
   virtual void forgetSessions() {}
 
   EmulatedPrinter printer;
-  std::string password;  ///< or key; empty for none
+  std::string password;           ///< or key; empty for none
+  bool has_just_started = false;  ///< and has not found its printer yet (Moonraker)
 };
 
 std::unique_ptr<EmulatedPrintServer> makeEmulatedMoonraker();

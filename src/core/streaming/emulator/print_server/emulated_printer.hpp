@@ -22,6 +22,8 @@ class EmulatedPrinter {
   double nozzle_target_c = 0.0;
   double bed_target_c = 0.0;
   bool is_halted = false;
+  bool has_bed = true;
+  bool excludes_parts = true;  ///< it can leave out parts
   std::uint64_t stalls = 0;
   std::vector<std::string> unknown = {};  ///< commands that it did not know
   std::vector<std::string> changes = {};  ///< commands that changed how it prints, in order

@@ -86,7 +86,10 @@ void GrblJob::check(double now) {
     const auto line = unchecked_->next();
     if (!line) return order_.unfinished ? beginLocating(now) : execute(now);
     const std::string defect = defectForGrbl(line->command, start_.machine());
-    if (defect.empty()) continue;
+    if (defect.empty()) {
+      warnOfLaser(*line);
+      continue;
+    }
     abort({ErrorCode::InvalidProgram, order_.program.name() + " line " +
                                           std::to_string(unchecked_->textLine()) + ": " +
                                           order_.program.quotation().of(line->command) + " " + defect},
@@ -119,6 +122,7 @@ bool GrblJob::hasRoom(std::size_t bytes) const {
 
 void GrblJob::pump(double now) {
   while (const ProgramLine* line = feed_.peek()) {
+    if (isHeldBack(*line, now)) break;
     // A question must find room behind a full window.
     const std::size_t kept_free = window_.hasQuestion() ? 0 : kQuestionBytes;
     if (!hasRoom(line->command.size() + 1 + kept_free)) break;
@@ -233,7 +237,7 @@ void GrblJob::poll(double now) {
   const int wanted = order_.settings.position_interval_s;
   const bool is_feeding = state() == PackmlState::Execute && wanted > 0;
   next_poll_s_ = now + (is_feeding ? static_cast<double>(wanted) : kJobPoll);
-  if (overrides_.isUnderWay()) next_poll_s_ = now + kChangePoll;
+  if (overrides_.isUnderWay() || is_at_layer_) next_poll_s_ = now + kChangePoll;
   if (state() == PackmlState::Holding && is_held_by_user_) output_ += grbl_byte::kFeedHold;
   if (state() == PackmlState::Unholding && machine_state_ == GrblState::Hold && now >= release_again_s_)
     release(now);
@@ -404,6 +408,7 @@ void GrblJob::onReport(const GrblReport& report, double now) {
   followOverrides(report, now);
   countStarvation(report, now);
   onMotionState(report, now);
+  holdAtLayer(report, now);
   if (phase_ == Phase::Resting) rest(report, now);
 }
 
@@ -411,8 +416,8 @@ void GrblJob::countStarvation(const GrblReport& report, double now) {
   const int blocks = start_.machine().blocks;
   const bool is_empty =
       report.state == GrblState::Idle || (blocks > 0 && report.free_blocks.value_or(0) >= blocks);
-  const bool is_starved = phase_ == Phase::Feeding && state() == PackmlState::Execute && is_empty &&
-                          record_.status.lines_acknowledged > 0;
+  const bool is_starved = phase_ == Phase::Feeding && state() == PackmlState::Execute && !is_at_layer_ &&
+                          is_empty && record_.status.lines_acknowledged > 0;
   if (!is_starved) {
     starved_since_.reset();
     return;

@@ -17,6 +17,7 @@
 #include "streaming/firmware/grbl/grbl_window.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
+#include "streaming/job/layer_pause.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
 
@@ -89,6 +90,9 @@ class GrblJob final : public StreamJob {
   void onStandstill(const GrblReport& report, double now);
   void onMoving(double now);
   void followOverrides(const GrblReport& report, double now);
+  bool isHeldBack(const ProgramLine& line, double now);
+  void holdAtLayer(const GrblReport& report, double now);
+  void warnOfLaser(const ProgramLine& line);
   void countStarvation(const GrblReport& report, double now);
   void rest(const GrblReport& report, double now);
   void finish(double now);
@@ -114,6 +118,8 @@ class GrblJob final : public StreamJob {
   ExpectedPosition expected_{""};
   GrblWindow window_;
   GrblOverrides overrides_;
+  LayerPause layer_pause_;
+  bool is_at_layer_ = false;  ///< no line is sent until the machine stands still and holds
   AnswerTimer answers_;
   Phase phase_ = Phase::Idle;
   std::size_t capacity_ = 0;  ///< [bytes] that may be under way

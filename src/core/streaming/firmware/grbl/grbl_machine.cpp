@@ -46,6 +46,8 @@ void GrblMachine::learn(const GrblReply& reply) {
     modes = reply.text;
   } else if (reply.kind == GrblReplyKind::Setting && reply.text.compare(0, 4, "$13=") == 0) {
     reports_in_inches = reply.text.compare(4, 1, "1") == 0;
+  } else if (reply.kind == GrblReplyKind::Setting && reply.text.compare(0, 4, "$32=") == 0) {
+    is_laser = reply.text.compare(4, 1, "1") == 0;
   }
 }
 

@@ -18,6 +18,7 @@ struct GrblMachine {
   int receive_bytes = 0;                  ///< of its receive buffer; 0 if it does not say
   std::string modes;                      ///< answer to `$G`
   std::optional<bool> reports_in_inches;  ///< nothing if it does not say
+  bool is_laser = false;                  ///< laser mode is on ($32)
 
   /// Name and version, as in "grbl 1.1h.20190830".
   std::string name() const;

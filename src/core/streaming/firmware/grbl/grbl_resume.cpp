@@ -17,23 +17,31 @@ void GrblJob::refuseCutLine() { output_ += kRefusedWord; }
 
 void GrblJob::beginLocating(double now) {
   phase_ = Phase::Locating;
+  // grbl reports Idle in a dwell too: what was told before its questions were answered is where it stood
+  // between two lines.
+  work_.reset();
   heard_s_ = now;
   next_poll_s_ = now;
   locate_by_s_ = now + order_.settings.connect_timeout_s;
   goOn(now);
 }
 
-/// Once the machine has told where it is in the coordinates of the work.
+/// Once the machine is idle, and has told where it is in the coordinates of the work.
 void GrblJob::goOn(double now) {
-  if (!work_ && now >= locate_by_s_) {
+  const bool is_idle = machine_state_ == GrblState::Idle;
+  if (work_ && is_idle) return goOnAt(*work_, now);
+  if (now < locate_by_s_) {
+    next_poll_s_ = now + kPlacePoll;
+    output_ += grbl_byte::kStatus;
+  } else if (work_) {
+    abort({ErrorCode::Rejected, "the machine has answered its questions, and was not idle within " +
+                                    std::to_string(static_cast<int>(order_.settings.connect_timeout_s)) +
+                                    " s, for somebody else; expected Idle"},
+          now);
+  } else {
     abort(
         {ErrorCode::TimedOut, "the machine does not report where it is in the coordinates of the work (WCO)"},
         now);
-  } else if (!work_) {
-    next_poll_s_ = now + kPlacePoll;
-    output_ += grbl_byte::kStatus;
-  } else {
-    goOnAt(*work_, now);
   }
 }
 

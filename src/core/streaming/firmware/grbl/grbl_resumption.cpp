@@ -16,9 +16,9 @@ constexpr double kSamePlace = 0.02;  // mm
 
 /// Lines that leave the machine where it is, from the one that led there on.
 struct Stay {
-  std::uint64_t last_certain = 0;  ///< that was run if the machine is there
-  ExpectedPosition expected{""};   ///< behind that line
-  std::string once;                ///< a line behind it that must not be run twice; empty if there is none
+  std::uint64_t last_run = 0;     ///< the last line that was certainly run, if the machine is there
+  ExpectedPosition expected{""};  ///< behind that line
+  std::string unrepeatable;       ///< a line behind it that must not be run twice; empty if there is none
 };
 
 /// Modes, speeds and switches, and motions to where the machine is: but no circle, probe, pause or tool.
@@ -79,10 +79,10 @@ Candidates candidatesOf(const StreamableProgram& program, const UnfinishedLines&
       if (number <= unfinished.taken_through) found.stays.clear();
       found.stays.push_back({number, expected, ""});
     } else if (number <= unfinished.taken_through) {
-      found.stays.back().last_certain = number;
+      found.stays.back().last_run = number;
       found.stays.back().expected = expected;
-    } else if (found.stays.back().once.empty() && !mayBeRepeated(line->command)) {
-      found.stays.back().once =
+    } else if (found.stays.back().unrepeatable.empty() && !mayBeRepeated(line->command)) {
+      found.stays.back().unrepeatable =
           "line " + std::to_string(number) + ", " + program.quotation().of(line->command);
     }
   }
@@ -103,10 +103,10 @@ GrblResumption resumptionOf(const StreamableProgram& program, const UnfinishedLi
     return refusedBecause("the machine stands where " + std::to_string(here.size()) + " of " +
                           linesText(unfinished) +
                           " end; expected exactly one of them, by which to tell the last one");
-  if (!here.front()->once.empty())
-    return refusedBecause("it cannot be told whether " + here.front()->once +
+  if (!here.front()->unrepeatable.empty())
+    return refusedBecause("it cannot be told whether " + here.front()->unrepeatable +
                           " was run, which leaves no trace and must not be run twice");
-  return {here.front()->last_certain, here.front()->expected, ""};
+  return {here.front()->last_run, here.front()->expected, ""};
 }
 
 }  // namespace lamina

@@ -79,6 +79,10 @@ bool KlipperFirmware::isBlocking(std::string_view command) const {
 
 std::vector<std::string> KlipperFirmware::switchOff(const std::string&) const { return {"TURN_OFF_HEATERS"}; }
 
+/// Klipper looks for M112 only while it keeps fewer than twenty lines, this one included, and then reads no
+/// more; a few are left for whoever else speaks to it.
+std::size_t KlipperFirmware::mostUnanswered() const { return 16; }
+
 std::string KlipperFirmware::afterHalt() const {
   return "Klipper in shutdown has its microcontroller switch heaters and motors off, which it does not "
          "confirm";

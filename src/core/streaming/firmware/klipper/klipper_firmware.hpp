@@ -26,6 +26,7 @@ class KlipperFirmware final : public OkPacedFirmware {
   bool detectsDamage() const override { return false; }
   std::vector<std::string> switchOff(const std::string& temperatures) const override;
   std::string emergencyStop() const override { return "M112"; }
+  std::size_t mostUnanswered() const override;
   std::string afterHalt() const override;
   std::string reasonOfHalt() const override;
   std::string afterRestart() const override;

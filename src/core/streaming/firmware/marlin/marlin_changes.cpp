@@ -20,6 +20,23 @@ std::string MarlinJob::change(const LiveChange& change, double now) {
   return {};
 }
 
+/// What becomes of a layer may depend on all that is below it: its time counts from when the machine is at
+/// rest.
+/// @return whether the lines of a layer wait
+bool MarlinJob::awaitLayer(double now) {
+  constexpr double kLookInterval = 0.01;  // s
+  if (isStopping() || feed_.isNextKnown()) return false;
+  starvation_.standStill();
+  if (!is_rest_asked_) {
+    is_rest_asked_ = true;
+    changes_.push_back(firmware_->endOfMotions());
+    return beginChange(now);
+  }
+  if (layer_due_ == 0.0) layer_due_ = now + revised_->waitTime();
+  next_look_ = now + kLookInterval;
+  return true;
+}
+
 /// A change has no number, so that the numbers stay those of the program's lines: it goes out while no line
 /// is under way.
 /// @return whether lines must wait

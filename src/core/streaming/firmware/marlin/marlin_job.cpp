@@ -24,6 +24,22 @@ std::string seconds(double value) {
 constexpr int kMostRefusals = 100;
 constexpr int kMostOddRequests = 5;
 
+std::shared_ptr<RevisedLines> revisedLines(const StreamOrder& order,
+                                           const std::shared_ptr<const MarlinFirmware>& firmware) {
+  if (!order.revision) return nullptr;
+  return std::make_shared<RevisedLines>(order.program, order.revision,
+                                        [firmware, settings = order.settings](const std::string& command) {
+                                          return firmware->defectOf(command, settings);
+                                        });
+}
+
+LineFeed feedOf(const StreamableProgram& program, const std::shared_ptr<RevisedLines>& revised,
+                std::uint64_t first) {
+  if (!revised) return LineFeed(sourceOf(program), first);
+  return LineFeed([revised] { return revised->next(); }, first, -1,
+                  [revised] { return revised->isNextKnown(); });
+}
+
 }  // namespace
 
 MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> firmware)
@@ -33,7 +49,8 @@ MarlinJob::MarlinJob(StreamOrder order, std::shared_ptr<const MarlinFirmware> fi
       program_(order.program),
       line_base_(order.line_base),
       enquiry_(order.unfinished ? std::make_unique<LineEnquiry>(order, firmware_) : nullptr),
-      feed_(sourceOf(order.program), line_base_ + 1),
+      revised_(revisedLines(order, firmware_)),
+      feed_(feedOf(order.program, revised_, line_base_ + 1)),
       timer_(order.settings.probe_after_s),
       firmware_name_(std::move(order.firmware_name)),
       answers_due_(order.answers_due) {
@@ -48,7 +65,7 @@ void MarlinJob::beginPhase(Phase phase, double now) {
 }
 
 bool MarlinJob::isWaiting() const {
-  if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling();
+  if (phase_ == Phase::Feeding) return !sent_.empty() || isSettling() || isAwaitingLayer();
   return phase_ != Phase::Idle;
 }
 
@@ -62,6 +79,7 @@ double MarlinJob::nextDeadline() const {
   if (!isWaiting()) return kNever;
   if (phase_ == Phase::Offline) return safe_stop_by_;
   if (phase_ == Phase::Enquiring) return enquiry_->nextDeadline();
+  if (isAwaitingLayer()) return next_look_;
   const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
   const double deadline = std::min(timer_.retryAt(), give_up);
   return isSettling() ? std::min(deadline, settle_until_) : deadline;
@@ -96,6 +114,7 @@ void MarlinJob::proceed(double now) {
   if (record_.status.state == PackmlState::Holding) {
     record_.enter(PackmlState::Held);
   } else if (record_.status.state == PackmlState::Execute || isStopping()) {
+    if (awaitLayer(now)) return;
     // Nothing is left to send either: the machine must report that it has all.
     beginPhase(Phase::Probing, now);
     probe(now);
@@ -115,7 +134,9 @@ void MarlinJob::noteSent(const ProgramLine& line, double now) {
 }
 
 void MarlinJob::pump(double now) {
-  while (const ProgramLine* line = feed_.peek()) {
+  while (const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr) {
+    is_rest_asked_ = false;
+    layer_due_ = 0.0;
     if (!isStopping() && layer_pause_.isDueAt(line->layer)) {
       pause(now);
       break;
@@ -130,7 +151,9 @@ void MarlinJob::pump(double now) {
     if (!isStopping()) noteSent(*line, now);
     feed_.advance();
   }
-  if (!isStopping()) record_.status.lines_sent = feed_.end() - 1 - line_base_;
+  if (isStopping()) return;
+  record_.status.lines_sent = feed_.end() - 1 - line_base_;
+  if (revised_) record_.status.lines_total = revised_->total();
 }
 
 /// Sends a line that the firmware must refuse, naming the line it waits for: a harmless one, with the number
@@ -151,10 +174,12 @@ void MarlinJob::onProbeAnswer(std::uint64_t wanted, double now) {
   if (wanted < feed_.end()) ++record_.status.resends;
   beginPhase(Phase::Feeding, now);
   const bool may_feed = record_.status.state == PackmlState::Execute || isStopping();
-  if (may_feed && feed_.peek() == nullptr) onAllTaken(now);
+  if (may_feed && feed_.isNextKnown() && feed_.peek() == nullptr) onAllTaken(now);
 }
 
 void MarlinJob::onAllTaken(double now) {
+  if (!isStopping() && revised_ && revised_->failure().code != ErrorCode::Ok)
+    return abort({revised_->failure().code, revised_->failure().message + record_.whereItStands()}, now);
   const std::uint64_t lines_read = feed_.end() - 1 - line_base_;
   if (!isStopping() && lines_read < record_.status.lines_total) {
     abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
@@ -170,6 +195,10 @@ void MarlinJob::onAllTaken(double now) {
 
 void MarlinJob::elapse(double now) {
   if (!isWaiting()) return;
+  if (isAwaitingLayer()) {
+    if (now >= layer_due_) revised_->decide();
+    return proceed(now);
+  }
   if (phase_ == Phase::Enquiring) {
     enquiry_->elapse(now);
     return followEnquiry(now);

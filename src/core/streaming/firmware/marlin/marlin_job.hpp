@@ -18,6 +18,7 @@
 #include "streaming/job/layer_pause.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
+#include "streaming/job/revised_lines.hpp"
 #include "streaming/job/starvation_watch.hpp"
 #include "streaming/job/undone_commands.hpp"
 #include "streaming/job/used_outputs.hpp"
@@ -93,6 +94,10 @@ class MarlinJob final : public StreamJob {
   void nextReport(double now);
   void proceed(double now);
   bool beginChange(double now);
+  bool awaitLayer(double now);
+  bool isAwaitingLayer() const {
+    return layer_due_ > 0.0 && phase_ == Phase::Feeding && record_.status.state == PackmlState::Execute;
+  }
   void pump(double now);
   void noteSent(const ProgramLine& line, double now);
   bool hasRoom(std::size_t bytes) const;
@@ -123,8 +128,9 @@ class MarlinJob final : public StreamJob {
   ReplyListener heard_;
   JobRecord record_;
   StreamableProgram program_;
-  const std::uint64_t line_base_;         ///< number of the line before the program's first
-  std::unique_ptr<LineEnquiry> enquiry_;  ///< of a job that goes on
+  const std::uint64_t line_base_;          ///< number of the line before the program's first
+  std::unique_ptr<LineEnquiry> enquiry_;   ///< of a job that goes on
+  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines go as they are
   LineFeed feed_;
   SentLines sent_;
   AnswerTimer timer_;
@@ -140,6 +146,9 @@ class MarlinJob final : public StreamJob {
   UsedOutputs outputs_;
   std::deque<std::string> changes_;  ///< asked for by a person
   LayerPause layer_pause_;
+  bool is_rest_asked_ = false;  ///< for the layer that is not known yet
+  double layer_due_ = 0.0;      ///< when it is decided; 0 while none is waited for
+  double next_look_ = 0.0;      ///< whether it is known
   StarvationWatch starvation_;
   LineProof proof_;
   bool is_asking_again_ = false;       ///< a request that contradicts what is known is being verified

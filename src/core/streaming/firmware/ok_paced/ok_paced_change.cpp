@@ -14,8 +14,13 @@ std::string OkPacedJob::change(const LiveChange& change, double) {
     return {};
   }
   const ChangeCommand changed = firmware_->changed(change, checked_program_);
-  if (!changed.command.empty()) send(changed.command, {});
-  return changed.refusal;
+  if (changed.command.empty()) return changed.refusal;
+  if (!leavesRoomForStop()) {
+    return "the machine waits, and has " + std::to_string(unanswered_.count()) +
+           " commands to answer; expected fewer, so that it hears a stop";
+  }
+  send(changed.command, {});
+  return {};
 }
 
 }  // namespace lamina

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,6 +72,8 @@ class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_
   virtual std::vector<std::string> switchOff(const std::string& temperatures) const = 0;
   /// A command that halts the machine at once, whatever it waits for; empty if there is none.
   virtual std::string emergencyStop() const { return {}; }
+  /// How many commands may wait for their answers so that it still hears that one.
+  virtual std::size_t mostUnanswered() const { return std::numeric_limits<std::size_t>::max(); }
   /// What is known of a machine that has halted by itself.
   virtual std::string afterHalt() const = 0;
   /// The question of the opening that tells why it has halted; empty if there is none.

@@ -75,8 +75,8 @@ double OkPacedJob::silenceLimit() const {
 
 double OkPacedJob::nextDeadline() const {
   if (!isWaiting()) return kForever;
-  if (phase_ == Phase::Offline) return safe_stop_by_;
-  const double give_up = isStopping() ? safe_stop_by_ : timer_.quietSince() + silenceLimit();
+  if (phase_ == Phase::Offline) return stop_.give_up_s;
+  const double give_up = isStopping() ? stop_.give_up_s : timer_.quietSince() + silenceLimit();
   return std::min(timer_.retryAt(), give_up);
 }
 
@@ -85,8 +85,16 @@ void OkPacedJob::send(const std::string& command, PacedCommand as) {
   const std::string framed = (isLossy() ? "\n" : "") + firmware_->framed(next_number_++, command);
   as.bytes = framed.size();
   output_ += framed;
+  unanswered_.sent();
   if (phase_ == Phase::Feeding) under_way_.add(as);
 }
+
+bool OkPacedJob::hasRoomFor(std::size_t commands) const {
+  return unanswered_.count() + commands <= firmware_->mostUnanswered();
+}
+
+/// Whether one command more can be sent, and then a safe stop with its question.
+bool OkPacedJob::leavesRoomForStop() const { return hasRoomFor(1 + stopCommands().size() + 1); }
 
 std::uint64_t OkPacedJob::ask() {
   ++questions_;
@@ -94,6 +102,7 @@ std::uint64_t OkPacedJob::ask() {
   PacedCommand as;
   as.question = last_question_;
   send(firmware_->question(last_question_, settings_.link), as);
+  unanswered_.isQuestion(last_question_);
   return last_question_;
 }
 
@@ -228,6 +237,7 @@ bool OkPacedJob::sendNext(double now) {
   const std::size_t lines = under_way_.lines();
   if (lines > 0 && lines >= static_cast<std::size_t>(settings_.window_lines)) return false;
   constexpr std::size_t kMostFrameBytes = 24;
+  if (lines > 0 && !leavesRoomForStop()) return false;
   const std::size_t bytes = under_way_.bytes() + line->command.size() + kMostFrameBytes;
   if (lines > 0 && bytes > static_cast<std::size_t>(settings_.window_bytes)) return false;
   if (layer_pause_.isDueAt(line->layer)) return !pause(now);
@@ -270,7 +280,7 @@ void OkPacedJob::poll(double now) {
 
 void OkPacedJob::elapse(double now) {
   if (!isWaiting()) return;
-  if (isStopping() && now >= safe_stop_by_) {
+  if (isStopping() && now >= stop_.give_up_s) {
     onStopTimeout(now);
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {
     timeOut(now);
@@ -286,11 +296,13 @@ void OkPacedJob::retry(double now) {
       askOpening(now);
       break;
     case Phase::Locating:
+      if (!leavesRoomForStop()) break;
       answer_.reset();
       ask();
       break;
     case Phase::Feeding:
       if (isLossy()) return locate(Aim::Doubt, now);
+      if (!leavesRoomForStop()) break;
       ++record_.status.probes;
       ask();
       break;
@@ -360,13 +372,15 @@ void OkPacedJob::onReply(const PacedReply& heard, double now) {
   if (reply.position) record_.status.position = reply.position;
   if (reply.temperatures) record_.status.temperatures = reply.temperatures;
   if (heard.are_heaters_off) {
-    are_heaters_off_ = heard.are_heaters_off;
+    stop_.are_heaters_off = heard.are_heaters_off;
     temperatures_ = reply.text;
   }
   if (phase_ == Phase::Opening || phase_ == Phase::Stopping) opening_answer_.push_back(reply.text);
   const bool is_alive = reply.temperatures || reply.kind == ReplyKind::Busy;
   if (is_alive && isStopping()) prolongStop(now);
   const bool is_answer = heard.sync_answer || reply.kind == ReplyKind::Ok;
+  if (heard.sync_answer) unanswered_.onAnswer(heard.sync_answer->question);
+  if (reply.kind == ReplyKind::Ok) unanswered_.onOk();
   has_answered_ = has_answered_ || is_answer;
   if (is_alive || (is_answer && phase_ == Phase::Feeding)) timer_.restart(now);
   if (heard.sync_answer) onAnswer(*heard.sync_answer, now);
@@ -414,7 +428,7 @@ void OkPacedJob::onKind(const FirmwareReply& reply, double now) {
 void OkPacedJob::onOk(double now) {
   if (phase_ == Phase::Opening) {
     onOpeningOk(now);
-  } else if (phase_ == Phase::Stopping && stage_ == StopStage::Reason) {
+  } else if (phase_ == Phase::Stopping && stop_.stage == StopStage::Reason) {
     onReason();
   } else if (phase_ == Phase::Locating) {
     if (answer_) return onLocated(now);
@@ -461,7 +475,7 @@ void OkPacedJob::onRefusal(const FirmwareReply& reply, double now) {
 }
 
 void OkPacedJob::onHalt(const FirmwareReply& reply, double now) {
-  if (isStopping() && stage_ == StopStage::Reason) return;
+  if (isStopping() && stop_.stage == StopStage::Reason) return;
   if (isStopping())
     return finishAborted("; the machine halted: \"" + reply.text + "\"; " + firmware_->afterHalt());
   if (record_.isStarting()) {
@@ -474,7 +488,7 @@ void OkPacedJob::onHalt(const FirmwareReply& reply, double now) {
   const std::string question = firmware_->reasonOfHalt();
   if (question.empty()) return finishAborted("; " + firmware_->afterHalt());
   prepareStop(now);
-  stage_ = StopStage::Reason;
+  stop_.stage = StopStage::Reason;
   beginPhase(Phase::Stopping, now);
   opening_answer_.clear();
   send(question, {});

@@ -11,6 +11,7 @@
 #include "streaming/firmware/ok_paced/lines_under_way.hpp"
 #include "streaming/firmware/ok_paced/motion_tracker.hpp"
 #include "streaming/firmware/ok_paced/ok_paced_firmware.hpp"
+#include "streaming/firmware/ok_paced/unanswered_commands.hpp"
 #include "streaming/job/answer_timer.hpp"
 #include "streaming/job/job_record.hpp"
 #include "streaming/job/layer_pause.hpp"
@@ -68,6 +69,15 @@ class OkPacedJob final : public StreamJob {
     Rest,    ///< the end of the motions it has taken
     Reason,  ///< why the machine has halted
   };
+  /// The safe stop under way.
+  struct Stop {
+    StopStage stage = StopStage::SwitchOff;
+    bool is_emergency = false;            ///< an emergency stop was sent
+    std::optional<bool> are_heaters_off;  ///< since it was sent last
+    double began_s = 0.0;
+    double give_up_s = 0.0;  ///< when to give up, unless the machine shows that it lives
+    double latest_s = 0.0;   ///< when to give up in any case
+  };
 
   bool isStopping() const { return record_.isStopping(); }
   bool isLossy() const { return settings_.link == LinkKind::Lossy; }
@@ -75,6 +85,8 @@ class OkPacedJob final : public StreamJob {
   double silenceLimit() const;
   void beginPhase(Phase phase, double now);
   void send(const std::string& command, PacedCommand as);
+  bool hasRoomFor(std::size_t commands) const;
+  bool leavesRoomForStop() const;
   std::uint64_t ask();
 
   void onReply(const PacedReply& heard, double now);
@@ -102,11 +114,13 @@ class OkPacedJob final : public StreamJob {
 
   void retry(double now);
   void timeOut(double now);
+  std::vector<std::string> stopCommands() const;
   void prepareStop(double now);
   void sendStop(double now);
   void repeatStop(double now);
   void prolongStop(double now);
   void onStopTimeout(double now);
+  void stopAtOnce(const std::string& emergency, double now);
   void onStopAnswer(double now);
   void finishAborted(const std::string& remark);
 
@@ -120,6 +134,7 @@ class OkPacedJob final : public StreamJob {
   std::uint64_t lines_read_ = 0;
   LineFeed feed_;
   LinesUnderWay under_way_;
+  UnansweredCommands unanswered_;
   UsedOutputs outputs_;
   LayerPause layer_pause_;
   StarvationWatch starvation_;
@@ -132,10 +147,7 @@ class OkPacedJob final : public StreamJob {
   std::string not_yet_;  ///< why the opening waits
   Phase phase_ = Phase::Idle;
   Aim aim_ = Aim::Begin;
-  StopStage stage_ = StopStage::SwitchOff;
-  int stops_sent_ = 0;
-  bool is_emergency_ = false;  ///< an emergency stop was sent
-  bool has_begun_ = false;     ///< a line of the program may have been sent
+  bool has_begun_ = false;  ///< a line of the program may have been sent
   bool has_answered_ = false;
   bool is_paused_by_machine_ = false;
   std::uint64_t next_number_ = 1;
@@ -147,10 +159,7 @@ class OkPacedJob final : public StreamJob {
   double longest_motion_s_ = 0.0;
   double next_poll_ = 0.0;
   std::string temperatures_;
-  std::optional<bool> are_heaters_off_;  ///< since the safe stop was sent last
-  double stop_began_ = 0.0;
-  double safe_stop_by_ = 0.0;
-  double safe_stop_latest_ = 0.0;
+  Stop stop_;
   ReplyLines replies_;
   std::string output_;
 };

@@ -31,81 +31,82 @@ void OkPacedJob::abort(const Failure& why, double now) {
 }
 
 void OkPacedJob::prepareStop(double now) {
-  stop_began_ = now;
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-  safe_stop_latest_ = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
-  stage_ = settings_.keep_heaters_on ? StopStage::Rest : StopStage::SwitchOff;
-  stops_sent_ = 0;
+  stop_ = {};
+  stop_.stage = settings_.keep_heaters_on ? StopStage::Rest : StopStage::SwitchOff;
+  stop_.began_s = now;
+  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
+  stop_.latest_s = now + std::max(settings_.safe_stop_timeout_s, settings_.blocking_timeout_s);
   under_way_.clear();
 }
 
 /// The firmware has no command that ends motions without losing the position: it runs what it has taken.
+std::vector<std::string> OkPacedJob::stopCommands() const {
+  std::vector<std::string> commands = outputs_.beamOff();
+  const auto add = [&commands](const std::vector<std::string>& more) {
+    commands.insert(commands.end(), more.begin(), more.end());
+  };
+  add(outputs_.airOff());
+  if (stop_.stage == StopStage::SwitchOff) add(firmware_->switchOff(temperatures_));
+  commands.emplace_back(stop_.stage == StopStage::SwitchOff ? kTargets : kStandstill);
+  return commands;
+}
+
 void OkPacedJob::sendStop(double now) {
-  ++stops_sent_;
   timer_.asked(now);
-  are_heaters_off_.reset();
-  for (const std::string& command : outputs_.beamOff()) send(command, {});
-  for (const std::string& command : outputs_.airOff()) send(command, {});
-  if (stage_ == StopStage::SwitchOff) {
-    for (const std::string& command : firmware_->switchOff(temperatures_)) send(command, {});
-    send(kTargets, {});
-  } else {
-    send(kStandstill, {});
-  }
+  stop_.are_heaters_off.reset();
+  for (const std::string& command : stopCommands()) send(command, {});
   ask();
 }
 
-/// Klipper that waits for heat keeps what it is sent, and with twenty commands it reads no more: then it
-/// would not hear an emergency stop either.
+/// Klipper that waits for heat keeps what it is sent, and with too much of it would not hear an emergency
+/// stop either.
 void OkPacedJob::repeatStop(double now) {
-  constexpr int kMostStops = 4;
-  if (stage_ == StopStage::Reason) return;
-  if (firmware_->emergencyStop().empty() || stops_sent_ < kMostStops) sendStop(now);
+  if (stop_.stage == StopStage::Reason) return;
+  if (hasRoomFor(stopCommands().size() + 1)) sendStop(now);
 }
 
 /// A machine that reports while it waits for heat hears the stop once the heat is there.
 void OkPacedJob::prolongStop(double now) {
-  const std::string emergency = firmware_->emergencyStop();
+  const std::string emergency = stop_.stage == StopStage::SwitchOff ? firmware_->emergencyStop() : "";
   if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty()) return;
-  const double by = std::min(now + settings_.safe_stop_timeout_s, safe_stop_latest_);
-  const bool is_late = now >= stop_began_ + settings_.safe_stop_timeout_s;
-  if (is_late && !emergency.empty() && stage_ == StopStage::SwitchOff)
+  const double by = std::min(now + settings_.safe_stop_timeout_s, stop_.latest_s);
+  const bool is_late = now >= stop_.began_s + settings_.safe_stop_timeout_s;
+  if (is_late && !emergency.empty())
     record_.status.message = "the machine has not heard the stop for " +
                              wholeSecondsOf(settings_.safe_stop_timeout_s) + ", and reports that it lives" +
                              offerOf(emergency);
-  safe_stop_by_ = std::max(safe_stop_by_, by);
+  stop_.give_up_s = std::max(stop_.give_up_s, by);
 }
 
 void OkPacedJob::onStopTimeout(double now) {
   if (phase_ == Phase::Offline)
     return finishAborted(
         "; the link did not come back, so that the machine was not told to stop: look after it");
-  if (stage_ == StopStage::Reason)
-    return finishAborted("; " + firmware_->afterHalt() +
-                         (is_emergency_ ? "; an emergency stop was sent" : ""));
-  const std::string emergency = firmware_->emergencyStop();
-  if (settings_.emergency_stop == EmergencyStop::Unconfirmed && !emergency.empty() && !is_emergency_) {
-    is_emergency_ = true;
-    safe_stop_by_ = now + settings_.safe_stop_timeout_s;
-    record_.status.failure.message += "; the safe stop was not confirmed within " +
-                                      wholeSecondsOf(settings_.safe_stop_timeout_s) +
-                                      ", so that an emergency stop was sent";
-    output_ += emergency + "\n";
-    return;
-  }
-  const std::string offer = emergency.empty() || is_emergency_ ? "" : offerOf(emergency);
-  if (stage_ == StopStage::SwitchOff) {
-    finishAborted("; the machine did not confirm the safe stop" + offer);
-  } else {
-    finishAborted("; its heaters are off, but it did not confirm that its motions have ended");
-  }
+  if (stop_.stage == StopStage::Reason) return finishAborted("; " + firmware_->afterHalt());
+  if (stop_.stage == StopStage::Rest)
+    return finishAborted(settings_.keep_heaters_on
+                             ? "; the machine did not confirm that its motions have ended"
+                             : "; its heaters are off, but it did not confirm that its motions have ended");
+  const std::string emergency = stop_.is_emergency ? "" : firmware_->emergencyStop();
+  if (emergency.empty()) return finishAborted("; the machine did not confirm the safe stop");
+  if (settings_.emergency_stop == EmergencyStop::Unconfirmed) return stopAtOnce(emergency, now);
+  finishAborted("; the machine did not confirm the safe stop" + offerOf(emergency));
+}
+
+void OkPacedJob::stopAtOnce(const std::string& emergency, double now) {
+  stop_.is_emergency = true;
+  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
+  record_.status.failure.message += "; the safe stop was not confirmed within " +
+                                    wholeSecondsOf(settings_.safe_stop_timeout_s) +
+                                    ", so that an emergency stop was sent";
+  output_ += emergency + "\n";
 }
 
 void OkPacedJob::onStopAnswer(double now) {
-  if (stage_ == StopStage::Rest) return finishAborted("");
-  if (are_heaters_off_ != true) return;
-  stage_ = StopStage::Rest;
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  if (stop_.stage == StopStage::Rest) return finishAborted("");
+  if (stop_.are_heaters_off != true) return;
+  stop_.stage = StopStage::Rest;
+  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
   timer_.restart(now);
   sendStop(now);
 }
@@ -126,7 +127,9 @@ void OkPacedJob::disconnect(const std::string& why, double now) {
 
 void OkPacedJob::reconnect(double now) {
   if (phase_ != Phase::Offline) return;
-  safe_stop_by_ = now + settings_.safe_stop_timeout_s;
+  unanswered_.forget();
+  stop_.began_s = now;
+  stop_.give_up_s = now + settings_.safe_stop_timeout_s;
   beginPhase(Phase::Stopping, now);
   sendStop(now);
 }

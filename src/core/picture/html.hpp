@@ -31,6 +31,9 @@ class HtmlPage {
   /// A row of pictures, as many beside each other as fit.
   void pictures(const std::vector<std::string>& pngs, const std::vector<std::string>& descriptions);
 
+  /// A drawing in SVG, as it stands.
+  void drawing(const std::string& svg);
+
   /// The file.
   std::string text() const;
 

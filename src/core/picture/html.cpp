@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "study/html.hpp"
+#include "picture/html.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -111,6 +111,8 @@ void HtmlPage::pictures(const std::vector<std::string>& pngs, const std::vector<
              base64(pngs[i]) + "\">\n";
   body_ += "</div>\n";
 }
+
+void HtmlPage::drawing(const std::string& svg) { body_ += "<div class=\"wide\">" + svg + "</div>\n"; }
 
 std::string HtmlPage::text() const {
   const std::string title = escapedHtml(title_);

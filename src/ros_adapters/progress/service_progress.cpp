@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "service_progress.hpp"
+#include "progress/service_progress.hpp"
 
 #include <ros/init.h>
 

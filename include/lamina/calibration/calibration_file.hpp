@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lamina {
+
+/// By what and when something was calibrated.
+struct CalibrationSource {
+  std::string method;  ///< "bobbing", "edge", "overlap", "planes", "pyramid", "cross", "pairs", "bead"
+  std::string date;    ///< UTC, as `calibrationDate` gives it
+};
+
+/// How late the sensor's stamps are.
+struct CalibratedTime {
+  double offset_s = 0.0;  ///< true time is the stamp less this
+  double spread_s = 0.0;  ///< standard deviation
+  double scatter_s = 0.0;
+  double drift_s_per_min = 0.0;
+  CalibrationSource source;
+};
+
+/// Where the sensor sits.
+struct CalibratedPose {
+  Eigen::Isometry3d nozzle_from_sensor = Eigen::Isometry3d::Identity();  ///< [mm]
+  /// Standard deviations along x, y, z of the nozzle [mm] and of turns about them [deg]; 0 for what was not
+  /// found and kept its former value. Six.
+  std::vector<double> spread = std::vector<double>(6, 0.0);
+  std::string kept;  ///< what was not found, with commas between: "z, turn about x"; empty if all was
+  CalibrationSource source;
+};
+
+/// How late a feeder follows what it is told.
+struct CalibratedFeeder {
+  double dead_time_s = 0.0;
+  double dead_time_spread_s = 0.0;
+  double lag_s = 0.0;
+  double lag_spread_s = 0.0;
+  CalibrationSource source;
+};
+
+/// What is known of a cell's sensor and feeder; each part may be missing.
+struct Calibration {
+  std::string machine;  ///< its name
+  std::string sensor;   ///< name or serial number; empty if none was given
+  std::optional<CalibratedTime> time;
+  std::optional<CalibratedPose> pose;
+  std::optional<CalibratedFeeder> feeder;
+};
+
+/// The calibration as YAML, which `calibrationFromYaml` reads back to the same bits, the turn within
+/// rounding.
+std::string toYaml(const Calibration& calibration);
+
+/// Reads a calibration strictly: of each part all keys or none, no others, no number out of bounds, and
+/// method and date with each part.
+/// @throws InvalidConfig naming the key
+Calibration calibrationFromYaml(const std::string& yaml, const std::string& source);
+
+/// @throws FileError; InvalidConfig as above
+Calibration readCalibration(const std::string& path);
+
+/// Writes the file whole, or leaves what was there.
+/// @throws FileError
+void writeCalibration(const std::string& path, const Calibration& calibration);
+
+/// @throws InvalidConfig if the calibration is that of another machine, naming both
+void requireCalibrationOf(const Calibration& calibration, const std::string& machine);
+
+/// A time as files state it: "2026-11-23T12:00:00Z".
+/// @param seconds  since 1970
+std::string calibrationDate(long long seconds);
+
+}  // namespace lamina

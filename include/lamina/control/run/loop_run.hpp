@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lamina/control/correction_map.hpp"
+#include "lamina/control/height_loop.hpp"
+#include "lamina/control/run/layer_progress.hpp"
+#include "lamina/control/run/run_settings.hpp"
+#include "lamina/control/run/stuck_watch.hpp"
+
+namespace lamina {
+
+/// Where the nozzle tip is at an instant.
+struct StampedTip {
+  std::int64_t stamp_ns = 0;
+  Point3 tip = Point3::Zero();  ///< [mm, bed frame]
+};
+
+/// What the sensor saw at an instant.
+struct SensedCloud {
+  std::int64_t stamp_ns = 0;  ///< the time at which it was taken: the offset of the sensor's clock is off
+  Eigen::Isometry3d bed_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
+  /// Points along each line [mm, frame of the sensor]; not finite where there is none.
+  std::vector<std::vector<Point3>> profiles;
+};
+
+/// A part on its bed.
+struct PlacedPart {
+  std::string toolpath_id;
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
+  Toolpath toolpath;
+};
+
+/// A cell of a layer that is done.
+struct CellOutcome {
+  Point3 at = Point3::Zero();  ///< planned middle of its top [mm, part frame]
+  double error_mm = 0.0;       ///< planned less measured: positive is too low
+  double sigma_mm = 0.0;       ///< of that
+  double amount = 0.0;         ///< relative correction that it was laid with
+  bool is_seen = false;
+};
+
+/// A layer that is done.
+struct LayerOutcome {
+  LayerFigures figures;
+  LoopState state = LoopState::Off;  ///< in which it was laid
+  std::vector<RaisedAlarm> alarms;   ///< since the layer before was done
+  std::vector<CellOutcome> cells;    ///< in the order in which the nozzle comes by
+};
+
+/// What has come since it was asked for last, each in its order. An alarm that holds the print stands before
+/// the map of the layer that it holds.
+struct LoopNews {
+  std::vector<RaisedAlarm> alarms;
+  std::vector<CorrectionMap> maps;
+  std::vector<LayerOutcome> layers;
+};
+
+/// What became of what came: clouds received are the sum of those read, dropped and waiting.
+struct LoopCounts {
+  std::uint64_t poses = 0;
+  std::uint64_t poses_late = 0;  ///< older than what was worked off
+  std::uint64_t clouds = 0;
+  std::uint64_t clouds_read = 0;
+  std::uint64_t clouds_late = 0;
+  std::uint64_t clouds_stuck = 0;  ///< of a sensor that says the same all the time
+  std::uint64_t clouds_waiting = 0;
+  std::uint64_t readings_used = 0;
+  std::uint64_t readings_contested = 0;
+  std::uint64_t readings_believed = 0;
+  std::uint64_t readings_below = 0;  ///< of a layer that is done
+  PointCounts points;                ///< of the clouds read
+};
+
+/// One print under the loop, by stamps alone. Poses of the nozzle and clouds may come in any order within
+/// `monitor.reorder_s`: they are worked off in the order of their stamps once something that much later has
+/// come. So the same poses and clouds give the same maps to the last bit, however they are delayed.
+///
+/// Which cells are laid follows from how far along the toolpath the nozzle has come. A layer is done when the
+/// nozzle has come to its end; then it is judged, and the next one gets its map. The first layer has its map
+/// at once.
+class LoopRun {
+ public:
+  /// @throws InvalidInput as `validate` of a toolpath, and as `metalSplit` for its speeds
+  LoopRun(PlacedPart part, const LoopRunSettings& settings);
+  LoopRun(const LoopRun&) = delete;
+  LoopRun& operator=(const LoopRun&) = delete;
+
+  /// Takes effect with the next layer, as part of the layer under way may have been handed to the machine:
+  /// of a loop that corrects no more, that layer fades from what the one before ended with.
+  /// @return the status, `Blocked` with the reason where the loop may not start
+  const LoopStatus& request(LoopRequest request);
+
+  void observe(const StampedTip& pose);
+  void see(SensedCloud cloud);
+  /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.
+  void hear(std::int64_t stamp_ns);
+
+  /// Works off what waits: nothing older comes.
+  void passAll();
+  /// Nothing more comes at all: judges the layer under way if all of it is laid.
+  void finish();
+
+  LoopNews takeNews();
+
+  const LoopStatus& status() const { return status_; }
+  /// Of the last alarm; none if there was none.
+  const std::optional<RaisedAlarm>& lastAlarm() const { return last_alarm_; }
+  const PrintPlace& place() const { return progress_.place(); }
+  const LoopCounts& counts() const { return counts_; }
+  const PlacedPart& part() const { return part_; }
+  /// The check that allowed or refused the loop last.
+  const StabilityReport& stability() const { return stability_; }
+
+ private:
+  /// A pose, or a cloud if there is one.
+  struct Event {
+    std::int64_t stamp_ns = 0;
+    Point3 tip = Point3::Zero();
+    std::shared_ptr<const SensedCloud> cloud;
+  };
+  /// Poses before clouds of the same stamp; equal ones by what is in them, so that arrival decides nothing.
+  struct Earlier {
+    bool operator()(const Event& a, const Event& b) const;
+  };
+
+  void insert(Event event);
+  void passUntil(std::int64_t stamp_ns);
+  void onTip(std::int64_t stamp_ns, const Point3& tip);
+  void onCloud(const SensedCloud& cloud);
+  void readCloud(const SensedCloud& cloud);
+  void use(const LayerReading& reading);
+  void watch(double blind_s);
+  void beginLayer(std::size_t layer);
+  void endLayer();
+  void checkAgain(const LayerFigures& figures);
+  void blockIfLump();
+  LayerCorrection wanted() const;
+  void shiftNozzle();
+  CellCorrections asLaid() const;
+  LayerOutcome outcomeOf(const LayerFigures& figures);
+  std::size_t cellsLaid(double settle_mm) const;
+  void publishMap();
+  void take(LoopStep step);
+  bool isCorrecting() const;
+  bool isDue(std::size_t layer, const LayerFigures& figures) const;
+  Point3 correctedTip(const Point3& tip) const;
+
+  PlacedPart part_;
+  LoopRunSettings settings_;
+  Eigen::Isometry3d part_from_bed_;
+  Eigen::Vector3d normal_;
+  LayerProgress progress_;
+  StabilityReport stability_;
+  double gain_at_check_ = 1.0;
+  std::optional<HeightLoop> loop_;
+  CellAtlas atlas_;
+  LoopStatus status_;
+  std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
+  LoopState laid_in_ = LoopState::Off;
+  LayerCorrection laid_;
+  std::vector<double> shift_mm_;     ///< of the nozzle, by cell
+  double mean_shift_mm_ = 0.0;       ///< of the layer
+  double last_amount_ = 0.0;         ///< where the layer before ended
+  std::vector<CellEstimate> below_;  ///< of the layer before
+  std::size_t below_layer_ = 0;
+
+  std::multiset<Event, Earlier> waiting_;
+  std::optional<std::int64_t> latest_ns_;
+  std::optional<std::int64_t> latest_tip_ns_;
+  std::optional<std::int64_t> passed_ns_;
+  std::optional<std::int64_t> tip_ns_;
+  Point3 tip_ = Point3::Zero();
+  bool is_moving_ = false;
+  double silent_s_ = 0.0;  ///< of motion in the scan, without a cloud
+  double settle_mm_ = 0.0;
+  std::optional<std::int64_t> cloud_ns_;
+  StuckWatch stuck_;
+  std::set<LoopAlarm> watched_;  ///< alarms of the watch that are up
+  std::vector<RaisedAlarm> layer_alarms_;
+  std::optional<RaisedAlarm> last_alarm_;
+  LoopNews news_;
+  LoopCounts counts_;
+};
+
+}  // namespace lamina

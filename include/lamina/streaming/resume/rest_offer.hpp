@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lamina/streaming/job/streamable_program.hpp"
+
+namespace lamina {
+
+/// From where a program could be gone on with on a machine that has lost its position, for a person who looks
+/// at the part: what a machine has taken need not have been deposited.
+struct RestOffer {
+  std::uint64_t line = 1;             ///< the first that was not certainly taken, from 1
+  std::optional<std::int32_t> layer;  ///< of that line, as comments number them
+  std::uint64_t layer_line = 1;       ///< the first of that layer
+  double height_mm = 0.0;             ///< z where the line begins, in the program's coordinates
+};
+
+/// @param taken_through  the last line that was certainly taken; 0 for none
+/// @throws InvalidInput if no line is left
+/// @throws InvalidProgram as `GcodeReader`
+RestOffer offerRest(const StreamableProgram& program, std::uint64_t taken_through);
+
+/// The same in words: what to look for, and the options of `lamina resume` that go on from there.
+std::string describeOffer(const RestOffer& offer);
+
+}  // namespace lamina

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "estimate.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "arguments/setting_options.hpp"
+#include "correction_messages.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/control/report/loop_report.hpp"
+#include "recorded_print.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina estimate` as it was typed.
+struct EstimateArguments {
+  std::string bag;
+  std::string output;
+  std::string space;
+  SettingOptions settings;
+  bool prints_config = false;
+};
+
+/// A print of the bag, as it went on.
+struct EstimatedPrint {
+  LoopRecord record;
+  std::map<std::size_t, std::string> digests;  ///< of the latest map of each layer
+  std::vector<std::string> map_digests;        ///< of all maps, in the order in which they were made
+  std::vector<RaisedAlarm> alarms;
+  LoopStatus status;
+  LoopCounts counts;
+  FeedCounts feed;
+};
+
+/// Makes the folder of a print: the first is the one asked for, others are beside it.
+std::string folderOf(const std::string& output, std::size_t print) {
+  std::string folder = print == 0 ? output : output + "_" + std::to_string(print + 1);
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw FileError("cannot make the folder " + folder + ": " + failure.message());
+  return folder;
+}
+
+void writeMap(const std::string& folder, const CorrectionMap& map) {
+  writeFile(folder + "/correction_" + std::to_string(map.layer) + ".csv", correctionMapCsv(map));
+}
+
+class Estimation {
+ public:
+  explicit Estimation(std::string output) : output_(std::move(output)) {}
+
+  PrintReceivers receivers() {
+    return {[this](const LoopRun& run) { begin(run); },
+            [this](const LoopRun&, const LoopNews& news) { take(news); },
+            [this](const LoopRun& run, const FeedCounts& counts) { end(run, counts); }};
+  }
+  const std::vector<EstimatedPrint>& prints() const { return prints_; }
+
+ private:
+  void begin(const LoopRun& run) {
+    prints_.emplace_back();
+    prints_.back().record = LoopRecord(run.part().toolpath.part_name, run.part().toolpath_id);
+    if (!output_.empty()) folder_ = folderOf(output_, prints_.size() - 1);
+  }
+
+  void take(const LoopNews& news) {
+    EstimatedPrint& print = prints_.back();
+    print.alarms.insert(print.alarms.end(), news.alarms.begin(), news.alarms.end());
+    takeMaps(news.maps);
+    for (const LayerOutcome& layer : news.layers) print.record.add(layer, print.digests[layer.figures.layer]);
+  }
+
+  void takeMaps(const std::vector<CorrectionMap>& maps) {
+    EstimatedPrint& print = prints_.back();
+    for (const CorrectionMap& map : maps) {
+      const lamina_msgs::CorrectionMap message = toMessage(map);
+      print.digests[map.layer] = message.digest;
+      print.map_digests.push_back(message.digest);
+      if (!folder_.empty()) writeMap(folder_, toCore(message));
+    }
+  }
+
+  void end(const LoopRun& run, const FeedCounts& counts) {
+    prints_.back().status = run.status();
+    prints_.back().counts = run.counts();
+    prints_.back().feed = counts;
+    if (!folder_.empty()) saveLoopReport(folder_, prints_.back().record);
+  }
+
+  std::string output_;
+  std::string folder_;
+  std::vector<EstimatedPrint> prints_;
+};
+
+nlohmann::ordered_json jsonOf(const LayerRecord& layer) {
+  const LayerFigures& figures = layer.figures;
+  nlohmann::ordered_json alarms = nlohmann::ordered_json::array();
+  for (const RaisedAlarm& alarm : layer.alarms) alarms.push_back(static_cast<int>(alarm.alarm));
+  return {{"layer", figures.layer},
+          {"state", toString(layer.state)},
+          {"rmse_mm", figures.rmse_mm},
+          {"flatness_mm", figures.flatness_mm},
+          {"mean_error_mm", figures.mean_error_mm},
+          {"coverage", figures.coverage},
+          {"limited_share", figures.limited_share},
+          {"gain_mean", figures.gain_mean},
+          {"gain_least", figures.gain_least},
+          {"gain_greatest", figures.gain_greatest},
+          {"alarms", alarms},
+          {"map_digest", layer.map_digest}};
+}
+
+nlohmann::ordered_json jsonOf(const EstimatedPrint& print) {
+  nlohmann::ordered_json layers = nlohmann::ordered_json::array();
+  for (const LayerRecord& layer : print.record.layers()) layers.push_back(jsonOf(layer));
+  return {{"part", print.record.partName()},
+          {"toolpath_id", print.record.toolpathId()},
+          {"state", toString(print.status.state)},
+          {"reason", print.status.reason},
+          {"layers", layers},
+          {"map_digests", print.map_digests},
+          {"clouds", print.feed.received},
+          {"clouds_read", print.counts.clouds_read},
+          {"clouds_late", print.counts.clouds_late},
+          {"readings_used", print.counts.readings_used},
+          {"readings_contested", print.counts.readings_contested}};
+}
+
+void printText(const EstimatedPrint& print) {
+  std::printf("%s, toolpath %s: loop %s%s%s\n", print.record.partName().c_str(),
+              print.record.toolpathId().c_str(), toString(print.status.state),
+              print.status.reason.empty() ? "" : ": ", print.status.reason.c_str());
+  std::printf("layer  rmse mm  mean mm  flat mm  seen %%   gain  map\n");
+  for (const LayerRecord& layer : print.record.layers()) {
+    const LayerFigures& figures = layer.figures;
+    std::printf("%5zu  %7.3f  %7.3f  %7.3f  %6.1f  %5.3f  %s\n", figures.layer, figures.rmse_mm,
+                figures.mean_error_mm, figures.flatness_mm, 100.0 * figures.coverage, figures.gain_mean,
+                layer.map_digest.c_str());
+  }
+  for (const RaisedAlarm& alarm : print.alarms)
+    std::printf("alarm %d: %s\n", static_cast<int>(alarm.alarm), alarm.reason.c_str());
+  std::printf("clouds: %lu received, %lu read, %lu late, %lu without transform, %lu malformed\n",
+              static_cast<unsigned long>(print.feed.received),
+              static_cast<unsigned long>(print.counts.clouds_read),
+              static_cast<unsigned long>(print.counts.clouds_late),
+              static_cast<unsigned long>(print.feed.without_transform),
+              static_cast<unsigned long>(print.feed.malformed));
+}
+
+void estimate(const EstimateArguments& arguments, OutputFormat format) {
+  LoopRunSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings);
+  applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
+  if (arguments.prints_config) return printConfig(schema, format);
+  if (arguments.bag.empty()) throw InvalidInput("no bag is given; expected a file that rosbag recorded");
+  Estimation estimation(arguments.output);
+  const SteadyClock clock;
+  const double begin = clock.now();
+  const BagFigures bag = runRecordedPrints(arguments.bag, arguments.space, settings, estimation.receivers());
+  const double elapsed_s = clock.now() - begin;
+  if (estimation.prints().empty())
+    throw InvalidInput("'" + arguments.bag + "' has no toolpath among its " + std::to_string(bag.messages) +
+                       " messages; expected the topics toolpath, profile, /tf and /tf_static");
+  if (format == OutputFormat::Json) {
+    nlohmann::ordered_json prints = nlohmann::ordered_json::array();
+    for (const EstimatedPrint& print : estimation.prints()) prints.push_back(jsonOf(print));
+    const nlohmann::ordered_json json = {
+        {"prints", prints}, {"recorded_s", bag.recorded_s}, {"elapsed_s", elapsed_s}};
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  for (const EstimatedPrint& print : estimation.prints()) printText(print);
+  std::printf("%.1f s recorded, read in %.2f s\n", bag.recorded_s, elapsed_s);
+}
+
+}  // namespace
+
+void addEstimate(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand("estimate", kEstimateDescription);
+  const auto arguments = std::make_shared<EstimateArguments>();
+  subcommand->add_option("bag", arguments->bag, "Bag with toolpath, profile, /tf and /tf_static");
+  subcommand->add_option("-o,--output", arguments->output,
+                         "Folder for the report, the figures and the map of each layer");
+  subcommand->add_option("--namespace", arguments->space, "Namespace in which the topics were recorded");
+  subcommand->add_flag("--print-config", arguments->prints_config, "Print all settings and end");
+  addSettingOptions(*subcommand, arguments->settings,
+                    "Settings (YAML), as the node height_controller has them");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { estimate(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

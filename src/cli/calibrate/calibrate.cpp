@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "calibrate/calibrated_cell.hpp"
+#include "subcommand.hpp"
+
+namespace lamina::cli {
+
+void addCalibrate(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "calibrate", "Find when and from where a profile sensor sees, and how late a feeder follows");
+  subcommand->require_subcommand(1);
+  addCalibratePlan(*subcommand, chosen);
+  addCalibrateTime(*subcommand, chosen);
+  addCalibrateSensor(*subcommand, chosen);
+  addCalibrateFeeder(*subcommand, chosen);
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "calibrate/calibrated_cell.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/calibration/calibration_program.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "lamina/kinematics/model/toolpath_reach.hpp"
+
+namespace lamina::cli {
+namespace {
+
+constexpr double kUprightCosine = 0.9999;
+
+/// The command line of `lamina calibrate plan` as it was typed.
+struct PlanArguments {
+  std::string kind;
+  CalibrateArguments common;
+  bool prints_config = false;
+};
+
+Toolpath planned(const std::string& kind, const CalibrationSettings& settings, const Point2& sensor_offset) {
+  if (kind == "bobbing") return bobbingToolpath(settings, sensor_offset);
+  if (kind == "edge") return edgeToolpath(settings, sensor_offset);
+  if (kind == "cross") return crossToolpath(settings, sensor_offset);
+  return feederToolpath(settings, sensor_offset);
+}
+
+void printPlan(const PlanArguments& arguments, const Toolpath& toolpath, OutputFormat format) {
+  const ToolpathTotals sums = totals(toolpath);
+  if (format == OutputFormat::Json) {
+    const nlohmann::ordered_json json = {{"plan", arguments.kind},
+                                         {"output", arguments.common.cell},
+                                         {"deposition_mm", sums.deposition_mm},
+                                         {"travel_mm", sums.travel_mm},
+                                         {"deposited_mm3", sums.deposited_mm3}};
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("%s: %s, %.1f mm of bead, %.2f m of travel\n", arguments.common.cell.c_str(),
+              arguments.kind.c_str(), sums.deposition_mm, sums.travel_mm / 1e3);
+}
+
+void plan(const PlanArguments& arguments, OutputFormat format) {
+  const CalibrateSettings settings = calibrateSettingsFrom(arguments.common.settings);
+  const std::string& output = arguments.common.cell;
+  if (output.empty()) throw InvalidConfig("no output named; expected -o FILE.gcode or FILE.csv");
+  requireSuffix(output, outputSuffixes());
+  requireApart({output}, {arguments.common.settings.config});
+  const BuildSpace space = buildSpaceOf(settings.machine);
+  if (!(-toolAxis(space).z() > kUprightCosine))
+    throw InvalidConfig("the nozzle of machine '" + space.name +
+                        "' does not point straight down; calibration programs expect that");
+  const Toolpath toolpath = planned(arguments.kind, settings.calibration, sensorOffset(space));
+  validate(toolpath);
+  requireReachable(toolpath, Eigen::Isometry3d::Identity(), space);
+  writeOutput(output, {toolpath, {}}, settings.program);
+  printPlan(arguments, toolpath, format);
+}
+
+void printPlanConfig(const SettingOptions& options, OutputFormat format) {
+  CalibrateSettings settings = calibrateSettingsFrom(options);
+  SettingsSchema schema;
+  describe(schema, settings.machine, "Machine that is calibrated.");
+  describe(schema, settings.calibration);
+  describe(schema, settings.program);
+  printConfig(schema, format);
+}
+
+}  // namespace
+
+void addCalibratePlan(CLI::App& calibrate, Chosen& chosen) {
+  CLI::App* subcommand = calibrate.add_subcommand(
+      "plan",
+      "Write the program of motions and beads that a calibration needs: bobbing, edge, cross, feeder");
+  const auto arguments = std::make_shared<PlanArguments>();
+  subcommand->add_option("kind", arguments->kind, "bobbing, edge, cross or feeder")
+      ->check(CLI::IsMember({"bobbing", "edge", "cross", "feeder"}))
+      ->required();
+  subcommand->add_option("-o,--output", arguments->common.cell, "Program to write (.gcode, .csv, .mod)");
+  subcommand->add_flag("--print-config", arguments->prints_config, "Print the settings instead");
+  addSettingOptions(*subcommand, arguments->common.settings,
+                    "Settings (YAML) of calibration, machine and program");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback([arguments, &chosen] {
+    chosen.run = [arguments, &chosen] {
+      arguments->prints_config ? printPlanConfig(arguments->common.settings, chosen.format)
+                               : plan(*arguments, chosen.format);
+    };
+  });
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "calibrate/calibrated_cell.hpp"
+
+#include <chrono>
+#include <filesystem>
+
+#include "lamina/base/child_process.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/base/progress.hpp"
+#include "lamina/base/scratch_folder.hpp"
+
+namespace lamina::cli {
+namespace {
+
+bool isBag(const std::string& path) { return std::filesystem::path(path).extension() == ".bag"; }
+
+SensorRecording recordingOfBag(const std::string& bag) {
+  const ScratchFolder folder;
+  const ProgramEnd end =
+      runProgram({{siblingProgram("lamina-bag-tables"), bag, "-o", folder.path()}, "", 3600.0}, NoProgress());
+  if (end.exit_code != 0)
+    throw InvalidInput("the bag '" + bag + "' gives no recording: " +
+                       (end.errors.empty() ? "lamina-bag-tables failed" : end.errors));
+  return readRecording(folder.path());
+}
+
+}  // namespace
+
+void addCalibrateOptions(CLI::App& subcommand, CalibrateArguments& arguments) {
+  subcommand
+      .add_option("recording", arguments.recording,
+                  "Folder with poses.csv and profiles.csv, or a bag with tf and profile")
+      ->required();
+  subcommand.add_option("-o,--output", arguments.cell,
+                        "Calibration file (YAML) to write; what it holds already is used, and stays");
+  subcommand.add_option("--sensor", arguments.sensor, "Name or serial number of the sensor");
+  addSettingOptions(subcommand, arguments.settings, "Settings (YAML) of calibration and machine");
+}
+
+CalibrateSettings calibrateSettingsFrom(const SettingOptions& options) {
+  CalibrateSettings settings;
+  SettingsSchema schema;
+  describe(schema, settings.machine, "Machine that is calibrated.");
+  describe(schema, settings.calibration);
+  describe(schema, settings.program);
+  applySettings(schema, options.config, overridesFrom(options.assignments));
+  return settings;
+}
+
+SensorRecording recordingFrom(const std::string& path) {
+  return isBag(path) ? recordingOfBag(path) : readRecording(path);
+}
+
+Calibration cellSoFar(const CalibrateArguments& arguments, const MachineSettings& machine) {
+  Calibration cell;
+  const std::string name = buildSpaceOf(machine).name;
+  cell.machine = name;
+  if (!arguments.cell.empty() && std::filesystem::exists(arguments.cell))
+    cell = readCalibration(arguments.cell);
+  requireCalibrationOf(cell, name);
+  if (!arguments.sensor.empty()) cell.sensor = arguments.sensor;
+  return cell;
+}
+
+Eigen::Isometry3d knownSensorPose(const Calibration& cell, const MachineSettings& machine) {
+  if (cell.pose) return cell.pose->nozzle_from_sensor;
+  const BuildSpace space = buildSpaceOf(machine);
+  if (!space.tip_from_sensor)
+    throw InvalidConfig("machine '" + space.name + "' has no sensor; expected a link 'sensor' in its URDF");
+  Eigen::Isometry3d bed_from_nozzle = Eigen::Isometry3d::Identity();
+  bed_from_nozzle.linear() = space.bed_from_nozzle;
+  return bed_from_nozzle.inverse() * *space.tip_from_sensor;
+}
+
+CalibrationSource foundNow(const std::string& method) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return {method, calibrationDate(std::chrono::duration_cast<std::chrono::seconds>(now).count())};
+}
+
+void keepCell(const CalibrateArguments& arguments, const Calibration& cell) {
+  if (!arguments.cell.empty()) writeCalibration(arguments.cell, cell);
+}
+
+}  // namespace lamina::cli

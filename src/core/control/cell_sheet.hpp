@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "control/station_index.hpp"
+#include "lamina/control/cell_atlas.hpp"
+
+namespace lamina {
+
+/// One layer of an atlas. What tells a cell lies by the cell in few bytes, so that most questions are
+/// answered without its other values.
+class CellSheet {
+ public:
+  CellSheet(std::shared_ptr<const LayerCells> cells, double window_layers);
+
+  /// The cell of the first `laid` ones on which a point lies.
+  std::optional<CellSight> look(const Point3& point) const;
+
+  const std::shared_ptr<const LayerCells>& cells() const { return cells_; }
+  bool isPlane() const { return is_plane_; }
+  std::size_t bytes() const;
+
+  std::size_t laid = 0;
+
+ private:
+  /// A cell of a plane layer, in the axes of the index.
+  struct PlaneStation {
+    float u, v;
+    float tangent_u, tangent_v;
+    float half;  ///< of the length
+    float width;
+    float lift;  ///< of the top over that of the first cell
+    float left;  ///< bend along the way, to the left [1/mm]
+  };
+  /// A cell of any layer.
+  struct BentStation {
+    Point3 middle;
+    Eigen::Vector3f tangent;
+    Eigen::Vector3f growth;
+    float half, width;
+    float up, left;  ///< bend along the way [1/mm]; up is negative over a crest
+  };
+  /// A point over a cell, lengths in half cells along and in widths across.
+  struct Footing {
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t cell = kNone;
+    float along = 0.0F;
+    float across = 0.0F;
+    float along_mm = 0.0F;
+    float across_mm = 0.0F;
+    double height_mm = 0.0;
+
+    bool isOn() const;
+  };
+
+  void addPlaneStations();
+  void addBentStations();
+  double windowOf(std::uint32_t cell) const { return window_mm_[window_mm_.size() == 1 ? 0 : cell]; }
+  Footing onPlane(std::uint32_t cell, const Point3& place) const;
+  Footing onBent(std::uint32_t cell, const Point3& point) const;
+  template <class FootingOf>
+  Footing best(const Point3& point, FootingOf footing) const;
+
+  std::shared_ptr<const LayerCells> cells_;
+  StationIndex index_;
+  bool is_plane_;
+  double first_top_ = 0.0;        ///< along the normal, of a plane layer
+  std::vector<float> window_mm_;  ///< of each cell, or of all
+  std::vector<PlaneStation> plane_;
+  std::vector<BentStation> bent_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "control/profile_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace lamina {
+namespace {
+
+constexpr std::ptrdiff_t kNeighbours = 3;  // on each side: a median of seven
+constexpr std::size_t kLeastRun = 3;       // points that are no spray
+constexpr double kSpraySigmas = 4.0;
+constexpr double kSprayLayers = 0.3;
+constexpr double kNearOverFar = 0.25;  // of depths of one sensor
+constexpr double kSameColumn = 0.25;   // of the way from ray to ray
+
+/// Whether a value is off the median of itself and its neighbours, as many on both sides, by more than a
+/// bound: where half of them are not below it less the bound, and half not above it plus the bound, it is
+/// not.
+bool isOffMedian(const Point3* point, std::ptrdiff_t side, double bound) {
+  const double above = point->z() + bound;
+  const double below = point->z() - bound;
+  std::ptrdiff_t not_above = 0;
+  std::ptrdiff_t not_below = 0;
+  for (std::ptrdiff_t k = -side; k <= side; ++k) {
+    not_above += point[k].z() <= above ? 1 : 0;
+    not_below += point[k].z() >= below ? 1 : 0;
+  }
+  return not_above <= side || not_below <= side;
+}
+
+bool isOffMedian(const std::vector<Point3>& points, std::size_t i, double bound) {
+  const std::size_t side = std::min(i, points.size() - 1 - i);
+  if (side >= static_cast<std::size_t>(kNeighbours))
+    return isOffMedian(&points[i], kNeighbours, bound);  // a loop of fixed length
+  return isOffMedian(&points[i], static_cast<std::ptrdiff_t>(side), bound);
+}
+
+std::vector<Point3> withoutSpray(std::vector<Point3> points, double bound) {
+  std::size_t first = 0;
+  while (first < points.size() && !isOffMedian(points, first, bound)) ++first;
+  if (first == points.size()) return points;
+  std::vector<Point3> kept(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
+  kept.reserve(points.size());
+  for (std::size_t i = first; i < points.size();) {
+    if (!isOffMedian(points, i, bound)) {
+      kept.push_back(points[i++]);
+      continue;
+    }
+    std::size_t end = i + 1;
+    while (end < points.size() && isOffMedian(points, end, bound) &&
+           std::abs(points[end].z() - points[end - 1].z()) <= bound)
+      ++end;
+    const auto from = points.begin();
+    if (end - i >= kLeastRun)
+      kept.insert(kept.end(), from + static_cast<std::ptrdiff_t>(i), from + static_cast<std::ptrdiff_t>(end));
+    i = end;
+  }
+  return kept;
+}
+
+/// Points along one ray follow one another. Rays go out from the origin where the points lie far from it, as
+/// against the depth that they cover; else, depths being from elsewhere, no two points are of one ray.
+std::vector<std::size_t> columnsOf(const std::vector<Point3>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0.0;
+  for (const Point3& point : points) {
+    least = std::min(least, point.z());
+    greatest = std::max(greatest, point.z());
+  }
+  std::vector<std::size_t> columns;
+  columns.reserve(points.size() + 1);
+  const bool knows_rays = !points.empty() && least > kNearOverFar * greatest;
+  const auto apart = [](const Point3& a, const Point3& b) { return std::abs(a.x() * b.z() - b.x() * a.z()); };
+  const auto depths = [](const Point3& a, const Point3& b) { return a.z() * b.z(); };
+  double least_step = 0.0;
+  if (knows_rays && points.size() > 1)
+    least_step = kSameColumn * apart(points.front(), points.back()) /
+                 (depths(points.front(), points.back()) * static_cast<double>(points.size() - 1));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_same = knows_rays && i > 0 &&
+                         apart(points[i - 1], points[i]) < least_step * depths(points[i - 1], points[i]);
+    if (!is_same) columns.push_back(i);
+  }
+  columns.push_back(points.size());
+  return columns;
+}
+
+}  // namespace
+
+SoundPoints soundPoints(const std::vector<Point3>& points, double layer_mm, const SightSettings& settings) {
+  SoundPoints sound;
+  PointCounts& counts = sound.counts;
+  const std::size_t trim = std::min(static_cast<std::size_t>(settings.trim_points), points.size());
+  const std::size_t end = points.size() - std::min(trim, points.size() - trim);
+  counts.received = points.size();
+  counts.trimmed = trim + (points.size() - end);
+  sound.points.reserve(points.size());
+  for (std::size_t i = trim; i < end; ++i) {
+    const Point3& point = points[i];
+    const double depth = point.z();
+    const bool is_within = settings.greatest_depth_mm <= 0.0 ||
+                           (depth >= settings.least_depth_mm && depth <= settings.greatest_depth_mm);
+    if (!point.allFinite() || point.isZero(0.0))
+      ++counts.not_finite;
+    else if (!is_within)
+      ++counts.outside_window;
+    else
+      sound.points.push_back(point);
+  }
+  const std::size_t before = sound.points.size();
+  const double bound = std::max(kSpraySigmas * settings.sigma_mm, kSprayLayers * layer_mm);
+  sound.points = withoutSpray(std::move(sound.points), bound);
+  counts.spray = before - sound.points.size();
+  sound.columns = columnsOf(sound.points);
+  return sound;
+}
+
+}  // namespace lamina

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/control/run/loop_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "lamina/control/metal_split.hpp"
+#include "lamina/control/z_follow.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kSecond = 1e9;     // ns
+constexpr double kShiftBack = 0.2;  // layers per layer, as the nozzle's height is followed
+
+double secondsFrom(std::int64_t begin_ns, std::int64_t end_ns) {
+  return static_cast<double>(end_ns - begin_ns) / kSecond;
+}
+
+bool corrects(LoopState state) { return state == LoopState::Active || state == LoopState::Coasting; }
+
+bool isAllZero(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
+}
+
+/// An order of what is in clouds, the same for the same bits.
+/// By their bits: values that are no numbers have an order too.
+int compared(const double* a, const double* b, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t of_a = 0;
+    std::uint64_t of_b = 0;
+    std::memcpy(&of_a, a + i, sizeof of_a);
+    std::memcpy(&of_b, b + i, sizeof of_b);
+    if (of_a != of_b) return of_a < of_b ? -1 : 1;
+  }
+  return 0;
+}
+
+int compared(const SensedCloud& a, const SensedCloud& b) {
+  if (a.profiles.size() != b.profiles.size()) return a.profiles.size() < b.profiles.size() ? -1 : 1;
+  for (std::size_t i = 0; i < a.profiles.size(); ++i) {
+    const auto& of_a = a.profiles[i];
+    const auto& of_b = b.profiles[i];
+    if (of_a.size() != of_b.size()) return of_a.size() < of_b.size() ? -1 : 1;
+    for (std::size_t k = 0; k < of_a.size(); ++k)
+      if (const int order = compared(of_a[k].data(), of_b[k].data(), 3); order != 0) return order;
+  }
+  return compared(a.bed_from_sensor.data(), b.bed_from_sensor.data(), 16);
+}
+
+/// Asks once for all layers what `metalSplit` refuses.
+void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
+  if (settings.loop.speed_exponent == 0.0) return;
+  for (std::size_t layer = 0; layer < toolpath.layers.size(); ++layer) {
+    const LayerCells cells = layerCells(toolpath.layers[layer], layer, settings.cell_mm);
+    metalSplit(cells, std::vector<double>(cells.size(), 0.0), PowerSource::Fixed, settings.loop);
+  }
+}
+
+double widestBead(const LayerCells& cells) {
+  return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
+}
+
+/// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
+double highestCell(const std::vector<CellEstimate>& estimates) {
+  double highest = -1e9;
+  for (const CellEstimate& cell : estimates)
+    if (cell.isKnown()) highest = std::max(highest, -cell.error());
+  return highest;
+}
+
+}  // namespace
+
+bool LoopRun::Earlier::operator()(const Event& a, const Event& b) const {
+  if (a.stamp_ns != b.stamp_ns) return a.stamp_ns < b.stamp_ns;
+  if (!a.cloud || !b.cloud) {
+    if (a.cloud || b.cloud) return !a.cloud;
+    return std::lexicographical_compare(a.tip.begin(), a.tip.end(), b.tip.begin(), b.tip.end());
+  }
+  return compared(*a.cloud, *b.cloud) < 0;
+}
+
+LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
+    : part_(std::move(part)),
+      settings_(settings),
+      part_from_bed_(part_.bed_from_part.inverse()),
+      normal_(normalOfLayers(part_.toolpath)),
+      progress_(part_.toolpath, settings.following),
+      stability_(checkStability(settings.loop, calibrationFor(part_.toolpath, settings))),
+      atlas_(settings.sight.window_layers) {
+  requireSpeeds(part_.toolpath, settings_);
+  if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
+  loop_.emplace(settings_.loop, normal_);
+  status_ = afterRequest(settings.request, stability_);
+  beginLayer(0);
+}
+
+const LoopStatus& LoopRun::request(LoopRequest request) {
+  status_ = afterRequest(request, stability_);
+  return status_;
+}
+
+bool LoopRun::isCorrecting() const { return corrects(status_.state); }
+
+void LoopRun::observe(const StampedTip& pose) {
+  ++counts_.poses;
+  if (passed_ns_ && pose.stamp_ns < *passed_ns_) {
+    ++counts_.poses_late;
+    return;
+  }
+  latest_tip_ns_ = std::max(latest_tip_ns_.value_or(pose.stamp_ns), pose.stamp_ns);
+  insert({pose.stamp_ns, pose.tip, nullptr});
+}
+
+void LoopRun::see(SensedCloud cloud) {
+  ++counts_.clouds;
+  if (passed_ns_ && cloud.stamp_ns < *passed_ns_) {
+    ++counts_.clouds_late;
+    return;
+  }
+  ++counts_.clouds_waiting;
+  const std::int64_t stamp_ns = cloud.stamp_ns;
+  insert({stamp_ns, Point3::Zero(), std::make_shared<const SensedCloud>(std::move(cloud))});
+}
+
+void LoopRun::insert(Event event) {
+  latest_ns_ = std::max(latest_ns_.value_or(event.stamp_ns), event.stamp_ns);
+  waiting_.insert(std::move(event));
+  passUntil(*latest_ns_ - static_cast<std::int64_t>(settings_.reorder_s * kSecond));
+}
+
+void LoopRun::passUntil(std::int64_t stamp_ns) {
+  while (!waiting_.empty() && waiting_.begin()->stamp_ns <= stamp_ns) {
+    const Event event = std::move(waiting_.extract(waiting_.begin()).value());
+    passed_ns_ = event.stamp_ns;
+    if (event.cloud)
+      onCloud(*event.cloud);
+    else
+      onTip(event.stamp_ns, event.tip);
+  }
+}
+
+void LoopRun::passAll() {
+  if (latest_ns_) passUntil(*latest_ns_);
+}
+
+void LoopRun::finish() {
+  passAll();
+  if (layer_ && loop_->cells().size() > 0 && cellsLaid(0.0) == loop_->cells().size()) endLayer();
+}
+
+void LoopRun::hear(std::int64_t stamp_ns) {
+  if (latest_tip_ns_ && stamp_ns > *latest_tip_ns_) watch(secondsFrom(*latest_tip_ns_, stamp_ns));
+}
+
+/// The nozzle where the plan has it: what the loop shifts it by is off.
+Point3 LoopRun::correctedTip(const Point3& tip) const {
+  if (!layer_ || progress_.place().layer != *layer_ || isAllZero(shift_mm_)) return tip;
+  const PrintPlace& place = progress_.place();
+  const auto& runs = loop_->cells().runs;
+  const auto run = std::lower_bound(runs.begin(), runs.end(), place.path,
+                                    [](const CellRun& each, std::size_t path) { return each.path < path; });
+  if (run == runs.end() || run->path != place.path) return tip;
+  const auto cell = static_cast<std::size_t>(std::max(0.0, place.along_mm / run->cellLength()));
+  return tip - shift_mm_[run->first + std::min(cell, run->count - 1)] * normal_;
+}
+
+void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
+  is_moving_ = tip_ns_ && tip != tip_;
+  const bool was_scanning = progress_.place().is_scanning;
+  const PrintPlace& place = progress_.observe(correctedTip(part_from_bed_ * tip));
+  if (!place.is_scanning || !was_scanning) silent_s_ = 0.0;
+  if (place.is_scanning && was_scanning && is_moving_)
+    silent_s_ += secondsFrom(std::max(*tip_ns_, cloud_ns_.value_or(*tip_ns_)), stamp_ns);
+  tip_ns_ = stamp_ns;
+  tip_ = tip;
+  watch(0.0);
+  while (layer_ && place.layer > *layer_) {
+    const std::size_t done = *layer_;
+    endLayer();
+    beginLayer(done + 1);
+  }
+}
+
+void LoopRun::onCloud(const SensedCloud& cloud) {
+  --counts_.clouds_waiting;
+  cloud_ns_ = cloud.stamp_ns;
+  silent_s_ = 0.0;
+  for (const auto& profile : cloud.profiles)
+    if (is_moving_) stuck_.see(profile);
+  watch(0.0);
+  if (watched_.count(LoopAlarm::Stuck) > 0) {
+    ++counts_.clouds_stuck;
+    return;
+  }
+  ++counts_.clouds_read;
+  if (layer_) readCloud(cloud);
+}
+
+std::size_t LoopRun::cellsLaid(double settle_mm) const {
+  const PrintPlace& place = progress_.place();
+  if (place.layer < *layer_) return 0;
+  const bool is_whole = place.layer > *layer_ || place.is_scanning;
+  return is_whole ? loop_->cells().size()
+                  : cellsPassed(loop_->cells(), place.path, place.along_mm, settle_mm);
+}
+
+void LoopRun::readCloud(const SensedCloud& cloud) {
+  atlas_.setLaid(*layer_, cellsLaid(settle_mm_));
+  // In a scan pass all that lies open is of the layer.
+  if (progress_.place().is_scanning) atlas_.forgetBelow(*layer_);
+  const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
+  SensorProfile profile;
+  profile.toolpath_from_sensor = part_from_bed_ * cloud.bed_from_sensor;
+  for (const auto& points : cloud.profiles) {
+    profile.points = points;
+    const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
+    counts_.points += read.counts;
+    for (const LayerReading& reading : read.readings) use(reading);
+  }
+  loop_->endCloud();
+}
+
+void LoopRun::use(const LayerReading& reading) {
+  if (reading.layer != *layer_) {
+    ++counts_.readings_below;
+    return;
+  }
+  switch (loop_->see(reading.cell, reading.reading).use) {
+    case ReadingUse::Used:
+      ++counts_.readings_used;
+      break;
+    case ReadingUse::Contested:
+      ++counts_.readings_contested;
+      break;
+    case ReadingUse::Believed:
+      ++counts_.readings_believed;
+      break;
+  }
+}
+
+/// An alarm that stays up is raised once.
+void LoopRun::watch(double blind_s) {
+  SensorWatch seen;
+  seen.is_scanning = progress_.place().is_scanning;
+  seen.silent_s = silent_s_;
+  seen.blind_s = blind_s;
+  seen.profiles = stuck_.profiles();
+  seen.variance_mm2 = stuck_.variance();
+  LoopStep step = afterWatch(status_, seen, settings_.loop);
+  std::set<LoopAlarm> up;
+  std::vector<RaisedAlarm> risen;
+  for (RaisedAlarm& alarm : step.alarms) {
+    up.insert(alarm.alarm);
+    if (watched_.count(alarm.alarm) == 0) risen.push_back(std::move(alarm));
+  }
+  step.alarms = std::move(risen);
+  watched_ = std::move(up);
+  take(std::move(step));
+}
+
+void LoopRun::take(LoopStep step) {
+  status_ = std::move(step.status);
+  for (RaisedAlarm& alarm : step.alarms) {
+    last_alarm_ = alarm;
+    layer_alarms_.push_back(alarm);
+    news_.alarms.push_back(std::move(alarm));
+  }
+}
+
+void LoopRun::beginLayer(std::size_t layer) {
+  layer_.reset();
+  LayerCells cells;
+  for (; layer < part_.toolpath.layers.size(); ++layer) {
+    cells = layerCells(part_.toolpath.layers[layer], layer, settings_.cell_mm, normal_);
+    if (cells.size() > 0) break;
+    news_.maps.push_back({part_.toolpath_id, layer, 0, {}});
+  }
+  if (cells.size() == 0) return;
+  layer_ = layer;
+  silent_s_ = 0.0;
+  settle_mm_ = settings_.settle_mm > 0.0 ? settings_.settle_mm : widestBead(cells);
+  const auto shared = std::make_shared<const LayerCells>(cells);
+  loop_->beginLayer(std::move(cells));
+  blockIfLump();
+  laid_in_ = status_.state;
+  laid_ = wanted();
+  shiftNozzle();
+  std::vector<double> nozzle_error = shift_mm_;
+  for (double& error : nozzle_error) error = -error;
+  loop_->lay(laid_, nozzle_error);
+  last_amount_ = laid_.amount.back();
+  atlas_.add(shared);
+  atlas_.setLaid(layer, 0);
+  atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
+  publishMap();
+}
+
+void LoopRun::blockIfLump() {
+  const double height = meanOverCells(loop_->cells(), loop_->cells().height_mm);
+  const double lump = highestCell(loop_->estimates()) - height;
+  take(beforeLayer(status_, lump, settings_.head_clearance_mm));
+}
+
+/// Of a loop that no longer corrects: what the layer before ended with fades.
+LayerCorrection LoopRun::wanted() const {
+  LayerCorrection correction = loop_->correction(status_.state);
+  if (isCorrecting() || last_amount_ == 0.0) return correction;
+  const std::vector<double> from(correction.amount.size(), last_amount_);
+  correction.amount = fadedCorrection(loop_->cells(), from, correction.amount, 0, settings_.loop);
+  return correction;
+}
+
+/// Back to the plan, a little in each layer, unless the loop is active.
+void LoopRun::shiftNozzle() {
+  const LayerCells& cells = loop_->cells();
+  const double height = meanOverCells(cells, cells.height_mm);
+  if (status_.state == LoopState::Active) {
+    const NozzleRoom room{height, highestCell(loop_->estimates()), settings_.head_clearance_mm};
+    shift_mm_ = nozzleShift(cells, loop_->knowledge(), mean_shift_mm_, room, settings_.loop);
+  } else {
+    const double step = kShiftBack * height;
+    shift_mm_.assign(cells.size(), mean_shift_mm_ - std::clamp(mean_shift_mm_, -step, step));
+  }
+  mean_shift_mm_ = meanOverCells(cells, shift_mm_);
+}
+
+/// What the machine is told so that the layer grows as corrected.
+CellCorrections LoopRun::asLaid() const {
+  CellCorrections told;
+  if (!isAllZero(shift_mm_)) told.dz_mm = shift_mm_;
+  if (isAllZero(laid_.amount)) return told;
+  told.amount = laid_.amount;
+  if (settings_.loop.speed_exponent == 0.0) return told;
+  const LayerCells& cells = loop_->cells();
+  const MetalCorrection split = metalSplit(cells, laid_.amount, PowerSource::Fixed, settings_.loop);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    told.speed.push_back(split.speed_mm_s[i] / cells.speed_mm_s[i] - 1.0);
+    // What the wire brings per time is the same all over the layer.
+    told.amount[i] = (1.0 + split.wire) / (1.0 + told.speed[i]) - 1.0;
+  }
+  return told;
+}
+
+void LoopRun::publishMap() {
+  const CellCorrections told = asLaid();
+  CorrectionMap map{part_.toolpath_id, *layer_, 0, {}};
+  if (!told.amount.empty() || !told.dz_mm.empty())
+    map = correctionMap(loop_->cells(), told, part_.toolpath_id, 0);
+  news_.maps.push_back(std::move(map));
+}
+
+/// Layers without a scan pass are not judged where others have one, unless they were seen.
+bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
+  return progress_.hasScan(layer) || !progress_.hasScans() || figures.coverage > 0.0;
+}
+
+void LoopRun::endLayer() {
+  const LayerFigures figures = loop_->endLayer();
+  below_ = loop_->estimates();
+  below_layer_ = *layer_;
+  if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
+  checkAgain(figures);
+  news_.layers.push_back(outcomeOf(figures));
+  layer_alarms_.clear();
+  layer_.reset();
+}
+
+LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
+  LayerOutcome outcome;
+  outcome.figures = figures;
+  outcome.state = laid_in_;
+  outcome.alarms = layer_alarms_;
+  const LayerCells& cells = loop_->cells();
+  outcome.cells.reserve(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CellEstimate& cell = loop_->estimates()[i];
+    outcome.cells.push_back(
+        {cells.middle[i], cell.error(), std::sqrt(cell.variance()), laid_.amount[i], cell.isSeen()});
+  }
+  return outcome;
+}
+
+/// The bounds once more when the gain has changed by a fifth.
+void LoopRun::checkAgain(const LayerFigures& figures) {
+  if (!needsNewCheck(gain_at_check_, figures.gain_mean)) return;
+  gain_at_check_ = figures.gain_mean;
+  stability_ = checkStability(settings_.loop, calibrationFor(part_.toolpath, settings_));
+  if (!stability_.may_start && status_.state != LoopState::Off)
+    status_ = afterRequest(LoopRequest::Active, stability_);
+}
+
+LoopNews LoopRun::takeNews() { return std::exchange(news_, {}); }
+
+}  // namespace lamina

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lamina/control/layer_cells.hpp"
+
+namespace lamina {
+
+/// Which cells of a layer may hold a point: a grid of squares in the plane that the layer lies along, where
+/// no cell leans from it by more than 60 degrees, else of cubes, of which only those that hold something take
+/// memory.
+class StationIndex {
+ public:
+  StationIndex(const LayerCells& cells, double window_layers);
+
+  /// Whether all cells grow one way.
+  bool isPlane() const { return is_plane_; }
+  /// A place in the axes of the index: two of the plane, and its normal.
+  Point3 placeOf(const Point3& point) const { return axes_ * point - low_; }
+  Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return axes_ * direction; }
+
+  /// Cells, ascending.
+  struct Cells {
+    const std::uint32_t* first = nullptr;
+    const std::uint32_t* last = nullptr;
+    const std::uint32_t* begin() const { return first; }
+    const std::uint32_t* end() const { return last; }
+  };
+  /// @param place  of the point (`placeOf`)
+  Cells near(const Point3& place) const;
+
+  std::size_t bytes() const;
+
+ private:
+  /// A cube that holds something; `number` is kNone in a free place of the table.
+  struct Cube {
+    std::uint64_t key = 0;
+    std::uint32_t number = kNone;
+  };
+  using Place = std::array<std::int64_t, 3>;
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+  static constexpr std::uint64_t kSpread = 0x9E3779B97F4A7C15ULL;  ///< of keys over the table
+
+  void layOut(const LayerCells& cells);
+  /// Where a place of the axes lies, within the index.
+  Place squareAt(const Point3& offset) const;
+  Point3 reachOf(const LayerCells& cells, const CellRun& run, std::size_t cell) const;
+  template <class Visit>
+  void visitPlaces(const LayerCells& cells, Visit visit) const;
+  std::uint64_t keyOf(const Place& place) const;
+  std::uint32_t numberOf(std::uint64_t key) const;
+  std::uint32_t numberedAs(std::uint64_t key);
+  void grow();
+
+  double window_layers_;
+  bool is_plane_ = true;
+  bool has_squares_ = true;
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< rows: two of the plane, and its normal
+  Point3 low_ = Point3::Zero();
+  double per_mm_ = 1.0;
+  Place count_{};
+  std::vector<std::uint32_t> begin_;  ///< of each square or cube; one more
+  std::vector<std::uint32_t> cells_;
+  std::vector<Cube> table_;  ///< a power of two long; empty for a plane
+  std::uint32_t cubes_ = 0;
+};
+
+// Asked once a point: to be compiled in where that is done.
+
+inline std::uint64_t StationIndex::keyOf(const Place& place) const {
+  return static_cast<std::uint64_t>(place[0] + count_[0] * (place[1] + count_[1] * place[2]));
+}
+
+inline std::uint32_t StationIndex::numberOf(std::uint64_t key) const {
+  if (has_squares_) return static_cast<std::uint32_t>(key);
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t at = (key * kSpread >> 32U) & mask;; at = (at + 1) & mask)
+    if (table_[at].number == kNone || table_[at].key == key) return table_[at].number;
+}
+
+inline StationIndex::Cells StationIndex::near(const Point3& at) const {
+  Place place{};
+  for (std::size_t axis = 0; axis < (has_squares_ ? 2U : 3U); ++axis) {
+    const double offset = per_mm_ * at[static_cast<Eigen::Index>(axis)];
+    if (!(offset >= 0.0 && offset < static_cast<double>(count_[axis]))) return {};
+    place[axis] = static_cast<std::int64_t>(offset);
+  }
+  const std::uint32_t number = numberOf(keyOf(place));
+  if (number == kNone) return {};
+  return {cells_.data() + begin_[number], cells_.data() + begin_[number + 1]};
+}
+
+}  // namespace lamina

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planning/infill_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "lamina/base/parallel.hpp"
+#include "lamina/geometry/polygon/offset.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "planning/skins/skin_areas.hpp"
+
+namespace lamina {
+namespace {
+
+Regions sparseOf(const LayerCover& cover, const PlanSettings& settings, double height_mm) {
+  const double pitch_mm =
+      settings.bead.pitch_mm > 0.0 ? settings.bead.pitch_mm : planWidth({settings.bead.width_mm, height_mm});
+  const double walls_mm = wallThickness(settings, pitch_mm);
+  const Regions inside = walls_mm > 0.0 ? offset(*cover.material, -walls_mm) : *cover.material;
+  return cover.isCovered() ? inside : skinAreas(inside, cover, skinMeasures(settings, pitch_mm)).sparse;
+}
+
+/// Those of the first and last `infill.outer_layers`.
+bool isOuter(std::size_t layer, std::size_t layers, const InfillSettings& infill) {
+  const auto outer = static_cast<std::size_t>(infill.outer_layers);
+  return layer < outer || layer + outer >= layers;
+}
+
+/// What is sparse in all layers of a stretch. Layers that are the same are looked at once.
+Regions commonSparse(const std::vector<LayerCover>& covers, const std::vector<double>& heights_mm,
+                     const PlanSettings& settings, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i)
+    if (isOuter(i, covers.size(), settings.infill)) return {};
+  Regions common = sparseOf(covers[begin], settings, heights_mm[begin]);
+  for (std::size_t i = begin + 1; i < end; ++i) {
+    const bool is_same = covers[i].material == covers[i - 1].material &&
+                         covers[i].whole == covers[i - 1].whole && covers[i].isCovered() &&
+                         heights_mm[i] == heights_mm[i - 1];
+    if (!is_same && !common.empty())
+      common = intersection(common, sparseOf(covers[i], settings, heights_mm[i]));
+  }
+  return common;
+}
+
+}  // namespace
+
+std::size_t groupOf(const InfillSettings& settings, std::size_t layer) {
+  return layer / static_cast<std::size_t>(settings.every_layers);
+}
+
+InfillRequest requestOf(const PlanSettings& settings, const InfillSpacing& spacing, std::size_t layer) {
+  const InfillSettings& infill = settings.infill;
+  InfillRequest request;
+  request.pitch_mm = spacing.pitch_mm;
+  request.spacing_mm = spacing.spacing_mm;
+  const std::size_t turns = isSolid(spacing) ? layer : groupOf(infill, layer);
+  const double turn_deg = infill.alternation_deg * static_cast<double>(turns);
+  request.angle_rad = std::fmod(infill.angle_deg + turn_deg, 360.0) * M_PI / 180.0;
+  request.turn_rad = std::fmod(turn_deg, 360.0) * M_PI / 180.0;
+  request.layer = layer;
+  request.links = infill.links;
+  request.settings = settings.fill;
+  return request;
+}
+
+GroupedInfill groupedInfill(const Regions& area, const InfillGroup& group, double bead_width_mm) {
+  GroupedInfill parts;
+  if (group.common->empty()) {
+    parts.alone = area;
+    return parts;
+  }
+  if (group.is_last) parts.together = intersection(area, *group.common);
+  const Regions rest = difference(area, *group.common);
+  if (!rest.empty()) parts.alone = offset(offset(rest, -0.5 * bead_width_mm), 0.5 * bead_width_mm);
+  return parts;
+}
+
+std::vector<InfillGroup> infillGroups(const std::vector<LayerCover>& covers,
+                                      const std::vector<double>& heights_mm, const PlanSettings& settings,
+                                      Progress& progress) {
+  if (settings.infill.every_layers == 1) return {};
+  const auto size = static_cast<std::size_t>(settings.infill.every_layers);
+  std::vector<InfillGroup> groups(covers.size());
+  const auto find = [&](std::size_t number) {
+    const std::size_t begin = number * size;
+    const std::size_t end = std::min(begin + size, covers.size());
+    InfillGroup group;
+    Regions common = commonSparse(covers, heights_mm, settings, begin, end);
+    if (!common.empty()) common = offset(common, settings.infill.wall_overlap * settings.bead.width_mm);
+    group.common = std::make_shared<const Regions>(std::move(common));
+    const auto at = [&](std::size_t i) { return heights_mm.begin() + static_cast<std::ptrdiff_t>(i); };
+    group.height_mm = std::accumulate(at(begin), at(end), 0.0);
+    for (std::size_t i = begin; i < end; ++i) {
+      groups[i] = group;
+      groups[i].is_last = i + 1 == end;
+    }
+  };
+  parallelFor((covers.size() + size - 1) / size, find, progress, "plan");
+  return groups;
+}
+
+InfillGroup moved(const InfillGroup& group, const Point2& by) {
+  Regions common = *group.common;
+  for (Region& region : common) {
+    for (Point2& point : region.outer) point += by;
+    for (Polygon& hole : region.holes)
+      for (Point2& point : hole) point += by;
+  }
+  return {std::make_shared<const Regions>(std::move(common)), group.is_last, group.height_mm};
+}
+
+}  // namespace lamina

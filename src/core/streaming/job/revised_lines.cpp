@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "streaming/job/revised_lines.hpp"
+
+#include <utility>
+
+namespace lamina {
+
+GrowingCommands::GrowingCommands()
+    : text_(new std::stringstream), cursor_(std::unique_ptr<std::istream>(text_)) {}
+
+void GrowingCommands::give(std::string_view lines) {
+  text_->clear();
+  text_->str(std::string(lines));
+}
+
+std::optional<ProgramLine> GrowingCommands::next() { return cursor_.next(); }
+
+RevisedLines::RevisedLines(const StreamableProgram& program, std::shared_ptr<ProgramRevision> revision,
+                           std::function<std::string(const std::string&)> defectOf)
+    : program_(program),
+      revision_(std::move(revision)),
+      defectOf_(std::move(defectOf)),
+      text_(program.openText()) {}
+
+bool RevisedLines::isNextKnown() {
+  readOn();
+  return line_ || is_over_;
+}
+
+std::optional<ProgramLine> RevisedLines::next() {
+  readOn();
+  return std::exchange(line_, std::nullopt);
+}
+
+void RevisedLines::decide() {
+  if (awaited_) revision_->decide(*awaited_);
+}
+
+void RevisedLines::end(const Failure& why) {
+  is_over_ = true;
+  failure_ = why;
+}
+
+void RevisedLines::readOn() {
+  while (!line_ && !is_over_) {
+    if (awaited_ && !revision_->isKnown(*awaited_)) return;
+    awaited_.reset();
+    line_ = revised_.next();
+    if (line_) {
+      ++given_;
+      line_->seconds = time_.secondsOf(line_->command);
+      const std::string defect = defectOf_(line_->command);
+      if (!defect.empty())
+        end({ErrorCode::InvalidProgram, "line " + std::to_string(number_) + " became one that " + defect});
+    } else if (revised_.layer() != layer_) {
+      layer_ = revised_.layer();
+      awaited_ = layer_;
+    } else {
+      readLine();
+    }
+  }
+  if (is_over_ && failure_.code != ErrorCode::Ok) line_.reset();
+}
+
+void RevisedLines::readLine() {
+  if (program_.hasChanged())
+    return end({ErrorCode::InvalidProgram, "the program was changed while it was streamed"});
+  if (!std::getline(*text_, raw_)) return end({});
+  planned_.give(raw_);
+  while (planned_.next()) ++read_;
+  try {
+    revised_.give(revision_->revised(raw_, ++number_));
+  } catch (const Error&) {
+    end(currentFailure());
+  }
+}
+
+}  // namespace lamina

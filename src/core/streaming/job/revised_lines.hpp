@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "lamina/base/error.hpp"
+#include "lamina/streaming/job/program_revision.hpp"
+#include "lamina/streaming/job/streamable_program.hpp"
+#include "streaming/job/motion_time.hpp"
+
+namespace lamina {
+
+/// Commands of a text that is given bit by bit, in whole lines.
+class GrowingCommands {
+ public:
+  GrowingCommands();
+
+  /// Once `next` has given all that there is.
+  void give(std::string_view lines);
+  /// The next command; nothing until more is given.
+  std::optional<ProgramLine> next();
+  /// That the next command belongs to.
+  std::int32_t layer() const { return cursor_.layer(); }
+
+ private:
+  std::stringstream* text_;  ///< of the cursor
+  ProgramCursor cursor_;
+};
+
+/// The lines of a program as they are revised. Where a layer begins, the next line is not known until it is
+/// known what becomes of the layer. They end early, with a failure, where the program was changed or cannot
+/// be revised.
+class RevisedLines {
+ public:
+  /// @param defectOf  what the firmware would misread of a command, in words; empty for nothing
+  RevisedLines(const StreamableProgram& program, std::shared_ptr<ProgramRevision> revision,
+               std::function<std::string(const std::string&)> defectOf);
+
+  /// Whether `next` may be called.
+  bool isNextKnown();
+  /// The next line; nothing at the end.
+  std::optional<ProgramLine> next();
+
+  /// The layer that waits has waited long enough.
+  void decide();
+  double waitTime() const { return revision_->waitTime(); }
+
+  /// Commands of the whole program, as far as it is revised.
+  std::uint64_t total() const { return program_.lines() + given_ - read_; }
+  /// Why the lines ended; Ok if at the end of the program.
+  const Failure& failure() const { return failure_; }
+
+ private:
+  void readOn();
+  void readLine();
+  void end(const Failure& why);
+
+  StreamableProgram program_;
+  std::shared_ptr<ProgramRevision> revision_;
+  std::function<std::string(const std::string&)> defectOf_;
+  std::unique_ptr<std::istream> text_;
+  std::string raw_;
+  std::uint64_t number_ = 0;  ///< lines of the text that were read
+  GrowingCommands planned_;
+  GrowingCommands revised_;
+  std::uint64_t read_ = 0;   ///< commands of the program
+  std::uint64_t given_ = 0;  ///< commands that these became
+  MotionTime time_;
+  std::optional<ProgramLine> line_;  ///< the next one
+  std::optional<std::int32_t> awaited_;
+  std::int32_t layer_ = -1;
+  bool is_over_ = false;
+  Failure failure_;
+};
+
+}  // namespace lamina

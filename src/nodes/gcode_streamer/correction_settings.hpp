@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/base/settings.hpp"
+#include "lamina/control/loop_settings.hpp"
+
+namespace lamina {
+
+/// How a program is corrected on its way.
+struct StreamCorrectionSettings {
+  bool is_used = false;
+  std::string folder;  ///< for the record of what was applied; empty for none
+  LoopSettings loop;   ///< of which waiting and feeding count
+};
+
+/// Adds the keys corrections.*, loop.wait_s and those that `describeFeeding` adds.
+void describe(SettingsSchema& schema, StreamCorrectionSettings& settings);
+
+}  // namespace lamina

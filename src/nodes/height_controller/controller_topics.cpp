@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "controller_topics.hpp"
+
+#include <sensor_msgs/PointCloud2.h>
+
+#include "correction_messages.hpp"
+#include "loop/loop_messages.hpp"
+#include "names.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr std::uint32_t kKeepAll = 0;  // bound of a queue: no map is left out
+
+}  // namespace
+
+ControllerTopics::ControllerTopics(ros::NodeHandle node)
+    : correction_(node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, kKeepAll, true)),
+      state_(node.advertise<lamina_msgs::LoopState>(names::kLoopState, kKeepAll, true)),
+      figures_(node.advertise<lamina_msgs::LoopFigures>(names::kLoopFigures, kKeepAll, true)),
+      cells_(node.advertise<sensor_msgs::PointCloud2>(names::kLoopCells, 1, true)) {}
+
+std::string ControllerTopics::publish(const CorrectionMap& map) {
+  lamina_msgs::CorrectionMap message = toMessage(map);
+  message.header.stamp = ros::Time::now();
+  correction_.publish(message);
+  return message.digest;
+}
+
+void ControllerTopics::publish(const lamina_msgs::LoopFigures& figures) {
+  lamina_msgs::LoopFigures message = figures;
+  message.header.stamp = ros::Time::now();
+  figures_.publish(message);
+}
+
+void ControllerTopics::publish(const lamina_msgs::LoopState& state) {
+  lamina_msgs::LoopState message = state;
+  if (has_state_ && message == last_) return;
+  last_ = message;
+  has_state_ = true;
+  message.header.stamp = ros::Time::now();
+  state_.publish(message);
+}
+
+void ControllerTopics::publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part) {
+  sensor_msgs::PointCloud2 message = toCloudMessage(layer, bed_from_part);
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kBedFrame;
+  cells_.publish(message);
+}
+
+}  // namespace lamina

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/ros.h>
+
+#include <string>
+
+#include "lamina/control/run/loop_run.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Publishes what the loop does.
+///
+/// correction (lamina/CorrectionMap), loop_state (lamina/LoopState), loop_figures (lamina/LoopFigures),
+/// loop_cells (sensor_msgs/PointCloud2 of the latest layer, frame `bed`), all latched
+class ControllerTopics {
+ public:
+  explicit ControllerTopics(ros::NodeHandle node);
+
+  /// @return the digest of the map as it is published
+  std::string publish(const CorrectionMap& map);
+  void publish(const lamina_msgs::LoopFigures& figures);
+  /// What has not changed since is not published again.
+  void publish(const lamina_msgs::LoopState& state);
+  void publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part);
+
+ private:
+  ros::Publisher correction_;
+  ros::Publisher state_;
+  ros::Publisher figures_;
+  ros::Publisher cells_;
+  lamina_msgs::LoopState last_;
+  bool has_state_ = false;
+};
+
+}  // namespace lamina

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_controller.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+#include "lamina/base/error.hpp"
+#include "lamina/control/report/loop_report.hpp"
+#include "loop/loop_messages.hpp"
+#include "names.hpp"
+#include "status.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kTurn = 0.02;              // s between looks at what is due
+constexpr double kQuietFor = 0.5;           // s without anything new: nothing older comes
+constexpr std::uint32_t kUnboundQueue = 0;  // what is left out is left out, and counted, by the feed
+
+}  // namespace
+
+HeightController::HeightController(ros::NodeHandle node, const HeightControllerSettings& settings)
+    : settings_(settings),
+      topics_(node),
+      feed_(settings.run, settings.queue_mb),
+      hold_(settings.arrival_hold_s) {
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("height loop",
+                   [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
+  subscribe(node);
+  set_loop_ = node.advertiseService(names::kSetLoop, &HeightController::onSetLoop, this);
+  timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { onTimer(); });
+  topics_.publish(toMessage(feed_.run()));
+}
+
+void HeightController::subscribe(ros::NodeHandle& node) {
+  const auto hints = ros::TransportHints().tcpNoDelay();
+  toolpath_ = node.subscribe(names::kToolpath, 1, &HeightController::onToolpath, this);
+  machine_state_ = node.subscribe(names::kMachineState, 100, &HeightController::onMachineState, this);
+  profile_ = node.subscribe(names::kProfile, kUnboundQueue, &HeightController::onCloud, this, hints);
+  const boost::function<void(const TfEvent&)> on_tf = [this](const TfEvent& event) { onTransforms(event); };
+  const boost::function<void(const TfEvent&)> on_fixed = [this](const TfEvent& event) {
+    onFixedTransforms(event);
+  };
+  tf_ = node.subscribe<tf2_msgs::TFMessage>("/tf", kUnboundQueue, on_tf, {}, hints);
+  tf_static_ = node.subscribe<tf2_msgs::TFMessage>("/tf_static", kUnboundQueue, on_fixed, {}, hints);
+}
+
+HeightController::~HeightController() {
+  try {
+    hold_.releaseAll();
+    feed_.finish();
+    publishNews();
+    save();
+  } catch (...) {
+    // ROS is down: its log no longer reaches anybody.
+    std::fprintf(stderr, "report of the height loop not saved: %s\n", currentFailure().message.c_str());
+  }
+}
+
+void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) {
+  hold_.releaseAll();
+  if (feed_.run() != nullptr) {
+    feed_.finish();
+    publishNews();
+    save();
+  }
+  digests_.clear();
+  record_ = LoopRecord();
+  try {
+    feed_.add(*message);
+    const PlacedPart& part = feed_.run()->part();
+    record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
+    toolpath_fault_.clear();
+    ROS_INFO_STREAM("the loop over toolpath " << part.toolpath_id << " is "
+                                              << toString(feed_.run()->status().state) << " "
+                                              << feed_.run()->status().reason);
+  } catch (...) {
+    toolpath_fault_ = currentFailure().message;
+    ROS_ERROR_STREAM("no loop over toolpath " << message->id << ": " << toolpath_fault_);
+  }
+  publishNews();
+}
+
+void HeightController::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  last_arrival_s_ = clock_.now();
+  is_quiet_ = false;
+  feed_.add(cloud);
+  hold_.add(last_arrival_s_, [this, stamp = cloud->header.stamp] { feed_.hear(stamp); });
+}
+
+void HeightController::onTransforms(const TfEvent& event) {
+  last_arrival_s_ = clock_.now();
+  is_quiet_ = false;
+  hold_.add(last_arrival_s_, [this, message = event.getMessage(), from = event.getPublisherName()] {
+    for (const auto& transform : message->transforms) feed_.add(transform, from);
+  });
+}
+
+void HeightController::onFixedTransforms(const TfEvent& event) {
+  for (const auto& transform : event.getMessage()->transforms)
+    feed_.addFixed(transform, event.getPublisherName());
+}
+
+void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
+  using State = lamina_msgs::MachineState;
+  const bool is_over = message->state == State::COMPLETE || message->state == State::ABORTED ||
+                       message->state == State::STOPPED;
+  if (!is_over || feed_.run() == nullptr) return;
+  hold_.releaseAll();
+  feed_.pass();
+  publishNews();
+  save();
+}
+
+bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
+                                 lamina_msgs::SetLoop::Response& response) {
+  try {
+    feed_.request(loopRequestOf(request));
+    if (feed_.run() == nullptr)
+      response.status.message = "there is no toolpath yet: this holds from the next one on";
+  } catch (...) {
+    response.status = toMessage(currentFailure());
+  }
+  publishNews();
+  response.state = toMessage(feed_.run()).state;
+  return true;
+}
+
+void HeightController::onTimer() {
+  const double now = clock_.now();
+  hold_.release(now);
+  feed_.pass();
+  // A machine that waits for its map reports nothing new, which would bring the stamps on.
+  const double quiet_s = settings_.arrival_hold_s + std::max(kQuietFor, settings_.run.reorder_s);
+  if (!is_quiet_ && now - last_arrival_s_ > quiet_s) {
+    feed_.passAll();
+    is_quiet_ = true;
+  }
+  publishNews();
+  diagnostics_.update();
+}
+
+void HeightController::publishNews() {
+  if (feed_.run() != nullptr) {
+    const LoopNews news = feed_.run()->takeNews();
+    // First: a print that has to be held does not begin its next layer.
+    for (const RaisedAlarm& alarm : news.alarms) report(alarm);
+    auto map = news.maps.begin();
+    const auto publishUpTo = [&](std::size_t layer) {
+      for (; map != news.maps.end() && map->layer <= layer; ++map)
+        digests_[map->layer] = topics_.publish(*map);
+    };
+    for (const LayerOutcome& layer : news.layers) {
+      publishUpTo(layer.figures.layer);
+      report(layer);
+    }
+    publishUpTo(std::numeric_limits<std::size_t>::max());
+    if (!news.layers.empty() && feed_.run()->place().layer >= feed_.run()->part().toolpath.layers.size())
+      save();
+  }
+  topics_.publish(toMessage(feed_.run()));
+}
+
+void HeightController::report(const RaisedAlarm& alarm) {
+  ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
+  if (alarm.reaction != LoopReaction::Hold || !settings_.pauses_print) return;
+  topics_.publish(toMessage(feed_.run()));
+  ROS_WARN("%s", print_hold_.hold().c_str());
+}
+
+void HeightController::report(const LayerOutcome& layer) {
+  const LayerFigures& figures = layer.figures;
+  const std::string& digest = digests_[figures.layer];
+  topics_.publish(toMessage(layer, feed_.run()->part().toolpath_id, digest));
+  topics_.publishCells(layer, feed_.run()->part().bed_from_part);
+  record_.add(layer, digest);
+  is_saved_ = false;
+  ROS_INFO("layer %zu: rmse %.3f mm, mean %.3f mm, %.0f %% seen, gain %.3f, %s", figures.layer,
+           figures.rmse_mm, figures.mean_error_mm, 100.0 * figures.coverage, figures.gain_mean,
+           toString(layer.state));
+}
+
+void HeightController::save() {
+  if (is_saved_ || settings_.output_folder.empty()) return;
+  try {
+    saveLoopReport(settings_.output_folder, record_);
+    is_saved_ = true;
+  } catch (const Error& error) {
+    ROS_ERROR("%s", error.what());
+    is_saved_ = true;  // once is enough to say so
+  }
+}
+
+void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const LoopRun* run = feed_.run();
+  if (run == nullptr) {
+    const bool is_refused = !toolpath_fault_.empty();
+    status.summary(is_refused ? DiagnosticStatus::ERROR : DiagnosticStatus::OK,
+                   is_refused ? toolpath_fault_ : "no toolpath yet");
+    return;
+  }
+  const LoopState state = run->status().state;
+  const bool is_well =
+      state == LoopState::Off || state == LoopState::Identifying || state == LoopState::Active;
+  status.summary(
+      is_well ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+      std::string(toString(state)) + (run->status().reason.empty() ? "" : ": ") + run->status().reason);
+  const FeedCounts& feed = feed_.counts();
+  status.add("clouds received", feed.received);
+  status.add("clouds placed", feed.placed);
+  status.add("clouds waiting for tf", feed.waiting);
+  status.add("clouds without frame or stamp", feed.without_frame);
+  status.add("clouds malformed", feed.malformed);
+  status.add("last malformed cloud", feed.last_fault);
+  status.add("clouds without transform", feed.without_transform);
+  status.add("clouds pushed out", feed.pushed_out);
+  status.add("clouds of the print before", feed.of_former_print);
+  const LoopCounts& counts = run->counts();
+  status.add("clouds read", counts.clouds_read);
+  status.add("clouds late", counts.clouds_late);
+  status.add("clouds of a stuck sensor", counts.clouds_stuck);
+  status.add("readings used", counts.readings_used);
+  status.add("readings contested", counts.readings_contested);
+  status.add("readings believed", counts.readings_believed);
+  status.add("points received", counts.points.received);
+  status.add("points used", counts.points.used);
+  status.add("points on no laid cell", counts.points.off_path);
+  status.add("layer", run->place().layer);
+}
+
+}  // namespace lamina

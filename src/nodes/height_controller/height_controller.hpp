@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "arrival_hold.hpp"
+#include "controller_topics.hpp"
+#include "height_controller_settings.hpp"
+#include "lamina/base/clock.hpp"
+#include "lamina/control/report/loop_record.hpp"
+#include "loop/loop_feed.hpp"
+#include "print_hold.hpp"
+
+namespace lamina {
+
+/// Changes what is laid next by what is measured.
+///
+/// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
+///             machine_state (lamina/MachineState), tf
+/// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), /diagnostics
+/// Services    set_loop (lamina/SetLoop)
+/// Calls       pause (std_srvs/Trigger) where an alarm holds the print
+/// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
+class HeightController {
+ public:
+  HeightController(ros::NodeHandle node, const HeightControllerSettings& settings);
+  /// Saves the report.
+  ~HeightController();
+
+ private:
+  using TfEvent = ros::MessageEvent<tf2_msgs::TFMessage const>;
+
+  void subscribe(ros::NodeHandle& node);
+  void onToolpath(const lamina_msgs::ToolpathConstPtr& message);
+  void onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud);
+  void onTransforms(const TfEvent& event);
+  void onFixedTransforms(const TfEvent& event);
+  void onMachineState(const lamina_msgs::MachineStateConstPtr& message);
+  bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
+  void onTimer();
+  void publishNews();
+  void report(const RaisedAlarm& alarm);
+  void report(const LayerOutcome& layer);
+  void save();
+  void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+
+  HeightControllerSettings settings_;
+  SteadyClock clock_;
+  ControllerTopics topics_;
+  LoopFeed feed_;
+  ArrivalHold hold_;
+  PrintHold print_hold_;
+  LoopRecord record_;
+  std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
+  std::string toolpath_fault_;                  ///< why the last toolpath could not be used
+  double last_arrival_s_ = 0.0;
+  bool is_quiet_ = true;  ///< all that came was worked off
+  bool is_saved_ = true;
+  diagnostic_updater::Updater diagnostics_;
+  ros::Subscriber toolpath_;
+  ros::Subscriber profile_;
+  ros::Subscriber tf_;
+  ros::Subscriber tf_static_;
+  ros::Subscriber machine_state_;
+  ros::ServiceServer set_loop_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace lamina

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "height_controller_settings.hpp"
+
+namespace lamina {
+
+void describe(SettingsSchema& schema, HeightControllerSettings& settings) {
+  describe(schema, settings.run);
+  schema.text("output_folder", settings.output_folder,
+              "Where reports and figures of each print are saved; empty saves nothing.");
+  schema.number("queue_mb", settings.queue_mb, {0.0, 1e6, true},
+                "Memory of the clouds that may wait for tf; with more, the oldest are pushed out.");
+  schema.number("arrival_hold_s", settings.arrival_hold_s, {0.0, 10.0},
+                "Real time for which tf waits for clouds that were sent with it and come later.");
+  schema.flag("pauses_print", settings.pauses_print,
+              "Whether alarms that hold the print call the service pause.");
+}
+
+}  // namespace lamina

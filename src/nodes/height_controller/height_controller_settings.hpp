@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/control/run/run_settings.hpp"
+
+namespace lamina {
+
+/// Parameters of the node height_controller.
+struct HeightControllerSettings {
+  LoopRunSettings run;
+  std::string output_folder;    ///< empty: nothing is saved
+  double queue_mb = 400.0;      ///< memory of the clouds that may wait for tf [1e6 bytes]
+  double arrival_hold_s = 0.2;  ///< real time for which tf waits for clouds sent with it
+  bool pauses_print = true;     ///< where an alarm holds the print
+};
+
+/// Adds the node's keys.
+void describe(SettingsSchema& schema, HeightControllerSettings& settings);
+
+}  // namespace lamina

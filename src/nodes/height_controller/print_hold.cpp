@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "print_hold.hpp"
+
+#include <ros/service.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+
+#include "names.hpp"
+
+namespace lamina {
+
+std::string PrintHold::hold() {
+  using namespace std::chrono_literals;
+  if (asked_.valid() && asked_.wait_for(0s) != std::future_status::ready)
+    return "the print was asked to pause before and has not answered";
+  asked_ = std::async(std::launch::async, [] {
+    std_srvs::Trigger pause;
+    if (!ros::service::exists(names::kPause, false)) return std::string("nobody offers to pause the print");
+    if (!ros::service::call(names::kPause, pause)) return std::string("the print did not answer to pause");
+    return pause.response.success ? std::string("the print is held")
+                                  : "the print is not held: " + pause.response.message;
+  });
+  if (asked_.wait_for(std::chrono::duration<double>(kPatience)) != std::future_status::ready)
+    return "the print has not answered to pause within 1 s";
+  return asked_.get();
+}
+
+}  // namespace lamina

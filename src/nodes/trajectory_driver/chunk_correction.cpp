@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "chunk_correction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lamina/control/feeder_lead.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
+
+namespace lamina {
+namespace {
+
+/// Why a map cannot be applied to a trajectory; empty if it can.
+std::string defectOf(const CorrectionMap& map, const Toolpath& toolpath) {
+  const std::string of_layer = "the map of layer " + std::to_string(map.layer);
+  if (map.layer >= toolpath.layers.size())
+    return of_layer + " is of a toolpath with more layers than " + std::to_string(toolpath.layers.size());
+  const double most_mm = toolpath.layers[map.layer].height_mm;
+  for (const PathCorrection& path : map.paths)
+    for (const PlaceCorrection& place : path.stations) {
+      if (std::abs(place.dz_mm) > most_mm)
+        return of_layer + " moves the nozzle by " + std::to_string(place.dz_mm) +
+               " mm; expected no more than the layer, " + std::to_string(most_mm) + " mm";
+      if (place.speed != 0.0)
+        return of_layer + " changes the speed by " + std::to_string(place.speed) +
+               "; expected 0, as the motion is timed before it is handed over";
+    }
+  return {};
+}
+
+}  // namespace
+
+ChunkCorrection::ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& settings,
+                                 const KinematicModel& model)
+    : driven_(std::move(toolpath)),
+      settings_(settings),
+      model_(model),
+      part_from_bed_(driven_.bed_from_part.inverse()),
+      normal_(driven_.bed_from_part.linear() * layerNormal(driven_.toolpath)) {}
+
+std::string ChunkCorrection::hear(const CorrectionMap& map) {
+  if (map.toolpath_id != driven_.id)
+    return "the map is of toolpath " + map.toolpath_id + "; driven is " + driven_.id;
+  std::string defect = defectOf(map, driven_.toolpath);
+  if (!defect.empty()) return defect;
+  maps_[map.layer] = ledMap(map, driven_.toolpath.layers[map.layer], feederOf(settings_), settings_);
+  return {};
+}
+
+const PathCorrection* ChunkCorrection::find(const WaypointIndex& heading_for) const {
+  const auto map = maps_.find(heading_for.layer);
+  if (map == maps_.end()) return nullptr;
+  const std::vector<PathCorrection>& paths = map->second.paths;
+  const auto found =
+      std::lower_bound(paths.begin(), paths.end(), heading_for.path,
+                       [](const PathCorrection& each, std::size_t path) { return each.path < path; });
+  return found == paths.end() || found->path != heading_for.path ? nullptr : &*found;
+}
+
+/// From the start of the path to the tip [mm].
+double ChunkCorrection::alongAt(const JointState& state) const {
+  const Path& path = driven_.toolpath.layers[state.heading_for.layer].paths[state.heading_for.path];
+  const Point3 tip = part_from_bed_ * model_.bedFromNozzle(state.position).translation();
+  // Waypoint 0 of a closed path stands for its return.
+  const bool is_return = path.is_closed && state.heading_for.waypoint == 0;
+  const std::size_t motion =
+      is_return ? path.points.size() - 1 : std::max<std::size_t>(1, state.heading_for.waypoint) - 1;
+  double along = 0.0;
+  for (std::size_t m = 0; m < motion; ++m) along += (path.points[path.motionEnd(m)] - path.points[m]).norm();
+  const Point3 way = path.points[path.motionEnd(motion)] - path.points[motion];
+  const double length = way.norm();
+  if (!(length > 0.0)) return along;
+  return along + std::clamp((tip - path.points[motion]).dot(way) / length, 0.0, length);
+}
+
+/// None where no map is, as on travels: heights go back there.
+ChunkCorrection::Asked ChunkCorrection::askedAt(const JointState& state) const {
+  const PathCorrection* const correction = find(state.heading_for);
+  if (correction == nullptr) return {};
+  const PlaceCorrection here = correctionAt(*correction, alongAt(state));
+  return {here.amount, here.dz_mm};
+}
+
+/// The height at a time of the chunk before; 0 before the first.
+double ChunkCorrection::handedOver(double time_s) const {
+  if (heights_.empty()) return 0.0;
+  const auto after = std::lower_bound(heights_.begin(), heights_.end(), std::make_pair(time_s, -1e300));
+  if (after == heights_.begin()) return heights_.front().second;
+  if (after == heights_.end()) return heights_.back().second;
+  const auto before = after - 1;
+  const double part = (time_s - before->first) / (after->first - before->first);
+  return before->second + part * (after->second - before->second);
+}
+
+JointValues ChunkCorrection::shiftOf(const JointState& state, double dz_mm) const {
+  const Jacobian jacobian = model_.jacobian(state.position);
+  Eigen::VectorXd twist = Eigen::VectorXd::Zero(jacobian.rows());
+  twist.head<3>() = dz_mm * normal_;
+  return jacobian.completeOrthogonalDecomposition().solve(twist);
+}
+
+bool ChunkCorrection::isWithinLimits(const JointValues& position) const {
+  for (std::size_t j = 0; j < model_.joints().size(); ++j) {
+    const DrivenJoint& joint = model_.joints()[j];
+    const double value = position[static_cast<Eigen::Index>(j)];
+    if (value < joint.low || value > joint.high) return false;
+  }
+  return true;
+}
+
+TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
+  if (chunk.points.empty() || (maps_.empty() && heights_.empty())) return chunk;
+  std::vector<std::pair<double, double>> heights;
+  std::vector<JointValues> shifts;
+  double height = handedOver(chunk.points.front().time_s);
+  double last_s = chunk.points.front().time_s;
+  for (JointState& point : chunk.points) {
+    const Asked asked = askedAt(point);
+    const double most = kHeightSpeed * (point.time_s - last_s);
+    const double next = height + std::clamp(asked.dz_mm - height, -most, most);
+    if (isWithinLimits(point.position + shiftOf(point, next))) height = next;
+    last_s = point.time_s;
+    heights.emplace_back(point.time_s, height);
+    shifts.push_back(shiftOf(point, height));
+    point.process.flow_mm3_s *= 1.0 + asked.amount;
+  }
+  for (std::size_t i = 0; i < shifts.size(); ++i) {
+    JointState& point = chunk.points[i];
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(i + 1, shifts.size() - 1);
+    const double span_s = chunk.points[after].time_s - chunk.points[before].time_s;
+    point.position += shifts[i];
+    if (span_s > 0.0) point.velocity += (shifts[after] - shifts[before]) / span_s;
+  }
+  heights_ = std::move(heights);
+  return chunk;
+}
+
+}  // namespace lamina

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/control/correction_map.hpp"
+#include "lamina/control/loop_settings.hpp"
+#include "lamina/kinematics/model/kinematic_model.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+#include "lamina/trajectory/trajectory_feeder.hpp"
+
+namespace lamina {
+
+/// A toolpath where it is driven.
+struct DrivenToolpath {
+  std::string id;
+  Toolpath toolpath;                                                ///< [mm, part frame]
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
+};
+
+/// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
+/// along the layers' normal by the height, through the machine's Jacobian. Times stay. What was handed over
+/// stays, too: heights go over from there at `kHeightSpeed` at most, so that joints do not jump.
+class ChunkCorrection {
+ public:
+  static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along the normal, by corrections [mm/s]
+
+  /// @param settings  of which the feeder's delay and limits count; amounts are led by them
+  /// @param model     must outlive this
+  ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& settings, const KinematicModel& model);
+
+  /// @return why the map is not used, in words; empty if it is used from now on
+  std::string hear(const CorrectionMap& map);
+
+  /// The next chunk, corrected. Where a height would lead a joint out of its limits, it stays as it was.
+  TrajectoryChunk corrected(TrajectoryChunk chunk);
+
+ private:
+  /// What is asked for at a point of the trajectory.
+  struct Asked {
+    double amount = 0.0;
+    double dz_mm = 0.0;
+  };
+
+  const PathCorrection* find(const WaypointIndex& heading_for) const;
+  Asked askedAt(const JointState& state) const;
+  double alongAt(const JointState& state) const;
+  double handedOver(double time_s) const;
+  bool isWithinLimits(const JointValues& position) const;
+  JointValues shiftOf(const JointState& state, double dz_mm) const;
+
+  DrivenToolpath driven_;
+  LoopSettings settings_;
+  const KinematicModel& model_;
+  Eigen::Isometry3d part_from_bed_;
+  Eigen::Vector3d normal_;                          ///< [bed]
+  std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
+  std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
+};
+
+}  // namespace lamina

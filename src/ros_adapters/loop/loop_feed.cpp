@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop/loop_feed.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "conversions.hpp"
+#include "lamina/base/error.hpp"
+#include "names.hpp"
+#include "point_cloud.hpp"
+#include "transforms.hpp"
+
+namespace lamina {
+namespace {
+
+double bytesOfCloud(const sensor_msgs::PointCloud2& cloud) {
+  return static_cast<double>(sizeof(cloud) + cloud.fields.size() * sizeof(sensor_msgs::PointField) +
+                             cloud.data.size());
+}
+
+std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
+
+}  // namespace
+
+LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
+    : settings_(settings), queue_bytes_(1e6 * queue_mb) {}
+
+void LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
+  if (run_) {
+    counts_.of_former_print += waiting_.size();
+    counts_.waiting -= waiting_.size();
+    waiting_.clear();
+    waiting_bytes_ = 0.0;
+    while (sequence_.passNext()) {
+    }
+    sequence_.takeNozzles();
+  }
+  run_.reset();
+  MachineToolpath placed = fromMessage(toolpath);
+  run_ = std::make_unique<LoopRun>(
+      PlacedPart{std::move(placed.id), placed.bed_from_part, std::move(placed.toolpath)}, settings_);
+}
+
+void LoopFeed::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {
+  sequence_.add(transform, authority);
+}
+
+void LoopFeed::addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority) {
+  sequence_.addFixed(transform, authority);
+}
+
+/// When a cloud of that stamp was taken; none where that is no time of tf, to which zero is the latest.
+std::optional<ros::Time> LoopFeed::takenAt(const ros::Time& stamp) const {
+  const std::int64_t taken = nanoseconds(stamp) - std::llround(1e9 * settings_.calibration.time_offset_s);
+  constexpr std::int64_t kGreatest = std::int64_t{std::numeric_limits<std::int32_t>::max()} * 1'000'000'000;
+  if (stamp.isZero() || taken <= 0 || taken > kGreatest) return std::nullopt;
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(taken));
+  return time;
+}
+
+void LoopFeed::add(const sensor_msgs::PointCloud2ConstPtr& cloud) {
+  ++counts_.received;
+  const auto taken = takenAt(cloud->header.stamp);
+  if (cloud->header.frame_id.empty() || !taken) {
+    ++counts_.without_frame;
+    return;
+  }
+  ++counts_.waiting;
+  waiting_bytes_ += bytesOfCloud(*cloud);
+  waiting_.insert({*taken, cloud});
+  while (waiting_bytes_ > queue_bytes_ && !waiting_.empty()) pushOutOldest();
+}
+
+void LoopFeed::pushOutOldest() {
+  settle(*waiting_.begin()->second);
+  ++counts_.pushed_out;
+  waiting_.erase(waiting_.begin());
+}
+
+/// A cloud that waited no longer does.
+void LoopFeed::settle(const sensor_msgs::PointCloud2& cloud) {
+  --counts_.waiting;
+  waiting_bytes_ -= bytesOfCloud(cloud);
+}
+
+void LoopFeed::hear(const ros::Time& stamp) {
+  if (const auto taken = takenAt(stamp)) heard_ = *taken;
+}
+
+void LoopFeed::pass() {
+  if (!run_) return;  // the first toolpath may come after its clouds
+  do {
+    placeClouds();
+    for (const StampedNozzle& nozzle : sequence_.takeNozzles())
+      run_->observe({nanoseconds(nozzle.stamp), nozzle.bed_from_nozzle.translation()});
+  } while (sequence_.passNext());
+  if (!heard_) return;
+  run_->hear(nanoseconds(*heard_));
+  heard_.reset();
+}
+
+void LoopFeed::passAll() {
+  pass();
+  if (run_) run_->passAll();
+}
+
+void LoopFeed::finish() {
+  pass();
+  if (run_) run_->finish();
+}
+
+void LoopFeed::request(LoopRequest request) {
+  settings_.request = request;
+  if (!run_) return;
+  const LoopStatus& status = run_->request(request);
+  if (status.state == LoopState::Blocked) throw Rejected("the loop is blocked: " + status.reason);
+}
+
+void LoopFeed::placeClouds() {
+  std::set<std::string> ahead;  // frames that tf has not come up to
+  for (auto cloud = waiting_.begin(); cloud != waiting_.end();) {
+    const std::string& frame = cloud->second->header.frame_id;
+    if (ahead.count(frame) > 0 || !place(cloud->first, *cloud->second)) {
+      ahead.insert(frame);
+      ++cloud;
+      continue;
+    }
+    cloud = waiting_.erase(cloud);
+  }
+}
+
+/// Whether the cloud no longer waits.
+bool LoopFeed::place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud) {
+  const std::string& frame = cloud.header.frame_id;
+  const Readiness ready = readiness(sequence_.buffer(), names::kBedFrame, frame, taken);
+  if (ready == Readiness::NotYet) return false;
+  settle(cloud);
+  const auto bed_from_sensor = lookUp(sequence_.buffer(), names::kBedFrame, frame, taken);
+  if (ready == Readiness::Never || !bed_from_sensor) {
+    ++counts_.without_transform;
+    return true;
+  }
+  try {
+    run_->see({nanoseconds(taken), *bed_from_sensor, profilesFromMessage(cloud)});
+    ++counts_.placed;
+  } catch (const InvalidInput& error) {
+    counts_.last_fault = error.what();
+    ++counts_.malformed;
+  }
+  return true;
+}
+
+}  // namespace lamina

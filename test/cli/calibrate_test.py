@@ -1,0 +1,134 @@
+"""`lamina calibrate` as a person runs it: programs to record, and recordings as tables."""
+import json
+import math
+import os
+import tempfile
+import unittest
+
+from lamina_command import lamina, motions, told
+
+LATE = 0.12  # s
+
+
+def height(time):
+    """Of a nozzle that bobs ever faster about 5 mm."""
+    phase = 0.5 * time + 0.075 * time * time
+    return 5.0 + 2.0 * math.asin(math.sin(2.0 * math.pi * phase)) * 2.0 / math.pi
+
+
+def write_bobbing(folder):
+    with open(os.path.join(folder, "poses.csv"), "w", encoding="ascii") as poses:
+        poses.write("time_s,x_mm,y_mm,z_mm\n")
+        for i in range(1001):
+            poses.write(f"{100.0 + 0.01 * i!r},75,100,{height(0.01 * i)!r}\n")
+    with open(os.path.join(folder, "profiles.csv"), "w", encoding="ascii") as profiles:
+        profiles.write("# depth of a bed 60 mm under the nozzle's tip\ntime_s,x_mm,z_mm\n")
+        for i in range(2001):
+            for x in (-10, 0, 10):
+                profiles.write(f"{100.0 + LATE + 0.005 * i!r},{x},{60.0 + height(0.005 * i)!r}\n")
+
+
+def pyramid(x, y):
+    """40 mm wide at its base, 20 mm at its top, 10 mm high, about 100, 100."""
+    return min(10.0, max(0.0, 20.0 - max(abs(x - 100.0), abs(y - 100.0))))
+
+
+def write_scan(folder, surface):
+    """Swaths along y at two heights over a surface by a sensor that sits 1 mm farther along x than it should."""
+    os.makedirs(folder, exist_ok=True)
+    time = 0.0
+    with open(os.path.join(folder, "poses.csv"), "w", encoding="ascii") as poses, \
+            open(os.path.join(folder, "profiles.csv"), "w", encoding="ascii") as profiles:
+        poses.write("time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n")
+        profiles.write("z_mm,x_mm,y_mm,time_s\n")
+        for z in (12.0, 20.0):
+            for x in (60.0, 75.0, 90.0):
+                time += 5.0
+                for y in range(70, 131):
+                    time += 0.05
+                    poses.write(f"{time!r},{x},{y},{z},0,1,0,0\n")
+                    for across in range(-14, 15):
+                        depth = z + 60.0 - surface(x + 26.0 + across, y)
+                        profiles.write(f"{depth!r},{across},0,{time!r}\n")
+
+
+class Calibrate(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def test_finds_how_late_the_stamps_of_tables_are(self):
+        write_bobbing(self.folder)
+        found = told("calibrate", "time", self.folder, "-o", self.path("cell.yaml"), "--sensor", "profiler 7")
+        self.assertAlmostEqual(found["time_offset_s"], LATE, delta=0.0002)
+        self.assertLess(found["spread_s"], 0.0005)
+        with open(self.path("cell.yaml"), encoding="ascii") as file:
+            cell = file.read()
+        self.assertIn("machine: cartesian_gantry", cell)
+        self.assertIn("sensor: profiler 7", cell)
+        self.assertIn("time_offset_method: bobbing", cell)
+        again = lamina("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertIn("time offset 120.0", again.stdout)
+        with open(self.path("cell.yaml"), encoding="ascii") as file:
+            self.assertIn("sensor: profiler 7", file.read())
+
+    def test_finds_where_the_sensor_sits_by_a_touched_pyramid(self):
+        write_scan(self.path("scan"), pyramid)
+        write_scan(self.path("bare"), lambda x, y: 0.0)
+        found = told("calibrate", "sensor", self.path("scan"), "--method", "pyramid", "--pyramid", "40,20,10", "--at", "100,100",
+                     "--top", "10", "--with-plane", self.path("bare"), "-o", self.path("cell.yaml"))
+        for value, truth in zip(found["xyz_mm"], (26.0, 0.0, -60.0)):
+            self.assertAlmostEqual(value, truth, delta=0.05)
+        self.assertAlmostEqual(abs(found["quaternion_wxyz"][0]), 1.0, delta=1e-6)
+        self.assertEqual(found["kept"], "")
+        self.assertEqual(len(found["directions"]), 6)
+        bed = lamina("calibrate", "sensor", self.path("bare"), "--method", "bed")
+        self.assertEqual(bed.returncode, 0, bed.stderr)
+        self.assertIn("kept        x of the nozzle is not observable", bed.stdout)
+        wrong = lamina("calibrate", "sensor", self.path("scan"), "--method", "pyramid", "--pyramid", "20,40,10")
+        self.assertIn("base wider than the top", wrong.stderr)
+
+    def test_refuses_the_calibration_of_another_machine(self):
+        write_bobbing(self.folder)
+        told("calibrate", "time", self.folder, "-o", self.path("cell.yaml"))
+        other = lamina("calibrate", "time", self.folder, "-o", self.path("cell.yaml"), "--set",
+                       "machine.name=large_gantry_45")
+        self.assertEqual(other.returncode, 1)
+        self.assertIn("cartesian_gantry", other.stderr)
+
+    def test_tells_what_is_missing(self):
+        for arguments, words in ((("calibrate", "time", self.folder), "poses.csv"),
+                                 (("calibrate", "plan", "bobbing"), "no output"),
+                                 (("calibrate", "plan", "cross", "-o", self.path("a.gcode"), "--set", "calibrate.x_mm=5000"),
+                                  "reaches"),
+                                 (("calibrate", "plan", "edge", "-o", self.path("a.gcode"), "--set",
+                                   "machine.name=large_gantry_45"), "straight down"),
+                                 (("calibrate", "time", self.path("none.bag")), "none.bag")):
+            done = lamina(*arguments)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertIn(words, done.stderr)
+
+    def test_plans_what_is_to_be_recorded(self):
+        for kind in ("bobbing", "edge", "cross", "feeder"):
+            plan = told("calibrate", "plan", kind, "-o", self.path(kind + ".gcode"))
+            with open(self.path(kind + ".gcode"), encoding="ascii") as file:
+                run = motions(file.read())
+            laid = sum(math.dist(motion.start, motion.end) for motion in run if motion.lays())
+            self.assertAlmostEqual(laid, plan["deposition_mm"], delta=0.1)
+            self.assertEqual(laid > 0.0, kind != "bobbing")
+            if kind == "bobbing":
+                heights = [motion.end[2] for motion in run]
+        self.assertGreater(sum(a != b for a, b in zip(heights, heights[1:])), 20)
+
+    def test_settings_are_listed(self):
+        listed = json.loads(lamina("calibrate", "plan", "bobbing", "--print-config", "--json").stdout)
+        self.assertEqual(listed["calibrate.bob_s"], 10.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lamina/deposition/grown_deposit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/base/error.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kLayer = 1.5;
+constexpr double kWidth = 3.0;
+constexpr double kLength = 60.0;
+constexpr double kSpeed = 10.0;  // mm/s
+constexpr double kX = 10.0;      // where the wall begins, in x and y
+
+HeightMap bed() { return HeightMap(heightGrid({Point2(0, 0), Point2(80, 40)}, 0.25), 0.0); }
+
+/// A wall along x of one bead per layer, printed to and fro; each layer has its amount over the planned one.
+class Wall {
+ public:
+  explicit Wall(const PlantSettings& plant, const GrownDepositSettings& settings = {})
+      : deposit_(bed(), plant, settings) {}
+
+  void layLayer(double amount, double dz_mm = 0.0) {
+    ++layer_;
+    const double z = kLayer * layer_ + dz_mm;
+    const bool is_back = layer_ % 2 == 0;
+    constexpr int kPieces = 12;
+    for (int i = 0; i < kPieces; ++i) {
+      const double from = kLength * i / kPieces;
+      const double to = kLength * (i + 1) / kPieces;
+      const double start_s = now_s_;
+      now_s_ += (to - from) / kSpeed;
+      deposit_.lay({{placeOf(from, is_back), kX, z},
+                    {placeOf(to, is_back), kX, z},
+                    amount * kWidth * kLayer * (to - from),
+                    start_s,
+                    now_s_});
+    }
+    deposit_.endBead();
+    now_s_ += 5.0;
+  }
+  double at(double along_mm, double across_mm = 0.1) const {
+    return deposit_.surface().nearest(Point2(kX + along_mm, kX + across_mm));
+  }
+  const GrownDeposit& deposit() const { return deposit_; }
+
+ private:
+  static double placeOf(double along, bool is_back) { return kX + (is_back ? kLength - along : along); }
+
+  GrownDeposit deposit_;
+  int layer_ = 0;
+  double now_s_ = 0.0;
+};
+
+TEST(GrownDeposit, GrowsByVolumeOverWidthWhateverTheNozzleDoes) {
+  Wall wall{PlantSettings()};
+  for (int k = 0; k < 4; ++k) wall.layLayer(1.0);
+  EXPECT_NEAR(wall.at(30.0), 4 * kLayer, 1e-9);
+  wall.layLayer(1.2);
+  EXPECT_NEAR(wall.at(30.0), 5.2 * kLayer, 1e-9) << "nothing holds the bead down";
+  EXPECT_NEAR(wall.at(30.0, 0.5 * kWidth - 0.2), 5.2 * kLayer, 1e-9);
+  EXPECT_EQ(wall.at(30.0, 0.5 * kWidth + 0.3), 0.0);
+  EXPECT_EQ(wall.at(-0.3), 0.0) << "beside its end nothing is laid";
+  EXPECT_NEAR(volumeUnder(wall.deposit().surface()), 5.2 * kLayer * kWidth * kLength, 1e-3 * 1400);
+}
+
+TEST(GrownDeposit, AddsUpAGainThatIsTooSmall) {
+  PlantSettings plant;
+  plant.gain = 0.9;
+  Wall wall(plant);
+  for (int k = 0; k < 10; ++k) wall.layLayer(1.0);
+  EXPECT_NEAR(wall.at(30.0), 0.9 * 10 * kLayer, 1e-9);
+}
+
+TEST(GrownDeposit, IsLowAtEnds) {
+  PlantSettings plant;
+  plant.end_loss = 0.2;
+  plant.end_mm = 10.0;
+  Wall wall(plant);
+  wall.layLayer(1.0);
+  EXPECT_NEAR(wall.at(30.0), kLayer, 1e-9);
+  EXPECT_NEAR(wall.at(0.3), kLayer * (1.0 - 0.2 * 0.975), 1e-9) << "of the first half millimetre";
+  EXPECT_NEAR(wall.at(5.3), kLayer * (1.0 - 0.2 * 0.475), 1e-9);
+}
+
+TEST(GrownDeposit, HearsTheFeederLate) {
+  PlantSettings plant;
+  plant.dead_time_s = 2.0;
+  Wall wall(plant);
+  wall.layLayer(1.0);
+  wall.layLayer(1.4);  // comes back from the far end
+  EXPECT_NEAR(wall.at(50.0), 2.0 * kLayer, 1e-9) << "the first 20 mm at 10 mm/s";
+  EXPECT_NEAR(wall.at(30.0), 2.4 * kLayer, 1e-9);
+}
+
+TEST(GrownDeposit, WearsOverItsLayersAndLosesByStandOff) {
+  PlantSettings plant;
+  plant.wear = 0.5;
+  GrownDepositSettings settings;
+  settings.layers = 2;
+  Wall wall(plant, settings);
+  wall.layLayer(1.0);
+  wall.layLayer(1.0);
+  EXPECT_NEAR(wall.at(30.0), kLayer * (1.0 + 0.75), 1e-9);
+
+  PlantSettings far;
+  far.standoff = 0.3;
+  Wall high(far);
+  high.layLayer(1.0);
+  high.layLayer(1.0, 0.5);
+  EXPECT_NEAR(high.at(30.0), kLayer + kLayer * (1.0 - 0.3 * 0.5 / kLayer), 1e-9);
+}
+
+TEST(GrownDeposit, LiesBesideItsPlaceAndHasTheWidthToldIt) {
+  PlantSettings plant;
+  plant.nozzle_offset_mm = {0.0, 1.0, 0.0};
+  GrownDepositSettings settings;
+  settings.bead_width_mm = 6.0;
+  Wall wall(plant, settings);
+  wall.layLayer(1.0);
+  EXPECT_NEAR(wall.at(30.0, 3.8), 0.5 * kLayer, 1e-9);
+  EXPECT_EQ(wall.at(30.0, 4.2), 0.0);
+  EXPECT_NEAR(wall.at(30.0, -1.9), 0.5 * kLayer, 1e-9);
+  EXPECT_EQ(wall.at(30.0, -2.2), 0.0);
+}
+
+TEST(GrownDeposit, JoinsAClosedBead) {
+  PlantSettings plant;
+  plant.end_loss = 0.5;
+  GrownDeposit deposit(bed(), plant, {});
+  const Point3 corners[] = {{10, 10, kLayer}, {40, 10, kLayer}, {40, 30, kLayer}, {10, 30, kLayer}};
+  for (int i = 0; i < 4; ++i) {
+    const Point3& from = corners[i];
+    const Point3& to = corners[(i + 1) % 4];
+    deposit.lay({from, to, kWidth * kLayer * (to - from).norm(), 0.0, 1.0});
+  }
+  EXPECT_EQ(deposit.highest(), 0.0) << "a bead stands once it has ended";
+  deposit.endBead();
+  for (const Point2& at : {Point2(10.1, 10.1), Point2(25.1, 10.1), Point2(39.9, 29.9), Point2(10.1, 20.1)})
+    EXPECT_NEAR(deposit.surface().nearest(at), kLayer, 1e-9) << at.transpose();
+}
+
+TEST(GrownDeposit, OfALeaningWallReachesOutOverTheBeadBelow) {
+  PlantSettings plant;
+  plant.gain = 0.9;
+  GrownDeposit deposit(bed(), plant, {});
+  for (int layer = 1; layer <= 8; ++layer) {
+    const double y = 10.0 + 0.7 * layer;
+    const double z = kLayer * layer;
+    deposit.lay({{10, y, z}, {70, y, z}, kWidth * kLayer * 60.0, 10.0 * layer, 10.0 * layer + 6.0});
+    deposit.endBead();
+  }
+  for (const double across : {-1.3, 0.1, 1.3})
+    EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 10.0 + 0.7 * 8 + across)), 0.9 * 8 * kLayer, 1e-9);
+  EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 9.4)), 0.9 * kLayer, 1e-9) << "of the first bead alone";
+}
+
+TEST(GrownDeposit, AddsUpWhereBeadsOfALayerCross) {
+  GrownDeposit deposit(bed(), PlantSettings(), {});
+  deposit.lay({{10, 20, kLayer}, {70, 20, kLayer}, kWidth * kLayer * 60.0, 0.0, 6.0});
+  deposit.endBead();
+  deposit.lay({{40, 5, kLayer}, {40, 35, kLayer}, kWidth * kLayer * 30.0, 7.0, 10.0});
+  deposit.endBead();
+  EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 20.1)), 2 * kLayer, 1e-9);
+  EXPECT_NEAR(deposit.surface().nearest(Point2(40.1, 10.1)), kLayer, 1e-9);
+  EXPECT_NEAR(deposit.surface().nearest(Point2(20.1, 20.1)), kLayer, 1e-9);
+}
+
+TEST(GrownDeposit, RefusesWhatIsNoPiece) {
+  GrownDeposit deposit(bed(), PlantSettings(), {});
+  EXPECT_THROW(deposit.lay({{0, 0, 1}, {1, 0, 1}, -1.0, 0.0, 1.0}), InvalidInput);
+  EXPECT_THROW(deposit.lay({{0, 0, 1}, {std::nan(""), 0, 1}, 1.0, 0.0, 1.0}), InvalidInput);
+  deposit.lay({{0, 0, 1}, {0, 0, 1}, 1.0, 0.0, 1.0});
+  deposit.endBead();
+  EXPECT_EQ(deposit.highest(), 0.0);
+}
+
+TEST(GrownDeposit, IsDisturbedByAnyOfThePlant) {
+  EXPECT_FALSE(isDisturbed(PlantSettings()));
+  PlantSettings lengths_alone;
+  lengths_alone.end_mm = 5.0;
+  lengths_alone.clog_at_layer = 4;
+  lengths_alone.nozzle_offset_mm = {0.0, 0.0, 0.0};
+  EXPECT_FALSE(isDisturbed(lengths_alone)) << "of which nothing follows";
+  PlantSettings gain;
+  gain.gain = 0.9;
+  EXPECT_TRUE(isDisturbed(gain));
+}
+
+}  // namespace
+}  // namespace lamina

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nodes/trajectory_driver/chunk_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lamina/control/layer_cells.hpp"
+#include "support/control_layers.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRate = 250.0;  // Hz
+constexpr double kSpeed = 10.0;  // mm/s
+const Point3 kPlace(100.0, 120.0, 0.0);
+
+DrivenToolpath driven() {
+  const Toolpath part{"beads", {test::straightBeadLayer({0.0}, 40.0)}};
+  return {"beads", part, Eigen::Isometry3d(Eigen::Translation3d(kPlace))};
+}
+
+/// The amount rises by 0.01 per mm, the height is the same all along.
+CorrectionMap risingMap(double dz_mm) {
+  const LayerCells cells = layerCells(driven().toolpath.layers[0], 0, 0.5);
+  CellCorrections corrections;
+  for (const double along : cells.along_mm) corrections.amount.push_back(0.01 * along);
+  corrections.dz_mm.assign(cells.size(), dz_mm);
+  return correctionMap(cells, corrections, "beads", 1);
+}
+
+/// Along the bead at constant speed, from one time to another.
+TrajectoryChunk chunkOf(double from_s, double to_s, const KinematicModel& model) {
+  TrajectoryChunk chunk;
+  for (double time = from_s; time < to_s + 1e-9; time += 1.0 / kRate) {
+    JointState state;
+    state.time_s = time;
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(M_PI, Point3::UnitX()).toRotationMatrix();
+    pose.translation() = kPlace + Point3(kSpeed * time, 0.0, 1.5);
+    state.position = model.solutions(pose, JointValues::Zero(3)).front().values;
+    state.velocity = JointValues::Zero(3);
+    state.acceleration = JointValues::Zero(3);
+    state.process.flow_mm3_s = 45.0;
+    state.heading_for = {0, 0, 1};
+    chunk.points.push_back(state);
+  }
+  return chunk;
+}
+
+double tipZ(const JointState& state, const KinematicModel& model) {
+  return model.bedFromNozzle(state.position).translation().z();
+}
+
+class CorrectedChunks : public testing::Test {
+ protected:
+  std::unique_ptr<KinematicModel> model = kinematicModelByName("cartesian_gantry");
+  ChunkCorrection correction{driven(), LoopSettings(), *model};
+};
+
+TEST_F(CorrectedChunks, WithoutMapsAreTheSame) {
+  const TrajectoryChunk chunk = chunkOf(0.0, 0.2, *model);
+  const TrajectoryChunk corrected = correction.corrected(chunk);
+  for (std::size_t i = 0; i < chunk.points.size(); ++i) {
+    EXPECT_EQ(corrected.points[i].position, chunk.points[i].position);
+    EXPECT_EQ(corrected.points[i].process, chunk.points[i].process);
+  }
+}
+
+TEST_F(CorrectedChunks, HaveTheFlowOfTheirPlaces) {
+  EXPECT_EQ(correction.hear(risingMap(0.0)), "");
+  for (const JointState& point : correction.corrected(chunkOf(1.0, 1.2, *model)).points)
+    EXPECT_NEAR(point.process.flow_mm3_s, 45.0 * (1.0 + 0.01 * kSpeed * point.time_s), 1e-6);
+}
+
+TEST_F(CorrectedChunks, GoOverToTheirHeightWithoutAJump) {
+  const TrajectoryChunk before = correction.corrected(chunkOf(0.0, 0.2, *model));
+  EXPECT_NEAR(tipZ(before.points.back(), *model), 1.5, 1e-9);
+  EXPECT_EQ(correction.hear(risingMap(0.3)), "");
+  const TrajectoryChunk first = correction.corrected(chunkOf(0.2, 0.4, *model));
+  const TrajectoryChunk second = correction.corrected(chunkOf(0.4, 0.6, *model));
+  EXPECT_NEAR(tipZ(first.points.front(), *model), 1.5, 1e-9) << "where it joins what was handed over";
+  // 0.3 mm at 5 mm/s take 60 ms.
+  for (const JointState& point : first.points)
+    EXPECT_NEAR(tipZ(point, *model), 1.5 + std::min(0.3, 5.0 * (point.time_s - 0.2)), 1e-6);
+  EXPECT_NEAR(first.points[5].velocity.norm(), ChunkCorrection::kHeightSpeed, 1e-6) << "on the way up";
+  EXPECT_NEAR(second.points.front().velocity.norm(), 0.0, 1e-6);
+  EXPECT_NEAR(tipZ(second.points.front(), *model), tipZ(first.points.back(), *model), 1e-9);
+}
+
+TEST_F(CorrectedChunks, DoNotTakeMapsThatCannotBeFollowed) {
+  CorrectionMap other = risingMap(0.0);
+  other.toolpath_id = "other";
+  EXPECT_NE(correction.hear(other).find("of toolpath other; driven is beads"), std::string::npos);
+  CorrectionMap beyond = risingMap(0.0);
+  beyond.layer = 1;
+  EXPECT_NE(correction.hear(beyond).find("more layers than 1"), std::string::npos);
+  EXPECT_NE(correction.hear(risingMap(1.6)).find("moves the nozzle by 1.6"), std::string::npos);
+  CorrectionMap fast = risingMap(0.0);
+  fast.paths[0].stations[3].speed = 0.1;
+  EXPECT_NE(correction.hear(fast).find("changes the speed by 0.1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lamina

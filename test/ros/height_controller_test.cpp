@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The loop as a node, over prints whose answer is known; and over the same ones without a master.
+#include <gtest/gtest.h>
+#include <std_srvs/Trigger.h>
+
+#include <array>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bag_player.hpp"
+#include "correction_messages.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "support/scratch_folder.hpp"
+#include "wait_until.hpp"
+#include "wall_messages.hpp"
+
+namespace lamina {
+namespace {
+
+using test::calibratedLoop;
+using test::NodeProcess;
+using test::SensedWall;
+using test::sensedWall;
+using test::SensedWallCase;
+using test::SensorDoes;
+using test::waitUntil;
+using StateMessage = lamina_msgs::LoopState;
+
+/// A node of its own: stamps of a replay go back.
+class Controller {
+ public:
+  explicit Controller(std::vector<std::string> parameters = {}) {
+    const std::vector<std::string> calibrated = {"_sensor/time_offset_trusted:=true",
+                                                 "_sensor/place_trusted:=true", "_request:=active",
+                                                 "_sight/sigma_mm:=0.01", "_loop/reading_correlation:=0.0"};
+    parameters.insert(parameters.begin(), calibrated.begin(), calibrated.end());
+    const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> on_map = [this](const auto& map) {
+      if (is_listening_) maps.push_back(*map);
+    };
+    const boost::function<void(const lamina_msgs::LoopFiguresConstPtr&)> on_layer =
+        [this](const auto& layer) {
+          if (is_listening_) layers.push_back(*layer);
+        };
+    const boost::function<void(const lamina_msgs::LoopStateConstPtr&)> on_state = [this](const auto& state) {
+      if (is_listening_) states.push_back(*state);
+    };
+    maps_ = node_.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 0, on_map);
+    layers_ = node_.subscribe<lamina_msgs::LoopFigures>(names::kLoopFigures, 0, on_layer);
+    states_ = node_.subscribe<StateMessage>(names::kLoopState, 0, on_state);
+    process_.emplace(LAMINA_NODE, parameters);
+    waitUntil(
+        [this] { return !states.empty() && maps_.getNumPublishers() > 0 && layers_.getNumPublishers() > 0; });
+  }
+  ~Controller() {
+    is_listening_ = false;
+    process_.reset();
+    waitUntil([this] { return is_killed_ || maps_.getNumPublishers() == 0; });
+  }
+
+  /// A node that is killed says no farewell to the master.
+  int end(int signal) {
+    is_killed_ = signal == SIGKILL;
+    return process_->end(signal);
+  }
+  std::vector<std::string> digests() const {
+    std::vector<std::string> all;
+    for (const auto& map : maps) all.push_back(map.digest);
+    return all;
+  }
+  bool isIn(std::uint8_t state) const { return !states.empty() && states.back().state == state; }
+
+  std::vector<lamina_msgs::CorrectionMap> maps;
+  std::vector<lamina_msgs::LoopFigures> layers;
+  std::vector<StateMessage> states;
+
+ private:
+  ros::NodeHandle node_;
+  bool is_listening_ = true;
+  bool is_killed_ = false;
+  ros::Subscriber maps_, layers_, states_;
+  std::optional<NodeProcess> process_;
+};
+
+SensedWallCase wallCase() {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  return wall;
+}
+
+/// What `lamina estimate` says of a bag.
+nlohmann::json estimate(const std::string& bag, const std::string& more = "") {
+  const std::string command =
+      std::string(LAMINA_COMMAND) + " estimate " + bag +
+      " --json --set request=active --set sensor.time_offset_trusted=true "
+      "--set sensor.place_trusted=true --set sight.sigma_mm=0.01 --set loop.reading_correlation=0 " +
+      more;
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> part{};
+  for (std::size_t read = 0; (read = fread(part.data(), 1, part.size(), pipe)) > 0;)
+    text.append(part.data(), read);
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return nlohmann::json::parse(text);
+}
+
+std::vector<std::string> replayed(const std::string& bag, std::size_t layers, const std::string& rate) {
+  Controller controller;
+  const test::BagPlayer player(bag, {"--rate=" + rate, "--delay=0.5"});
+  waitUntil([&] { return controller.layers.size() >= layers; });
+  return controller.digests();
+}
+
+TEST(HeightController, GivesTheMapsThatAreWorkedOut) {
+  const SensedWallCase wall = wallCase();
+  const test::WallTruth truth = test::wallTruth(wall);
+  const test::ScratchFolder folder;
+  test::writeBag(folder.file("wall.bag"), sensedWall(wall));
+  Controller controller({"_output_folder:=" + folder.file("report")});
+  ros::NodeHandle node;
+  std::optional<sensor_msgs::PointCloud2> cells;
+  const boost::function<void(const sensor_msgs::PointCloud2ConstPtr&)> on_cells = [&](const auto& cloud) {
+    cells = *cloud;
+  };
+  const auto subscriber = node.subscribe<sensor_msgs::PointCloud2>(names::kLoopCells, 10, on_cells);
+  const test::BagPlayer player(folder.file("wall.bag"), {"--rate=4"});
+  waitUntil([&] { return controller.layers.size() >= wall.layers && cells; });
+  ASSERT_EQ(controller.layers.size(), wall.layers);
+  ASSERT_EQ(controller.maps.size(), wall.layers);
+  for (std::size_t k = 0; k < wall.layers; ++k) {
+    const auto& layer = controller.layers[k];
+    EXPECT_EQ(layer.layer, k);
+    EXPECT_EQ(layer.state, StateMessage::ACTIVE + 0);
+    EXPECT_TRUE(layer.is_measured);
+    EXPECT_NEAR(layer.coverage, 1.0, 1e-12);
+    EXPECT_NEAR(toMillimetres(layer.mean_error), truth.error_mm[k], 0.01);
+    EXPECT_LT(toMillimetres(layer.flatness), 0.05);
+    EXPECT_NEAR(toMillimetres(layer.rmse), std::abs(truth.error_mm[k]), 0.05);
+    EXPECT_NEAR(layer.gain_mean, truth.gain[k], 0.01);
+    EXPECT_LE(layer.gain_least, layer.gain_mean);
+    EXPECT_GE(layer.gain_greatest, layer.gain_mean);
+    EXPECT_EQ(layer.map_digest, controller.maps[k].digest);
+    EXPECT_EQ(layer.limited_share, 0.0);
+    EXPECT_EQ(layer.contested_share, 0.0);
+    EXPECT_EQ(layer.deviating_share, 0.0);
+    EXPECT_GT(layer.consistency, 0.0);
+    EXPECT_GT(layer.repeatability, 0.0);
+    for (const std::uint16_t alarm : layer.alarms) EXPECT_EQ(alarm, 6106) << "cells that are all alike";
+    const CorrectionMap map = toCore(controller.maps[k]);
+    const double amount = map.paths.empty() ? 0.0 : correctionAt(map.paths[0], 30.0).amount;
+    EXPECT_NEAR(amount, truth.amount[k], 0.01) << k;
+  }
+  ASSERT_TRUE(cells);
+  EXPECT_EQ(cells->width, 120U) << "60 mm of cells of 0.5 mm";
+  EXPECT_EQ(cells->fields.back().name, "sigma");
+  EXPECT_EQ(controller.end(SIGINT), 0);
+  EXPECT_NE(readFile(folder.file("report/loop_report.html")).find("<svg"), std::string::npos);
+  EXPECT_NE(readFile(folder.file("report/loop_layers.csv")).find(controller.maps.back().digest),
+            std::string::npos);
+}
+
+TEST(HeightController, ReplaysToTheSameBitsAtAnySpeedAndWithoutAMaster) {
+  SensedWallCase wall = wallCase();
+  const test::ScratchFolder folder;
+  const std::string bag = folder.file("wall.bag");
+  test::writeBag(bag, sensedWall(wall));
+  const nlohmann::json offline = estimate(bag, "--namespace / -o " + folder.file("estimate"));
+  const std::vector<std::string> expected = offline["prints"][0]["map_digests"];
+  EXPECT_EQ(expected.size(), wall.layers);
+  EXPECT_NE(expected[2], expected[3]);
+  EXPECT_EQ(replayed(bag, wall.layers, "10"), expected);
+  EXPECT_EQ(replayed(bag, wall.layers, "1"), expected);
+  EXPECT_LT(2.0 * offline["elapsed_s"].get<double>(), offline["recorded_s"].get<double>());
+  EXPECT_NE(readFile(folder.file("estimate/correction_3.csv")).find(expected[3]), std::string::npos);
+}
+
+TEST(HeightController, TakesTheOffsetOfTheSensorsClockOff) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 4;
+  const test::ScratchFolder folder;
+  const SensedWall printed = sensedWall(wall);
+  test::writeBag(folder.file("right.bag"), printed);
+  test::writeBag(folder.file("late.bag"), printed, 0.25);
+  const nlohmann::json right = estimate(folder.file("right.bag"));
+  const nlohmann::json late = estimate(folder.file("late.bag"), "--set sensor.time_offset_s=0.25");
+  EXPECT_EQ(right["prints"][0]["map_digests"], late["prints"][0]["map_digests"]);
+}
+
+/// Says what a cell says, in real time, from now on.
+class LiveWall {
+ public:
+  explicit LiveWall(SensedWallCase wall) {
+    wall.start_ns = static_cast<std::int64_t>((ros::Time::now() + ros::Duration(0.5)).toNSec());
+    printed = sensedWall(wall);
+    toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+    profile_ = node_.advertise<sensor_msgs::PointCloud2>(names::kProfile, 1000);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 1000);
+    tf_static_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+    toolpath_.publish(test::toolpathMessage(printed));
+    tf_static_.publish(test::sensorMessage());
+    waitUntil([this] { return profile_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0; });
+  }
+
+  /// Publishes what is due until something is true, or all is said.
+  void say(const std::function<bool()>& is_enough) {
+    while (!is_enough() && (tip_ < printed.tips.size() || cloud_ < printed.clouds.size())) {
+      const auto now = static_cast<std::int64_t>(ros::Time::now().toNSec());
+      for (; cloud_ < printed.clouds.size() && printed.clouds[cloud_].stamp_ns <= now; ++cloud_)
+        profile_.publish(test::cloudMessage(printed.clouds[cloud_]));
+      for (; tip_ < printed.tips.size() && printed.tips[tip_].stamp_ns <= now; ++tip_)
+        if (printed.tips[tip_].stamp_ns < no_tf_from_ns) tf_.publish(test::nozzleMessage(printed.tips[tip_]));
+      ros::spinOnce();
+      ros::WallDuration(0.002).sleep();
+    }
+  }
+
+  SensedWall printed;
+  std::int64_t no_tf_from_ns = std::numeric_limits<std::int64_t>::max();
+
+ private:
+  ros::NodeHandle node_;
+  ros::Publisher toolpath_, profile_, tf_, tf_static_;
+  std::size_t tip_ = 0;
+  std::size_t cloud_ = 0;
+};
+
+/// Two layers; the scan of each takes five seconds, the lift before it more than one.
+SensedWallCase slowlyScanned() {
+  SensedWallCase wall = wallCase();
+  wall.layers = 2;
+  wall.length_mm = 20.0;
+  wall.scan_mm_s = 4.0;
+  return wall;
+}
+
+/// The scan of a layer begins, by the stamp of its first cloud, or would.
+std::int64_t scanOf(const SensedWall& printed, std::size_t layer) {
+  const double above = printed.part.toolpath.layers[layer].paths[1].points[1].z();
+  for (const StampedTip& pose : printed.tips)
+    if (pose.tip.z() > above - 1e-6) return pose.stamp_ns;
+  return 0;
+}
+
+/// Seconds from the fault to the state that it should lead to.
+double reactionTime(const SensedWallCase& wall, bool loses_tf, std::uint16_t alarm) {
+  Controller controller({"_loop/silence_s:=1.5", "_monitor/reorder_s:=0.2", "_arrival_hold_s:=0.1"});
+  LiveWall live(wall);
+  const std::int64_t fault_ns = scanOf(live.printed, 1);
+  if (loses_tf) live.no_tf_from_ns = fault_ns + 100'000'000;
+  live.say([&] { return controller.isIn(StateMessage::COASTING); });
+  EXPECT_TRUE(controller.isIn(StateMessage::COASTING)) << alarm;
+  const StateMessage& state = controller.states.back();
+  EXPECT_EQ(state.alarm, alarm);
+  EXPECT_EQ(state.reaction, StateMessage::COAST + 0);
+  EXPECT_EQ(state.coasting_for, StateMessage::SIGHT + 0);
+  EXPECT_EQ(state.layer, 1U);
+  EXPECT_EQ(state.state_name, "coasting");
+  EXPECT_FALSE(state.reason.empty());
+  return (ros::Time::now() - test::timeOf(fault_ns)).toSec();
+}
+
+TEST(HeightController, CoastsWithinASecondWhenTheSensorFallsSilent) {
+  SensedWallCase wall = slowlyScanned();
+  wall.sensor = [](std::size_t layer) { return layer == 1 ? SensorDoes::KeepSilent : SensorDoes::Measure; };
+  EXPECT_LT(reactionTime(wall, false, 6101), 1.5 + 1.0);
+}
+
+TEST(HeightController, CoastsWithinASecondWhenTheSensorIsStuck) {
+  for (const SensorDoes does : {SensorDoes::SayNothing, SensorDoes::SayTheSame}) {
+    SensedWallCase wall = slowlyScanned();
+    wall.sensor = [does](std::size_t layer) { return layer == 1 ? does : SensorDoes::Measure; };
+    EXPECT_LT(reactionTime(wall, false, 6103), 0.5 + 1.0) << "fifty profiles and a second";
+  }
+}
+
+TEST(HeightController, CoastsWithinASecondWhenTfStops) {
+  EXPECT_LT(reactionTime(slowlyScanned(), true, 6102), 0.1 + 1.5 + 1.0);
+}
+
+lamina_msgs::SetLoop::Response setLoop(std::uint8_t request) {
+  lamina_msgs::SetLoop call;
+  call.request.request = request;
+  EXPECT_TRUE(ros::service::call(names::kSetLoop, call));
+  return call.response;
+}
+
+TEST(HeightController, FadesWhenItIsSwitchedOffAmidALayer) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 5;
+  Controller controller;
+  LiveWall live(wall);
+  live.say([&] { return controller.maps.size() >= 4 && controller.states.back().layer == 3; });
+  const auto response = setLoop(lamina_msgs::SetLoop::Request::OFF);
+  EXPECT_EQ(response.status.code, lamina_msgs::Status::OK + 0);
+  EXPECT_EQ(response.state, StateMessage::OFF + 0);
+  live.say([&] { return controller.layers.size() == 5; });
+  ASSERT_TRUE(waitUntil([&] { return controller.layers.size() == 5; })) << "the print goes on";
+  EXPECT_TRUE(controller.isIn(StateMessage::OFF));
+  ASSERT_EQ(controller.maps.size(), 5U);
+  const double last = toCore(controller.maps[3]).paths.at(0).stations.back().amount;
+  const PathCorrection path = toCore(controller.maps[4]).paths.at(0);
+  const double steepest = wall.settings.loop.feeder_rate_s / wall.speed_mm_s;  // 1/mm
+  EXPECT_GT(last, 0.05);
+  EXPECT_NEAR(path.stations.front().amount, last, steepest * path.station_mm * (1.0 + 1e-9));
+  for (std::size_t i = 1; i < path.stations.size(); ++i)
+    EXPECT_LE(std::abs(path.stations[i].amount - path.stations[i - 1].amount),
+              steepest * path.station_mm * (1.0 + 1e-9));
+  EXPECT_EQ(path.stations.back().amount, 0.0);
+}
+
+TEST(HeightController, RefusesToCorrectUncalibrated) {
+  Controller controller({"_sensor/place_trusted:=false", "_request:=none"});
+  EXPECT_EQ(setLoop(lamina_msgs::SetLoop::Request::IDENTIFY).status.code, lamina_msgs::Status::OK + 0)
+      << "there is nothing to refuse before the first toolpath";
+  LiveWall live(slowlyScanned());
+  ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::BLOCKED); }));
+  const auto response = setLoop(lamina_msgs::SetLoop::Request::ACTIVE);
+  EXPECT_EQ(response.status.code, lamina_msgs::Status::REJECTED + 0);
+  EXPECT_NE(response.status.message.find("place"), std::string::npos) << response.status.message;
+  EXPECT_EQ(response.state, StateMessage::BLOCKED + 0);
+  EXPECT_EQ(setLoop(9).status.code, lamina_msgs::Status::INVALID_INPUT + 0);
+}
+
+/// The second layer is found four layers too low: the print is held before the map of the third one comes.
+TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 3;
+  wall.length_mm = 20.0;
+  Controller controller({"_pauses_print:=true"});
+  ros::NodeHandle node;
+  std::optional<std::size_t> maps_when_held;
+  const boost::function<bool(std_srvs::Trigger::Request&, std_srvs::Trigger::Response&)> on_pause =
+      [&](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+        maps_when_held = controller.maps.size();
+        response.success = 1U;
+        return true;
+      };
+  const auto pause =
+      node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(names::kPause, on_pause);
+  LiveWall live(wall);
+  const std::int64_t second = scanOf(live.printed, 0) + 1'000'000'000;
+  for (SensedCloud& cloud : live.printed.clouds)
+    if (cloud.stamp_ns > second)
+      for (Point3& point : cloud.profiles[0]) point.z() += 1.4;  // farther from the sensor
+  live.say([&] { return maps_when_held.has_value(); });
+  ASSERT_TRUE(maps_when_held);
+  EXPECT_EQ(*maps_when_held, 2U);
+}
+
+TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
+  const test::ScratchFolder folder;
+  SensedWallCase wall = wallCase();
+  wall.layers = 3;
+  test::writeBag(folder.file("wall.bag"), sensedWall(wall));
+  {
+    Controller killed;
+    const test::BagPlayer player(folder.file("wall.bag"));
+    waitUntil([&] { return !killed.layers.empty(); });
+    EXPECT_EQ(killed.end(SIGKILL), -1);
+  }
+  lamina_msgs::SetLoop call;
+  const ros::WallTime asked = ros::WallTime::now();
+  EXPECT_FALSE(ros::service::call(names::kSetLoop, call));
+  EXPECT_LT((ros::WallTime::now() - asked).toSec(), 5.0);
+  EXPECT_EQ(replayed(folder.file("wall.bag"), wall.layers, "10").size(), wall.layers)
+      << "another takes its place";
+}
+
+}  // namespace
+}  // namespace lamina
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "height_controller_test");
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lamina/base/random.hpp"
+#include "lamina/control/run/loop_run.hpp"
+
+namespace lamina::test {
+
+/// What the sensor does in a layer.
+enum class SensorDoes { Measure, KeepSilent, SayNothing, SayTheSame };
+
+/// A straight wall, one bead a layer, laid along x and scanned on the way back, by a process that lays
+/// `growth` of what it is told; the loop over it changes what it is told.
+struct SensedWallCase {
+  LoopRunSettings settings;
+  double growth = 0.9;
+  std::size_t layers = 8;
+  double length_mm = 60.0;
+  double layer_mm = 1.5;
+  double width_mm = 3.0;
+  double speed_mm_s = 20.0;
+  double scan_mm_s = 48.0;
+  double noise_mm = 0.01;  ///< of a point; the loop's `sight.sigma_mm`
+  std::int64_t start_ns = 1'000'000'000'000;
+  std::uint64_t seed = 1;
+  std::function<SensorDoes(std::size_t layer)> sensor = {};  ///< measures where empty
+};
+
+/// What was sent and what came of it. Heights lie 1 mm apart along the wall.
+struct SensedWall {
+  PlacedPart part;
+  std::vector<StampedTip> tips;
+  std::vector<SensedCloud> clouds;
+  std::vector<CorrectionMap> maps;
+  std::vector<LayerOutcome> layers;
+  std::vector<RaisedAlarm> alarms;
+  std::vector<std::vector<double>> heights_mm;  ///< of each layer's top
+  LoopStatus status;
+  LoopCounts counts;
+};
+
+/// The loop that the tests are about: calibrated, active from the first layer on.
+inline LoopRunSettings calibratedLoop() {
+  LoopRunSettings settings;
+  settings.request = LoopRequest::Active;
+  settings.calibration.is_time_offset_trusted = true;
+  settings.calibration.is_place_trusted = true;
+  settings.sight.sigma_mm = 0.01;
+  settings.loop.reading_correlation = 0.0;
+  return settings;
+}
+
+/// Sixty millimetres above the nozzle tip, looking down; its line lies along y.
+inline Eigen::Isometry3d sensorOver(const Point3& tip) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear().col(0) = Eigen::Vector3d::UnitY();
+  pose.linear().col(1) = Eigen::Vector3d::UnitX();
+  pose.linear().col(2) = -Eigen::Vector3d::UnitZ();
+  pose.translation() = tip + Point3(0, 0, 60.0);
+  return pose;
+}
+
+inline Toolpath scannedWall(const SensedWallCase& wall) {
+  Toolpath toolpath;
+  toolpath.part_name = "wall";
+  for (std::size_t k = 0; k < wall.layers; ++k) {
+    const double z = wall.layer_mm * static_cast<double>(k + 1);
+    const double above = z + 5.0;
+    Path bead;
+    bead.role = PathRole::OuterWall;
+    bead.bead = Bead{wall.width_mm, wall.layer_mm};
+    bead.feed_mm_s = wall.speed_mm_s;
+    bead.points = {{0, 0, z}, {wall.length_mm, 0, z}};
+    Path scan;
+    scan.role = PathRole::Travel;
+    scan.feed_mm_s = wall.scan_mm_s;
+    scan.points = {{wall.length_mm, 0, z}, {wall.length_mm, 0, above}, {0, 0, above}};
+    scan.points.emplace_back(0, 0, k + 1 < wall.layers ? z + wall.layer_mm : above + 1.0);
+    toolpath.layers.push_back({z, wall.layer_mm, {bead, scan}});
+  }
+  return toolpath;
+}
+
+/// Prints the wall: poses every 20 ms, a profile every 10 ms of the scan with a point every 0.1 mm.
+class SensedWallPrinter {
+ public:
+  explicit SensedWallPrinter(const SensedWallCase& wall)
+      : wall_(wall), random_(wall.seed), now_ns_(wall.start_ns), surface_(places(), 0.0) {
+    printed_.part.toolpath = scannedWall(wall);
+    printed_.part.toolpath_id = toolpathId(printed_.part.toolpath);
+  }
+
+  SensedWall print() {
+    LoopRun run(printed_.part, wall_.settings);
+    run_ = &run;
+    take();
+    for (std::size_t k = 0; k < wall_.layers; ++k) printLayer(k);
+    run.finish();
+    take();
+    printed_.status = run.status();
+    printed_.counts = run.counts();
+    return std::move(printed_);
+  }
+
+ private:
+  std::size_t places() const { return static_cast<std::size_t>(wall_.length_mm) + 1; }
+
+  void printLayer(std::size_t k) {
+    run_->passAll();  // the machine waits for its map
+    take();
+    for (std::size_t i = 0; i < places(); ++i)
+      surface_[i] += wall_.growth * wall_.layer_mm * (1.0 + amountAt(k, i));
+    printed_.heights_mm.push_back(surface_);
+    const auto& paths = printed_.part.toolpath.layers[k].paths;
+    go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, k, SensorDoes::KeepSilent);
+    const SensorDoes does = wall_.sensor ? wall_.sensor(k) : SensorDoes::Measure;
+    for (std::size_t m = 0; m < 3; ++m)
+      go(paths[1].points[m], paths[1].points[m + 1], wall_.scan_mm_s, k,
+         m == 1 ? does : SensorDoes::KeepSilent);
+  }
+
+  double amountAt(std::size_t layer, std::size_t place) const {
+    const CorrectionMap* latest = nullptr;
+    for (const CorrectionMap& map : printed_.maps)
+      if (map.layer == layer) latest = &map;
+    if (latest == nullptr || latest->paths.empty()) return 0.0;
+    return correctionAt(latest->paths[0], static_cast<double>(place)).amount;
+  }
+
+  /// Straight from pose to pose; profiles halfway between them and at them.
+  void go(const Point3& from, const Point3& to, double speed, std::size_t layer, SensorDoes does) {
+    constexpr std::int64_t kHalf = 10'000'000;
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / speed / 0.02)));
+    for (int i = 1; i <= steps; ++i) {
+      const Point3 half = from + (to - from) * ((i - 0.5) / steps);
+      const Point3 tip = from + (to - from) * (static_cast<double>(i) / steps);
+      if (does != SensorDoes::KeepSilent) sense(now_ns_ + kHalf, half, layer, does);
+      now_ns_ += 2 * kHalf;
+      printed_.tips.push_back({now_ns_, tip});
+      run_->observe(printed_.tips.back());
+      if (does != SensorDoes::KeepSilent) sense(now_ns_, tip, layer, does);
+    }
+    take();
+  }
+
+  void sense(std::int64_t stamp_ns, const Point3& tip, std::size_t layer, SensorDoes does) {
+    SensedCloud cloud;
+    cloud.stamp_ns = stamp_ns;
+    cloud.bed_from_sensor = sensorOver(tip);
+    cloud.profiles.emplace_back();
+    const auto place = static_cast<std::size_t>(std::lround(tip.x()));
+    for (int i = -20; i <= 20; ++i) {
+      const double y = 0.1 * i;
+      double depth = std::numeric_limits<double>::quiet_NaN();
+      if (std::abs(y) < 0.5 * wall_.width_mm)
+        depth = tip.z() + 60.0 - surface_[place] + random_.normal(0.0, wall_.noise_mm);
+      if (does == SensorDoes::SayNothing) depth = std::numeric_limits<double>::quiet_NaN();
+      if (does == SensorDoes::SayTheSame) depth = 65.0;
+      cloud.profiles[0].emplace_back(y, 0.0, depth);
+    }
+    static_cast<void>(layer);
+    printed_.clouds.push_back(cloud);
+    run_->see(std::move(cloud));
+  }
+
+  void take() {
+    LoopNews news = run_->takeNews();
+    for (auto& map : news.maps) printed_.maps.push_back(std::move(map));
+    for (auto& layer : news.layers) printed_.layers.push_back(std::move(layer));
+    for (auto& alarm : news.alarms) printed_.alarms.push_back(std::move(alarm));
+  }
+
+  SensedWallCase wall_;
+  Random random_;
+  std::int64_t now_ns_;
+  std::vector<double> surface_;
+  SensedWall printed_;
+  LoopRun* run_ = nullptr;
+};
+
+inline SensedWall sensedWall(const SensedWallCase& wall) { return SensedWallPrinter(wall).print(); }
+
+/// What the loop has to come to where every cell is like every other and the sensor is exact: the mean error
+/// below each layer, what is learnt of the growth, and the correction.
+struct WallTruth {
+  std::vector<double> error_mm;  ///< of each layer's top
+  std::vector<double> gain;      ///< learnt with it
+  std::vector<double> amount;    ///< that it is laid with
+};
+
+inline WallTruth wallTruth(const SensedWallCase& wall) {
+  WallTruth truth;
+  const LoopSettings& loop = wall.settings.loop;
+  double error = 0.0;
+  double gain = 1.0;
+  for (std::size_t k = 0; k < wall.layers; ++k) {
+    const bool corrects = k >= static_cast<std::size_t>(loop.first_layers);
+    const double amount = corrects ? (1.0 + loop.gain * error / wall.layer_mm) / gain - 1.0 : 0.0;
+    error += wall.layer_mm * (1.0 - wall.growth * (1.0 + amount));
+    gain += loop.learning * (wall.growth - gain);
+    truth.amount.push_back(amount);
+    truth.error_mm.push_back(error);
+    truth.gain.push_back(gain);
+  }
+  return truth;
+}
+
+}  // namespace lamina::test
