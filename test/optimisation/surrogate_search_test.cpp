@@ -180,7 +180,8 @@ TEST(SurrogateSearchTest, PredictsWhatSamplesLackFromThoseThatHaveIt) {
   EXPECT_EQ(surrogates.descriptions(),
             (std::vector<std::string>{"line through 3 samples", "line through 2 samples"}));
   try {
-    ResponseSurrogates(unitSpace(1), kSurrogateSearchNames, {samples[0], samples[1]}, fitLine);
+    static_cast<void>(
+        ResponseSurrogates(unitSpace(1), kSurrogateSearchNames, {samples[0], samples[1]}, fitLine));
     ADD_FAILURE() << "one sample is enough";
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(error.what(), "response strength: too few");

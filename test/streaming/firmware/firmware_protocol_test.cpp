@@ -70,7 +70,7 @@ TEST(FirmwareProtocol, OfAnUnknownNameIsRefusedNamingThoseThereAre) {
   StreamSettings settings;
   settings.firmware = "smoke signals";
   try {
-    Streamer(StreamableProgram::fromText("one line", "G1 X1\n"), settings);
+    static_cast<void>(Streamer(StreamableProgram::fromText("one line", "G1 X1\n"), settings));
     FAIL() << "nothing thrown";
   } catch (const InvalidConfig& error) {
     EXPECT_STREQ(

@@ -95,7 +95,7 @@ TEST(JobJournal, KeepsWhatWasKnownOfAJobThatDidNotComplete) {
     JobProgress known;
     known.taken_through = known.sent_through = taken;
     known.state = state;
-    ProgressFile(path, jobOf(program), known);
+    static_cast<void>(ProgressFile(path, jobOf(program), known));
     keepUnfinished(path);
   };
   keepUnfinished(path);
