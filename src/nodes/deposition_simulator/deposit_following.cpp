@@ -6,6 +6,7 @@
 #include "deposit_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 
 namespace lamina {
@@ -62,9 +63,9 @@ void DepositFollowing::publish() {
   const bool is_watched = deposited_.getNumSubscribers() + markers_.getNumSubscribers() > 0;
   if (extruded_mm3 == shown_mm3_ || !is_watched) return;
   shown_mm3_ = extruded_mm3;
-  deposited_.publish(depositedCloud(followed_->deposit().grid(), settings_.shown));
+  publishLatched(deposited_, depositedCloud(followed_->deposit().grid(), settings_.shown));
   if (markers_.getNumSubscribers() > 0)
-    markers_.publish(depositedMarkers(followed_->deposit().grid(), settings_.shown));
+    publishLatched(markers_, depositedMarkers(followed_->deposit().grid(), settings_.shown));
 }
 
 void DepositFollowing::publishState() {
@@ -78,7 +79,7 @@ void DepositFollowing::publishState() {
   state.fraction = static_cast<float>(totals.extruded_mm3 / followed_->plannedVolume());
   state.is_complete = followed_->isComplete();
   state.summary = toMessage(summaryOf(deposit.grid(), totals, deposit.highest()));
-  state_.publish(state);
+  publishLatched(state_, state);
   published_mm3_ = totals.extruded_mm3;
   was_complete_ = state.is_complete != 0;
 }

@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/job/program_file.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "progress/action_end.hpp"
 #include "progress/action_progress.hpp"
@@ -102,8 +103,8 @@ DepositionSimulator::Result DepositionSimulator::simulate(const Goal& goal, Prog
            deposited.summary.totals.deposited_mm3, deposited.summary.totals.extruded_mm3,
            deposited.summary.voxel_mm);
   if (following_) return result;
-  deposited_.publish(depositedCloud(deposited.grid, settings_.shown));
-  markers_.publish(depositedMarkers(deposited.grid, settings_.shown));
+  publishLatched(deposited_, depositedCloud(deposited.grid, settings_.shown));
+  publishLatched(markers_, depositedMarkers(deposited.grid, settings_.shown));
   return result;
 }
 

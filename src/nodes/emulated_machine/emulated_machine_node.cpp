@@ -10,6 +10,7 @@
 
 #include "conversions.hpp"
 #include "lamina/base/error.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
 
@@ -132,7 +133,7 @@ ros::Time EmulatedMachineNode::stampOf(double machine_s) const {
 void EmulatedMachineNode::publishPosition(const MotionSample& sample) {
   sensor_msgs::JointState message = jointState(machine_, axisValues(machine_, sample.position));
   message.header.stamp = stampOf(sample.time_s);
-  position_.publish(message);
+  publishLatched(position_, message);
   const std::lock_guard<std::mutex> lock(stamps_mutex_);
   last_.position = message.header.stamp;
 }
@@ -156,7 +157,7 @@ void EmulatedMachineNode::publishDeposited() {
   sensor_msgs::PointCloud2 message = toCloudMessage(deposit_->points());
   message.header.stamp = last_.position;  // written by this thread alone
   message.header.frame_id = names::kBedFrame;
-  deposited_.publish(message);
+  publishLatched(deposited_, message);
 }
 
 }  // namespace lamina

@@ -14,6 +14,7 @@
 #include "incline_messages.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "latched.hpp"
 #include "markers/toolpath_markers.hpp"
 #include "names.hpp"
 #include "progress/action_end.hpp"
@@ -136,9 +137,9 @@ std::string GcodeIncliner::publish(const std::string& program, const GcodeInclin
   placed.toolpath = toolpathFromGcodeFile(output, settings.program);
   placed.id = toolpathId(placed.toolpath);
   if (const auto space = buildSpaceOf(settings.incline)) placed.machine = space->name;
-  toolpath_.publish(stamped(placed, ros::Time::now()));
-  source_markers_.publish(source);
-  markers_.publish(toolpathMarkers(placed.toolpath, names::kBedFrame));
+  publishLatched(toolpath_, stamped(placed, ros::Time::now()));
+  publishLatched(source_markers_, source);
+  publishLatched(markers_, toolpathMarkers(placed.toolpath, names::kBedFrame));
   return placed.id;
 }
 

@@ -11,6 +11,7 @@
 #include "lamina/control/supervision.hpp"
 #include "lamina/program/gcode/gcode_flavour.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "startup_messages.hpp"
@@ -347,7 +348,7 @@ void GcodeStreamer::publishState(const StreamStatus& status) {
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
 
-  state_.publish(message);
+  publishLatched(state_, message);
 }
 
 /// Between jobs: the state is that in which the last one ended.

@@ -5,6 +5,7 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include "correction_messages.hpp"
+#include "latched.hpp"
 #include "loop/loop_messages.hpp"
 #include "names.hpp"
 
@@ -24,14 +25,14 @@ ControllerTopics::ControllerTopics(ros::NodeHandle node)
 std::string ControllerTopics::publish(const CorrectionMap& map) {
   lamina_msgs::CorrectionMap message = toMessage(map);
   message.header.stamp = ros::Time::now();
-  correction_.publish(message);
+  publishLatched(correction_, message);
   return message.digest;
 }
 
 void ControllerTopics::publish(const lamina_msgs::LoopFigures& figures) {
   lamina_msgs::LoopFigures message = figures;
   message.header.stamp = ros::Time::now();
-  figures_.publish(message);
+  publishLatched(figures_, message);
 }
 
 void ControllerTopics::publish(const lamina_msgs::LoopState& state) {
@@ -40,14 +41,14 @@ void ControllerTopics::publish(const lamina_msgs::LoopState& state) {
   last_ = message;
   has_state_ = true;
   message.header.stamp = ros::Time::now();
-  state_.publish(message);
+  publishLatched(state_, message);
 }
 
 void ControllerTopics::publishCells(const LayerOutcome& layer, const Eigen::Isometry3d& bed_from_part) {
   sensor_msgs::PointCloud2 message = toCloudMessage(layer, bed_from_part);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
-  cells_.publish(message);
+  publishLatched(cells_, message);
 }
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #include "height_topics.hpp"
 
 #include "conversions.hpp"
+#include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
@@ -23,7 +24,7 @@ template <class Message>
 void publishOnBed(const ros::Publisher& publisher, Message message) {
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
-  publisher.publish(message);
+  publishLatched(publisher, message);
 }
 
 std::uint8_t sightOf(LayerSight sight) {

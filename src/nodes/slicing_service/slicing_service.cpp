@@ -4,6 +4,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/slicing/unsliceable.hpp"
+#include "latched.hpp"
 #include "markers/collision_markers.hpp"
 #include "markers/frame_markers.hpp"
 #include "markers/overhang_markers.hpp"
@@ -100,11 +101,11 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
 }
 
 SlicedPart SlicingService::runShown(const SliceJob& job, Progress& progress) {
-  refusal_markers_.publish(noRegionMarkers(names::kPartFrame));
+  publishLatched(refusal_markers_, noRegionMarkers(names::kPartFrame));
   try {
     return runSliceJob(job, progress);
   } catch (const Unsliceable& refusal) {
-    refusal_markers_.publish(regionMarkers(refusal, names::kPartFrame));
+    publishLatched(refusal_markers_, regionMarkers(refusal, names::kPartFrame));
     throw;
   }
 }
@@ -127,11 +128,11 @@ SlicingService::Findings SlicingService::find(const SlicedPart& sliced, const Jo
 
 void SlicingService::publish(const MachineToolpath& placed, const Findings& findings,
                              const FrameSettings& frames) {
-  toolpath_.publish(stamped(placed, ros::Time::now()));
-  markers_.publish(toolpathMarkers(placed.toolpath, names::kPartFrame));
-  overhang_markers_.publish(overhangMarkers(findings.overhangs, names::kPartFrame));
-  collision_markers_.publish(collisionMarkers(findings.clearance, names::kBedFrame));
-  frame_markers_.publish(frameMarkers(placed.toolpath, frames, names::kPartFrame));
+  publishLatched(toolpath_, stamped(placed, ros::Time::now()));
+  publishLatched(markers_, toolpathMarkers(placed.toolpath, names::kPartFrame));
+  publishLatched(overhang_markers_, overhangMarkers(findings.overhangs, names::kPartFrame));
+  publishLatched(collision_markers_, collisionMarkers(findings.clearance, names::kBedFrame));
+  publishLatched(frame_markers_, frameMarkers(placed.toolpath, frames, names::kPartFrame));
 }
 
 }  // namespace lamina

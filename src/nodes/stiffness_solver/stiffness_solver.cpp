@@ -6,6 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/stiffness_job.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "progress/action_end.hpp"
 #include "progress/action_progress.hpp"
@@ -51,7 +52,7 @@ StiffnessSolver::Result StiffnessSolver::compute(const Goal& goal, Progress& pro
   applyRequest(schema, goal.settings);
   ROS_INFO_STREAM("putting '" << job.input << "' under load");
   const LoadedPart part = runStiffnessJob(job, progress);
-  points_.publish(stiffnessCloud(part.result));
+  publishLatched(points_, stiffnessCloud(part.result));
   ROS_INFO("'%s' bears %g N, as a solid body of %g MPa would; %d iterations in %.1f s", job.input.c_str(),
            part.result.force_n, part.result.modulus_mpa, part.result.iterations, part.solve_s);
   return toMessage(part.result);

@@ -7,6 +7,7 @@
 #include "correction_messages.hpp"
 #include "drive_messages.hpp"
 #include "joint_messages.hpp"
+#include "latched.hpp"
 #include "markers/check_markers.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
@@ -122,7 +123,7 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
   GoalProgress<Server> progress(action_);
   const DriveJob job = driveJob(
       placed, *model_, settings_,
-      [this](const MachineCheck& check) { findings_.publish(checkMarkers(check)); }, progress);
+      [this](const MachineCheck& check) { publishLatched(findings_, checkMarkers(check)); }, progress);
   growing_ = std::make_unique<GrowingPart>(job.timed.run.toolpath(), names::kPartFrame);
   const JointValues here = joints_.fresh(settings_.tracking.silence_s, settings_.controller_wait_s);
   if (const auto way = wayToStart(here, job, *model_, settings_, progress)) {
@@ -137,7 +138,7 @@ DriveStatus TrajectoryDriver::drive(const std::string& toolpath_id) {
     correction = std::make_shared<ChunkCorrection>(
         DrivenToolpath{placed.id, placed.toolpath, placed.bed_from_part}, settings_.loop, *model_);
   DriveStatus status = run({path, job.toolpath_id, PackmlState::Execute, correction});
-  if (status.state == PackmlState::Complete) deposited_.publish(growing_->whole());
+  if (status.state == PackmlState::Complete) publishLatched(deposited_, growing_->whole());
   show(status);
   return status;
 }
@@ -212,7 +213,7 @@ void TrajectoryDriver::show(const DriveStatus& status) {
   tracking.header.stamp = ros::Time::now();
   tracking_.publish(tracking);
   const visualization_msgs::MarkerArray deposited = growing_->upTo(status.heading_for);
-  if (!deposited.markers.empty()) deposited_.publish(deposited);
+  if (!deposited.markers.empty()) publishLatched(deposited_, deposited);
 }
 
 void TrajectoryDriver::publishState(const DriveStatus& status) {
@@ -223,7 +224,7 @@ void TrajectoryDriver::publishState(const DriveStatus& status) {
   lamina_msgs::MachineState message = toMachineState(status, job_);
   message.header.stamp = ros::Time::now();
   message.header.frame_id = names::kBedFrame;
-  state_.publish(message);
+  publishLatched(state_, message);
 }
 
 std::shared_ptr<DriveSession> TrajectoryDriver::session() const {

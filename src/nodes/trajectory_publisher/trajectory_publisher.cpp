@@ -11,6 +11,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "refusal_text.hpp"
 #include "status.hpp"
@@ -156,7 +157,7 @@ void TrajectoryPublisher::accept(MachineToolpath placed) {
   nav_msgs::Path path = nozzlePath(accepted.toolpath, settings_.path_spacing_mm);
   path.header.stamp = ros::Time::now();
   static_tf_.sendTransform(named(names::kBedFrame, names::kPartFrame, toMessage(accepted.bed_from_part)));
-  nozzle_path_.publish(path);
+  publishLatched(nozzle_path_, path);
   ROS_INFO("toolpath %s of '%s': %zu layers", accepted.id.c_str(), accepted.toolpath.part_name.c_str(),
            accepted.toolpath.layers.size());
   if (shown->playback == nullptr) return;
@@ -223,7 +224,7 @@ void TrajectoryPublisher::announceLayer(const ros::Time& stamp) {
   trajectory_msgs::JointTrajectory trajectory = shown_->playback->trajectory(span, 1.0 / settings_.rate_hz);
   trajectory.header.stamp = stamp;
   trajectory.header.frame_id = transforms_.rootLink();
-  joint_trajectory_.publish(trajectory);
+  publishLatched(joint_trajectory_, trajectory);
 }
 
 void TrajectoryPublisher::publishPosition(const JointPositions& positions,

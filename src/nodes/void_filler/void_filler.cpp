@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 
 #include "lamina/base/error.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "progress/service_progress.hpp"
 #include "refusal_text.hpp"
@@ -47,7 +48,7 @@ lamina_msgs::FillVoids::Response VoidFiller::fill(const lamina_msgs::FillVoids::
   lamina_msgs::FillVoids::Response response;
   response.summary = toMessage(report);
   response.voids = toMessages(report);
-  markers_.publish(voidMarkers(report, names::kBedFrame));
+  publishLatched(markers_, voidMarkers(report, names::kBedFrame));
   return response;
 }
 
