@@ -34,12 +34,13 @@ TEST(Html, MakesAPageOfTablesAndPictures) {
   page.heading("One <two>");
   page.paragraph("three");
   page.table({{"name", "value"}, {{"x", "1.5"}, {"<y>", "none"}}, 1});
+  page.table({{"gain_mean"}, {{"2"}}, 1});
   page.table({{"empty"}, {}, 0});
   page.pictures({"foo"}, {"a \"picture\""});
   const std::string text = page.text();
   EXPECT_EQ(text.rfind("<!DOCTYPE html>", 0), 0U);
   for (const char* piece :
-       {"<title>A &amp; B</title>", "<h2>One &lt;two&gt;</h2>", "<p>three</p>",
+       {"<title>A &amp; B</title>", "<h2>One &lt;two&gt;</h2>", "<p>three</p>", "<th>gain_<wbr>mean</th>",
         "<td class=\"number\">1.5</td>", "<td>&lt;y&gt;</td>", "<tr class=\"marked\"><td>x</td>",
         "src=\"data:image/png;base64,Zm9v\"", "alt=\"a &quot;picture&quot;\""})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;

@@ -19,7 +19,7 @@ constexpr char kStyle[] = R"(
   .wide { overflow-x: auto; }
   table { border-collapse: collapse; font-size: .86rem; margin: .6rem 0; }
   th, td { padding: .28rem .7rem; text-align: left; border-bottom: 1px solid #e6e9ec; vertical-align: top; }
-  th { font-weight: 600; color: #4a5058; border-bottom: 2px solid #c3c9cf; overflow-wrap: anywhere; }
+  th { font-weight: 600; color: #4a5058; border-bottom: 2px solid #c3c9cf; }
   td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
   tr.marked td { background: #eef6f0; font-weight: 600; }
   .pictures { margin: 0 -.4rem; }
@@ -43,6 +43,13 @@ std::size_t sequenceAt(std::string_view text, std::size_t at) {
   }
   const bool is_too_long = length == 3 ? code < 0x800U : length == 4 && code < 0x10000U;
   return is_too_long || code > 0x10FFFFU || (code >= 0xD800U && code <= 0xDFFFU) ? 0 : length;
+}
+
+/// May be broken between the words of a name such as gain_mean or infill.angle_deg.
+std::string breakable(const std::string& name) {
+  std::string broken;
+  for (const char c : name) broken += c == '_' || c == '.' ? std::string(1, c) + "<wbr>" : std::string(1, c);
+  return broken;
 }
 
 std::string escapedCharacter(char c) {
@@ -92,7 +99,7 @@ void HtmlPage::paragraph(const std::string& text) { body_ += "<p>" + escapedHtml
 void HtmlPage::table(const HtmlTable& table) {
   if (table.rows.empty()) return;
   body_ += "<div class=\"wide\"><table>\n<thead><tr>";
-  for (const std::string& name : table.head) body_ += "<th>" + escapedHtml(name) + "</th>";
+  for (const std::string& name : table.head) body_ += "<th>" + breakable(escapedHtml(name)) + "</th>";
   body_ += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     body_ += i < table.marked_rows ? "<tr class=\"marked\">" : "<tr>";
