@@ -78,7 +78,7 @@ void explain(const SliceArguments& arguments, OutputFormat format) {
   for (const SettingOrigin& origin : said) {
     json["layers"].push_back({{"layer", origin.layer}, {"place", origin.place}, {"value", origin.text}});
     if (format == OutputFormat::Text)
-      std::printf("  %-12s%s%s%s\n", origin.layer.c_str(), origin.text.c_str(),
+      std::printf("  %-24s%s%s%s\n", origin.layer.c_str(), origin.text.c_str(),
                   origin.place.empty() ? "" : "  ", origin.place.c_str());
   }
   if (format == OutputFormat::Json) std::printf("%s\n", json.dump(2).c_str());

@@ -55,6 +55,21 @@ class Profiles(unittest.TestCase):
         self.assertRegex(told_of["layers"][1]["place"], r"processes/fine\.yaml:\d+$")
         self.assertIn("walls.count = 5, set by --set", lamina("slice", "--explain", "walls.count", *layers).stdout)
 
+    def test_what_nobody_typed_follows_from_the_machine(self):
+        with open(self.path("own.yaml"), "w", encoding="ascii") as file:
+            file.write("profile:\n  kind: machine\n  name: own\n  inherits: filament_printer\n"
+                       "machine:\n  has_fan: false\n  nozzle_mm: 0.6\n")
+        own = ("--machine", self.path("own.yaml"))
+        self.assertNotIn("M106", self.sliced("own.gcode", *own))
+        explained = lamina("slice", "--explain", "fan.use", *own).stdout
+        self.assertIn("fan.use = false, set by machine.has_fan\n", explained)
+        self.assertRegex(explained, r"machine\.has_fan +false +.*own\.yaml:6\n")
+        self.assertEqual(told("slice", "--explain", "bead.width_mm", *own)["value"], "0.6")
+        refused = lamina("slice", self.box, *own, "--set", "fan.use=true", "-o", self.path("no.gcode"))
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("fan.use is true with machine.has_fan false", refused.stderr)
+        self.assertFalse(os.path.exists(self.path("no.gcode")))
+
     def test_what_a_machine_cannot_do_is_refused_by_file_and_line(self):
         refused = lamina("slice", self.box, "--machine", "creality_ender_3", "--material", "pa_cf", "-o", self.path("no.gcode"))
         self.assertEqual(refused.returncode, 1)

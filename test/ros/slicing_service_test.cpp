@@ -120,6 +120,16 @@ TEST_F(SlicingService, OverridesItsSettingsForOneRequestOnly) {
   EXPECT_EQ(fine_again.summary.layers, fine.summary.layers);
 }
 
+TEST_F(SlicingService, LetsWhatNobodyTypedGiveWayToTheMachine) {
+  const lamina_msgs::Setting no_fan = settingMessage("machine.has_fan", "false");
+  EXPECT_EQ(call("box", {no_fan}).status.code, Status::OK + 0);
+  expectRefused(call("box", {no_fan, settingMessage("fan.use", "true")}, precious()), Status::INVALID_CONFIG,
+                "fan.use is true");
+  const auto usual = call("box");
+  const auto wide = call("box", {settingMessage("machine.nozzle_mm", "0.8")});
+  EXPECT_EQ(2 * wide.summary.layers, usual.summary.layers) << wide.status.message;
+}
+
 TEST_F(SlicingService, ShowsWhatHangsInTheAirIfAskedTo) {
   const auto markers = [this] { return latchedMarkers(lamina::names::kOverhangMarkers); };
   // Sparse infill bridges the gaps of the layer before.

@@ -106,7 +106,8 @@ struct JobSettings {
 /// Adds the keys of all stages. The settings must outlive the schema.
 void describe(SettingsSchema& schema, JobSettings& settings);
 
-/// The defaults, overridden by a YAML file and then by `overrides`, in order.
+/// The defaults, overridden by a YAML file and then by `overrides`, in order, and what follows from the
+/// machine where neither states it (`withMachineDefaults`).
 /// @param yaml_path  empty for none
 /// @throws InvalidConfig naming key, value and bound (and the file, if it is no YAML); FileError
 JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<SettingText>& overrides);

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/job_settings.hpp"
 
+#include <set>
+
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/infill/strategy.hpp"
+#include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 #include "lamina/picture/thumbnail.hpp"
 #include "lamina/planning/plan_consistency.hpp"
@@ -213,7 +217,12 @@ JobSettings loadJobSettings(const std::string& yaml_path, const std::vector<Sett
   SettingsSchema schema;
   describe(schema, settings);
   applySettings(schema, yaml_path, overrides);
-  return settings;
+  std::set<std::string> typed;
+  if (!yaml_path.empty())
+    for (const SettingText& setting : settingsFromYaml(readFile(yaml_path), yaml_path))
+      typed.insert(setting.key);
+  for (const SettingText& setting : overrides) typed.insert(setting.key);
+  return withMachineDefaults(settings, typed);
 }
 
 void validate(const JobSettings& settings) {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slicing_service.hpp"
 
+#include <set>
+
 #include "lamina/base/error.hpp"
+#include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/slicing/unsliceable.hpp"
 #include "latched.hpp"
 #include "markers/collision_markers.hpp"
@@ -85,7 +88,10 @@ SlicingService::Answer SlicingService::slice(const Request& request, Progress& p
   SliceJob job{request.part, request.output, settings_};
   SettingsSchema schema;
   describe(schema, job.settings);
+  std::set<std::string> typed = changedKeys(settings_);
   applyRequest(schema, request.settings);
+  for (const lamina_msgs::Setting& setting : request.settings) typed.insert(setting.key);
+  job.settings = withMachineDefaults(job.settings, typed);
   SlicedPart sliced = runShown(job, progress);
   const Findings findings = find(sliced, job.settings, progress);
   MachineToolpath placed;

@@ -23,7 +23,7 @@ std::string refusalOf(const std::vector<SettingText>& set) {
 
 struct Bounded {
   const char* key;      ///< of the machine
-  const char* enough;   ///< for the defaults: 210 and 60 degrees C, layers of 0.2 mm, fan
+  const char* enough;   ///< for what is typed: 210 and 60 degrees C, layers of 0.2 mm, fan
   const char* lacking;  ///< for them
   const char* asked;    ///< what is refused then
 };
@@ -31,9 +31,13 @@ struct Bounded {
 class Capabilities : public testing::TestWithParam<Bounded> {};
 
 TEST_P(Capabilities, BoundWhatIsAsked) {
-  const SettingText fan = {"fan.use", "true"};
-  EXPECT_EQ(refusalOf({fan, {GetParam().key, GetParam().enough}}), "");
-  const std::string refusal = refusalOf({fan, {GetParam().key, GetParam().lacking}});
+  std::vector<SettingText> set = {{"fan.use", "true"},
+                                  {"program.bed_temperature_c", "60"},
+                                  {"slicing.layer_height_mm", "0.2"},
+                                  {GetParam().key, GetParam().enough}};
+  EXPECT_EQ(refusalOf(set), "");
+  set.back().text = GetParam().lacking;
+  const std::string refusal = refusalOf(set);
   EXPECT_EQ(refusal.rfind(GetParam().asked, 0), 0U) << refusal;
   EXPECT_NE(refusal.find(GetParam().key), std::string::npos) << refusal;
 }
@@ -51,13 +55,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(InfillOfSeveralLayers, IsNoHigherThanTheNozzleLays) {
   const SettingText of_three = {"infill.every_layers", "3"};
-  EXPECT_EQ(refusalOf({of_three, {"machine.nozzle_mm", "0.75"}}), "") << "0.6 mm, and 0.8 of 0.75";
+  const SettingText high = {"slicing.layer_height_mm", "0.2"};
+  EXPECT_EQ(refusalOf({of_three, high, {"machine.nozzle_mm", "0.75"}}), "") << "0.6 mm, and 0.8 of 0.75";
   EXPECT_EQ(
-      refusalOf({of_three, {"machine.nozzle_mm", "0.74"}}),
+      refusalOf({of_three, high, {"machine.nozzle_mm", "0.74"}}),
       "infill.every_layers is 3 of 0.2 mm, which makes beads 0.6 mm high; must be at most 0.592 mm, 0.8 "
       "of machine.nozzle_mm");
   EXPECT_NE(refusalOf({of_three}).find("bead.width_mm"), std::string::npos) << "where no nozzle is known";
-  EXPECT_NE(refusalOf({of_three, {"machine.nozzle_mm", "2"}, {"slicing.heights", "adaptive"}}), "");
+  EXPECT_NE(refusalOf({of_three, high, {"machine.nozzle_mm", "2"}, {"slicing.heights", "adaptive"}}), "");
 }
 
 TEST(UnknownCapabilities, RefuseNothing) {

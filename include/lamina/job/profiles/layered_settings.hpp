@@ -24,7 +24,7 @@ struct SettingsSources {
 
 /// What one source says of a setting.
 struct SettingOrigin {
-  std::string layer;  ///< "built-in", "--machine", ..., "--set"
+  std::string layer;  ///< "built-in", "--machine", ..., "--set"; the machine's key that it follows from
   std::string place;  ///< "file:line"; empty where there is no file
   std::string text;   ///< the value
 };
@@ -39,7 +39,8 @@ struct LayeredSettings {
   std::vector<SettingOrigin> explain(const std::string& key) const;
 };
 
-/// The defaults with one source after the other on top.
+/// The defaults with one source after the other on top, and what follows from the machine
+/// (`machineDefaults`); typed is what `config` and `overrides` state.
 /// @throws FileError; InvalidConfig as `ProfileLibrary::find`; if a key or value of a profile is none, naming
 ///   file and line; if a material or process is not meant for the machine; as `loadJobSettings`
 LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary& library);

@@ -8,6 +8,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/job/profiles/machine_defaults.hpp"
 #include "lamina/job/profiles/stated_settings.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
 
@@ -40,21 +41,28 @@ class LayeredLoad {
     }
   }
 
-  /// Materials state the bed that suits them; a machine without heater prints them on a cold one.
   void setProfiles(const std::vector<Profile>& chain, const std::string& layer) {
     for (const Profile& profile : chain)
-      for (const PlacedSetting& placed : profile.settings) {
-        const bool is_for_heater = profile.kind == ProfileKind::Material &&
-                                   placed.setting.key == "program.bed_temperature_c" &&
-                                   !layered_.settings.capabilities.has_bed_heater;
-        if (!is_for_heater) setPlaced(placed, layer, profile.path);
-      }
+      for (const PlacedSetting& placed : profile.settings) setPlaced(placed, layer, profile.path);
   }
 
   void setConfig(const std::string& path) {
     applySettings(schema_, path, {});
     for (const PlacedSetting& placed : placedSettingsFromYaml(readFile(path), path))
       setPlaced(placed, "--config", path);
+  }
+
+  /// What nobody has stated follows from the machine, and stands where that is said of it.
+  void setMachineDefaults() {
+    StatedKeys stated;
+    for (const auto& [key, said] : layered_.origins) {
+      stated.anywhere.insert(key);
+      if (said.back().layer == "--config" || said.back().layer == "--set") stated.typed.insert(key);
+    }
+    for (const MachineDefault& each : machineDefaults(layered_.settings, stated)) {
+      const auto found = layered_.origins.find(each.follows);
+      set(each.setting, each.follows, found == layered_.origins.end() ? "" : found->second.back().place);
+    }
   }
 
  private:
@@ -140,6 +148,7 @@ LayeredSettings loadLayered(const SettingsSources& sources, const ProfileLibrary
   loadProfile(load, ProfileKind::Process, sources.process, library, machine);
   if (!sources.config.empty()) load.setConfig(sources.config);
   for (const SettingText& setting : sources.overrides) load.set(setting, "--set", "");
+  load.setMachineDefaults();
   return layered;
 }
 
