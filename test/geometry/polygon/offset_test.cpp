@@ -106,6 +106,27 @@ TEST(Offset, ShrinkingKeepsItsDistanceFromTheOutline) {
   }));
 }
 
+TEST(Offset, ShrinkingLeavesNothingOfANeedle) {
+  // A triangle with a needle of 0.6 mm along the line of one of its sides.
+  const Regions needle = {{{{3.84795, 7.14732},
+                            {5.23509, 8.64228},
+                            {4.48881, 8.82471},
+                            {2.12562, 7.04441},
+                            {1.42947, 6.51997},
+                            {1.5753, 6.22312},
+                            {3.77762, 6.82693},
+                            {4.57103, 7.04447},
+                            {4.00454, 6.88915}},
+                           {}}};
+  const double distance = 0.5 * 0.357079633;
+  const Regions shrunk = offset(needle, -distance);
+  ASSERT_FALSE(shrunk.empty());
+  for (const Polygon& outline : outlines(shrunk))
+    for (const Point2& point : outline)
+      EXPECT_GT(test::distanceToOutline(outlines(needle), point), distance - 1e-4)
+          << point.transpose() << " in an outline of " << perimeter(outline) << " mm";
+}
+
 TEST(Offset, TwiceIsTheSameAsOnceByTheSum) {
   EXPECT_TRUE(rc::check("walls may start from the wall before", [] {
     Random random(*rc::gen::arbitrary<std::uint64_t>());

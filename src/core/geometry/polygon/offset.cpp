@@ -75,6 +75,13 @@ Regions offsetMitred(const Regions& regions, double delta_mm) {
   return fromTree(tree);
 }
 
+/// Narrower than its corners are rounded. Outlines that double back in a shrinking needle leave such ones, on
+/// the outline that they should keep away from.
+bool isSliver(const Region& region) {
+  constexpr double kNarrowest = 2.0 / kUnitsPerMm;
+  return signedArea(region.outer) < kNarrowest * perimeter(region.outer);
+}
+
 /// Regions that shrink do not meet, so that each can be shrunk by itself.
 Regions insetEach(const Regions& regions, double distance_mm) {
   Regions result;
@@ -82,8 +89,8 @@ Regions insetEach(const Regions& regions, double distance_mm) {
     if (std::optional<Region> shrunk = insetByEdgeCollapse(region, distance_mm)) {
       result.push_back(std::move(*shrunk));
     } else {
-      Regions clipped = offsetMitred({region}, -distance_mm);
-      std::move(clipped.begin(), clipped.end(), std::back_inserter(result));
+      for (Region& left : offsetMitred({region}, -distance_mm))
+        if (!isSliver(left)) result.push_back(std::move(left));
     }
   }
   return result;
