@@ -226,9 +226,98 @@ class Regions(unittest.TestCase):
         for kind in ("SupportBlocker", "SupportEnforcer"):
             self.assertAlmostEqual(sliced(kind)["sliced_volume_mm3"], 1600.0, places=3)
             self.assertEqual(sliced(kind)["notes"], [])
-        left_out = sliced("ParameterModifier")
-        self.assertAlmostEqual(left_out["sliced_volume_mm3"], 1600.0, places=3)
-        self.assertIn("1 volumes of the file", left_out["notes"][0])
+        bare = sliced("ParameterModifier")  # that has no settings changes nothing
+        self.assertAlmostEqual(bare["sliced_volume_mm3"], 1600.0, places=3)
+        self.assertEqual(bare["notes"], [])
+
+    BOXES = [((0, 0, 0), (20, 20, 4)), ((10, -1, -1), (30, 21, 9))]
+
+    def prusa(self, settings):
+        """A box of 20 x 20 x 4 mm whose right half has settings of its own, as PrusaSlicer 2.5 writes it."""
+        def volume(first, kind, name, rest):
+            words = [("name", name), *rest[:1], ("volume_type", kind), ("matrix", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"),
+                     ("source_file", "part.stl"), ("source_object_id", "0"), ("source_volume_id", "0"),
+                     ("source_offset_x", "10"), *rest[1:]]
+            return ('  <volume firstid="%d" lastid="%d">\n' % (first, first + 11)
+                    + "".join('   <metadata type="volume" key="%s" value="%s"/>\n' % word for word in words)
+                    + '   <mesh edges_fixed="0" degenerate_facets="0" facets_removed="0" facets_reversed="0" '
+                    'backwards_edges="0"/>\n  </volume>\n')
+        config = ('<?xml version="1.0" encoding="UTF-8"?>\n<config>\n <object id="4" instances_count="1">\n'
+                  '  <metadata type="object" key="name" value="part"/>\n'
+                  '  <metadata type="object" key="perimeters" value="9"/>\n'
+                  + volume(0, "ModelPart", "part", []) + volume(12, "ParameterModifier", "Generic-Box",
+                                                                [("modifier", "1"), *settings])
+                  + " </object>\n</config>\n")
+        return self.threemf(self.BOXES, "Metadata/Slic3r_PE_model.config", config)
+
+    def orca(self, settings):
+        """The same as OrcaSlicer and Bambu Studio write it: volumes are objects, and components of one."""
+        path = self.prusa([])
+        with zipfile.ZipFile(path) as file:
+            entries = {name: file.read(name).decode() for name in file.namelist()}
+        mesh = entries["3D/3dmodel.model"].split("<mesh>")[1].split("</mesh>")[0]
+        vertices = mesh.split("<vertices>")[1].split("</vertices>")[0].split("/>")[:-1]
+        triangles = mesh.split("<triangles>")[1].split("</triangles>")[0].split("/>")[:12]
+        objects = "".join('<object id="%d" type="model"><mesh><vertices>%s</vertices><triangles>%s</triangles></mesh></object>'
+                          % (number, "".join(v + "/>" for v in vertices[8 * i:8 * i + 8]), "".join(t + "/>" for t in triangles))
+                          for i, number in enumerate((1, 2)))
+        head = entries["3D/3dmodel.model"].split("<object")[0]
+        entries["3D/3dmodel.model"] = (head + objects + '<object id="3" type="model"><components><component objectid="1"/>'
+                                       '<component objectid="2"/></components></object></resources><build><item objectid="3"/>'
+                                       '</build></model>')
+        del entries["Metadata/Slic3r_PE_model.config"]
+        words = [("name", "Cube"), ("matrix", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"), ("source_object_id", "0"), ("extruder", "0"),
+                 *settings]
+        entries["Metadata/model_settings.config"] = (
+            '<?xml version="1.0" encoding="UTF-8"?>\n<config>\n  <object id="3">\n    <metadata key="name" value="part"/>\n'
+            '    <metadata key="extruder" value="1"/>\n    <part id="1" subtype="normal_part">\n      <metadata key="name" '
+            'value="part"/>\n      <mesh_stat edges_fixed="0"/>\n    </part>\n    <part id="2" subtype="modifier_part">\n'
+            + "".join('      <metadata key="%s" value="%s"/>\n' % word for word in words)
+            + '      <mesh_stat edges_fixed="0"/>\n    </part>\n  </object>\n</config>\n')
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+            for name, text in entries.items():
+                file.writestr(name, text)
+        return path
+
+    def program(self, part, *arguments):
+        """What `lamina slice` tells, and the program without its comments."""
+        summary = told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *arguments)
+        with open(self.path("part.gcode"), encoding="utf-8") as file:
+            return summary, [line for line in file.read().splitlines() if not line.startswith(";")]
+
+    def test_settings_of_volumes_hold_as_those_of_modifiers(self):
+        half = box((10, -1, -1), (30, 21, 9))
+        ours = "settings: {infill.density: 0.6, infill.strategy: grid, walls.count: 4, feed.outer_wall_mm_s: 20}"
+        with open(self.path("modifiers.yaml"), "w", encoding="utf-8") as file:
+            file.write("modifiers:\n  - {%s, %s}\n" % (half, ours))
+        plain_file = self.threemf(self.BOXES[:1], "", "")
+        usual, plain = self.program(plain_file)
+        _, expected = self.program(plain_file, "--set", "part.modifiers=" + self.path("modifiers.yaml"))
+        self.assertNotEqual(plain, expected)
+        prusa = self.prusa([("fill_density", "60%"), ("fill_pattern", "grid"), ("perimeters", "4"),
+                            ("external_perimeter_speed", "20")])
+        summary, found = self.program(prusa)
+        self.assertEqual(summary["notes"], usual["notes"])
+        self.assertEqual(found, expected)
+        orca = self.orca([("sparse_infill_density", "60%"), ("sparse_infill_pattern", "grid"), ("wall_loops", "4"),
+                          ("outer_wall_speed", "20")])
+        summary, found = self.program(orca)
+        self.assertEqual(summary["notes"], usual["notes"])
+        self.assertEqual(found, expected)
+
+    def test_settings_of_volumes_that_no_region_has_are_named(self):
+        for written, words in ((self.prusa, [("support_material", "1"), ("fill_pattern", "stars"), ("perimeters", "3")]),
+                               (self.orca, [("enable_support", "1"), ("ironing_type", "top"), ("wall_loops", "3")])):
+            summary = told("slice", written(words), *LEVEL)
+            notes = [note for note in summary["notes"] if "of the part's file" in note]
+            self.assertEqual(len(notes), 1)
+            self.assertIn("volume 0 of the part's file", notes[0])
+            for key, value in words[:2]:
+                self.assertIn("'%s' '%s'" % (key, value), notes[0])
+            self.assertNotIn("'%s'" % words[2][0], notes[0])
+        summary = told("slice", self.prusa([("perimeters", "3")]), *LEVEL, "--set", "infill.strategy=vase", "--set",
+                       "walls.count=0", "--set", "skins.top_layers=0", "--set", "skins.bottom_layers=0", "--set", "bridges.use=false")
+        self.assertIn("cannot lie beside others", " ".join(summary["notes"]))
 
     def negative(self, number=4):
         return ('<?xml version="1.0"?><config><object id="%d"><volume firstid="12" lastid="23"><metadata type="volume" '

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lamina/base/settings.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 
 namespace lamina {
@@ -22,6 +23,7 @@ enum class VolumeKind : std::uint8_t {
 struct MeshVolume {
   VolumeKind kind = VolumeKind::Modifier;
   Mesh mesh;
+  std::vector<SettingText> settings = {};  ///< by the names and in the words of the slicer that wrote them
 };
 
 /// One of the objects that a file tells apart.

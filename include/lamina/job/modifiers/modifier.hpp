@@ -12,6 +12,7 @@
 #include "lamina/geometry/mesh/mesh.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "lamina/geometry/vector.hpp"
+#include "lamina/job/job_settings.hpp"
 
 namespace lamina {
 
@@ -40,9 +41,16 @@ struct Modifier {
 ///   for kinds that are not known; FileError
 std::vector<Modifier> readModifiersFile(const std::string& path);
 
-/// The volumes of a part's file that need no settings: those that are cut away, and blockers and enforcers of
-/// supports.
-std::vector<Modifier> modifiersOf(const std::vector<MeshVolume>& volumes);
+/// The volumes of a part's file as modifiers, and what of them is left out.
+struct VolumeModifiers {
+  std::vector<Modifier> modifiers;
+  std::vector<std::string> notes;  ///< a sentence for each volume of which something is left out
+};
+
+/// Volumes that are cut away, blockers and enforcers of supports, and those with settings of another slicer
+/// as far as these can be `translated`: one of which nothing is left is no modifier.
+/// @param of_part  with a fill that cannot lie beside others, no volume has settings
+VolumeModifiers modifiersOf(const std::vector<MeshVolume>& volumes, const JobSettings& of_part);
 
 /// The same from text.
 /// @param folder  of relative files

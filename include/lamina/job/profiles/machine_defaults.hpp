@@ -25,7 +25,8 @@ struct MachineDefault {
 
 /// What follows from the machine, without what is so already:
 /// - no fan without `machine.has_fan` and a cold bed without `machine.has_bed_heater`, unless typed;
-/// - where `machine.nozzle_mm` is known, beads as wide as the nozzle, layers and the first layer half as high,
+/// - where `machine.nozzle_mm` is known, beads as wide as the nozzle, layers and the first layer half as
+/// high,
 ///   adaptive layers from a quarter of it to three quarters, unless stated anywhere;
 /// - these heights, and the built-in ones, within `machine.least_layer_mm` and `machine.greatest_layer_mm`.
 /// Modes without a first layer of its own height have that of all layers.

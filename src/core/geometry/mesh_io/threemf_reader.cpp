@@ -89,8 +89,10 @@ class ThreemfReader {
   /// Those that were added since the last call.
   std::vector<MeshVolume> weldedVolumes() {
     std::vector<MeshVolume> welded;
-    for (const auto& [kind, faces] : std::exchange(volume_faces_, {}))
-      welded.push_back({kind, weld(faces, name_)});
+    for (auto& [volume, faces] : std::exchange(volume_faces_, {})) {
+      volume.mesh = weld(faces, name_);
+      welded.push_back(std::move(volume));
+    }
     return welded;
   }
 
@@ -186,7 +188,8 @@ class ThreemfReader {
         is_of_part[i] = false;
         addAlone(triangleAt(static_cast<DWORD>(i)), volume);
       }
-      if (!volume.triangles.empty()) volume_faces_.emplace_back(range.kind, std::move(volume));
+      if (!volume.triangles.empty())
+        volume_faces_.emplace_back(MeshVolume{range.kind, {}, range.settings}, std::move(volume));
     }
     for (DWORD i = 0; i < triangles; ++i)
       if (is_of_part[i]) faces_.triangles.push_back(triangleAt(i));
@@ -253,7 +256,7 @@ class ThreemfReader {
   IndexedFaces faces_;
   ObjectVolumes volumes_;
   std::map<DWORD, std::size_t> orders_;  ///< of objects, by the numbers that the library gives them
-  std::vector<std::pair<VolumeKind, IndexedFaces>> volume_faces_;
+  std::vector<std::pair<MeshVolume, IndexedFaces>> volume_faces_;  ///< volumes without their meshes
   int objects_ = 0;
 };
 

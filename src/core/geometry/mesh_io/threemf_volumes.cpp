@@ -90,33 +90,54 @@ class VolumeScanner {
   NumberedVolumes scan() {
     XmlTag tag;
     while (scanner_.next(tag)) {
-      if (tag.is_end) continue;
-      if (tag.name == "object") object_ = numberOf(scanner_, tag, "id");
-      if (tag.name == "volume")
-        range_ = {VolumeKind::Modifier, numberOf(scanner_, tag, "firstid"),
-                  numberOf(scanner_, tag, "lastid")};
-      if (tag.name == "metadata") addKind(tag);
-      if (tag.name == "part") addPart(tag);
+      if (tag.is_end)
+        end(tag);
+      else
+        begin(tag);
     }
     return std::move(found_);
   }
 
  private:
-  void addKind(const XmlTag& tag) {
-    const bool is_of_volume = tag.attribute("type") == "volume" && tag.attribute("key") == "volume_type";
-    const auto kind = is_of_volume ? kindOfVolume(tag.attribute("value")) : std::nullopt;
-    if (!kind) return;
-    range_.kind = *kind;
-    found_[object_].push_back(range_);
+  void begin(const XmlTag& tag) {
+    if (tag.name == "object") object_ = numberOf(scanner_, tag, "id");
+    if (tag.name == "volume") {
+      kind_.reset();
+      range_ = {VolumeKind::Modifier, numberOf(scanner_, tag, "firstid"), numberOf(scanner_, tag, "lastid")};
+    }
+    if (tag.name == "part") beginPart(tag);
+    if (tag.name == "metadata") addWord(tag);
   }
 
-  void addPart(const XmlTag& tag) {
-    if (const auto kind = kindOfVolume(tag.attribute("subtype")))
-      found_[numberOf(scanner_, tag, "id")] = {{*kind, 0, std::numeric_limits<std::size_t>::max()}};
+  void beginPart(const XmlTag& tag) {
+    kind_ = kindOfVolume(tag.attribute("subtype"));
+    if (!kind_) return;
+    range_ = {*kind_, 0, std::numeric_limits<std::size_t>::max()};
+    part_ = numberOf(scanner_, tag, "id");
+    if (tag.is_empty) found_[part_] = {range_};
+  }
+
+  /// Of the volume or part that has begun; that of others is told apart by its end.
+  void addWord(const XmlTag& tag) {
+    const std::string key = tag.attribute("key");
+    const std::string value = tag.attribute("value");
+    if (key == "volume_type") kind_ = kindOfVolume(value);
+    range_.settings.push_back({key, value});
+  }
+
+  void end(const XmlTag& tag) {
+    if (tag.name == "volume" && kind_) {
+      range_.kind = *kind_;
+      found_[object_].push_back(range_);
+    }
+    if (tag.name == "part" && kind_) found_[part_] = {range_};
+    if (tag.name == "volume" || tag.name == "part") kind_.reset();
   }
 
   XmlScanner scanner_;
   std::uint32_t object_ = 0;
+  std::uint32_t part_ = 0;
+  std::optional<VolumeKind> kind_;  ///< none for a volume of the part
   VolumeRange range_;
   NumberedVolumes found_;
 };

@@ -15,8 +15,9 @@ namespace lamina {
 /// Triangles of an object that are no part of the part.
 struct VolumeRange {
   VolumeKind kind = VolumeKind::Modifier;
-  std::size_t first = 0;  ///< triangle
-  std::size_t last = 0;   ///< triangle, that one too
+  std::size_t first = 0;                   ///< triangle
+  std::size_t last = 0;                    ///< triangle, that one too
+  std::vector<SettingText> settings = {};  ///< all that is said of it
 };
 
 /// By the place of the object among those of the model, from 0.

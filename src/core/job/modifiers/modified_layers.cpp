@@ -219,15 +219,18 @@ class LayerModifier {
 
 ModifiedLayers withModifiers(std::vector<Layer> layers, const SourcePart& source, const JobSettings& settings,
                              Progress& progress) {
-  std::vector<Modifier> modifiers = modifiersOf(source.volumes);
+  VolumeModifiers of_file = modifiersOf(source.volumes, settings);
+  std::vector<Modifier>& modifiers = of_file.modifiers;
   if (!settings.modifiers.empty())
     for (Modifier& modifier : readModifiersFile(settings.modifiers)) modifiers.push_back(std::move(modifier));
-  if (modifiers.empty()) return {std::move(layers), {}, {}};
+  if (modifiers.empty()) return {std::move(layers), {}, {}, std::move(of_file.notes)};
   const ModifierSections sections(layers, source, settings.input);
   LayerModifier modifier(std::move(layers));
   for (std::size_t m = 0; m < modifiers.size(); ++m)
     modifier.apply(modifiers[m].kind, m, sections.of(modifiers[m], progress), progress);
-  return std::move(modifier).finish(modifiers, settings);
+  ModifiedLayers modified = std::move(modifier).finish(modifiers, settings);
+  modified.notes = std::move(of_file.notes);
+  return modified;
 }
 
 bool asksForSupports(const ModifiedLayers& modified) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lamina/base/progress.hpp"
@@ -18,6 +19,7 @@ struct ModifiedLayers {
   std::vector<Layer> layers;
   std::vector<PlanVariant> variants;
   SupportMarks marks;
+  std::vector<std::string> notes;  ///< what of the volumes of the part's file is left out
 };
 
 /// Whether a region asks for supports, be it by a mark or by settings.

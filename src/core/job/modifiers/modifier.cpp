@@ -12,6 +12,8 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/infill/strategy.hpp"
+#include "lamina/job/modifiers/slicer_settings.hpp"
 
 namespace lamina {
 namespace {
@@ -148,6 +150,25 @@ Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
   return modifier;
 }
 
+ModifierKind kindOf(VolumeKind kind) {
+  switch (kind) {
+    case VolumeKind::Modifier:
+      break;
+    case VolumeKind::Negative:
+      return ModifierKind::Negative;
+    case VolumeKind::SupportBlocker:
+      return ModifierKind::SupportBlocker;
+    case VolumeKind::SupportEnforcer:
+      return ModifierKind::SupportEnforcer;
+  }
+  return ModifierKind::Settings;
+}
+
+bool liesBesideOthers(const std::string& strategy) {
+  const InfillStrategy fill = infillStrategy(strategy);
+  return fill.deposit == Deposit::Bead && fill.link == LayerLink::Travel;
+}
+
 }  // namespace
 
 std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& source_name,
@@ -166,19 +187,29 @@ std::vector<Modifier> readModifiers(const std::string& yaml, const std::string& 
   return modifiers;
 }
 
-std::vector<Modifier> modifiersOf(const std::vector<MeshVolume>& volumes) {
-  std::vector<Modifier> modifiers;
+VolumeModifiers modifiersOf(const std::vector<MeshVolume>& volumes, const JobSettings& of_part) {
+  VolumeModifiers found;
   for (const MeshVolume& volume : volumes) {
-    if (volume.kind == VolumeKind::Modifier) continue;
     Modifier modifier;
-    modifier.kind = volume.kind == VolumeKind::Negative         ? ModifierKind::Negative
-                    : volume.kind == VolumeKind::SupportBlocker ? ModifierKind::SupportBlocker
-                                                                : ModifierKind::SupportEnforcer;
+    modifier.kind = kindOf(volume.kind);
     modifier.volume = volume.mesh;
     modifier.place = "volume " + std::to_string(&volume - volumes.data()) + " of the part's file";
-    modifiers.push_back(std::move(modifier));
+    if (modifier.kind == ModifierKind::Settings) {
+      TranslatedSettings translation = translated(volume.settings, of_part);
+      const std::string& strategy = of_part.planning.infill.strategy;
+      const bool may_differ = liesBesideOthers(strategy);
+      if (!may_differ && !translation.settings.empty())
+        found.notes.push_back(modifier.place + ": its settings are left out: infill.strategy '" + strategy +
+                              "' cannot lie beside others");
+      else if (!translation.left_out.empty())
+        found.notes.push_back(modifier.place + ": settings of another slicer that no region has here are " +
+                              "left out: " + listed(translation.left_out));
+      if (!may_differ || translation.settings.empty()) continue;
+      modifier.settings = std::move(translation.settings);
+    }
+    found.modifiers.push_back(std::move(modifier));
   }
-  return modifiers;
+  return found;
 }
 
 std::vector<Modifier> readModifiersFile(const std::string& path) {

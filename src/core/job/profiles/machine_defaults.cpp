@@ -78,8 +78,8 @@ class DefaultsOfMachine {
   /// Modes that may lay all layers alike refuse a first one of another height, but for the built-in one.
   void followFirstLayer(FollowedHeight first) {
     const SlicingSettings& slicing = settings_.slicing;
-    const bool has_own = slicing.mode != kAutoMode &&
-                         slicingModes().find(slicing.mode).first_layer == FirstLayer::OwnHeight;
+    const bool has_own =
+        slicing.mode != kAutoMode && slicingModes().find(slicing.mode).first_layer == FirstLayer::OwnHeight;
     const bool is_built_in = typedText(first.height_mm) == typedText(slicing.first_layer_height_mm);
     if (!has_own && !is_built_in) first.height_mm = slicing.layer_height_mm;
     addHeight("slicing.first_layer_height_mm", first);
@@ -88,9 +88,8 @@ class DefaultsOfMachine {
   /// A share of the nozzle, the built-in height where no nozzle is known, within what the machine can lay.
   FollowedHeight followed(double share, double built_in_mm) const {
     const MachineCapabilities& machine = settings_.capabilities;
-    FollowedHeight height = machine.nozzle_mm > 0.0
-                                ? FollowedHeight{share * machine.nozzle_mm, kNozzle}
-                                : FollowedHeight{built_in_mm, nullptr};
+    FollowedHeight height = machine.nozzle_mm > 0.0 ? FollowedHeight{share * machine.nozzle_mm, kNozzle}
+                                                    : FollowedHeight{built_in_mm, nullptr};
     if (machine.greatest_layer_mm > 0.0 && height.height_mm > machine.greatest_layer_mm)
       height = {machine.greatest_layer_mm, "machine.greatest_layer_mm"};
     if (height.height_mm < machine.least_layer_mm)

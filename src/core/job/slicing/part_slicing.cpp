@@ -81,11 +81,9 @@ void place(const SourcePart& source, const BuildSpace& space, const SliceJob& jo
   sliced.summary.repairs = source.repairs;
 }
 
-bool hasSettingsOfItsOwn(const MeshVolume& volume) { return volume.kind == VolumeKind::Modifier; }
-
-std::string volumesNote(std::size_t left_out, bool are_level) {
-  return std::to_string(left_out) + " volumes of the file that change how the part is laid are left out: " +
-         (are_level ? "their settings are another slicer's" : "only level layers mind them");
+std::string volumesNote(std::size_t left_out) {
+  return std::to_string(left_out) +
+         " volumes of the file that change how the part is laid are left out: only level layers mind them";
 }
 
 }  // namespace
@@ -121,15 +119,12 @@ SlicedPart sliceSource(SourcePart source, const SliceJob& job, const BuildSpace&
   source = grownForShrinkage(std::move(source), job.settings);
   const Point3 laid = boundingBox(source.mesh).size();
   const std::size_t volumes = source.volumes.size();
-  const auto with_settings = static_cast<std::size_t>(
-      std::count_if(source.volumes.begin(), source.volumes.end(), hasSettingsOfItsOwn));
   place(source, space, job, sliced);
   sliced.toolpath =
       planOriented(std::move(source), {job, space, sliced.bed_from_part}, sliced.summary, progress);
   sliced.bed_from_part.pretranslate(Point3(0.0, 0.0, sliced.summary.raft_mm));
   const bool are_level = sliced.summary.mode == "planar" && job.settings.slicing.plane.angle_deg == 0.0;
-  const std::size_t left_out = are_level ? with_settings : volumes;
-  if (left_out > 0) sliced.summary.notes.push_back(volumesNote(left_out, are_level));
+  if (volumes > 0 && !are_level) sliced.summary.notes.push_back(volumesNote(volumes));
   if (changesSize(job.settings.compensation)) sliced.summary.notes.push_back(sizeNote(drawn, laid));
   requireDeposition(sliced.toolpath, job.settings.planning);
   sliced.toolpath = withCopies(std::move(sliced.toolpath), job.settings.copies, space, sliced.bed_from_part,

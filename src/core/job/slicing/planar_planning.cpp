@@ -103,6 +103,7 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   ModifiedLayers modified = withModifiers(std::move(layers), source, settings, progress);
   PlannedPart planned;
   planned.notes = notesOn(heights, settings.slicing);
+  planned.notes.insert(planned.notes.end(), modified.notes.begin(), modified.notes.end());
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
