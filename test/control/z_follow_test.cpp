@@ -47,5 +47,10 @@ TEST(ZFollow, KeepsTheHeadAboveTheHighestCell) {
     EXPECT_NEAR(dz, -0.5, 1e-12);
 }
 
+TEST(ZFollow, IsNoMoreThanALayerAboveAnyLump) {
+  // 9 mm less 1.5 and 3 mm are 4.5 mm: more than machines take; such a lump holds the print.
+  for (const double dz : shifts(NozzleHeight::Surface, 0.9, 0.0, {1.5, 9.0, 3.0})) EXPECT_EQ(dz, 1.5);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +18,16 @@
 namespace lamina::test {
 
 /// What the sensor does in a layer.
-enum class SensorDoes { Measure, KeepSilent, SayNothing, SayTheSame };
+enum class SensorDoes {
+  Measure,
+  KeepSilent,
+  SayNothing,  ///< points that are no numbers
+  SayTheSame,
+  Scatter,        ///< each profile elsewhere within the window of a cell
+  LoseTransform,  ///< clouds, but no poses
+  LagBehind,      ///< stamps that are `lag_s` late
+  SpoutGarbage    ///< clouds of anything, some of them of long ago
+};
 
 /// A straight wall, one bead a layer, laid along x and scanned on the way back, by a process that lays
 /// `growth` of what it is told; the loop over it changes what it is told.
@@ -34,6 +44,17 @@ struct SensedWallCase {
   std::int64_t start_ns = 1'000'000'000'000;
   std::uint64_t seed = 1;
   std::function<SensorDoes(std::size_t layer)> sensor = {};  ///< measures where empty
+  int scans = 1;                                             ///< passes over the wall, odd
+  double scan_margin_mm = 0.0;                               ///< beyond both of its ends
+  double lag_s = 0.05;
+  /// Growth over `growth`, by the number of the layer laid; 1 where empty.
+  std::function<double(std::size_t layer, double along_mm)> grows = {};
+  /// What befalls the wall once a layer is laid: heights 1 mm apart.
+  std::function<void(std::size_t layer, std::vector<double>& heights_mm)> befalls = {};
+  /// What the operator does with the loop while the bead of a layer is laid.
+  std::function<void(std::size_t layer, LoopRun& run)> operates = {};
+  /// Whether the machine lays a layer as planned, having waited for its map in vain.
+  std::function<bool(std::size_t layer)> misses_map = {};
 };
 
 /// What was sent and what came of it. Heights lie 1 mm apart along the wall.
@@ -76,6 +97,7 @@ inline Toolpath scannedWall(const SensedWallCase& wall) {
   for (std::size_t k = 0; k < wall.layers; ++k) {
     const double z = wall.layer_mm * static_cast<double>(k + 1);
     const double above = z + 5.0;
+    const double margin = wall.scan_margin_mm;
     Path bead;
     bead.role = PathRole::OuterWall;
     bead.bead = Bead{wall.width_mm, wall.layer_mm};
@@ -84,7 +106,9 @@ inline Toolpath scannedWall(const SensedWallCase& wall) {
     Path scan;
     scan.role = PathRole::Travel;
     scan.feed_mm_s = wall.scan_mm_s;
-    scan.points = {{wall.length_mm, 0, z}, {wall.length_mm, 0, above}, {0, 0, above}};
+    scan.points = {{wall.length_mm, 0, z}, {wall.length_mm + margin, 0, above}};
+    for (int pass = 0; pass < wall.scans; ++pass)
+      scan.points.emplace_back(pass % 2 == 0 ? -margin : wall.length_mm + margin, 0, above);
     scan.points.emplace_back(0, 0, k + 1 < wall.layers ? z + wall.layer_mm : above + 1.0);
     toolpath.layers.push_back({z, wall.layer_mm, {bead, scan}});
   }
@@ -118,18 +142,26 @@ class SensedWallPrinter {
   void printLayer(std::size_t k) {
     run_->passAll();  // the machine waits for its map
     take();
-    for (std::size_t i = 0; i < places(); ++i)
-      surface_[i] += wall_.growth * wall_.layer_mm * (1.0 + amountAt(k, i));
+    for (std::size_t i = 0; i < places(); ++i) {
+      const double grows = wall_.grows ? wall_.grows(k, static_cast<double>(i)) : 1.0;
+      surface_[i] += wall_.growth * grows * wall_.layer_mm * (1.0 + amountAt(k, i));
+    }
+    if (wall_.befalls) wall_.befalls(k, surface_);
     printed_.heights_mm.push_back(surface_);
     const auto& paths = printed_.part.toolpath.layers[k].paths;
-    go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, k, SensorDoes::KeepSilent);
+    go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, SensorDoes::KeepSilent);
+    if (misses(k)) run_->missMap(k, 2.5);
+    if (wall_.operates) wall_.operates(k, *run_);
     const SensorDoes does = wall_.sensor ? wall_.sensor(k) : SensorDoes::Measure;
-    for (std::size_t m = 0; m < 3; ++m)
-      go(paths[1].points[m], paths[1].points[m + 1], wall_.scan_mm_s, k,
-         m == 1 ? does : SensorDoes::KeepSilent);
+    const auto& scan = paths[1].points;
+    for (std::size_t m = 0; m + 1 < scan.size(); ++m)
+      go(scan[m], scan[m + 1], wall_.scan_mm_s, m > 0 && m + 2 < scan.size() ? does : SensorDoes::KeepSilent);
   }
 
+  bool misses(std::size_t layer) const { return wall_.misses_map && wall_.misses_map(layer); }
+
   double amountAt(std::size_t layer, std::size_t place) const {
+    if (misses(layer)) return 0.0;
     const CorrectionMap* latest = nullptr;
     for (const CorrectionMap& map : printed_.maps)
       if (map.layer == layer) latest = &map;
@@ -138,39 +170,69 @@ class SensedWallPrinter {
   }
 
   /// Straight from pose to pose; profiles halfway between them and at them.
-  void go(const Point3& from, const Point3& to, double speed, std::size_t layer, SensorDoes does) {
+  void go(const Point3& from, const Point3& to, double speed, SensorDoes does) {
     constexpr std::int64_t kHalf = 10'000'000;
+    speed_mm_s_ = (to - from).normalized().x() * speed;
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / speed / 0.02)));
     for (int i = 1; i <= steps; ++i) {
       const Point3 half = from + (to - from) * ((i - 0.5) / steps);
       const Point3 tip = from + (to - from) * (static_cast<double>(i) / steps);
-      if (does != SensorDoes::KeepSilent) sense(now_ns_ + kHalf, half, layer, does);
+      if (does != SensorDoes::KeepSilent && does != SensorDoes::LoseTransform)
+        sense(now_ns_ + kHalf, half, does);
       now_ns_ += 2 * kHalf;
+      if (does == SensorDoes::LoseTransform) {
+        run_->hear(now_ns_);
+        continue;
+      }
       printed_.tips.push_back({now_ns_, tip});
       run_->observe(printed_.tips.back());
-      if (does != SensorDoes::KeepSilent) sense(now_ns_, tip, layer, does);
+      if (does != SensorDoes::KeepSilent) sense(now_ns_, tip, does);
     }
     take();
   }
 
-  void sense(std::int64_t stamp_ns, const Point3& tip, std::size_t layer, SensorDoes does) {
+  /// Height of the wall's top, straight from place to place; not finite beyond its ends.
+  double topAt(double along_mm) const {
+    if (!(along_mm >= 0.0) || along_mm > wall_.length_mm) return std::numeric_limits<double>::quiet_NaN();
+    const auto place = std::min(static_cast<std::size_t>(along_mm), surface_.size() - 2);
+    const double part = along_mm - static_cast<double>(place);
+    return surface_[place] + part * (surface_[place + 1] - surface_[place]);
+  }
+
+  void sense(std::int64_t stamp_ns, const Point3& tip, SensorDoes does) {
     SensedCloud cloud;
     cloud.stamp_ns = stamp_ns;
     cloud.bed_from_sensor = sensorOver(tip);
     cloud.profiles.emplace_back();
-    const auto place = static_cast<std::size_t>(std::lround(tip.x()));
+    const double lag_mm = does == SensorDoes::LagBehind ? wall_.lag_s * speed_mm_s_ : 0.0;
+    double top = topAt(tip.x() - lag_mm);
+    if (does == SensorDoes::Scatter) top += random_.uniform(-1.0, 1.0) * wall_.layer_mm;
     for (int i = -20; i <= 20; ++i) {
       const double y = 0.1 * i;
       double depth = std::numeric_limits<double>::quiet_NaN();
       if (std::abs(y) < 0.5 * wall_.width_mm)
-        depth = tip.z() + 60.0 - surface_[place] + random_.normal(0.0, wall_.noise_mm);
+        depth = tip.z() + 60.0 - top + random_.normal(0.0, wall_.noise_mm);
       if (does == SensorDoes::SayNothing) depth = std::numeric_limits<double>::quiet_NaN();
       if (does == SensorDoes::SayTheSame) depth = 65.0;
       cloud.profiles[0].emplace_back(y, 0.0, depth);
     }
-    static_cast<void>(layer);
+    if (does == SensorDoes::SpoutGarbage) spoil(cloud);
     printed_.clouds.push_back(cloud);
     run_->see(std::move(cloud));
+  }
+
+  void spoil(SensedCloud& cloud) {
+    constexpr double kAny[] = {0.0, 1e300, -1e300, 60.0, 64.0, 65.0};
+    if (random_.uniform(0.0, 1.0) < 0.1) cloud.stamp_ns -= 50'000'000'000;
+    if (random_.uniform(0.0, 1.0) < 0.2) cloud.profiles.clear();
+    if (random_.uniform(0.0, 1.0) < 0.2) cloud.profiles.resize(cloud.profiles.size() + 2);
+    for (auto& profile : cloud.profiles)
+      for (Point3& point : profile) {
+        const double kind = random_.uniform(0.0, 10.0);
+        double& value = point[static_cast<Eigen::Index>(random_.uniform(0.0, 2.999))];
+        if (kind < 6.0) value = kAny[static_cast<std::size_t>(kind)];
+        if (kind > 9.0) value = std::numeric_limits<double>::infinity();
+      }
   }
 
   void take() {
@@ -183,6 +245,7 @@ class SensedWallPrinter {
   SensedWallCase wall_;
   Random random_;
   std::int64_t now_ns_;
+  double speed_mm_s_ = 0.0;  ///< of the sensor along the wall
   std::vector<double> surface_;
   SensedWall printed_;
   LoopRun* run_ = nullptr;

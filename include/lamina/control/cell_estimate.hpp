@@ -70,6 +70,8 @@ class CellEstimate {
   void lay(const LaidGrowth& growth, double spread);
   /// A pressed process: the error is that of the nozzle's plane.
   void press(const LaidGrowth& growth, double spread);
+  /// What a free process laid last of a planned height was laid by another correction than `lay` was told.
+  void relay(double planned_mm, double told, double correction);
 
   /// The plan has changed: its height by so much at this cell, and the volume of its beads by that factor.
   void replan(double raised_mm, double flow);

@@ -59,6 +59,9 @@ class HeightLoop {
   void lay(const LayerCorrection& correction);
   /// The same, the nozzle running that far below the plan [mm]: of a pressed process this is the error.
   void lay(const LayerCorrection& correction, const std::vector<double>& nozzle_error_mm);
+  /// The layer turned out to be laid with another correction.
+  /// @throws InvalidInput if there is not one value per cell
+  void relay(const LayerCorrection& correction);
 
   /// A reading of a cell of the layer.
   /// @throws InvalidInput if the layer has no such cell

@@ -23,6 +23,7 @@ enum class NozzleHeight : std::uint8_t {
 
 /// What is done where corrections have come to their limits.
 enum class Replanning : std::uint8_t {
+  Off,    ///< it is told, and the print goes on
   Hold,   ///< the operator is asked
   Scale,  ///< heights of the layers left are scaled
   Add     ///< whole layers are added or left out, dips are filled

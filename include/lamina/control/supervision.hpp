@@ -91,7 +91,8 @@ struct SensorWatch {
   double blind_s = 0.0;             ///< since the last cloud that a pose of the nozzle was known for
   double variance_mm2 = 1.0;        ///< of the profiles seen while moving, at their points
   int profiles = 0;                 ///< that the variance is of
-  double time_offset_sigmas = 0.0;  ///< by which the time offset seen differs from the calibrated one
+  double time_offset_s = 0.0;       ///< by which the time offset seen differs from the calibrated one
+  double time_offset_sigmas = 0.0;  ///< the same in standard deviations, without sign
   double map_late_s = 0.0;          ///< the layer has waited for its map
 };
 LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const LoopSettings& settings);

@@ -50,6 +50,15 @@ void CellEstimate::press(const LaidGrowth& growth, double spread) {
   flags_ = static_cast<std::uint8_t>(flags_ & ~kSeen);
 }
 
+/// A height that was seen since needs no expectation; what was commanded is as it is.
+void CellEstimate::relay(double planned_mm, double told, double correction) {
+  const double more = planned_mm * (correction - told);
+  commanded_mm_ += static_cast<float>(more);
+  if (isSeen()) return;
+  error_mm_ -= static_cast<float>(gain() * more);
+  contested_mm_ -= static_cast<float>(gain() * more);
+}
+
 void CellEstimate::replan(double raised_mm, double flow) {
   error_mm_ += static_cast<float>(raised_mm);
   base_mm_ += static_cast<float>(raised_mm);

@@ -207,6 +207,17 @@ void HeightLoop::lay(const LayerCorrection& correction, const std::vector<double
   before_deficit_ = deficit_;
 }
 
+void HeightLoop::relay(const LayerCorrection& correction) {
+  requireOnePerCell("amounts", correction.amount.size());
+  for (std::size_t i = 0; i < cells_.size() && settings_.process == LoopProcess::Free; ++i) {
+    estimates_[i].relay(cells_.height_mm[i], laid_[i], correction.amount[i]);
+    before_clouds_.error_mm[i] -=
+        before_clouds_.gain[i] * cells_.height_mm[i] * (correction.amount[i] - laid_[i]);
+  }
+  limited_share_ = correction.limited_share;
+  laid_ = correction.amount;
+}
+
 ReadingOutcome HeightLoop::see(std::size_t cell, const CellReading& reading) {
   requireCell(cell);
   CellEstimate& estimate = estimates_[cell];

@@ -52,7 +52,10 @@ void describeMachine(SettingsSchema& schema, LoopSettings& settings) {
 
 void describeSupervision(SettingsSchema& schema, LoopSettings& settings) {
   schema.choice("loop.replan", settings.replan,
-                {{"hold", Replanning::Hold}, {"scale", Replanning::Scale}, {"add", Replanning::Add}},
+                {{"off", Replanning::Off},
+                 {"hold", Replanning::Hold},
+                 {"scale", Replanning::Scale},
+                 {"add", Replanning::Add}},
                 "What is done where corrections have come to their limits.");
   schema.choice("loop.on_loss", settings.on_loss, {{"hold", LossOfSight::Hold}, {"open", LossOfSight::Open}},
                 "What is done after three layers without a measurement.");

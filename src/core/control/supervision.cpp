@@ -47,6 +47,11 @@ void raise(LoopStep& step, LoopAlarm alarm, LoopReaction reaction, std::string r
   step.alarms.push_back({alarm, reaction, std::move(reason)});
 }
 
+LoopReaction reactionOf(Replanning replan) {
+  if (replan == Replanning::Off) return LoopReaction::Warn;
+  return replan == Replanning::Hold ? LoopReaction::Hold : LoopReaction::Replan;
+}
+
 /// A layer of which nothing can be used.
 void missLayer(LoopStep& step, const LoopSettings& settings) {
   LoopStatus& status = step.status;
@@ -86,7 +91,9 @@ void judgeDeviation(LoopStep& step, const LayerFigures& figures, const LoopSetti
 
 void judgeTrend(LoopStep& step, const LayerFigures& figures) {
   LoopStatus& status = step.status;
-  const bool grows = status.has_figures && figures.rmse_mm > kGrowingBy * status.rmse_mm;
+  // What limits leave uncorrected grows without the loop being wrong: 6113 tells that.
+  const bool is_limited = figures.limited_share > kSaturatedShare;
+  const bool grows = status.has_figures && !is_limited && figures.rmse_mm > kGrowingBy * status.rmse_mm;
   status.growing_layers = grows ? status.growing_layers + 1 : 0;
   if (status.growing_layers < kLayersRunning || figures.rmse_mm <= kGrowingLayers * figures.height_mm) return;
   if (status.state != LoopState::Active) return;
@@ -152,9 +159,9 @@ LoopStep afterWatch(const LoopStatus& status, const SensorWatch& watch, const Lo
              value(watch.variance_mm2, " mm²") + "; expected 1e-9 mm² at least while the nozzle moves");
   if (watch.time_offset_sigmas > kOffsetSigmas)
     lose(LoopAlarm::TimeOffset, CoastingFor::TimeOffset,
-         "the sensor's time offset is " + value(watch.time_offset_sigmas, "") +
-             " standard deviations off; expected 3 at most: calibrate it");
-  if (watch.map_late_s > settings.wait_s)
+         "the sensor's time offset has moved by " + value(1e3 * watch.time_offset_s, " ms") + ", which is " +
+             value(watch.time_offset_sigmas, "") + " standard deviations; expected 3 at most: calibrate it");
+  if (watch.map_late_s > 0.0 && watch.map_late_s >= settings.wait_s)
     raise(step, LoopAlarm::MapLate, LoopReaction::Coast,
           "the layer's map is " + value(watch.map_late_s, " s") + " late; expected it within " +
               value(settings.wait_s, " s"));
@@ -189,8 +196,7 @@ LoopStep afterLayer(const LoopStatus& status, const LayerFigures& figures, const
   judgeConsistency(step, figures);
   next.saturated_layers = figures.limited_share > kSaturatedShare ? next.saturated_layers + 1 : 0;
   if (next.saturated_layers >= kLayersRunning)
-    raise(step, LoopAlarm::Saturated,
-          settings.replan == Replanning::Hold ? LoopReaction::Hold : LoopReaction::Replan,
+    raise(step, LoopAlarm::Saturated, reactionOf(settings.replan),
           "corrections are at their limits on " + value(100.0 * figures.limited_share, " %") +
               " of the length, three layers running; expected 5 % at most");
   next.has_figures = true;

@@ -29,7 +29,7 @@ std::vector<double> nozzleShift(const LayerCells& cells, const LayerKnowledge& k
   }
   // The nozzle's plan is a layer above where the layer below should be.
   const double lowest = room.highest_mm - room.layer_mm - room.clearance_mm;
-  for (double& dz : shift) dz = std::max(std::clamp(dz, -room.layer_mm, room.layer_mm), lowest);
+  for (double& dz : shift) dz = std::clamp(std::max(dz, lowest), -room.layer_mm, room.layer_mm);
   return shift;
 }
 

@@ -13,6 +13,8 @@
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/layer_progress.hpp"
+#include "lamina/control/run/lump_watch.hpp"
+#include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/run/run_settings.hpp"
 #include "lamina/control/run/stuck_watch.hpp"
 
@@ -103,6 +105,9 @@ class LoopRun {
   void see(SensedCloud cloud);
   /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.
   void hear(std::int64_t stamp_ns);
+  /// The machine lays a layer as planned, as it had waited for its map for so long. Of the layer under way
+  /// the estimate takes that into account.
+  void missMap(std::size_t layer, double waited_s);
 
   /// Works off what waits: nothing older comes.
   void passAll();
@@ -138,6 +143,9 @@ class LoopRun {
   void onCloud(const SensedCloud& cloud);
   void readCloud(const SensedCloud& cloud);
   void use(const LayerReading& reading);
+  void senseMotion(const SensedCloud& cloud);
+  void watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
+  void watchOffset();
   void watch(double blind_s);
   void beginLayer(std::size_t layer);
   void endLayer();
@@ -184,7 +192,14 @@ class LoopRun {
   double settle_mm_ = 0.0;
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
-  std::set<LoopAlarm> watched_;  ///< alarms of the watch that are up
+  OffsetWatch offset_;
+  OffsetLeft offset_left_;          ///< of the layer that told it last
+  LumpWatch lump_;                  ///< above the layer under way, as scanned
+  Box3 ground_;                     ///< of that layer, without its height
+  Point3 sensor_ = Point3::Zero();  ///< at the last cloud [toolpath]
+  std::optional<std::int64_t> sensor_ns_;
+  Eigen::Vector3d sensor_mm_s_ = Eigen::Vector3d::Zero();  ///< [toolpath]
+  std::set<LoopAlarm> watched_;                            ///< alarms of the watch that are up
   std::vector<RaisedAlarm> layer_alarms_;
   std::optional<RaisedAlarm> last_alarm_;
   LoopNews news_;

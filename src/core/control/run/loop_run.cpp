@@ -14,8 +14,10 @@
 namespace lamina {
 namespace {
 
-constexpr double kSecond = 1e9;     // ns
-constexpr double kShiftBack = 0.2;  // layers per layer, as the nozzle's height is followed
+constexpr double kSecond = 1e9;              // ns
+constexpr double kShiftBack = 0.2;           // layers per layer, as the nozzle's height is followed
+constexpr double kLeastOffsetSigma = 0.001;  // s, better than which no stamps are
+constexpr double kSteady = 0.5;              // s between clouds, above which their sensor may have turned
 
 double secondsFrom(std::int64_t begin_ns, std::int64_t end_ns) {
   return static_cast<double>(end_ns - begin_ns) / kSecond;
@@ -65,6 +67,23 @@ double widestBead(const LayerCells& cells) {
   return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
 }
 
+/// What a layer covers, its beads' width around it, without its height.
+Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
+  Box3 ground;
+  const double reach = widestBead(cells);
+  const Point3 around(reach, reach, reach);
+  for (const Point3& middle : cells.middle) {
+    const Point3 at = middle - middle.dot(normal) * normal;
+    ground.include(at - around);
+    ground.include(at + around);
+  }
+  return ground;
+}
+
+bool isWithin(const Box3& box, const Point3& point) {
+  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
+}
+
 /// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
 double highestCell(const std::vector<CellEstimate>& estimates) {
   double highest = -1e9;
@@ -101,6 +120,7 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
   status_ = afterRequest(request, stability_);
+  offset_left_ = {};
   return status_;
 }
 
@@ -154,7 +174,24 @@ void LoopRun::finish() {
 }
 
 void LoopRun::hear(std::int64_t stamp_ns) {
-  if (latest_tip_ns_ && stamp_ns > *latest_tip_ns_) watch(secondsFrom(*latest_tip_ns_, stamp_ns));
+  if (!latest_tip_ns_ || stamp_ns <= *latest_tip_ns_) return;
+  const double blind_s = secondsFrom(*latest_tip_ns_, stamp_ns);
+  // The last poses say whether the nozzle was scanning: nothing that comes brings them on any more.
+  if (blind_s > settings_.loop.silence_s) passUntil(*latest_tip_ns_);
+  watch(blind_s);
+}
+
+void LoopRun::missMap(std::size_t layer, double waited_s) {
+  SensorWatch late;
+  late.map_late_s = waited_s;
+  take(afterWatch(status_, late, settings_.loop));
+  if (!layer_ || layer != *layer_) return;
+  laid_.amount.assign(laid_.amount.size(), 0.0);
+  laid_.limited_share = 0.0;
+  loop_->relay(laid_);
+  laid_in_ = LoopState::Coasting;
+  shift_mm_.assign(shift_mm_.size(), 0.0);
+  mean_shift_mm_ = last_amount_ = 0.0;
 }
 
 /// The nozzle where the plan has it: what the loop shifts it by is off.
@@ -198,7 +235,41 @@ void LoopRun::onCloud(const SensedCloud& cloud) {
     return;
   }
   ++counts_.clouds_read;
+  senseMotion(cloud);
   if (layer_) readCloud(cloud);
+}
+
+void LoopRun::senseMotion(const SensedCloud& cloud) {
+  const Point3 sensor = part_from_bed_ * cloud.bed_from_sensor.translation();
+  const double span_s = sensor_ns_ ? secondsFrom(*sensor_ns_, cloud.stamp_ns) : 0.0;
+  const bool is_steady = span_s > 0.0 && span_s <= kSteady;
+  sensor_mm_s_ = is_steady ? Eigen::Vector3d((sensor - sensor_) / span_s) : Eigen::Vector3d::Zero();
+  sensor_ = sensor;
+  sensor_ns_ = cloud.stamp_ns;
+}
+
+/// What stands higher than cells are looked for. A layer that is not plane has no one height.
+void LoopRun::watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor) {
+  if (!atlas_.isPlane(*layer_)) return;
+  const double top = loop_->cells().middle.front().dot(normal_);
+  std::vector<double> heights;
+  heights.reserve(points.size());
+  for (const Point3& point : points) {
+    const Point3 at = toolpath_from_sensor * point;
+    const bool is_point = point.allFinite() && !point.isZero(0.0);
+    const bool is_under_way = is_point && isWithin(ground_, at - at.dot(normal_) * normal_);
+    heights.push_back(is_under_way ? at.dot(normal_) - top : LumpWatch::kNone);
+  }
+  lump_.see(heights);
+}
+
+void LoopRun::watchOffset() {
+  const auto left = offset_.offset(loop_->cells());
+  if (!left) return;
+  offset_left_ = *left;
+  offset_left_.sigma_s =
+      std::hypot(left->sigma_s, settings_.calibration.time_offset_sigma_s, kLeastOffsetSigma);
+  watch(0.0);
 }
 
 std::size_t LoopRun::cellsLaid(double settle_mm) const {
@@ -220,6 +291,7 @@ void LoopRun::readCloud(const SensedCloud& cloud) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
     counts_.points += read.counts;
+    if (progress_.place().is_scanning) watchLump(points, profile.toolpath_from_sensor);
     for (const LayerReading& reading : read.readings) use(reading);
   }
   loop_->endCloud();
@@ -230,6 +302,8 @@ void LoopRun::use(const LayerReading& reading) {
     ++counts_.readings_below;
     return;
   }
+  if (progress_.place().is_scanning)
+    offset_.see(reading.cell, sensor_mm_s_.dot(loop_->cells().tangent[reading.cell]), reading.reading);
   switch (loop_->see(reading.cell, reading.reading).use) {
     case ReadingUse::Used:
       ++counts_.readings_used;
@@ -251,6 +325,9 @@ void LoopRun::watch(double blind_s) {
   seen.blind_s = blind_s;
   seen.profiles = stuck_.profiles();
   seen.variance_mm2 = stuck_.variance();
+  seen.time_offset_s = offset_left_.offset_s;
+  if (offset_left_.sigma_s > 0.0)
+    seen.time_offset_sigmas = std::abs(offset_left_.offset_s) / offset_left_.sigma_s;
   LoopStep step = afterWatch(status_, seen, settings_.loop);
   std::set<LoopAlarm> up;
   std::vector<RaisedAlarm> risen;
@@ -287,6 +364,9 @@ void LoopRun::beginLayer(std::size_t layer) {
   const auto shared = std::make_shared<const LayerCells>(cells);
   loop_->beginLayer(std::move(cells));
   blockIfLump();
+  offset_.begin(loop_->cells().size());
+  lump_.reset();
+  ground_ = groundOf(loop_->cells(), normal_);
   laid_in_ = status_.state;
   laid_ = wanted();
   shiftNozzle();
@@ -302,7 +382,7 @@ void LoopRun::beginLayer(std::size_t layer) {
 
 void LoopRun::blockIfLump() {
   const double height = meanOverCells(loop_->cells(), loop_->cells().height_mm);
-  const double lump = highestCell(loop_->estimates()) - height;
+  const double lump = std::max(highestCell(loop_->estimates()), lump_.height()) - height;
   take(beforeLayer(status_, lump, settings_.head_clearance_mm));
 }
 
@@ -360,6 +440,7 @@ bool LoopRun::isDue(std::size_t layer, const LayerFigures& figures) const {
 }
 
 void LoopRun::endLayer() {
+  watchOffset();
   const LayerFigures figures = loop_->endLayer();
   below_ = loop_->estimates();
   below_layer_ = *layer_;
