@@ -17,6 +17,7 @@
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/report/loop_report.hpp"
+#include "lamina/control/run/run_calibration.hpp"
 #include "recorded_print.hpp"
 
 namespace lamina::cli {
@@ -164,6 +165,7 @@ void estimate(const EstimateArguments& arguments, OutputFormat format) {
   applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
   if (arguments.prints_config) return printConfig(schema, format);
   if (arguments.bag.empty()) throw InvalidInput("no bag is given; expected a file that rosbag recorded");
+  settings = withCalibrationFile(settings);
   Estimation estimation(arguments.output);
   const SteadyClock clock;
   const double begin = clock.now();
@@ -176,10 +178,11 @@ void estimate(const EstimateArguments& arguments, OutputFormat format) {
     nlohmann::ordered_json prints = nlohmann::ordered_json::array();
     for (const EstimatedPrint& print : estimation.prints()) prints.push_back(jsonOf(print));
     const nlohmann::ordered_json json = {
-        {"prints", prints}, {"recorded_s", bag.recorded_s}, {"elapsed_s", elapsed_s}};
+        {"calibration", settings.calibration.sources}, {"prints", prints}, {"recorded_s", bag.recorded_s}, {"elapsed_s", elapsed_s}};
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
+  for (const std::string& source : settings.calibration.sources) std::printf("%s\n", source.c_str());
   for (const EstimatedPrint& print : estimation.prints()) printText(print);
   std::printf("%.1f s recorded, read in %.2f s\n", bag.recorded_s, elapsed_s);
 }

@@ -48,7 +48,7 @@ ARROWS = {
     "calibration": ["toolpath"],
     "control": ["toolpath"],
     "control/program": ["control", "gcode_rewrite"],
-    "control/run": ["control", "deposition"],
+    "control/run": ["control", "deposition", "calibration"],
     "control/report": ["control/run", "picture"],
     "picture": ["verification/overhang", "pores"],
     "job": ["planning", "orientation", "gcode_rewrite", "dynamics", "startup", "streaming/emulator", "deposition", "sweep", "scaffold",

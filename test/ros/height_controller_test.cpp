@@ -13,6 +13,7 @@
 #include "bag_player.hpp"
 #include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
+#include "lamina/calibration/calibration_file.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 #include "wall_messages.hpp"
@@ -90,13 +91,14 @@ SensedWallCase wallCase() {
   return wall;
 }
 
-/// What `lamina estimate` says of a bag.
-nlohmann::json estimate(const std::string& bag, const std::string& more = "") {
+/// What `lamina estimate` says of a bag, with a loop that is told of its sensor by `known`.
+nlohmann::json estimate(const std::string& bag, const std::string& more = "",
+                        const std::string& known = "--set sensor.time_offset_trusted=true "
+                                                   "--set sensor.place_trusted=true") {
   const std::string command =
       std::string(LAMINA_COMMAND) + " estimate " + bag +
-      " --json --set request=active --set sensor.time_offset_trusted=true "
-      "--set sensor.place_trusted=true --set sight.sigma_mm=0.01 --set loop.reading_correlation=0 " +
-      more;
+      " --json --set request=active --set sight.sigma_mm=0.01 --set loop.reading_correlation=0 " + known +
+      " " + more;
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   std::array<char, 4096> part{};
@@ -106,8 +108,9 @@ nlohmann::json estimate(const std::string& bag, const std::string& more = "") {
   return nlohmann::json::parse(text);
 }
 
-std::vector<std::string> replayed(const std::string& bag, std::size_t layers, const std::string& rate) {
-  Controller controller;
+std::vector<std::string> replayed(const std::string& bag, std::size_t layers, const std::string& rate,
+                                  const std::vector<std::string>& parameters = {}) {
+  Controller controller(parameters);
   const test::BagPlayer player(bag, {"--rate=" + rate, "--delay=0.5"});
   waitUntil([&] { return controller.layers.size() >= layers; });
   return controller.digests();
@@ -186,6 +189,53 @@ TEST(HeightController, TakesTheOffsetOfTheSensorsClockOff) {
   const nlohmann::json right = estimate(folder.file("right.bag"));
   const nlohmann::json late = estimate(folder.file("late.bag"), "--set sensor.time_offset_s=0.25");
   EXPECT_EQ(right["prints"][0]["map_digests"], late["prints"][0]["map_digests"]);
+}
+
+constexpr double kLate = 0.25;  // s, by which the stamps of a sensor are late
+
+/// What `lamina calibrate` found of the wall's sensor, by a clock that is late.
+Calibration wallCalibration(const std::string& machine = "wall_machine") {
+  Calibration found;
+  found.machine = machine;
+  found.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
+  found.pose = CalibratedPose{};
+  found.pose->nozzle_from_sensor = test::sensorOfWall();
+  found.pose->source = {"cross", "2026-11-23T12:00:01Z"};
+  return found;
+}
+
+const std::vector<std::string> kUntyped = {"_sensor/time_offset_trusted:=false",
+                                           "_sensor/place_trusted:=false"};
+
+/// A sensor whose clock is late, and that tf has 7 mm off its place: the file says where and when it sees.
+TEST(HeightController, GoesByTheFileOfACalibration) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 4;
+  const test::ScratchFolder folder;
+  const SensedWall printed = sensedWall(wall);
+  test::writeBag(folder.file("right.bag"), printed);
+  test::writeBag(folder.file("off.bag"), printed, kLate, {7.0, 3.0, 1.0});
+  const std::string cell = folder.file("cell.yaml");
+  writeCalibration(cell, wallCalibration());
+  const nlohmann::json right = estimate(folder.file("right.bag"))["prints"][0];
+  const nlohmann::json all = estimate(folder.file("off.bag"), "", "--set sensor.calibration=" + cell);
+  const nlohmann::json& calibrated = all["prints"][0];
+  ASSERT_EQ(calibrated["layers"].size(), wall.layers);
+  for (std::size_t k = 0; k < wall.layers; ++k) {
+    EXPECT_NEAR(calibrated["layers"][k]["mean_error_mm"], right["layers"][k]["mean_error_mm"], 1e-4) << k;
+    EXPECT_NEAR(calibrated["layers"][k]["gain_mean"], right["layers"][k]["gain_mean"], 1e-4) << k;
+  }
+  EXPECT_NE(all["calibration"][0].get<std::string>().find("250.000 ms"), std::string::npos);
+  std::vector<std::string> parameters = kUntyped;
+  parameters.push_back("_sensor/calibration:=" + cell);
+  const std::vector<std::string> expected = calibrated["map_digests"];
+  EXPECT_EQ(replayed(folder.file("off.bag"), wall.layers, "4", parameters), expected);
+}
+
+TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsTold) {
+  const test::ScratchFolder folder;
+  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml")});
+  EXPECT_EQ(node.wait(), 1);
 }
 
 /// Says what a cell says, in real time, from now on.
@@ -321,6 +371,20 @@ TEST(HeightController, RefusesToCorrectUncalibrated) {
   EXPECT_NE(response.status.message.find("place"), std::string::npos) << response.status.message;
   EXPECT_EQ(response.state, StateMessage::BLOCKED + 0);
   EXPECT_EQ(setLoop(9).status.code, lamina_msgs::Status::INVALID_INPUT + 0);
+}
+
+TEST(HeightController, IsBlockedByTheCalibrationOfAnotherMachine) {
+  const test::ScratchFolder folder;
+  const std::string cell = folder.file("cell.yaml");
+  writeCalibration(cell, wallCalibration("other_machine"));
+  std::vector<std::string> parameters = kUntyped;
+  parameters.push_back("_sensor/calibration:=" + cell);
+  Controller controller(parameters);
+  LiveWall live(slowlyScanned());
+  ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::BLOCKED); }));
+  const std::string& reason = controller.states.back().reason;
+  for (const char* word : {"cell.yaml", "other_machine", "wall_machine"})
+    EXPECT_NE(reason.find(word), std::string::npos) << word << " in: " << reason;
 }
 
 /// The second layer is found four layers too low: the print is held before the map of the third one comes.

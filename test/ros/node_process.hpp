@@ -36,6 +36,11 @@ class NodeProcess {
   /// @return exit code; -1 if a signal ended it
   int end(int signal) {
     kill(process_, signal);
+    return wait();
+  }
+
+  /// Waits for the end that it comes to by itself, and returns the same.
+  int wait() {
     int status = 0;
     waitpid(process_, &status, 0);
     process_ = 0;

@@ -196,6 +196,7 @@ void HeightController::save() {
 
 void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
+  for (const std::string& source : settings_.run.calibration.sources) status.add("calibration", source);
   const LoopRun* run = feed_.run();
   if (run == nullptr) {
     const bool is_refused = !toolpath_fault_.empty();

@@ -41,7 +41,9 @@ void LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   run_.reset();
   MachineToolpath placed = fromMessage(toolpath);
   run_ = std::make_unique<LoopRun>(
-      PlacedPart{std::move(placed.id), placed.bed_from_part, std::move(placed.toolpath)}, settings_);
+      PlacedPart{std::move(placed.id), placed.bed_from_part, std::move(placed.toolpath),
+                 std::move(placed.machine)},
+      settings_);
 }
 
 void LoopFeed::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {
@@ -123,7 +125,7 @@ void LoopFeed::request(LoopRequest request) {
 void LoopFeed::placeClouds() {
   std::set<std::string> ahead;  // frames that tf has not come up to
   for (auto cloud = waiting_.begin(); cloud != waiting_.end();) {
-    const std::string& frame = cloud->second->header.frame_id;
+    const std::string frame = placedBy(*cloud->second);
     if (ahead.count(frame) > 0 || !place(cloud->first, *cloud->second)) {
       ahead.insert(frame);
       ++cloud;
@@ -133,17 +135,24 @@ void LoopFeed::placeClouds() {
   }
 }
 
+/// The frame that tf has to place: the nozzle's where the sensor's place at it was calibrated.
+std::string LoopFeed::placedBy(const sensor_msgs::PointCloud2& cloud) const {
+  return settings_.calibration.nozzle_from_sensor ? names::kNozzleFrame : cloud.header.frame_id;
+}
+
 /// Whether the cloud no longer waits.
 bool LoopFeed::place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud) {
-  const std::string& frame = cloud.header.frame_id;
+  const std::string frame = placedBy(cloud);
   const Readiness ready = readiness(sequence_.buffer(), names::kBedFrame, frame, taken);
   if (ready == Readiness::NotYet) return false;
   settle(cloud);
-  const auto bed_from_sensor = lookUp(sequence_.buffer(), names::kBedFrame, frame, taken);
+  auto bed_from_sensor = lookUp(sequence_.buffer(), names::kBedFrame, frame, taken);
   if (ready == Readiness::Never || !bed_from_sensor) {
     ++counts_.without_transform;
     return true;
   }
+  if (settings_.calibration.nozzle_from_sensor)
+    *bed_from_sensor = *bed_from_sensor * *settings_.calibration.nozzle_from_sensor;
   try {
     run_->see({nanoseconds(taken), *bed_from_sensor, profilesFromMessage(cloud)});
     ++counts_.placed;

@@ -67,6 +67,7 @@ class LoopFeed {
   using Cloud = sensor_msgs::PointCloud2ConstPtr;
 
   std::optional<ros::Time> takenAt(const ros::Time& stamp) const;
+  std::string placedBy(const sensor_msgs::PointCloud2& cloud) const;
   bool place(const ros::Time& taken, const sensor_msgs::PointCloud2& cloud);
   void placeClouds();
   void pushOutOldest();

@@ -74,6 +74,7 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"process.levelling_mm", "control/run/run_settings_test.cpp", "process.levelling_mm"},
       {"process.standoff", "control/run/run_settings_test.cpp", "process.standoff"},
       {"request", "control/run/run_settings_test.cpp", "\"request\""},
+      {"sensor.calibration", "ros/height_controller_test.cpp", "_sensor/calibration"},
       {"sensor.place_error_mm", "control/run/run_settings_test.cpp", "sensor.place_error_mm"},
       {"sensor.place_trusted", "control/run/run_settings_test.cpp", "sensor.place_trusted"},
       {"sensor.time_offset_sigma_s", "control/run/run_settings_test.cpp", "sensor.time_offset_sigma_s"},

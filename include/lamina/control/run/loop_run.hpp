@@ -39,6 +39,7 @@ struct PlacedPart {
   std::string toolpath_id;
   Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< translation [mm]
   Toolpath toolpath;
+  std::string machine = {};  ///< name of the machine it was planned for
 };
 
 /// A cell of a layer that is done.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "lamina/base/settings.hpp"
@@ -24,6 +27,11 @@ struct CellCalibration {
   double levelling_mm = 0.0;          ///< of the process; 0 if not known
   double standoff = 0.0;              ///< loss of growth per nozzle too far away, in layer heights
   double gain_ratio = 1.0;            ///< real over learnt growth, at worst
+  std::string file;                   ///< of results of a calibration; empty for none
+  std::string machine;                ///< that the file is of; empty without one
+  /// Where the sensor sits by the file [mm]; without it tf says so.
+  std::optional<Eigen::Isometry3d> nozzle_from_sensor;
+  std::vector<std::string> sources;  ///< a sentence each: what is known of clock, place, feeder, and whence
 };
 
 /// The loop over one print.

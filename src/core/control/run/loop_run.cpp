@@ -63,6 +63,17 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
   }
 }
 
+/// A file of another machine says nothing of this one, so nothing of it may act.
+StabilityReport checkedStart(const PlacedPart& part, const LoopRunSettings& settings) {
+  StabilityReport report = checkStability(settings.loop, calibrationFor(part.toolpath, settings));
+  const CellCalibration& known = settings.calibration;
+  if (known.machine.empty() || known.machine == part.machine) return report;
+  report.may_start = false;
+  report.reason = "the calibration '" + known.file + "' is that of machine '" + known.machine +
+                  "'; expected that of '" + part.machine + "', which the toolpath is for";
+  return report;
+}
+
 double widestBead(const LayerCells& cells) {
   return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
 }
@@ -109,7 +120,7 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       part_from_bed_(part_.bed_from_part.inverse()),
       normal_(normalOfLayers(part_.toolpath)),
       progress_(part_.toolpath, settings.following),
-      stability_(checkStability(settings.loop, calibrationFor(part_.toolpath, settings))),
+      stability_(checkedStart(part_, settings)),
       atlas_(settings.sight.window_layers) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
@@ -470,7 +481,7 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
 void LoopRun::checkAgain(const LayerFigures& figures) {
   if (!needsNewCheck(gain_at_check_, figures.gain_mean)) return;
   gain_at_check_ = figures.gain_mean;
-  stability_ = checkStability(settings_.loop, calibrationFor(part_.toolpath, settings_));
+  stability_ = checkedStart(part_, settings_);
   if (!stability_.may_start && status_.state != LoopState::Off)
     status_ = afterRequest(LoopRequest::Active, stability_);
 }

@@ -9,6 +9,8 @@ namespace lamina {
 namespace {
 
 void describeCalibration(SettingsSchema& schema, CellCalibration& calibration) {
+  schema.text("sensor.calibration", calibration.file,
+              "File that `lamina calibrate` wrote, for what is not stated here; empty for none.");
   schema.number("sensor.time_offset_s", calibration.time_offset_s, {-60.0, 60.0},
                 "Stamp of a cloud less the time at which it was taken.");
   schema.flag("sensor.time_offset_trusted", calibration.is_time_offset_trusted,
