@@ -177,8 +177,10 @@ void estimate(const EstimateArguments& arguments, OutputFormat format) {
   if (format == OutputFormat::Json) {
     nlohmann::ordered_json prints = nlohmann::ordered_json::array();
     for (const EstimatedPrint& print : estimation.prints()) prints.push_back(jsonOf(print));
-    const nlohmann::ordered_json json = {
-        {"calibration", settings.calibration.sources}, {"prints", prints}, {"recorded_s", bag.recorded_s}, {"elapsed_s", elapsed_s}};
+    const nlohmann::ordered_json json = {{"calibration", settings.calibration.sources},
+                                         {"prints", prints},
+                                         {"recorded_s", bag.recorded_s},
+                                         {"elapsed_s", elapsed_s}};
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }

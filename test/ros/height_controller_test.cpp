@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -38,6 +39,7 @@ class Controller {
                                                  "_sensor/place_trusted:=true", "_request:=active",
                                                  "_sight/sigma_mm:=0.01", "_loop/reading_correlation:=0.0"};
     parameters.insert(parameters.begin(), calibrated.begin(), calibrated.end());
+    ros::param::del("/height_controller");  // of the node before
     const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> on_map = [this](const auto& map) {
       if (is_listening_) maps.push_back(*map);
     };
@@ -93,8 +95,9 @@ SensedWallCase wallCase() {
 
 /// What `lamina estimate` says of a bag, with a loop that is told of its sensor by `known`.
 nlohmann::json estimate(const std::string& bag, const std::string& more = "",
-                        const std::string& known = "--set sensor.time_offset_trusted=true "
-                                                   "--set sensor.place_trusted=true") {
+                        const std::string& known =
+                            "--set sensor.time_offset_trusted=true "
+                            "--set sensor.place_trusted=true") {
   const std::string command =
       std::string(LAMINA_COMMAND) + " estimate " + bag +
       " --json --set request=active --set sight.sigma_mm=0.01 --set loop.reading_correlation=0 " + known +
@@ -234,7 +237,7 @@ TEST(HeightController, GoesByTheFileOfACalibration) {
 
 TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsTold) {
   const test::ScratchFolder folder;
-  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml")});
+  NodeProcess node(LAMINA_NODE, {"_sensor/calibration:=" + folder.file("none.yaml"), "__name:=untold"});
   EXPECT_EQ(node.wait(), 1);
 }
 
@@ -250,7 +253,12 @@ class LiveWall {
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
     toolpath_.publish(test::toolpathMessage(printed));
     tf_static_.publish(test::sensorMessage());
-    waitUntil([this] { return profile_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0; });
+    waitUntilHeard();
+  }
+
+  void waitUntilHeard() {
+    EXPECT_TRUE(
+        waitUntil([this] { return profile_.getNumSubscribers() > 0 && tf_.getNumSubscribers() > 0; }));
   }
 
   /// Publishes what is due until something is true, or all is said.
@@ -411,6 +419,55 @@ TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
   live.say([&] { return maps_when_held.has_value(); });
   ASSERT_TRUE(maps_when_held);
   EXPECT_EQ(*maps_when_held, 2U);
+}
+
+/// Killed amid the fifth of eight layers, and started again: the layers that follow are corrected as if
+/// nothing had happened.
+TEST(HeightController, GoesOnWhereItWasKilled) {
+  const test::ScratchFolder folder;
+  SensedWallCase wall = wallCase();
+  wall.length_mm = 20.0;
+  const std::vector<std::string> parameters = {"_memory_file:=" + folder.file("memory.yaml"),
+                                               "_process/material:=steel"};
+  std::optional<Controller> controller(std::in_place, parameters);
+  LiveWall live(wall);
+  live.say([&] { return controller->layers.size() >= 4 && controller->states.back().layer == 4; });
+  ASSERT_EQ(controller->layers.size(), 4U);
+  EXPECT_EQ(controller->end(SIGKILL), -1);
+  ASSERT_TRUE(std::filesystem::exists(folder.file("memory.yaml")));
+  controller.emplace(parameters);
+  live.waitUntilHeard();
+  live.say([] { return false; });
+  ASSERT_TRUE(waitUntil([&] { return !controller->layers.empty() && controller->layers.back().layer == 7; }));
+  ASSERT_EQ(controller->maps.front().layer, 4U) << "the layer under way";
+  for (const auto& map : controller->maps) {
+    const auto& expected = live.printed.maps[map.layer];
+    EXPECT_NEAR(correctionAt(toCore(map).paths.at(0), 10.0).amount,
+                correctionAt(expected.paths.at(0), 10.0).amount, 0.02)
+        << map.layer;
+  }
+  for (const auto& layer : controller->layers) {
+    if (layer.layer < 5) continue;
+    EXPECT_LT(toMillimetres(layer.rmse), 1.2 * live.printed.layers[4].figures.rmse_mm) << layer.layer;
+  }
+  EXPECT_TRUE(waitUntil([&] { return !std::filesystem::exists(folder.file("memory.yaml")); }))
+      << "the print is over";
+}
+
+/// Kept of another material: the loop begins at the first layer.
+TEST(HeightController, DoesNotGoOnWithAnotherMaterial) {
+  const test::ScratchFolder folder;
+  SensedWallCase wall = wallCase();
+  wall.length_mm = 20.0;
+  const std::string memory = "_memory_file:=" + folder.file("memory.yaml");
+  std::optional<Controller> controller(std::in_place,
+                                       std::vector<std::string>{memory, "_process/material:=steel"});
+  LiveWall live(wall);
+  live.say([&] { return controller->layers.size() >= 3; });
+  EXPECT_EQ(controller->end(SIGKILL), -1);
+  controller.emplace(std::vector<std::string>{memory, "_process/material:=bronze"});
+  ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty(); }));
+  EXPECT_EQ(controller->maps.front().layer, 0U);
 }
 
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {

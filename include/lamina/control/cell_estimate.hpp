@@ -46,6 +46,18 @@ struct MeasuredGain {
 /// Variance of the mean of points of one profile whose neighbours correlate [mm²].
 double readingVariance(const CellReading& reading, double correlation);
 
+/// All that a `CellEstimate` holds, to be kept. Lengths are floats, so that they come back to the same bits.
+struct StoredEstimate {
+  double error_mm = 0.0;
+  double variance_mm2 = 0.0;
+  double commanded_mm = 0.0;
+  double base_mm = 0.0;
+  double contested_mm = 0.0;
+  double gain = 1.0;
+  std::uint8_t contests = 0;
+  std::uint8_t flags = 0;
+};
+
 /// Kalman filter [Kalman1960] of the top of one cell, in 24 bytes. The state is the height error, planned
 /// less actual: positive is too low. Growth per commanded growth, the gain, is learnt beside it, within 0.4
 /// and 2.5.
@@ -58,6 +70,10 @@ class CellEstimate {
   CellEstimate() = default;
   /// A cell whose error is known that well, such as a bed's.
   CellEstimate(double error_mm, double sigma_mm, double gain);
+
+  /// The estimate that was stored.
+  explicit CellEstimate(const StoredEstimate& stored);
+  StoredEstimate stored() const;
 
   double error() const { return static_cast<double>(error_mm_); }         ///< [mm]
   double variance() const { return static_cast<double>(variance_mm2_); }  ///< [mm²]

@@ -34,6 +34,17 @@ struct LayerFigures {
   double spread = 0.0;  ///< of growth, as learnt
 };
 
+/// All that a `HeightLoop` knows when a layer is done, to be kept; vectors have one value per cell.
+struct StoredHeights {
+  std::vector<StoredEstimate> estimates;
+  std::vector<double> deficit;   ///< of cross-section
+  LayerKnowledge before_clouds;  ///< as if nothing had been seen of the layer
+  std::vector<double> before_deficit;
+  double spread = 0.0;  ///< of growth
+  std::size_t layers_begun = 0;
+  std::size_t clouds = 0;  ///< that saw the layer
+};
+
 /// The loop over one print, from layer to layer: estimates the top of each cell, learns what grows of what is
 /// commanded, and gives each layer its correction. For each layer in turn: `beginLayer`, `correction`,
 /// `lay`, readings cloud by cloud, `endLayer`. The same calls give the same bits.
@@ -78,6 +89,13 @@ class HeightLoop {
   /// The layers to come were planned anew: heights count from a plan that much higher, and beads have so many
   /// times the volume.
   void replan(double raised_mm, double flow);
+
+  /// Of the layer that is done.
+  StoredHeights stored() const;
+  /// Goes on after the layer of these cells, as it was stored: the next `beginLayer` is that of the layer
+  /// above.
+  /// @throws InvalidInput if it was stored of another number of cells
+  void resume(LayerCells cells, const StoredHeights& stored);
 
   const LayerCells& cells() const { return cells_; }
   const std::vector<CellEstimate>& estimates() const { return estimates_; }

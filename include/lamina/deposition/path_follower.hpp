@@ -51,6 +51,11 @@ class PathFollower {
   /// @throws InvalidInput as `validate`
   PathFollower(const Toolpath& toolpath, const FollowingSettings& settings);
 
+  /// The nozzle is somewhere behind the beginning of a path, or on it: it is looked for that far ahead until
+  /// it is found.
+  /// @param path  counted through all layers; as many as there are for the end
+  void begin(std::size_t path, double look_ahead_mm);
+
   /// Returns the place after a report of the nozzle at `tip` [mm]. A tip that is not finite changes nothing.
   PathPlace observe(const Point3& tip);
 
@@ -77,6 +82,7 @@ class PathFollower {
   bool isOnTheWay(const Found& found, const Point3& from, const Point3& tip) const;
   bool goesOn(const Point3& tip);
   void accept(const PathPlace& place, const Point3& tip);
+  void skipEmptyPaths();
   PathPlace endIfNear(const PathPlace& place) const;
 
   std::vector<const Path*> paths_;
@@ -84,6 +90,7 @@ class PathFollower {
   PathPlace place_;
   Point3 tip_ = Point3::Zero();  ///< where the nozzle was at `place_`
   std::optional<Guess> guess_;
+  double look_ahead_mm_;
 };
 
 }  // namespace lamina

@@ -27,6 +27,28 @@ CellEstimate::CellEstimate(double error_mm, double sigma_mm, double gain)
   setGain(gain);
 }
 
+CellEstimate::CellEstimate(const StoredEstimate& stored)
+    : error_mm_(static_cast<float>(stored.error_mm)),
+      variance_mm2_(static_cast<float>(stored.variance_mm2)),
+      commanded_mm_(static_cast<float>(stored.commanded_mm)),
+      base_mm_(static_cast<float>(stored.base_mm)),
+      contested_mm_(static_cast<float>(stored.contested_mm)),
+      contests_(stored.contests),
+      flags_(stored.flags) {
+  setGain(stored.gain);
+}
+
+StoredEstimate CellEstimate::stored() const {
+  return {static_cast<double>(error_mm_),
+          static_cast<double>(variance_mm2_),
+          static_cast<double>(commanded_mm_),
+          static_cast<double>(base_mm_),
+          static_cast<double>(contested_mm_),
+          gain(),
+          contests_,
+          flags_};
+}
+
 void CellEstimate::setGain(double gain) {
   gain_ = static_cast<std::uint16_t>(std::lround(std::clamp(gain, kLeastGain, kGreatestGain) * kGainUnits));
 }

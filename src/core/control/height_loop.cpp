@@ -287,6 +287,31 @@ void HeightLoop::replan(double raised_mm, double flow) {
     gain = std::clamp(gain * flow, CellEstimate::kLeastGain, CellEstimate::kGreatestGain);
 }
 
+StoredHeights HeightLoop::stored() const {
+  StoredHeights stored{{}, deficit_, before_clouds_, before_deficit_, spread_, layers_begun_, clouds_};
+  stored.estimates.reserve(estimates_.size());
+  for (const CellEstimate& cell : estimates_) stored.estimates.push_back(cell.stored());
+  return stored;
+}
+
+void HeightLoop::resume(LayerCells cells, const StoredHeights& stored) {
+  for (const std::size_t count :
+       {stored.estimates.size(), stored.deficit.size(), stored.before_deficit.size(),
+        stored.before_clouds.error_mm.size(), stored.before_clouds.gain.size()})
+    if (count != cells.size())
+      throw InvalidInput("what was kept of layer " + std::to_string(cells.layer) + " is of " +
+                         std::to_string(count) + " cells; expected " + std::to_string(cells.size()));
+  cells_ = std::move(cells);
+  estimates_.clear();
+  for (const StoredEstimate& cell : stored.estimates) estimates_.emplace_back(cell);
+  deficit_ = stored.deficit;
+  before_clouds_ = stored.before_clouds;
+  before_deficit_ = stored.before_deficit;
+  spread_ = stored.spread;
+  layers_begun_ = stored.layers_begun;
+  clouds_ = stored.clouds;
+}
+
 LayerFigures HeightLoop::endLayer() {
   const LayerFigures before = figures();
   if (settings_.process == LoopProcess::Pressed)

@@ -48,12 +48,23 @@ void describe(SettingsSchema& schema, FollowingSettings& settings) {
 }
 
 PathFollower::PathFollower(const Toolpath& toolpath, const FollowingSettings& settings)
-    : settings_(settings) {
+    : settings_(settings), look_ahead_mm_(settings.look_ahead_mm) {
   validate(toolpath);
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) paths_.push_back(&path);
+  skipEmptyPaths();
+}
+
+void PathFollower::skipEmptyPaths() {
   while (!isAtEnd() && paths_[place_.path]->motionCount() == 0) ++place_.path;
   if (!isAtEnd()) tip_ = paths_[place_.path]->firstPoint();
+}
+
+void PathFollower::begin(std::size_t path, double look_ahead_mm) {
+  place_ = {std::min(path, paths_.size()), 0, 0.0};
+  guess_.reset();
+  look_ahead_mm_ = std::max(look_ahead_mm, settings_.look_ahead_mm);
+  skipEmptyPaths();
 }
 
 PathPlace PathFollower::observe(const Point3& tip) {
@@ -74,7 +85,7 @@ std::optional<PathFollower::Found> PathFollower::firstNear(const PathPlace& from
   std::optional<Found> nearest;
   double least = settings_.tolerance_mm;
   double way_mm = 0.0;
-  for (PathPlace at = from; at.path < paths_.size() && way_mm <= settings_.look_ahead_mm;
+  for (PathPlace at = from; at.path < paths_.size() && way_mm <= look_ahead_mm_;
        at = nextMotion(paths_, at)) {
     const Stretch stretch = stretchFrom(*paths_[at.path], at);
     const double part = nearestFraction(stretch, tip);
@@ -110,6 +121,7 @@ void PathFollower::accept(const PathPlace& place, const Point3& tip) {
   place_ = endIfNear(place.fraction < 1.0 ? place : nextMotion(paths_, place));
   tip_ = tip;
   guess_.reset();
+  look_ahead_mm_ = settings_.look_ahead_mm;
 }
 
 /// The end, if no more than the tolerance is left up to it.

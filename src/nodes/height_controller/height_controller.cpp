@@ -19,13 +19,20 @@ constexpr double kTurn = 0.02;              // s between looks at what is due
 constexpr double kQuietFor = 0.5;           // s without anything new: nothing older comes
 constexpr std::uint32_t kUnboundQueue = 0;  // what is left out is left out, and counted, by the feed
 
+LoopRunSettings keepingMemory(const HeightControllerSettings& settings) {
+  LoopRunSettings run = settings.run;
+  run.keeps_memory = !settings.memory_file.empty();
+  return run;
+}
+
 }  // namespace
 
 HeightController::HeightController(ros::NodeHandle node, const HeightControllerSettings& settings)
     : settings_(settings),
       topics_(node),
-      feed_(settings.run, settings.queue_mb),
-      hold_(settings.arrival_hold_s) {
+      feed_(keepingMemory(settings), settings.queue_mb),
+      hold_(settings.arrival_hold_s),
+      memory_(settings.memory_file) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("height loop",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
@@ -66,11 +73,21 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
     feed_.finish();
     publishNews();
     save();
+    memory_.forget();
   }
+  const bool is_first = !toolpath_told_;
+  toolpath_told_ = message;
+  beginPrint(*message);
+  // What was kept is of the print that a node before this one was over.
+  if (is_first && feed_.run() != nullptr) memory_.resume(*feed_.run());
+  publishNews();
+}
+
+void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
   record_ = LoopRecord();
   try {
-    feed_.add(*message);
+    feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
     record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
     toolpath_fault_.clear();
@@ -79,8 +96,20 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
                                               << feed_.run()->status().reason);
   } catch (...) {
     toolpath_fault_ = currentFailure().message;
-    ROS_ERROR_STREAM("no loop over toolpath " << message->id << ": " << toolpath_fault_);
+    ROS_ERROR_STREAM("no loop over toolpath " << toolpath.id << ": " << toolpath_fault_);
   }
+}
+
+/// A machine that starts, or is at layers that were done, prints the same part once more.
+void HeightController::beginAgainIfOver(const lamina_msgs::MachineState& machine) {
+  const auto& resumed = memory_.resumedAfter();
+  if (!resumed) return;
+  const bool is_below = machine.layer >= 0 && static_cast<std::size_t>(machine.layer) < *resumed;
+  if (machine.state != lamina_msgs::MachineState::STARTING && !is_below) return;
+  ROS_WARN("the machine is at layer %d: what was kept after layer %zu is of a print before", machine.layer,
+           *resumed);
+  memory_.forget();
+  beginPrint(*toolpath_told_);
   publishNews();
 }
 
@@ -106,6 +135,7 @@ void HeightController::onFixedTransforms(const TfEvent& event) {
 
 void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
   using State = lamina_msgs::MachineState;
+  beginAgainIfOver(*message);
   const bool is_over = message->state == State::COMPLETE || message->state == State::ABORTED ||
                        message->state == State::STOPPED;
   if (!is_over || feed_.run() == nullptr) return;
@@ -113,12 +143,18 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   feed_.pass();
   publishNews();
   save();
+  const bool was_resumed = memory_.resumedAfter().has_value();
+  memory_.forget();
+  if (!was_resumed) return;
+  beginPrint(*toolpath_told_);
+  publishNews();
 }
 
 bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
                                  lamina_msgs::SetLoop::Response& response) {
   try {
     feed_.request(loopRequestOf(request));
+    if (feed_.run() != nullptr) memory_.keepStatus(feed_.run()->status());
     if (feed_.run() == nullptr)
       response.status.message = "there is no toolpath yet: this holds from the next one on";
   } catch (...) {
@@ -158,8 +194,12 @@ void HeightController::publishNews() {
       report(layer);
     }
     publishUpTo(std::numeric_limits<std::size_t>::max());
-    if (!news.layers.empty() && feed_.run()->place().layer >= feed_.run()->part().toolpath.layers.size())
+    // Behind the maps: what is kept of a layer says that the map of the next one is out.
+    if (news.memory) memory_.keep(*news.memory);
+    if (!news.layers.empty() && feed_.run()->place().layer >= feed_.run()->part().toolpath.layers.size()) {
       save();
+      memory_.forget();
+    }
   }
   topics_.publish(toMessage(feed_.run()));
 }

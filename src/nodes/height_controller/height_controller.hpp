@@ -18,6 +18,7 @@
 #include "lamina/control/report/loop_record.hpp"
 #include "loop/loop_feed.hpp"
 #include "print_hold.hpp"
+#include "print_memory.hpp"
 
 namespace lamina {
 
@@ -46,6 +47,8 @@ class HeightController {
   void onMachineState(const lamina_msgs::MachineStateConstPtr& message);
   bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
   void onTimer();
+  void beginPrint(const lamina_msgs::Toolpath& toolpath);
+  void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void publishNews();
   void report(const RaisedAlarm& alarm);
   void report(const LayerOutcome& layer);
@@ -58,6 +61,8 @@ class HeightController {
   LoopFeed feed_;
   ArrivalHold hold_;
   PrintHold print_hold_;
+  PrintMemory memory_;
+  lamina_msgs::ToolpathConstPtr toolpath_told_;  ///< the last one
   LoopRecord record_;
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer
   std::string toolpath_fault_;                  ///< why the last toolpath could not be used

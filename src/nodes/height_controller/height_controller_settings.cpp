@@ -12,6 +12,10 @@ void describe(SettingsSchema& schema, HeightControllerSettings& settings) {
                 "Memory of the clouds that may wait for tf; with more, the oldest are pushed out.");
   schema.number("arrival_hold_s", settings.arrival_hold_s, {0.0, 10.0},
                 "Real time for which tf waits for clouds that were sent with it and come later.");
+  schema.text(
+      "memory_file", settings.memory_file,
+      "File that keeps what the loop knows after each layer, for a restarted node to go on from; empty "
+      "keeps nothing.");
   schema.flag("pauses_print", settings.pauses_print,
               "Whether alarms that hold the print call the service pause.");
 }

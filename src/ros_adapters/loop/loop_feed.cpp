@@ -40,10 +40,9 @@ void LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   }
   run_.reset();
   MachineToolpath placed = fromMessage(toolpath);
-  run_ = std::make_unique<LoopRun>(
-      PlacedPart{std::move(placed.id), placed.bed_from_part, std::move(placed.toolpath),
-                 std::move(placed.machine)},
-      settings_);
+  run_ = std::make_unique<LoopRun>(PlacedPart{std::move(placed.id), placed.bed_from_part,
+                                              std::move(placed.toolpath), std::move(placed.machine)},
+                                   settings_);
 }
 
 void LoopFeed::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "lamina/base/error.hpp"
@@ -217,6 +218,129 @@ TEST(LoopRun, FadesWhenItIsSwitchedOff) {
               steepest * path.station_mm * (1.0 + 1e-9));
   EXPECT_EQ(path.stations.back().amount, 0.0);
   EXPECT_TRUE(maps[7].paths.empty());
+}
+
+/// The first event that a run which goes on after a layer may see.
+std::size_t tipsUntil(const SensedWall& printed, std::size_t layer) {
+  LayerProgress progress(printed.part.toolpath, {});
+  std::size_t tip = 0;
+  while (tip < printed.tips.size() && progress.observe(printed.tips[tip].tip).layer <= layer) ++tip;
+  return tip;
+}
+
+/// Tips from one on, and the clouds since.
+void feedFrom(LoopRun& run, const SensedWall& printed, std::size_t first) {
+  std::size_t cloud = 0;
+  while (cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns < printed.tips[first].stamp_ns)
+    ++cloud;
+  for (std::size_t i = first; i < printed.tips.size(); ++i) {
+    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= printed.tips[i].stamp_ns;
+         ++cloud)
+      run.see(printed.clouds[cloud]);
+    run.observe(printed.tips[i]);
+  }
+  run.finish();
+}
+
+/// What the loop knew when a layer was done.
+LoopMemory memoryAfter(const SensedWall& printed, const LoopRunSettings& settings, std::size_t layer) {
+  LoopRun run(printed.part, settings);
+  std::size_t cloud = 0;
+  for (const StampedTip& pose : printed.tips) {
+    for (; cloud < printed.clouds.size() && printed.clouds[cloud].stamp_ns <= pose.stamp_ns; ++cloud)
+      run.see(printed.clouds[cloud]);
+    run.observe(pose);
+    const LoopNews news = run.takeNews();
+    if (news.memory && news.memory->layer == layer) return *news.memory;
+  }
+  ADD_FAILURE() << "layer " << layer << " was not done";
+  return {};
+}
+
+SensedWallCase keptWall() {
+  SensedWallCase wall = wallCase();
+  wall.settings.keeps_memory = true;
+  wall.settings.material = "steel";
+  return wall;
+}
+
+TEST(LoopRun, GoesOnFromItsMemoryToTheSameBits) {
+  const SensedWallCase wall = keptWall();
+  const SensedWall printed = sensedWall(wall);
+  const auto expected = digestsOf(printed.maps);
+  for (const std::size_t layer : {std::size_t{0}, std::size_t{3}, std::size_t{6}}) {
+    const std::string kept = toYaml(memoryAfter(printed, wall.settings, layer));
+    LoopRun run(printed.part, wall.settings);
+    run.resume(memoryFromYaml(kept, "kept"));
+    feedFrom(run, printed, tipsUntil(printed, layer));
+    const LoopNews news = run.takeNews();
+    EXPECT_EQ(digestsOf(news.maps), std::vector<std::string>(expected.begin() + layer + 1, expected.end()));
+    ASSERT_FALSE(news.layers.empty());
+    EXPECT_EQ(news.layers.front().figures.layer, layer + 1);
+    EXPECT_EQ(news.layers.back().figures.rmse_mm, printed.layers.back().figures.rmse_mm);
+  }
+}
+
+/// Nobody gave the machine its maps of the layers that were begun meanwhile.
+TEST(LoopRun, TakesLayersThatItMissedForLaidAsPlanned) {
+  const SensedWallCase wall = keptWall();
+  const SensedWall printed = sensedWall(wall);
+  LoopRun run(printed.part, wall.settings);
+  run.resume(memoryAfter(printed, wall.settings, 3));
+  feedFrom(run, printed, tipsUntil(printed, 5) + 30);
+  const LoopNews news = run.takeNews();
+  ASSERT_GE(news.layers.size(), 3U);
+  EXPECT_GT(std::abs(meanAmount(news.maps[0])), 0.05) << "layer 4 had its map";
+  EXPECT_EQ(meanAmount(news.maps[1]), 0.0);
+  EXPECT_EQ(meanAmount(news.maps[2]), 0.0);
+  EXPECT_EQ(news.maps[2].layer, 6U);
+  EXPECT_GT(std::abs(meanAmount(news.maps[3])), 0.05) << "seen from layer 6 on";
+}
+
+TEST(LoopRun, RefusesTheMemoryOfAnotherPrint) {
+  const SensedWallCase wall = keptWall();
+  const SensedWall printed = sensedWall(wall);
+  const LoopMemory memory = memoryAfter(printed, wall.settings, 3);
+  const auto refusal = [&](const std::function<void(LoopMemory&)>& change) {
+    LoopMemory changed = memory;
+    change(changed);
+    LoopRun run(printed.part, wall.settings);
+    try {
+      run.resume(changed);
+    } catch (const InvalidInput& error) {
+      EXPECT_EQ(run.takeNews().maps.at(0).layer, 0U) << "at its beginning";
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal([](LoopMemory&) {}), "");
+  EXPECT_NE(refusal([](LoopMemory& of) { of.identity.material = "bronze"; }).find("bronze"),
+            std::string::npos);
+  EXPECT_NE(refusal([](LoopMemory& of) { of.identity.machine = "belt"; }).find("belt"), std::string::npos);
+  EXPECT_NE(refusal([](LoopMemory& of) { of.identity.program = "0"; }).find("program"), std::string::npos);
+  EXPECT_NE(refusal([](LoopMemory& of) { of.layer = 8; }).find("layer 8"), std::string::npos);
+  EXPECT_NE(refusal([](LoopMemory& of) { of.heights.estimates.pop_back(); }).find("119 cells"),
+            std::string::npos);
+}
+
+TEST(LoopRun, ReadsItsMemoryStrictly) {
+  const SensedWallCase wall = keptWall();
+  const std::string kept = toYaml(memoryAfter(sensedWall(wall), wall.settings, 3));
+  const auto refusal = [](const std::string& yaml) {
+    try {
+      memoryFromYaml(yaml, "kept.yaml");
+    } catch (const InvalidConfig& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refusal(kept), "");
+  EXPECT_NE(refusal("a: 1\n").find("kept.yaml"), std::string::npos);
+  EXPECT_NE(refusal(kept + "other: 1\n").find("other"), std::string::npos);
+  EXPECT_NE(refusal(kept.substr(0, kept.size() / 2)), "");
+  std::string fewer = kept;
+  fewer.erase(fewer.find(',', fewer.find("error_mm: ")), 2);
+  EXPECT_NE(refusal(fewer), "");
 }
 
 TEST(LoopRun, LearnsWithoutCorrecting) {

@@ -25,9 +25,17 @@ class LayerProgress {
   /// @throws InvalidInput as `validate`
   LayerProgress(const Toolpath& toolpath, const FollowingSettings& settings);
 
+  /// Goes on at the beginning of a layer: the nozzle is looked for from there on, up to the end of the second
+  /// layer above, until it is found.
+  /// @param layer  as many as there are for the end
+  void resume(std::size_t layer);
+
   /// The place after a report of the nozzle at `tip` [mm].
   const PrintPlace& observe(const Point3& tip);
   const PrintPlace& place() const { return place_; }
+  /// Whether the nozzle was seen on the toolpath since its beginning, or since that of the layer it went on
+  /// at.
+  bool isFound() const { return is_found_; }
 
   /// Whether a layer ends with a travel that may be a scan pass.
   bool hasScan(std::size_t layer) const { return layers_[layer].scan < layers_[layer].paths; }
@@ -50,6 +58,8 @@ class LayerProgress {
   std::vector<Span> layers_;
   std::vector<double> start_mm_;  ///< length of the toolpath up to each path
   PrintPlace place_;
+  bool is_found_ = false;
+  PathPlace begun_;           ///< where it is looked for from
   PathPlace measured_;        ///< motion up to which `measured_mm_` is
   double measured_mm_ = 0.0;  ///< from the start of its path
 };

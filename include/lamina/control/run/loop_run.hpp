@@ -13,6 +13,7 @@
 #include "lamina/control/correction_map.hpp"
 #include "lamina/control/height_loop.hpp"
 #include "lamina/control/run/layer_progress.hpp"
+#include "lamina/control/run/loop_memory.hpp"
 #include "lamina/control/run/lump_watch.hpp"
 #include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/run/run_settings.hpp"
@@ -65,6 +66,7 @@ struct LoopNews {
   std::vector<RaisedAlarm> alarms;
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
+  std::optional<LoopMemory> memory;  ///< of the last of these, where it is kept
 };
 
 /// What became of what came: clouds received are the sum of those read, dropped and waiting.
@@ -96,6 +98,15 @@ class LoopRun {
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
   LoopRun(const LoopRun&) = delete;
   LoopRun& operator=(const LoopRun&) = delete;
+
+  /// Goes on after the layer that the memory is of, before anything was observed: the same poses and clouds
+  /// give the same maps as if nothing had come between. Layers that the nozzle is found to have begun
+  /// meanwhile count as laid as planned, as nobody told the machine otherwise.
+  /// @throws InvalidInput if the memory is of another print, machine or material, or of other cells, naming
+  /// what differs; the print is then at its beginning
+  void resume(const LoopMemory& memory);
+  /// What the memory of this print says it is of.
+  PartIdentity identity() const { return {part_.toolpath_id, part_.machine, settings_.material}; }
 
   /// Takes effect with the next layer, as part of the layer under way may have been handed to the machine:
   /// of a loop that corrects no more, that layer fades from what the one before ended with.
@@ -148,11 +159,13 @@ class LoopRun {
   void watchLump(const std::vector<Point3>& points, const Eigen::Isometry3d& toolpath_from_sensor);
   void watchOffset();
   void watch(double blind_s);
+  LoopMemory memory(std::size_t layer) const;
   void beginLayer(std::size_t layer);
   void endLayer();
   void checkAgain(const LayerFigures& figures);
   void blockIfLump();
   LayerCorrection wanted() const;
+  void layAsPlanned();
   void shiftNozzle();
   CellCorrections asLaid() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
@@ -179,6 +192,7 @@ class LoopRun {
   std::vector<double> shift_mm_;     ///< of the nozzle, by cell
   double mean_shift_mm_ = 0.0;       ///< of the layer
   double last_amount_ = 0.0;         ///< where the layer before ended
+  bool is_catching_up_ = false;      ///< resumed, and the nozzle was not found yet
   std::vector<CellEstimate> below_;  ///< of the layer before
   std::size_t below_layer_ = 0;
 

@@ -7,14 +7,14 @@
 
 namespace lamina {
 
-/// The settings with what a calibration says where they say nothing themselves. What is stated in the settings
-/// wins: a time offset or a place that is trusted there, a dead time or lag, a spread, an error or a scatter
-/// above 0.
+/// The settings with what a calibration says where they say nothing themselves. What is stated in the
+/// settings wins: a time offset or a place that is trusted there, a dead time or lag, a spread, an error or a
+/// scatter above 0.
 ///
-/// Of the time comes the offset with its spread. Of the pose comes where the sensor sits, which then stands in
-/// place of tf; its error along the path, of the shifts and of the turns over the distance of sensor and
-/// nozzle tip; and the scatter along the growth. What the calibration kept counts as exact. Of the feeder come
-/// dead time and lag, and the uncertainty of both together.
+/// Of the time comes the offset with its spread. Of the pose comes where the sensor sits, which then stands
+/// in place of tf; its error along the path, of the shifts and of the turns over the distance of sensor and
+/// nozzle tip; and the scatter along the growth. What the calibration kept counts as exact. Of the feeder
+/// come dead time and lag, and the uncertainty of both together.
 ///
 /// `calibration.sources` then says of clock, place and feeder what counts, from where, and what was passed
 /// over.

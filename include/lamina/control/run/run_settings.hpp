@@ -45,6 +45,8 @@ struct LoopRunSettings {
   double settle_mm = 0.0;  ///< that the nozzle has left a cell behind before it is read; 0: a bead's width
   double reorder_s = 0.5;  ///< by the stamps, that what comes waits for what is older
   double head_clearance_mm = 5.0;  ///< of the head above the nozzle tip
+  std::string material;            ///< its name
+  bool keeps_memory = false;       ///< whether news hold what it takes to go on after a layer
 };
 
 /// Adds the keys request, loop.*, sight.*, following.*, sensor.*, feeder.*, process.*, head.clearance_mm and

@@ -34,6 +34,7 @@ LayerProgress::LayerProgress(const Toolpath& toolpath, const FollowingSettings& 
     span.end_mm = way_mm;
     layers_.push_back(span);
   }
+  begun_ = follower_.place();
 }
 
 bool LayerProgress::hasScans() const {
@@ -41,8 +42,26 @@ bool LayerProgress::hasScans() const {
                      [](const Span& layer) { return layer.scan < layer.paths; });
 }
 
+void LayerProgress::resume(std::size_t layer) {
+  constexpr std::size_t kLayersAhead = 2;
+  place_ = {std::min(layer, layers_.size()), 0, 0.0, false};
+  measured_ = {};
+  measured_mm_ = 0.0;
+  is_found_ = false;
+  if (place_.layer == layers_.size()) {
+    follower_.begin(start_mm_.size(), 0.0);
+    return;
+  }
+  const double begin_mm = place_.layer == 0 ? 0.0 : layers_[place_.layer - 1].end_mm;
+  const Span& last = layers_[std::min(place_.layer + kLayersAhead, layers_.size() - 1)];
+  follower_.begin(layers_[place_.layer].first, last.end_mm - begin_mm);
+  begun_ = follower_.place();
+}
+
 const PrintPlace& LayerProgress::observe(const Point3& tip) {
-  locate(follower_.observe(tip));
+  const PathPlace at = follower_.observe(tip);
+  is_found_ = is_found_ || !(at == begun_);
+  locate(at);
   return place_;
 }
 

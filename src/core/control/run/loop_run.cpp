@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "lamina/base/error.hpp"
 #include "lamina/control/metal_split.hpp"
 #include "lamina/control/z_follow.hpp"
 
@@ -129,6 +130,36 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
   beginLayer(0);
 }
 
+void LoopRun::resume(const LoopMemory& memory) {
+  const std::string difference = differenceOf(memory.identity, identity());
+  if (!difference.empty()) throw InvalidInput("what was kept is of another print: " + difference);
+  if (memory.layer >= part_.toolpath.layers.size())
+    throw InvalidInput("what was kept is of layer " + std::to_string(memory.layer) +
+                       "; expected one of the toolpath's " + std::to_string(part_.toolpath.layers.size()));
+  LayerCells cells =
+      layerCells(part_.toolpath.layers[memory.layer], memory.layer, settings_.cell_mm, normal_);
+  HeightLoop loop(settings_.loop, normal_);
+  loop.resume(cells, memory.heights);
+  loop_ = std::move(loop);
+  below_ = loop_->estimates();
+  below_layer_ = memory.layer;
+  status_ = stability_.may_start && memory.status.state != LoopState::Blocked
+                ? memory.status
+                : afterRequest(settings_.request, stability_);
+  gain_at_check_ = memory.gain_at_check;
+  last_amount_ = memory.last_amount;
+  mean_shift_mm_ = memory.mean_shift_mm;
+  news_ = {};
+  progress_.resume(memory.layer + 1);
+  atlas_.add(std::make_shared<const LayerCells>(std::move(cells)));
+  beginLayer(memory.layer + 1);
+  is_catching_up_ = true;
+}
+
+LoopMemory LoopRun::memory(std::size_t layer) const {
+  return {identity(), layer, status_, gain_at_check_, last_amount_, mean_shift_mm_, loop_->stored()};
+}
+
 const LoopStatus& LoopRun::request(LoopRequest request) {
   status_ = afterRequest(request, stability_);
   offset_left_ = {};
@@ -232,6 +263,7 @@ void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
     endLayer();
     beginLayer(done + 1);
   }
+  if (progress_.isFound()) is_catching_up_ = false;
 }
 
 void LoopRun::onCloud(const SensedCloud& cloud) {
@@ -381,6 +413,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   laid_in_ = status_.state;
   laid_ = wanted();
   shiftNozzle();
+  if (is_catching_up_) layAsPlanned();
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
@@ -389,6 +422,14 @@ void LoopRun::beginLayer(std::size_t layer) {
   atlas_.setLaid(layer, 0);
   atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
   publishMap();
+}
+
+/// Its map came too late for the machine.
+void LoopRun::layAsPlanned() {
+  laid_.amount.assign(loop_->cells().size(), 0.0);
+  laid_.limited_share = 0.0;
+  shift_mm_.assign(loop_->cells().size(), 0.0);
+  mean_shift_mm_ = 0.0;
 }
 
 void LoopRun::blockIfLump() {
@@ -458,6 +499,7 @@ void LoopRun::endLayer() {
   if (isDue(*layer_, figures)) take(afterLayer(status_, figures, settings_.loop));
   checkAgain(figures);
   news_.layers.push_back(outcomeOf(figures));
+  if (settings_.keeps_memory) news_.memory = memory(*layer_);
   layer_alarms_.clear();
   layer_.reset();
 }

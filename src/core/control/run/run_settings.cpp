@@ -42,6 +42,8 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
   describe(schema, settings.sight);
   describe(schema, settings.following);
   describeCalibration(schema, settings.calibration);
+  schema.text("process.material", settings.material,
+              "Material that is laid; what was learnt of another one is not gone on with.");
   schema.number("head.clearance_mm", settings.head_clearance_mm, {0.0, 1000.0},
                 "Height of the head above the nozzle tip, which a lump may not reach.");
   schema.number("monitor.cell_mm", settings.cell_mm, {0.0, 100.0, true},
