@@ -16,8 +16,10 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/control/program/correction_files.hpp"
 #include "lamina/control/report/loop_report.hpp"
 #include "lamina/control/run/run_calibration.hpp"
+#include "lamina/toolpath/layer_frame.hpp"
 #include "recorded_print.hpp"
 
 namespace lamina::cli {
@@ -56,6 +58,12 @@ void writeMap(const std::string& folder, const CorrectionMap& map) {
   writeFile(folder + "/correction_" + std::to_string(map.layer) + ".csv", correctionMapCsv(map));
 }
 
+/// The toolpath as programs for a machine of linear axes have it, so that these can be corrected by the maps.
+void writeToolpath(const std::string& folder, const PlacedPart& part) {
+  writeFile(folder + "/" + kProgrammedToolpathFile,
+            programmedToolpathCsv({part.toolpath_id, placed(part.toolpath, part.bed_from_part)}));
+}
+
 class Estimation {
  public:
   explicit Estimation(std::string output) : output_(std::move(output)) {}
@@ -71,7 +79,9 @@ class Estimation {
   void begin(const LoopRun& run) {
     prints_.emplace_back();
     prints_.back().record = LoopRecord(run.part().toolpath.part_name, run.part().toolpath_id);
-    if (!output_.empty()) folder_ = folderOf(output_, prints_.size() - 1);
+    if (output_.empty()) return;
+    folder_ = folderOf(output_, prints_.size() - 1);
+    writeToolpath(folder_, run.part());
   }
 
   void take(const LoopNews& news) {

@@ -45,7 +45,14 @@ void showOffer(const ResumeArguments& arguments, OutputFormat format) {
   for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
   const JournalledProgress known = readJournal(journalPath(settings, arguments.port));
   const auto program = StreamableProgram::fromFile(arguments.program);
-  if (known.job.program_sha256 != sha256Of(program))
+  const std::string digest = sha256Of(program);
+  if (known.job.origin && known.job.origin->program_sha256 == digest)
+    throw InvalidProgram(
+        arguments.program +
+        " was corrected for the port's last job; expected what lamina correct makes of it by "
+        "the same maps; known is: " +
+        describeProgress(known));
+  if (known.job.program_sha256 != digest)
     throw InvalidProgram(
         arguments.program +
         " is not the program of the port's last job, or was changed; known is: " + describeProgress(known));

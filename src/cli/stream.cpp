@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "arguments/correction_options.hpp"
 #include "arguments/setting_options.hpp"
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/clock.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
@@ -24,17 +26,42 @@ struct StreamArguments {
   std::string program;
   MachinePort port;
   std::vector<std::string> settings;
+  CorrectionOptions corrections;
   StreamMode mode = StreamMode::Begin;
   bool is_live = false;
 };
 
-StreamSettings settingsFrom(const StreamArguments& arguments) {
-  StreamSettings settings;
+/// What is set on the command line.
+struct StreamCommandSettings {
+  StreamSettings stream;
+  LoopSettings feeding;
+};
+
+StreamCommandSettings settingsFrom(const StreamArguments& arguments) {
+  StreamCommandSettings settings;
   SettingsSchema schema;
-  describe(schema, settings);
+  describe(schema, settings.stream);
+  if (!arguments.corrections.maps.empty()) describeFeeding(schema, settings.feeding);
   for (const SettingText& setting : overridesFrom(arguments.settings)) schema.set(setting.key, setting.text);
-  validate(settings);
+  validate(settings.stream);
   return settings;
+}
+
+/// The program as it is sent: what cannot be corrected, or would be misread once it is, is refused here.
+StreamableProgram programFrom(const StreamArguments& arguments, const StreamCommandSettings& settings) {
+  if (arguments.corrections.maps.empty()) {
+    if (!arguments.corrections.toolpath.empty())
+      throw InvalidInput("--toolpath is given without --corrections; expected both, or neither");
+    return StreamableProgram::fromFile(arguments.program, settings.stream);
+  }
+  const PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
+  const std::string planned = readFile(arguments.program);
+  ProgramOrigin origin{sha256Of(StreamableProgram::fromText(arguments.program, planned, settings.stream)),
+                       {}};
+  for (const FiledMap& each : correction.maps) origin.maps.push_back({each.map.layer, digestOf(each.map)});
+  std::string corrected = correctedByMaps(arguments.program, planned, correction).text;
+  return StreamableProgram::fromText(arguments.program, std::move(corrected), settings.stream)
+      .madeFrom(std::move(origin));
 }
 
 JobBeginning beginningOf(const StreamArguments& arguments) {
@@ -124,6 +151,12 @@ Counts countsOf(const StreamStatus& status) {
           {"not_done", status.commands_not_done}};
 }
 
+nlohmann::ordered_json originJson(const ProgramOrigin& origin) {
+  nlohmann::ordered_json maps = nlohmann::ordered_json::array();
+  for (const AppliedMap& map : origin.maps) maps.push_back({{"layer", map.layer}, {"digest", map.digest}});
+  return {{"program_sha256", origin.program_sha256}, {"maps", maps}};
+}
+
 /// What the progress file of the port says; nothing is sent.
 void showProgress(const std::string& journal, OutputFormat format) {
   const JournalledProgress known = readJournal(journal);
@@ -131,29 +164,30 @@ void showProgress(const std::string& journal, OutputFormat format) {
     std::printf("%s\n", describeProgress(known).c_str());
     return;
   }
-  const nlohmann::ordered_json json = {{"program", known.job.program},
-                                       {"program_sha256", known.job.program_sha256},
-                                       {"port", known.job.port},
-                                       {"firmware", known.job.firmware_name},
-                                       {"uploaded_as", known.job.uploaded_as},
-                                       {"lines", known.job.lines_total},
-                                       {"taken_through", known.progress.taken_through},
-                                       {"sent_through", known.progress.sent_through},
-                                       {"layer", known.progress.layer},
-                                       {"state", toString(known.progress.state)},
-                                       {"time_ms", known.progress.time_ms}};
+  nlohmann::ordered_json json = {{"program", known.job.program},
+                                 {"program_sha256", known.job.program_sha256},
+                                 {"port", known.job.port},
+                                 {"firmware", known.job.firmware_name},
+                                 {"uploaded_as", known.job.uploaded_as},
+                                 {"lines", known.job.lines_total},
+                                 {"taken_through", known.progress.taken_through},
+                                 {"sent_through", known.progress.sent_through},
+                                 {"layer", known.progress.layer},
+                                 {"state", toString(known.progress.state)},
+                                 {"time_ms", known.progress.time_ms}};
+  if (known.job.origin) json["corrected_from"] = originJson(*known.job.origin);
   std::printf("%s\n", json.dump().c_str());
 }
 
 void runStream(const StreamArguments& arguments, Chosen& chosen) {
-  const StreamSettings settings = settingsFrom(arguments);
-  const std::string journal_path = journalPath(settings, arguments.port.name);
+  const StreamCommandSettings settings = settingsFrom(arguments);
+  const std::string journal_path = journalPath(settings.stream, arguments.port.name);
   if (arguments.mode == StreamMode::ShowProgress) return showProgress(journal_path, chosen.format);
-  const auto program = StreamableProgram::fromFile(arguments.program, settings);
+  const StreamableProgram program = programFrom(arguments, settings);
   const SteadyClock clock;
   const double start = clock.now();
   const StreamJournal journal = journalFor(journal_path, program, arguments.port, beginningOf(arguments));
-  const StreamStatus status = streamWhole(program, settings, arguments, journal);
+  const StreamStatus status = streamWhole(program, settings.stream, arguments, journal);
   chosen.counts = countsOf(status);
   throwIfFailed(status);
   print(status, clock.now() - start, chosen.format);
@@ -170,7 +204,13 @@ void addStream(CLI::App& app, Chosen& chosen) {
                    "serial port such as /dev/ttyUSB0, tcp:host:port, or http://host:port")
       ->required();
   command->add_option("--baud,-b", arguments->port.baud, "baud rate of a serial port")->capture_default_str();
-  command->add_option("--set", arguments->settings, "key=value, one of stream.*; may be repeated");
+  command->add_option("--set", arguments->settings,
+                      "key=value, one of stream.*, with --corrections also of loop.*; may be repeated");
+  command->add_option(
+      "--corrections", arguments->corrections.maps,
+      "correction map (.csv) or folder of maps, by which the program is corrected as lamina correct "
+      "does");
+  addToolpathOption(*command, arguments->corrections);
   command->add_flag("--live", arguments->is_live,
                     "follow commands on the standard input, a line each: feed 90, flow 105, babystep -0.05, "
                     "cancel_part 2, pause_at_layer 12, rapid 50, spindle 80, pause, resume");

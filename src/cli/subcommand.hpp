@@ -49,6 +49,7 @@ inline constexpr char kOptimiseDescription[] =
 void addCalibrate(CLI::App& app, Chosen& chosen);
 void addCheck(CLI::App& app, Chosen& chosen);
 void addCoordinates(CLI::App& app, Chosen& chosen);
+void addCorrect(CLI::App& app, Chosen& chosen);
 void addDecide(CLI::App& app, Chosen& chosen);
 void addDeposit(CLI::App& app, Chosen& chosen);
 void addEmulate(CLI::App& app, Chosen& chosen);

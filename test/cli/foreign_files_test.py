@@ -59,6 +59,8 @@ CALLS = [
     ("incline OWN -o OUT.gcode --end-code FILE", (PROGRAM,)),
     ("stream FILE --port none", ("", PROGRAM)),
     ("stream FILE --port none --set stream.firmware=marlin", ("", PROGRAM)),
+    ("correct OWN FILE -o OUT.gcode", ("", TABLE)),
+    ("correct FILE FILE -o OUT.gcode --toolpath FILE", (TABLE,)),
     ("resume FILE --from-line 2 --nozzle-height 1 -o OUT.gcode", ("", PROGRAM)),
     ("calibrate sensor FILE --method pairs", ("", TABLE)),
     ("calibrate sensor OWN --method pairs -o FILE", (YAML,)),

@@ -31,6 +31,23 @@ inline ToolpathLayer straightBeadLayer(const std::vector<double>& beads_y, doubl
   return layer;
 }
 
+/// Layers of two such beads of 40 mm, 1.5 mm apart, with a travel from each to the next, which is its path 0.
+inline Toolpath stackedBeads(std::size_t layers) {
+  Toolpath part{"beads", {}};
+  for (std::size_t k = 1; k <= layers; ++k) {
+    ToolpathLayer layer = straightBeadLayer({0.0, 3.0}, 40.0, 1.5 * static_cast<double>(k));
+    if (k > 1) {
+      Path up;
+      up.role = PathRole::Travel;
+      up.feed_mm_s = 50.0;
+      up.points = {part.layers.back().paths.back().lastPoint(), layer.paths.front().firstPoint()};
+      layer.paths.insert(layer.paths.begin(), up);
+    }
+    part.layers.push_back(layer);
+  }
+  return part;
+}
+
 inline LayerCells straightBeads(const std::vector<double>& beads_y, double length_mm, double cell_mm) {
   return layerCells(straightBeadLayer(beads_y, length_mm), 0, cell_mm);
 }

@@ -56,8 +56,10 @@ StatedWord stated(std::string_view text, std::string_view name, const std::strin
 void requireColumns(const CsvTable& table) {
   std::string columns;
   for (const std::string& column : table.columns) columns += (columns.empty() ? "" : ",") + column;
+  // Any other table is not to be shown.
   if (columns != kColumns)
-    throw InvalidInput(table.source + ": columns are '" + columns + "'; expected '" + kColumns + "'");
+    throw InvalidInput(table.source + " has " + std::to_string(table.columns.size()) +
+                       " other columns; expected '" + kColumns + "'");
 }
 
 void addRow(CorrectionMap& map, const CsvTable& table, std::size_t r) {

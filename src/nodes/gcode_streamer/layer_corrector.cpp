@@ -2,45 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layer_corrector.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/program/planned_correction.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
 
 namespace lamina {
-namespace {
-
-/// @throws InvalidProgram if nothing of the program can be corrected
-void requireCorrectable(const StreamableProgram& program, const Toolpath& toolpath) {
-  CorrectionMap everything{toolpathId(toolpath), 0, 0, {}};
-  std::vector<CorrectionMap> maps;
-  for (std::size_t k = 0; k < toolpath.layers.size(); ++k) {
-    everything.layer = k;
-    everything.paths.clear();
-    for (std::size_t p = 0; p < toolpath.layers[k].paths.size(); ++p)
-      everything.paths.push_back({p, 1e9, {{1.0, 0.0, 0.0}}});
-    maps.push_back(everything);
-  }
-  ProgramCorrector trial(toolpath, maps, {});
-  const auto text = program.openText();
-  std::string line;
-  std::string out;
-  for (std::size_t number = 1; std::getline(*text, line); ++number) {
-    out.clear();
-    trial.read(line, number, out);
-  }
-  if (trial.report().corrected_lines > 0) return;
-  throw InvalidProgram(program.name() + " deposits nothing on the toolpath " +
-                       (toolpath.part_name.empty() ? "published last" : "of '" + toolpath.part_name + "'") +
-                       "; expected its program, to correct it");
-}
-
-}  // namespace
-
 LayerCorrector::LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
                                StreamCorrectionSettings settings)
     : toolpath_(std::move(toolpath)),
@@ -48,23 +19,15 @@ LayerCorrector::LayerCorrector(const StreamableProgram& program, ProgrammedToolp
       program_sha256_(sha256Of(program)),
       programmed_id_(toolpathId(toolpath_.toolpath)),
       corrector_(toolpath_.toolpath, {}, {}) {
-  requireCorrectable(program, toolpath_.toolpath);
-  if (!settings_.folder.empty()) std::filesystem::create_directories(settings_.folder);
+  requireLaysToolpath(program.name(), *program.openText(), toolpath_.toolpath);
+  if (settings_.folder.empty()) return;
+  std::filesystem::create_directories(settings_.folder);
+  writeFile(settings_.folder + "/" + kProgrammedToolpathFile, programmedToolpathCsv(toolpath_));
 }
 
 std::string LayerCorrector::hear(CorrectionMap map) {
-  if (map.toolpath_id != toolpath_.id)
-    return "the map is of toolpath " + map.toolpath_id + "; streamed is " + toolpath_.id;
-  if (map.layer >= toolpath_.toolpath.layers.size())
-    return "the map is of layer " + std::to_string(map.layer) + "; the toolpath has " +
-           std::to_string(toolpath_.toolpath.layers.size());
-  const double most_mm = toolpath_.toolpath.layers[map.layer].height_mm;
-  for (const PathCorrection& path : map.paths)
-    for (const PlaceCorrection& place : path.stations)
-      if (std::abs(place.dz_mm) > most_mm)
-        return "the map of layer " + std::to_string(map.layer) + " moves the nozzle by " +
-               std::to_string(place.dz_mm) + " mm; expected no more than the layer, " +
-               std::to_string(most_mm) + " mm";
+  const std::string defect = defectOf(map, toolpath_);
+  if (!defect.empty()) return "the map " + defect;
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!decisions_.empty() && map.layer <= decisions_.back().layer)
     return "the map of layer " + std::to_string(map.layer) + " comes when that layer is on its way";
@@ -128,7 +91,7 @@ void LayerCorrector::keepRecord(const CorrectionMap* map) {
     for (const LayerDecision& each : decisions_)
       record += std::to_string(each.layer) + "," + std::to_string(each.sequence) + "," +
                 (each.digest.empty() ? "none" : each.digest) + "\n";
-    writeFile(settings_.folder + "/record.csv", record);
+    writeFile(settings_.folder + "/" + kAppliedMapsFile, record);
   } catch (const Error& error) {
     record_failure_ = error.what();
   }

@@ -12,16 +12,11 @@
 
 #include "correction_settings.hpp"
 #include "lamina/control/program/corrected_program.hpp"
+#include "lamina/control/program/correction_files.hpp"
 #include "lamina/streaming/job/program_revision.hpp"
 #include "lamina/streaming/job/streamable_program.hpp"
 
 namespace lamina {
-
-/// A toolpath as a program for a machine has it.
-struct ProgrammedToolpath {
-  std::string id;     ///< of the toolpath as it was planned, which correction maps name
-  Toolpath toolpath;  ///< in coordinates of the program
-};
 
 /// What became of a layer.
 struct LayerDecision {
@@ -38,7 +33,7 @@ class LayerCorrector final : public ProgramRevision {
  public:
   /// Reads the program once, so that what cannot be corrected is refused before it begins.
   /// @throws InvalidProgram as `ProgramCorrector`; if none of what it deposits lies on the toolpath
-  /// @throws FileError if the program is gone
+  /// @throws FileError if the program is gone, or nothing can be written to the folder of the record
   LayerCorrector(const StreamableProgram& program, ProgrammedToolpath toolpath,
                  StreamCorrectionSettings settings);
 

@@ -149,6 +149,45 @@ TEST(JobJournal, GoesOnWithTheSameProgramAtTheSamePortOnly) {
   }
 }
 
+/// The refusal of a program to go on with; empty if it is taken.
+std::string refusalToGoOn(const std::string& path, const StreamableProgram& program) {
+  try {
+    resumeJournal(path, program, "/dev/printer");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(JobJournal, GoesOnByTheSameCorrectionsOnly) {
+  const test::ScratchFolder folder;
+  const std::string path = folder.file("port.progress");
+  const ProgramOrigin origin{"base", {{1, "0123456789abcdef"}, {2, "1123456789abcdef"}}};
+  const auto program = journalled("G28\nG1 X1\n");
+  JobProgress start;
+  start.sent_through = 2;
+  { const ProgressFile file(path, describedJob(program.madeFrom(origin), "/dev/printer"), start); }
+  EXPECT_EQ(refusalToGoOn(path, program.madeFrom(origin)), "");
+  EXPECT_NE(refusalToGoOn(path, program).find("was corrected by 2 correction maps"), std::string::npos);
+  ProgramOrigin other = origin;
+  other.maps[1].digest = "2123456789abcdef";
+  EXPECT_NE(refusalToGoOn(path, program.madeFrom(other))
+                .find("given is layer 2 by map 2123456789abcdef; the job to go on with lays layer 2 by map "
+                      "1123456789abcdef"),
+            std::string::npos);
+  other.maps.pop_back();
+  EXPECT_NE(refusalToGoOn(path, program.madeFrom(other)).find("given is no further map"), std::string::npos);
+  EXPECT_NE(refusalToGoOn(path, journalled("G28\nG1 X2\n").madeFrom(origin)).find("other settings (loop.*)"),
+            std::string::npos);
+  other = origin;
+  other.program_sha256 = "another";
+  EXPECT_NE(refusalToGoOn(path, journalled("G28\nG1 X2\n").madeFrom(other)).find("another program"),
+            std::string::npos);
+  { const ProgressFile file(path, jobOf(program), start); }
+  EXPECT_NE(refusalToGoOn(path, program.madeFrom(origin)).find("the job to go on with has none"),
+            std::string::npos);
+}
+
 TEST(JobJournal, FollowsAPrintWhateverIsKnownOfIt) {
   const test::ScratchFolder folder;
   const std::string path = folder.file("port.progress");
@@ -174,6 +213,10 @@ TEST(JobJournal, TellsWhatIsKnown) {
   EXPECT_EQ(describeProgress(known),
             "/part.gcode at /dev/printer, Execute at 2023-11-14 22:13:20 UTC: line 41 of 900 was certainly "
             "taken, in layer 2; lines 42 to 300 are in doubt");
+  known.job.origin = ProgramOrigin{"base", {{1, "0123456789abcdef"}}};
+  EXPECT_EQ(describeProgress(known).substr(0, 60),
+            "/part.gcode at /dev/printer, corrected by 1 correction map, ");
+  known.job.origin.reset();
   known.job.uploaded_as = "lamina/part-1.gcode";
   EXPECT_EQ(
       describeProgress(known),

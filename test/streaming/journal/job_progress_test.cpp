@@ -71,6 +71,23 @@ TEST(JobProgress, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read.progress.time_ms, 1'700'000'000'000);
 }
 
+TEST(JobProgress, SaysWhatACorrectedProgramWasMadeFrom) {
+  JournalledJob job = anyJob();
+  EXPECT_FALSE(decodeJournal(fileAt(7, job), "file").job.origin);
+  job.origin = ProgramOrigin{std::string(64, 'b'), {{1, "0123456789abcdef"}, {300, "fedcba9876543210"}}};
+  const std::string file = fileAt(7, job);
+  const JournalledJob read = decodeJournal(file, "file").job;
+  ASSERT_TRUE(read.origin);
+  EXPECT_EQ(read.origin->program_sha256, std::string(64, 'b'));
+  EXPECT_EQ(read.origin->maps, job.origin->maps);
+  EXPECT_EQ(read.uploaded_as, "");
+  for (std::size_t i = 1024; i < file.size(); ++i) {
+    std::string damaged = file;
+    damaged[i] ^= '\x10';
+    EXPECT_THROW(decodeJournal(damaged, "file"), FileError) << "byte " << i;
+  }
+}
+
 TEST(JobProgress, NamesTheFileOfAPrintServersPrint) {
   JournalledJob job = anyJob();
   EXPECT_EQ(decodeJournal(fileAt(7, job), "file").job.uploaded_as, "");

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "lamina/base/quotation.hpp"
+#include "lamina/streaming/job/program_origin.hpp"
 #include "lamina/streaming/job/stream_settings.hpp"
 
 namespace lamina {
@@ -60,6 +61,11 @@ class StreamableProgram {
   static StreamableProgram fromText(const std::string& name, std::string text,
                                     const StreamSettings& settings = {});
 
+  /// The same program, known to be made from another by corrections.
+  StreamableProgram madeFrom(ProgramOrigin origin) const;
+  /// Nothing if the program is streamed as it was given.
+  const std::optional<ProgramOrigin>& origin() const { return origin_; }
+
   const std::string& name() const { return name_; }
   /// Commands in it.
   std::uint64_t lines() const { return lines_; }
@@ -98,6 +104,7 @@ class StreamableProgram {
   std::optional<FileState> checked_;
   std::shared_ptr<const std::string> text_;
   std::uint64_t lines_ = 0;
+  std::optional<ProgramOrigin> origin_;
   Quotation quotation_;
   std::map<std::string, std::string> defects_;  ///< by protocol
 };

@@ -39,7 +39,8 @@ JournalledProgress readJournal(const std::string& path);
 /// Goes on with the job that a progress file tells of.
 /// @throws FileError as `readJournal`
 /// @throws InvalidProgram if it is another program, naming what differs
-/// @throws InvalidInput if the port is another, or the job has ended by itself
+/// @throws InvalidInput if the port is another, the job has ended by itself, or it was corrected by other
+///   maps, naming the first that differs
 StreamJournal resumeJournal(const std::string& path, const StreamableProgram& program,
                             const std::string& port);
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "lamina/streaming/job/packml.hpp"
+#include "lamina/streaming/job/program_origin.hpp"
 
 namespace lamina {
 
@@ -16,7 +17,7 @@ namespace lamina {
 struct JournalledJob {
   std::string program;  ///< path of the file, or id of the toolpath
   std::uint64_t program_bytes = 0;
-  std::string program_sha256;  ///< 64 hexadecimal digits
+  std::string program_sha256;  ///< of the lines that are sent, 64 hexadecimal digits
   std::string port;
   std::string protocol;  ///< in `firmwareProtocols`
   std::string firmware_name;
@@ -24,6 +25,7 @@ struct JournalledJob {
   std::uint64_t line_base =
       0;  ///< number of the line before the program's first, by which the job is known again
   std::string uploaded_as;  ///< file that a print server prints by itself; empty where lines are streamed
+  std::optional<ProgramOrigin> origin;  ///< of a corrected program
 };
 
 /// How far a job is. Lines are those of the program that carry a command, from 1. Of a print server's print

@@ -150,6 +150,12 @@ StreamableProgram StreamableProgram::fromText(const std::string& name, std::stri
   return program;
 }
 
+StreamableProgram StreamableProgram::madeFrom(ProgramOrigin origin) const {
+  StreamableProgram program = *this;
+  program.origin_ = std::move(origin);
+  return program;
+}
+
 ProgramCursor StreamableProgram::open() const { return ProgramCursor(openText()); }
 
 std::unique_ptr<std::istream> StreamableProgram::openText() const {

@@ -72,6 +72,51 @@ std::string timeText(std::int64_t time_ms) {
   return text;
 }
 
+std::string mapText(const AppliedMap& map) {
+  return "layer " + std::to_string(map.layer) + " by map " + map.digest;
+}
+
+std::string mapCountText(const ProgramOrigin& origin) {
+  const std::size_t count = origin.maps.size();
+  return std::to_string(count) + (count == 1 ? " correction map" : " correction maps");
+}
+
+/// The first map that differs, in words; empty if none does.
+std::string differenceOf(const ProgramOrigin& known, const ProgramOrigin& given) {
+  const std::size_t most = std::max(known.maps.size(), given.maps.size());
+  for (std::size_t i = 0; i < most; ++i) {
+    if (i < known.maps.size() && i < given.maps.size() && known.maps[i] == given.maps[i]) continue;
+    return "given is " + (i < given.maps.size() ? mapText(given.maps[i]) : std::string("no further map")) +
+           "; the job to go on with lays " +
+           (i < known.maps.size() ? mapText(known.maps[i]) : std::string("no further layer by a map"));
+  }
+  return {};
+}
+
+/// What was laid must be what the rest is laid by.
+/// @throws InvalidInput if the job was corrected otherwise
+void requireSameCorrections(const JournalledJob& job, const StreamableProgram& program,
+                            const std::string& what_is_known) {
+  const std::optional<ProgramOrigin>& given = program.origin();
+  if (!job.origin && !given) return;
+  if (!job.origin)
+    throw InvalidInput("corrections are given; the job to go on with has none" + what_is_known);
+  if (!given)
+    throw InvalidInput("no corrections are given; the job to go on with was corrected by " +
+                       mapCountText(*job.origin) + ": expected the same" + what_is_known);
+  if (given->program_sha256 != job.origin->program_sha256) return;  // another program: refused as such
+  const std::string difference = differenceOf(*job.origin, *given);
+  if (!difference.empty()) throw InvalidInput(difference + what_is_known);
+}
+
+/// What is known of a program, and what else may differ of a corrected one.
+std::string otherProgramText(const JournalledJob& job, const StreamableProgram& program) {
+  const bool is_same_base =
+      job.origin && program.origin() && job.origin->program_sha256 == program.origin()->program_sha256;
+  return is_same_base ? "the same program by the same maps, but corrected with other settings (loop.*)"
+                      : "it is another program, or was changed";
+}
+
 }  // namespace
 
 std::string journalPath(const StreamSettings& settings, const std::string& port) {
@@ -116,11 +161,12 @@ StreamJournal resumeJournal(const std::string& path, const StreamableProgram& pr
   if (known.job.port != port)
     throw InvalidInput("the port is " + port + "; the job to go on with was at " + known.job.port +
                        what_is_known);
+  requireSameCorrections(known.job, program, what_is_known);
   const std::string digest = sha256Of(program);
   if (known.job.program_sha256 != digest || known.job.lines_total != program.lines())
     throw InvalidProgram(program.name() + " has the SHA-256 " + digest.substr(0, 12) +
                          "...; the job to go on with has " + known.job.program_sha256.substr(0, 12) +
-                         "...: it is another program, or was changed" + what_is_known);
+                         "...: " + otherProgramText(known.job, program) + what_is_known);
   return {path, known};
 }
 
@@ -150,6 +196,7 @@ JournalledJob describedJob(const StreamableProgram& program, const std::string& 
   job.program_sha256 = sha256Of(program);
   job.port = port;
   job.lines_total = program.lines();
+  job.origin = program.origin();
   return job;
 }
 
@@ -174,6 +221,7 @@ std::string describeProgress(const JournalledProgress& known) {
   const std::string line = std::to_string(progress.taken_through);
   const std::string when = std::string(", ") + toString(progress.state) + " at " + timeText(progress.time_ms);
   std::string text = known.job.program + " at " + known.job.port;
+  if (known.job.origin) text += ", corrected by " + mapCountText(*known.job.origin);
   if (!known.job.uploaded_as.empty()) {
     text += ", uploaded as " + known.job.uploaded_as + when + ": the machine had read line " + line + " of " +
             total;

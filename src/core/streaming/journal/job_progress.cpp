@@ -14,6 +14,7 @@ constexpr std::string_view kRecordMark = "LAMPROG1";
 constexpr std::string_view kJobMark = "LAMJOB01";
 constexpr std::size_t kCrcBytes = 4;
 constexpr std::size_t kLongestText = 65535;
+constexpr std::size_t kDigestBytes = 16;
 
 std::uint32_t crc32Of(std::string_view bytes) {
   boost::crc_32_type crc;
@@ -62,6 +63,30 @@ bool endsWithItsCrc(std::string_view bytes) {
   return bytes.size() >= kCrcBytes && crcOf(bytes) == crc32Of(bytes.substr(0, bytes.size() - kCrcBytes));
 }
 
+void appendOrigin(std::string& bytes, const ProgramOrigin& origin) {
+  appendText(bytes, origin.program_sha256);
+  append(bytes, origin.maps.size(), 8);
+  for (const AppliedMap& map : origin.maps) {
+    append(bytes, map.layer, 8);
+    std::string digest = map.digest;
+    digest.resize(kDigestBytes, ' ');
+    bytes += digest;
+  }
+}
+
+ProgramOrigin readOrigin(FrontReader& reader) {
+  ProgramOrigin origin;
+  origin.program_sha256 = reader.text();
+  const std::uint64_t count = reader.integer(8);
+  for (std::uint64_t i = 0; i < count && !reader.isShort(); ++i) {
+    AppliedMap map;
+    map.layer = reader.integer(8);
+    map.digest = std::string(reader.take(kDigestBytes));
+    origin.maps.push_back(std::move(map));
+  }
+  return origin;
+}
+
 std::optional<JournalledJob> decodeJob(std::string_view bytes) {
   if (!endsWithItsCrc(bytes)) return std::nullopt;
   FrontReader reader(bytes.substr(0, bytes.size() - kCrcBytes));
@@ -76,6 +101,7 @@ std::optional<JournalledJob> decodeJob(std::string_view bytes) {
   job.lines_total = reader.integer(8);
   job.line_base = reader.integer(8);
   if (!reader.isAtEnd()) job.uploaded_as = reader.text();
+  if (!reader.isAtEnd()) job.origin = readOrigin(reader);
   if (reader.isShort() || !reader.isAtEnd()) return std::nullopt;
   return job;
 }
@@ -126,7 +152,8 @@ std::string encodeJob(const JournalledJob& job) {
   appendText(bytes, job.firmware_name);
   append(bytes, job.lines_total, 8);
   append(bytes, job.line_base, 8);
-  if (!job.uploaded_as.empty()) appendText(bytes, job.uploaded_as);
+  if (!job.uploaded_as.empty() || job.origin) appendText(bytes, job.uploaded_as);
+  if (job.origin) appendOrigin(bytes, *job.origin);
   append(bytes, crc32Of(bytes), kCrcBytes);
   return bytes;
 }

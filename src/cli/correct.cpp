@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "arguments/correction_options.hpp"
+#include "arguments/setting_options.hpp"
+#include "lamina/base/atomic_file.hpp"
+#include "lamina/base/error.hpp"
+#include "lamina/control/program/corrected_toolpath.hpp"
+#include "lamina/job/output_files.hpp"
+#include "lamina/job/output_writer.hpp"
+#include "lamina/job/rapid_files.hpp"
+#include "lamina/program/rapid/reader/rapid_reader.hpp"
+#include "subcommand.hpp"
+
+namespace lamina::cli {
+namespace {
+
+/// The command line of `lamina correct` as it was typed.
+struct CorrectArguments {
+  std::string program;
+  CorrectionOptions corrections;
+  std::string output;
+  SettingOptions settings;
+};
+
+/// What is set on the command line.
+struct CorrectSettings {
+  LoopSettings feeding;
+  RapidSettings rapid;
+};
+
+CorrectSettings settingsFrom(const CorrectArguments& arguments) {
+  CorrectSettings settings;
+  SettingsSchema schema;
+  describeFeeding(schema, settings.feeding);
+  if (isRapidFile(arguments.program)) describe(schema, settings.rapid);
+  applySettings(schema, arguments.settings.config, overridesFrom(arguments.settings.assignments));
+  return settings;
+}
+
+nlohmann::ordered_json mapsJson(const std::vector<FiledMap>& maps) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const FiledMap& each : maps)
+    json.push_back({{"layer", each.map.layer}, {"digest", digestOf(each.map)}});
+  return json;
+}
+
+void print(const CorrectArguments& arguments, const PlannedCorrection& correction,
+           const CorrectionReport& report, OutputFormat format) {
+  if (format == OutputFormat::Json) {
+    const nlohmann::ordered_json json = {
+        {"output", arguments.output},        {"toolpath_id", correction.planned.id},
+        {"maps", mapsJson(correction.maps)}, {"corrected_lines", report.corrected_lines},
+        {"added_lines", report.added_lines}, {"off_path_lines", report.off_path_lines},
+        {"planned_mm", report.planned_mm},   {"corrected_mm", report.corrected_mm}};
+    std::printf("%s\n", json.dump().c_str());
+    return;
+  }
+  std::printf(
+      "%s: %zu lines corrected by %zu maps, %zu lines added; filament of these %.3f mm, planned %.3f mm\n",
+      arguments.output.c_str(), report.corrected_lines, correction.maps.size(), report.added_lines,
+      report.corrected_mm, report.planned_mm);
+  if (report.off_path_lines > 0)
+    std::printf("%zu lines deposit beside the toolpath and are as they were\n", report.off_path_lines);
+}
+
+double depositionTime(const Toolpath& toolpath) {
+  double time_s = 0.0;
+  for (const ToolpathLayer& layer : toolpath.layers)
+    for (const Path& path : layer.paths) {
+      if (path.role == PathRole::Travel) continue;
+      for (std::size_t m = 0; m < path.motionCount(); ++m) {
+        const std::size_t end = path.motionEnd(m);
+        time_s += (path.points[end] - path.points[m]).norm() / path.feed_mm_s.at(end);
+      }
+    }
+  return time_s;
+}
+
+void printTimes(const CorrectArguments& arguments, const PlannedCorrection& correction,
+                const std::pair<double, double>& planned_and_corrected_s, OutputFormat format) {
+  const auto& [planned_s, corrected_s] = planned_and_corrected_s;
+  if (format == OutputFormat::Json) {
+    const nlohmann::ordered_json json = {{"output", arguments.output},
+                                         {"toolpath_id", correction.planned.id},
+                                         {"maps", mapsJson(correction.maps)},
+                                         {"planned_s", planned_s},
+                                         {"corrected_s", corrected_s}};
+    std::printf("%s\n", json.dump().c_str());
+    return;
+  }
+  std::printf("%s: corrected by %zu maps; deposits for %.3f s, planned %.3f s\n", arguments.output.c_str(),
+              correction.maps.size(), corrected_s, planned_s);
+}
+
+/// A robot's process runs at a steady rate: the amount is laid by the time on the way.
+void correctRapid(const CorrectArguments& arguments, const CorrectSettings& settings, OutputFormat format) {
+  constexpr double kReadTolerance = 1e-3;  // mm: positions have four decimals
+  if (!isRapidFile(arguments.output))
+    throw InvalidInput("the program is " + arguments.program + ", the output " + arguments.output +
+                       "; expected a RAPID program of it, with the suffix .mod");
+  PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
+  Toolpath read = readRapidFile(arguments.program);
+  requireSamePaths(read, correction.planned.toolpath, kReadTolerance);
+  correction.planned.toolpath = std::move(read);
+  const Toolpath& planned = correction.planned.toolpath;
+  const Toolpath corrected =
+      correctedToolpath(planned, ledMaps(correction), CorrectionWriting{}.split_change);
+  writeRapidFiles(arguments.output, {corrected, ProgramFrame(Eigen::Isometry3d::Identity())}, settings.rapid);
+  printTimes(arguments, correction, {depositionTime(planned), depositionTime(corrected)}, format);
+}
+
+void correct(const CorrectArguments& arguments, OutputFormat format) {
+  requireApart({arguments.output}, {arguments.program, arguments.corrections.maps,
+                                    arguments.corrections.toolpath, arguments.settings.config});
+  const CorrectSettings settings = settingsFrom(arguments);
+  if (isRapidFile(arguments.program)) return correctRapid(arguments, settings, format);
+  const PlannedCorrection correction = correctionFrom(arguments.corrections, settings.feeding);
+  const CorrectedProgram corrected =
+      correctedByMaps(arguments.program, readFile(arguments.program), correction);
+  writeFile(arguments.output, corrected.text);
+  print(arguments, correction, corrected.report, format);
+}
+
+}  // namespace
+
+void addCorrect(CLI::App& app, Chosen& chosen) {
+  CLI::App* subcommand = app.add_subcommand(
+      "correct", "Write a program corrected by the maps of the closed loop, to be looked at; sends nothing");
+  const auto arguments = std::make_shared<CorrectArguments>();
+  subcommand->add_option("program", arguments->program, "Program (.gcode), or RAPID program (.mod)")
+      ->required();
+  subcommand
+      ->add_option("maps", arguments->corrections.maps,
+                   "Correction map (.csv), or folder of maps as lamina estimate and the streamer write them")
+      ->required();
+  subcommand->add_option("-o,--output", arguments->output, "File for the corrected program")->required();
+  addToolpathOption(*subcommand, arguments->corrections);
+  addSettingOptions(*subcommand, arguments->settings,
+                    "Settings (YAML) of the feeder: loop.*; of RAPID programs also rapid.*");
+  addJsonFlag(*subcommand, chosen);
+  subcommand->callback(
+      [arguments, &chosen] { chosen.run = [arguments, &chosen] { correct(*arguments, chosen.format); }; });
+}
+
+}  // namespace lamina::cli

@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Lamina authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Programs corrected by maps, as files and on their way to the emulated machine, which is left in mid job.
+
+    corrections_test.py LAMINA
+"""
+import math
+import os
+import random
+import re
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+from lamina_command import LAMINA, lamina, told
+
+LAYERS = 60
+SEGMENTS = 20  # of the bead of each layer
+LENGTH_MM = 40.0
+STATIONS = 40
+FILAMENT_PER_MM = 0.05
+KILLS = 5
+PATIENCE_S = 120
+ID = "00112233aabbccdd"
+HEADER = "layer,path,role,closed,x_mm,y_mm,z_mm,qw,qx,qy,qz,bead_width_mm,bead_height_mm,feed_mm_s"
+
+
+def digest(toolpath, layer, sequence, station_mm, stations):
+    """FNV-1a over 64-bit words, as the page on the closed loop says."""
+    value = 0xCBF29CE484222325
+    words = [len(toolpath), *toolpath.encode(), layer, sequence, 1, 1, struct.unpack("<Q", struct.pack("<d", station_mm))[0], len(stations)]
+    for place in stations:
+        words += [struct.unpack("<Q", struct.pack("<d", number))[0] for number in place]
+    for word in words:
+        value = (value ^ word) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
+        value ^= value >> 29
+    return f"{value:016x}"
+
+
+def correction_map(layer, amounts, toolpath=ID):
+    """A map of the bead of a layer, its path 1."""
+    station_mm = LENGTH_MM / len(amounts)
+    stations = [(amount, 0.0, 0.0) for amount in amounts]
+    rows = "".join(f"1,{station_mm!r},{amount!r},0,0\n" for amount in amounts)
+    return (f"# toolpath {toolpath}\n# layer {layer}\n# sequence 1\n# digest {digest(toolpath, layer, 1, station_mm, stations)}\n"
+            f"path,station_mm,amount,speed,dz_mm\n{rows}")
+
+
+def amounts_of(layer):
+    return [0.2 * math.sin(0.3 * i + layer) for i in range(STATIONS)]
+
+
+def filament_of(amounts):
+    """Amounts are linear between the middles of equal pieces, and even beyond the first and the last."""
+    return FILAMENT_PER_MM * LENGTH_MM * (1.0 + sum(amounts) / len(amounts))
+
+
+class Corrections(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.program, self.port, self.record, self.journal = map(self.path, ("part.gcode", "port", "record", "job.progress"))
+        self.maps, self.corrected = self.path("maps"), self.path("corrected.gcode")
+        os.mkdir(self.maps)
+        self.write_part()
+        for layer in range(1, LAYERS):
+            self.write(f"maps/correction_{layer}.csv", correction_map(layer, amounts_of(layer)))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def read(self, path):
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+
+    def write_part(self):
+        """A wall, there and back, as a program and as the toolpath that it is of."""
+        lines, rows, x = ["G90", "M83"], [f"#TOOLPATH: {ID}", HEADER], 0.0
+        for layer in range(LAYERS):
+            z, step = 0.5 * (layer + 1), LENGTH_MM / SEGMENTS * (-1.0 if layer % 2 else 1.0)
+            lines += [f";LAYER:{layer}", f"G1 X{x:g} Y10 Z{z:g} F3000"]
+            rows += [f"{layer},0,travel,0,{x:g},10,{height:g},0,1,0,0,0,0,50" for height in (max(z - 0.5, 0.5), z)]
+            rows.append(f"{layer},1,outer_wall,0,{x:g},10,{z:g},0,1,0,0,1,0.5,50")
+            for _ in range(SEGMENTS):
+                x += step
+                lines.append(f"G1 X{x:g} Y10 E{FILAMENT_PER_MM * abs(step):g} F3000")
+                rows.append(f"{layer},1,outer_wall,0,{x:g},10,{z:g},0,1,0,0,1,0.5,50")
+        self.write("part.gcode", "\n".join(lines) + "\n")
+        self.write("maps/toolpath.csv", "\n".join(rows) + "\n")
+
+    @staticmethod
+    def filament_by_layer(program):
+        """Of the motions of a program, by the layer they are of."""
+        by_layer, layer = {}, -1
+        for line in program.splitlines():
+            if line.startswith(";LAYER:"):
+                layer = int(line[7:])
+            for word in re.findall(r"^G1 .*E([-.\d]+)", line):
+                by_layer[layer] = by_layer.get(layer, 0.0) + float(word)
+        return by_layer
+
+    def expect_refusal(self, *arguments, says):
+        done = lamina(*arguments)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        for word in says:
+            self.assertIn(word, done.stderr)
+
+    def test_each_layer_gets_the_filament_of_its_map(self):
+        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        self.assertEqual(len(made["maps"]), LAYERS - 1)
+        self.assertEqual((made["toolpath_id"], made["off_path_lines"]), (ID, 0))
+        self.assertGreater(made["added_lines"], 0)
+        by_layer = self.filament_by_layer(self.read(self.corrected))
+        self.assertAlmostEqual(by_layer[0], FILAMENT_PER_MM * LENGTH_MM, delta=1e-9)
+        for layer in range(1, LAYERS):
+            self.assertAlmostEqual(by_layer[layer], filament_of(amounts_of(layer)), delta=1e-4)
+
+    def test_maps_of_nothing_change_no_byte(self):
+        for layer in range(1, LAYERS):
+            self.write(f"maps/correction_{layer}.csv", correction_map(layer, [0.0] * STATIONS))
+        told("correct", self.program, self.maps, "-o", self.corrected)
+        self.assertEqual(self.read(self.corrected), self.read(self.program))
+
+    def test_what_does_not_fit_is_refused_whole_by_name(self):
+        correct = ("correct", self.program, self.maps, "-o", self.corrected)
+        stream = ("stream", self.program, "--port", self.path("none"), "--corrections", self.maps)
+        self.write("maps/correction_7.csv", correction_map(7, amounts_of(7), "another"))
+        for command in (correct, stream):
+            self.expect_refusal(*command, says=("correction_7.csv: the map is of toolpath another", ID))
+        self.write("maps/correction_7.csv", correction_map(7, [0.5] * STATIONS).replace("0.5,0,0", "0.4,0,0", 1))
+        for command in (correct, stream):
+            self.expect_refusal(*command, says=("correction_7.csv", "digest"))
+        os.remove(self.path("maps/correction_7.csv"))
+        os.remove(self.path("maps/toolpath.csv"))
+        self.expect_refusal(*correct, says=("toolpath.csv",))
+        self.expect_refusal("stream", self.program, "--port", self.port, "--toolpath", self.program, says=("--corrections",))
+        self.assertFalse(os.path.exists(self.corrected))
+
+    def emulate(self, *options):
+        machine = subprocess.Popen([LAMINA, "emulate", "--pty", self.port, "--speed-up", "200", "--record", self.record, *options],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(machine.wait)
+        self.addCleanup(machine.kill)
+        self.wait_for(lambda: os.path.exists(self.port))
+        return machine
+
+    def wait_for(self, condition):
+        end = time.monotonic() + PATIENCE_S
+        while not condition():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)
+
+    def options(self, *more):
+        return ("--port", self.port, "--set", f"stream.journal={self.journal}", *more)
+
+    def stream(self, *more):
+        return subprocess.Popen([LAMINA, "stream", self.program, *self.options("--corrections", self.maps, *more)],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+    def known(self):
+        return told("stream", self.program, "--progress", *self.options())
+
+    def kill_at(self, streaming, line):
+        self.wait_for(lambda: os.path.exists(self.journal) and self.known()["taken_through"] >= line)
+        streaming.kill()
+        streaming.communicate()
+
+    def ran(self, machine):
+        machine.send_signal(signal.SIGINT)
+        machine.wait(PATIENCE_S)
+        return [line for line in self.read(self.record).splitlines() if not line.startswith(";")]
+
+    def commands_of(self, path):
+        return [line for line in self.read(path).splitlines() if line and not line.startswith(";")]
+
+    def test_a_killed_corrected_job_goes_on_where_it_was(self):
+        machine = self.emulate()
+        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        commands = self.commands_of(self.corrected)
+        streaming = self.stream()
+        for line in sorted(random.Random(2).sample(range(1, int(0.8 * len(commands))), KILLS)):
+            self.kill_at(streaming, line)
+            known = self.known()
+            self.assertEqual(known["state"], "Execute")
+            self.assertEqual(known["corrected_from"]["maps"], made["maps"])
+            streaming = self.stream("--resume")
+        said = streaming.communicate(timeout=PATIENCE_S)[1]
+        self.assertEqual(streaming.returncode, 0, said)
+        self.assertEqual(self.known()["state"], "Complete")
+        ran = self.ran(machine)
+        self.assertEqual(ran, commands, "no line lost or repeated")
+        laid = sum(float(word) for line in ran for word in re.findall(r"^G1 .*E([-.\d]+)", line))
+        commanded = FILAMENT_PER_MM * LENGTH_MM + sum(filament_of(amounts_of(layer)) for layer in range(1, LAYERS))
+        self.assertAlmostEqual(laid, commanded, delta=1e-4 * LAYERS)
+
+    def test_a_job_goes_on_by_the_same_maps_only(self):
+        machine = self.emulate()
+        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        self.kill_at(self.stream(), 200)
+        resume = ("stream", self.program, *self.options("--resume"))
+        self.expect_refusal(*resume, says=(f"was corrected by {LAYERS - 1} correction maps",))
+        self.write("maps/correction_30.csv", correction_map(30, [0.1] * STATIONS))
+        self.expect_refusal(*resume, "--corrections", self.maps, says=("layer 30 by map", made["maps"][29]["digest"]))
+        os.remove(self.path("maps/correction_30.csv"))
+        self.expect_refusal(*resume, "--corrections", self.maps, says=("layer 30 by map", made["maps"][29]["digest"]))
+        self.write("maps/correction_30.csv", correction_map(30, amounts_of(30)))
+        self.expect_refusal(*resume, "--corrections", self.maps, "--set", "loop.lag_s=1", says=("other settings (loop.*)",))
+        self.expect_refusal("resume", self.program, *self.options(), says=("lamina correct",))
+        offer = told("resume", self.corrected, *self.options())
+        self.assertEqual(offer["from_line"], self.known()["taken_through"] + 1)
+        told("stream", self.program, *self.options("--resume", "--corrections", self.maps))
+        self.assertEqual(self.ran(machine), self.commands_of(self.corrected))
+
+
+if __name__ == "__main__":
+    unittest.main()
