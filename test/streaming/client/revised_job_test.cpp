@@ -170,15 +170,15 @@ TEST(RevisedJob, EndsWhereALineCannotBeRevised) {
       << link.streamer.status().failure.message;
 }
 
-TEST(RevisedJob, IsRefusedByFirmwareThatCountsNoLines) {
-  const auto program = spiralOf(20);
+TEST(RevisedJob, IsRefusedByFirmwareThatCannotWaitForALayer) {
+  const auto program = StreamableProgram::fromText("cut", "G21\nG90\n;LAYER:0\nG1 X1 F100\n");
   StreamOrder order = revisedOrder(program, std::make_shared<HalvedLayers>());
-  order.settings.firmware = "klipper";
+  order.settings.firmware = "grbl";
   try {
     Streamer streamer(order);
     FAIL() << "expected to be refused";
   } catch (const InvalidConfig& error) {
-    EXPECT_NE(std::string(error.what()).find("speaks klipper"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("speaks grbl"), std::string::npos) << error.what();
   }
   SessionOptions options;
   options.revision = order.revision;

@@ -17,7 +17,7 @@ namespace {
 std::string defectOfRevision(const StreamOrder& order, const std::string& protocol) {
   if (!order.revision || firmwareProtocols().find(protocol)->canRevise()) return {};
   return "lines cannot be corrected on their way to firmware that speaks " + protocol +
-         "; expected one that numbers lines, as marlin does";
+         "; expected marlin, klipper or reprapfirmware";
 }
 
 }  // namespace

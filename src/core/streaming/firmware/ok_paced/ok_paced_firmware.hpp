@@ -45,6 +45,7 @@ struct OpeningVerdict {
 /// such firmware is the job (`OkPacedJob`); what differs is here. Commands are lines without number and end.
 class OkPacedFirmware : public FirmwareProtocol, public std::enable_shared_from_this<OkPacedFirmware> {
  public:
+  bool canRevise() const override { return true; }
   std::unique_ptr<StreamJob> begin(StreamOrder order) const override;
 
   /// A command as it goes out, with its end of line.

@@ -14,6 +14,15 @@ constexpr const char* kEndOfMotions = "M400";
 constexpr const char* kTemperatures = "M105";
 constexpr const char* kPosition = "M114";
 
+std::shared_ptr<RevisedLines> linesRevisedFor(const StreamOrder& order,
+                                              const std::shared_ptr<const OkPacedFirmware>& firmware) {
+  if (!order.revision) return nullptr;
+  return std::make_shared<RevisedLines>(order.program, order.revision,
+                                        [firmware, settings = order.settings](const std::string& command) {
+                                          return firmware->defectOf(command, settings);
+                                        });
+}
+
 std::string wholeSeconds(double value) { return std::to_string(static_cast<int>(value)) + " s"; }
 
 }  // namespace
@@ -28,9 +37,10 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
       firmware_(std::move(firmware)),
       heard_(std::move(order.heard)),
       checked_program_(order.program),
-      program_(sourceOf(order.program)),
+      revised_(linesRevisedFor(order, firmware_)),
+      program_(revised_ ? [revised = revised_] { return revised->next(); } : sourceOf(order.program)),
       quotation_(order.program.quotation()),
-      feed_([this] { return nextLine(); }, 1),
+      feed_([this] { return nextLine(); }, 1, -1, [this] { return isNextKnown(); }),
       timer_(order.settings.probe_after_s),
       opening_(firmware_->opening(order.settings.link)) {
   // Such firmware runs what it has read behind a line that it refuses.
@@ -40,16 +50,33 @@ OkPacedJob::OkPacedJob(StreamOrder order, std::shared_ptr<const OkPacedFirmware>
   if (order.firmware_name) record_.status.firmware_name = *order.firmware_name;
 }
 
-/// The lines of the program, and the wait for the end of their motions.
+/// The lines of the program, and the wait for the end of their motions: behind the last one, and in front of
+/// a layer that is not known yet.
 std::optional<ProgramLine> OkPacedJob::nextLine() {
+  if (revised_ && !revised_->isNextKnown()) {
+    is_rest_given_ = true;
+    ++rests_;
+    ++lines_read_;
+    return ProgramLine{kEndOfMotions, layer_given_};
+  }
   auto line = program_();
+  countLines();
   if (line) {
+    is_rest_given_ = false;
+    layer_given_ = line->layer;
     ++lines_read_;
     return line;
   }
   if (lines_read_ != record_.status.lines_total) return std::nullopt;
   ++lines_read_;
   return ProgramLine{kEndOfMotions, -1};
+}
+
+bool OkPacedJob::isNextKnown() { return !revised_ || !is_rest_given_ || revised_->isNextKnown(); }
+
+/// Lines that are revised become more or fewer, and the waits for the end of motions are lines, too.
+void OkPacedJob::countLines() {
+  if (revised_) record_.status.lines_total = revised_->total() + rests_;
 }
 
 void OkPacedJob::beginPhase(Phase phase, double now) {
@@ -62,7 +89,7 @@ void OkPacedJob::beginPhase(Phase phase, double now) {
 }
 
 bool OkPacedJob::isWaiting() const {
-  if (phase_ == Phase::Feeding) return !under_way_.empty();
+  if (phase_ == Phase::Feeding) return !under_way_.empty() || isAwaitingLayer();
   return phase_ != Phase::Idle;
 }
 
@@ -76,6 +103,7 @@ double OkPacedJob::silenceLimit() const {
 double OkPacedJob::nextDeadline() const {
   if (!isWaiting()) return kForever;
   if (phase_ == Phase::Offline) return stop_.give_up_s;
+  if (isAwaitingLayer()) return next_look_;
   const double give_up = isStopping() ? stop_.give_up_s : timer_.quietSince() + silenceLimit();
   return std::min(timer_.retryAt(), give_up);
 }
@@ -209,11 +237,23 @@ void OkPacedJob::proceed(double now) {
   if (state == PackmlState::Holding) {
     record_.enter(PackmlState::Held);
   } else if (state == PackmlState::Execute || state == PackmlState::Completing) {
+    if (!feed_.isNextKnown()) return awaitLayer(now);
     if (feed_.peek() == nullptr) onAllTaken(now);
   }
 }
 
+/// What becomes of a layer may depend on all that is below it: its time counts from when the machine is at
+/// rest.
+void OkPacedJob::awaitLayer(double now) {
+  constexpr double kLookInterval = 0.01;  // s
+  starvation_.standStill();
+  if (layer_due_ == 0.0) layer_due_ = now + revised_->waitTime();
+  next_look_ = now + kLookInterval;
+}
+
 void OkPacedJob::onAllTaken(double now) {
+  if (revised_ && revised_->failure().code != ErrorCode::Ok)
+    return abort({revised_->failure().code, revised_->failure().message + record_.whereItStands()}, now);
   if (lines_read_ <= record_.status.lines_total) {
     abort({ErrorCode::InvalidProgram, "the program was changed while it was streamed: it ended after line " +
                                           std::to_string(lines_read_) + " of " +
@@ -227,13 +267,15 @@ void OkPacedJob::onAllTaken(double now) {
 void OkPacedJob::pump(double now) {
   while (phase_ == Phase::Feeding && sendNext(now)) {
   }
+  countLines();
   record_.status.lines_sent = std::min(feed_.end() - 1, record_.status.lines_total);
 }
 
 /// @return whether a line was sent
 bool OkPacedJob::sendNext(double now) {
-  const ProgramLine* line = feed_.peek();
+  const ProgramLine* line = feed_.isNextKnown() ? feed_.peek() : nullptr;
   if (line == nullptr) return false;
+  layer_due_ = 0.0;
   const std::size_t lines = under_way_.lines();
   if (lines > 0 && lines >= static_cast<std::size_t>(settings_.window_lines)) return false;
   constexpr std::size_t kMostFrameBytes = 24;
@@ -280,6 +322,10 @@ void OkPacedJob::poll(double now) {
 
 void OkPacedJob::elapse(double now) {
   if (!isWaiting()) return;
+  if (isAwaitingLayer()) {
+    if (now >= layer_due_) revised_->decide();
+    return proceed(now);
+  }
   if (isStopping() && now >= stop_.give_up_s) {
     onStopTimeout(now);
   } else if (!isStopping() && now >= timer_.quietSince() + silenceLimit()) {

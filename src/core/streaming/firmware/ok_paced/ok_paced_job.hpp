@@ -17,6 +17,7 @@
 #include "streaming/job/layer_pause.hpp"
 #include "streaming/job/line_feed.hpp"
 #include "streaming/job/reply_lines.hpp"
+#include "streaming/job/revised_lines.hpp"
 #include "streaming/job/starvation_watch.hpp"
 #include "streaming/job/undone_commands.hpp"
 #include "streaming/job/used_outputs.hpp"
@@ -109,6 +110,12 @@ class OkPacedJob final : public StreamJob {
   bool sendNext(double now);
   void poll(double now);
   void onAllTaken(double now);
+  bool isNextKnown();
+  void awaitLayer(double now);
+  bool isAwaitingLayer() const {
+    return layer_due_ > 0.0 && phase_ == Phase::Feeding && record_.status.state == PackmlState::Execute;
+  }
+  void countLines();
   void acknowledge(const PacedCommand& command, double now);
   std::optional<ProgramLine> nextLine();
 
@@ -129,9 +136,15 @@ class OkPacedJob final : public StreamJob {
   ReplyListener heard_;
   JobRecord record_;
   StreamableProgram checked_program_;
+  std::shared_ptr<RevisedLines> revised_;  ///< null if the lines go as they are
   LineFeed::Source program_;
   Quotation quotation_;  ///< of the program
   std::uint64_t lines_read_ = 0;
+  std::uint64_t rests_ = 0;        ///< lines among them that only bring the machine to rest
+  bool is_rest_given_ = false;     ///< in front of the layer that is not known yet
+  std::int32_t layer_given_ = -1;  ///< of the line read last
+  double layer_due_ = 0.0;         ///< when the layer is decided; 0 while none is waited for
+  double next_look_ = 0.0;         ///< whether it is known
   LineFeed feed_;
   LinesUnderWay under_way_;
   UnansweredCommands unanswered_;
