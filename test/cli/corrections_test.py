@@ -41,9 +41,9 @@ def digest(toolpath, layer, sequence, station_mm, stations):
     return f"{value:016x}"
 
 
-def correction_map(layer, amounts, toolpath=ID):
+def correction_map(layer, amounts, toolpath=ID, length_mm=LENGTH_MM):
     """A map of the bead of a layer, its path 1."""
-    station_mm = LENGTH_MM / len(amounts)
+    station_mm = length_mm / len(amounts)
     stations = [(amount, 0.0, 0.0) for amount in amounts]
     rows = "".join(f"1,{station_mm!r},{amount!r},0,0\n" for amount in amounts)
     return (f"# toolpath {toolpath}\n# layer {layer}\n# sequence 1\n# digest {digest(toolpath, layer, 1, station_mm, stations)}\n"
@@ -219,6 +219,63 @@ class Corrections(unittest.TestCase):
         self.assertEqual(offer["from_line"], self.known()["taken_through"] + 1)
         told("stream", self.program, *self.options("--resume", "--corrections", self.maps))
         self.assertEqual(self.ran(machine), self.commands_of(self.corrected))
+
+
+class RobotPrograms(unittest.TestCase):
+    """RAPID as `lamina slice` writes it: the process is steady, so that an amount is laid by its time."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.program, self.corrected, self.maps = (os.path.join(self.folder, name) for name in ("wall.mod", "corrected.mod", "maps"))
+        os.mkdir(self.maps)
+        part, toolpath = os.path.join(self.folder, "wall.stl"), os.path.join(self.folder, "wall.csv")
+        told("part", "flat_wall", "--set", "length_mm=20", "--set", "height_mm=1", "-o", part)
+        for output in (self.program, toolpath):
+            told("slice", part, "--set", "machine.name=irb_4600", "--set", "part.placement=as_is", "-o", output)
+        with open(toolpath, encoding="utf-8") as file:
+            self.rows = [line.split(",") for line in file.read().splitlines()[1:]]
+            file.seek(0)
+            self.write("toolpath.csv", f"#TOOLPATH: {ID}\n" + file.read())
+
+    def write(self, name, text):
+        with open(os.path.join(self.maps, name), "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def length_and_time(self, layer, path):
+        rows = [row for row in self.rows if row[:2] == [str(layer), str(path)]]
+        places = [tuple(map(float, row[4:7])) for row in rows]
+        ways = [math.dist(a, b) for a, b in zip(places, places[1:])]
+        return sum(ways), sum(way / float(row[13]) for way, row in zip(ways, rows[1:]))
+
+    def test_an_amount_takes_its_time_and_reads_back(self):
+        length_mm, time_s = self.length_and_time(2, 1)
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8, length_mm=length_mm))
+        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        self.assertAlmostEqual(made["corrected_s"] - made["planned_s"], 0.25 * time_s, delta=1e-3)
+        self.assertEqual(lamina("preview", self.corrected, "--layer", "2", "-o", os.path.join(self.folder, "layer.png")).returncode, 0)
+        self.assertNotEqual(told("metrics", self.corrected, "--part", "flat_wall"), {})
+
+    def test_maps_of_nothing_leave_the_motions(self):
+        self.write("correction_2.csv", correction_map(2, [0.0] * 8))
+        made = told("correct", self.program, self.maps, "-o", self.corrected)
+        self.assertEqual(made["corrected_s"], made["planned_s"])
+        moves = []
+        for path in (self.program, self.corrected):
+            with open(path, encoding="utf-8") as program:
+                moves.append([line.strip() for line in program if "Move" in line])
+        self.assertGreater(len(moves[0]), 10)
+        self.assertEqual(moves[0], moves[1])
+
+    def test_another_program_is_refused(self):
+        self.write("correction_2.csv", correction_map(2, [0.25] * 8))
+        told("correct", self.program, self.maps, "-o", self.corrected)
+        again = lamina("correct", self.corrected, self.maps, "-o", self.program)
+        self.assertEqual(again.returncode, 1)
+        self.assertIn("layer 2, path 1 is of role", again.stderr)
+        other = lamina("correct", self.program, self.maps, "-o", os.path.join(self.folder, "corrected.gcode"))
+        self.assertIn("with the suffix .mod", other.stderr)
 
 
 if __name__ == "__main__":
