@@ -16,7 +16,7 @@ namespace lamina {
 struct PlaceCorrection {
   double amount = 0.0;  ///< relative, of what is laid per length
   double speed = 0.0;   ///< relative, of the travel speed
-  double dz_mm = 0.0;   ///< of the nozzle, along the layer's normal
+  double dz_mm = 0.0;   ///< of the nozzle: along the layer's normal in G-code, back along a robot's tool axis
 
   bool isNone() const { return amount == 0.0 && speed == 0.0 && dz_mm == 0.0; }
 };

@@ -7,13 +7,23 @@
 #include <utility>
 
 #include "lamina/control/feeder_lead.hpp"
-#include "lamina/toolpath/layer_frame.hpp"
 
 namespace lamina {
 namespace {
 
+constexpr double kTurn = 2.0 * M_PI;
+
+/// Rotary values by whole turns as near as can be to others.
+JointValues turnedNear(JointValues values, const JointValues& near, const std::vector<DrivenJoint>& joints) {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const auto i = static_cast<Eigen::Index>(j);
+    if (joints[j].kind == JointKind::Rotary) values[i] += kTurn * std::round((near[i] - values[i]) / kTurn);
+  }
+  return values;
+}
+
 /// Why a map cannot be applied to a trajectory; empty if it can.
-std::string defectOf(const CorrectionMap& map, const Toolpath& toolpath) {
+std::string defectForDriving(const CorrectionMap& map, const Toolpath& toolpath) {
   const std::string of_layer = "the map of layer " + std::to_string(map.layer);
   if (map.layer >= toolpath.layers.size())
     return of_layer + " is of a toolpath with more layers than " + std::to_string(toolpath.layers.size());
@@ -37,13 +47,12 @@ ChunkCorrection::ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& se
     : driven_(std::move(toolpath)),
       settings_(settings),
       model_(model),
-      part_from_bed_(driven_.bed_from_part.inverse()),
-      normal_(driven_.bed_from_part.linear() * layerNormal(driven_.toolpath)) {}
+      part_from_bed_(driven_.bed_from_part.inverse()) {}
 
 std::string ChunkCorrection::hear(const CorrectionMap& map) {
   if (map.toolpath_id != driven_.id)
     return "the map is of toolpath " + map.toolpath_id + "; driven is " + driven_.id;
-  std::string defect = defectOf(map, driven_.toolpath);
+  std::string defect = defectForDriving(map, driven_.toolpath);
   if (!defect.empty()) return defect;
   maps_[map.layer] = ledMap(map, driven_.toolpath.layers[map.layer], feederOf(settings_), settings_);
   return {};
@@ -94,36 +103,68 @@ double ChunkCorrection::handedOver(double time_s) const {
   return before->second + part * (after->second - before->second);
 }
 
-JointValues ChunkCorrection::shiftOf(const JointState& state, double dz_mm) const {
-  const Jacobian jacobian = model_.jacobian(state.position);
-  Eigen::VectorXd twist = Eigen::VectorXd::Zero(jacobian.rows());
-  twist.head<3>() = dz_mm * normal_;
-  return jacobian.completeOrthogonalDecomposition().solve(twist);
+/// The joints with the nozzle back along its axis; nothing if that is out of reach.
+std::optional<JointValues> ChunkCorrection::movedBack(const JointValues& position, double height_mm) const {
+  if (height_mm == 0.0) return position;
+  Eigen::Isometry3d pose = model_.bedFromNozzle(position);
+  const auto distance = [&](const InverseSolution& way) {
+    return (turnedNear(way.values, position, model_.joints()) - position).cwiseAbs().maxCoeff();
+  };
+  const InverseSolutions ways = model_.solutions(pose, position);
+  const auto present = std::min_element(
+      ways.begin(), ways.end(), [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (present == ways.end()) return std::nullopt;
+  pose.translation() -= height_mm * pose.linear().col(2);
+  for (const InverseSolution& way : model_.solutions(pose, position))
+    if (way.branch == present->branch) return turnedNear(way.values, position, model_.joints());
+  return std::nullopt;
 }
 
-bool ChunkCorrection::isWithinLimits(const JointValues& position) const {
+/// The joint that is out of its limits, in words; empty if none is.
+std::string ChunkCorrection::defectOf(const JointValues& position) const {
   for (std::size_t j = 0; j < model_.joints().size(); ++j) {
     const DrivenJoint& joint = model_.joints()[j];
     const double value = position[static_cast<Eigen::Index>(j)];
-    if (value < joint.low || value > joint.high) return false;
+    if (value >= joint.low && value <= joint.high) continue;
+    const char* const unit = joint.kind == JointKind::Linear ? " mm" : " rad";
+    return joint.name + " would be at " + std::to_string(value) + unit + "; its limits are " +
+           std::to_string(joint.low) + " to " + std::to_string(joint.high) + unit;
   }
-  return true;
+  return {};
+}
+
+/// The height that is taken: the one that is wanted, or else the present one.
+double ChunkCorrection::follow(const JointState& state, double present_mm, double wanted_mm) {
+  if (wanted_mm == 0.0) return wanted_mm;
+  const std::optional<JointValues> position = movedBack(state.position, wanted_mm);
+  const std::string defect = position ? defectOf(*position) : "the nozzle cannot reach it";
+  if (defect.empty()) return wanted_mm;
+  if (wanted_mm != present_mm && refusal_.empty())
+    refusal_ = "layer " + std::to_string(state.heading_for.layer) + ", path " +
+               std::to_string(state.heading_for.path) + ": the height stays at " +
+               std::to_string(present_mm) + " mm, which was to become " + std::to_string(wanted_mm) +
+               " mm: " + defect;
+  return present_mm;
 }
 
 TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
   if (chunk.points.empty() || (maps_.empty() && heights_.empty())) return chunk;
   std::vector<std::pair<double, double>> heights;
   std::vector<JointValues> shifts;
+  JointValues shift = JointValues::Zero(chunk.points.front().position.size());
+  refusal_.clear();
   double height = handedOver(chunk.points.front().time_s);
   double last_s = chunk.points.front().time_s;
   for (JointState& point : chunk.points) {
     const Asked asked = askedAt(point);
     const double most = kHeightSpeed * (point.time_s - last_s);
-    const double next = height + std::clamp(asked.dz_mm - height, -most, most);
-    if (isWithinLimits(point.position + shiftOf(point, next))) height = next;
+    height = follow(point, height, height + std::clamp(asked.dz_mm - height, -most, most));
     last_s = point.time_s;
     heights.emplace_back(point.time_s, height);
-    shifts.push_back(shiftOf(point, height));
+    // Where even the present height is out of reach, the joints stay as far beside the plan as they are.
+    const std::optional<JointValues> position = movedBack(point.position, height);
+    if (position) shift = *position - point.position;
+    shifts.push_back(shift);
     point.process.flow_mm3_s *= 1.0 + asked.amount;
   }
   for (std::size_t i = 0; i < shifts.size(); ++i) {

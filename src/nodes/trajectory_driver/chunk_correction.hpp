@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,11 +26,12 @@ struct DrivenToolpath {
 };
 
 /// Corrects a trajectory by the maps that came before it is handed over: the flow by the amount, the nozzle
-/// along the layers' normal by the height, through the machine's Jacobian. Times stay. What was handed over
-/// stays, too: heights go over from there at `kHeightSpeed` at most, so that joints do not jump.
+/// back along its tool axis by the height, through the machine's inverse kinematics on the branch that it is
+/// on. Times stay. What was handed over stays, too: heights go over from there at `kHeightSpeed` at most, so
+/// that joints do not jump.
 class ChunkCorrection {
  public:
-  static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along the normal, by corrections [mm/s]
+  static constexpr double kHeightSpeed = 5.0;  ///< of the nozzle along its axis, by corrections [mm/s]
 
   /// @param settings  of which the feeder's delay and limits count; amounts are led by them
   /// @param model     must outlive this
@@ -38,8 +40,13 @@ class ChunkCorrection {
   /// @return why the map is not used, in words; empty if it is used from now on
   std::string hear(const CorrectionMap& map);
 
-  /// The next chunk, corrected. Where a height would lead a joint out of its limits, it stays as it was.
+  /// The next chunk, corrected. Where a height cannot be reached, or would lead a joint out of its limits, it
+  /// stays as it was.
   TrajectoryChunk corrected(TrajectoryChunk chunk);
+
+  /// The first height of the last chunk that stayed as it was, in words: layer, path, joint, value and
+  /// limits. Empty if there was none, or once it was taken.
+  std::string takeRefusal() { return std::exchange(refusal_, {}); }
 
  private:
   /// What is asked for at a point of the trajectory.
@@ -52,16 +59,17 @@ class ChunkCorrection {
   Asked askedAt(const JointState& state) const;
   double alongAt(const JointState& state) const;
   double handedOver(double time_s) const;
-  bool isWithinLimits(const JointValues& position) const;
-  JointValues shiftOf(const JointState& state, double dz_mm) const;
+  std::string defectOf(const JointValues& position) const;
+  std::optional<JointValues> movedBack(const JointValues& position, double height_mm) const;
+  double follow(const JointState& state, double present_mm, double wanted_mm);
 
   DrivenToolpath driven_;
   LoopSettings settings_;
   const KinematicModel& model_;
   Eigen::Isometry3d part_from_bed_;
-  Eigen::Vector3d normal_;                          ///< [bed]
   std::map<std::size_t, CorrectionMap> maps_;       ///< by layer, led
   std::vector<std::pair<double, double>> heights_;  ///< time and height of the last chunk [s, mm]
+  std::string refusal_;
 };
 
 }  // namespace lamina

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drive_session.hpp"
 
+#include <ros/console.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -86,7 +88,11 @@ void DriveSession::feed(const ros::Time& now) {
     was_starved_ = queued_s == 0.0;
   }
   while (std::optional<TrajectoryChunk> chunk = feeder_.next(jobTime(now))) {
-    if (motion_.correction) chunk = motion_.correction->corrected(std::move(*chunk));
+    if (motion_.correction) {
+      chunk = motion_.correction->corrected(std::move(*chunk));
+      const std::string refusal = motion_.correction->takeRefusal();
+      if (!refusal.empty()) ROS_WARN("a height is not followed: %s", refusal.c_str());
+    }
     // First what is to happen on the way, then the way.
     links_.process.send(*chunk, begin_, motion_.toolpath_id);
     links_.controller.send(*chunk, begin_);

@@ -89,6 +89,65 @@ TEST_F(CorrectedChunks, GoOverToTheirHeightWithoutAJump) {
   EXPECT_NEAR(tipZ(second.points.front(), *model), tipZ(first.points.back(), *model), 1e-9);
 }
 
+/// A bead on the bed of an arm whose nozzle is tilted.
+TrajectoryChunk tiltedChunk(const KinematicModel& arm, const Eigen::Matrix3d& bed_from_nozzle) {
+  TrajectoryChunk chunk = chunkOf(0.0, 0.4, *kinematicModelByName("cartesian_gantry"));
+  for (JointState& state : chunk.points) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = bed_from_nozzle;
+    pose.translation() = kPlace + Point3(kSpeed * state.time_s, 0.0, 1.5);
+    const JointValues near =
+        &state == &chunk.points.front() ? JointValues(JointValues::Zero(6)) : (&state - 1)->position;
+    const InverseSolutions ways = arm.solutions(pose, near);
+    state.position = ways.front().values;
+    state.velocity = state.acceleration = JointValues::Zero(6);
+  }
+  return chunk;
+}
+
+TEST(CorrectedArmChunks, GoBackAlongTheToolAxisExactly) {
+  const auto arm = kinematicModelByName("irb_4600");
+  const Eigen::Matrix3d tilted =
+      (Eigen::AngleAxisd(0.3, Point3::UnitX()) * Eigen::AngleAxisd(M_PI, Point3::UnitX())).toRotationMatrix();
+  ChunkCorrection correction(driven(), LoopSettings(), *arm);
+  EXPECT_EQ(correction.hear(risingMap(1.2)), "");
+  const TrajectoryChunk planned = tiltedChunk(*arm, tilted);
+  const TrajectoryChunk corrected = correction.corrected(planned);
+  EXPECT_EQ(correction.takeRefusal(), "");
+  for (std::size_t i = 0; i < planned.points.size(); ++i) {
+    const Eigen::Isometry3d before = arm->bedFromNozzle(planned.points[i].position);
+    const Eigen::Isometry3d after = arm->bedFromNozzle(corrected.points[i].position);
+    const double height = std::min(1.2, 5.0 * planned.points[i].time_s);
+    // Down, turned about x by 0.3 rad: back is up, and towards -y.
+    const Point3 back(0.0, -std::sin(0.3), std::cos(0.3));
+    EXPECT_LT((after.translation() - before.translation() - height * back).norm(), 1e-6) << i;
+    EXPECT_LT((after.linear() - before.linear()).norm(), 1e-9) << i;
+    EXPECT_LT((corrected.points[i].position - planned.points[i].position).cwiseAbs().maxCoeff(), 0.01) << i;
+  }
+}
+
+TEST_F(CorrectedChunks, NameTheJointThatEndsAHeight) {
+  EXPECT_EQ(correction.hear(risingMap(1.5)), "");
+  TrajectoryChunk chunk = chunkOf(0.0, 0.4, *model);
+  // The machine's highest is 1 mm above the bead.
+  const auto z = static_cast<Eigen::Index>(2);
+  const double highest = model->joints()[2].high;
+  const double sense = [&] {
+    JointValues up = chunk.points.front().position;
+    up[z] += 1.0;
+    return model->bedFromNozzle(up).translation().z() > 1.5 ? 1.0 : -1.0;
+  }();
+  const double end = sense > 0.0 ? highest : model->joints()[2].low;
+  for (JointState& point : chunk.points) point.position[z] = end - sense;
+  const TrajectoryChunk corrected = correction.corrected(chunk);
+  const std::string refusal = correction.takeRefusal();
+  EXPECT_NE(refusal.find("layer 0, path 0: the height stays at"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find(model->joints()[2].name + " would be at"), std::string::npos) << refusal;
+  EXPECT_EQ(correction.takeRefusal(), "") << "told once";
+  EXPECT_NEAR(corrected.points.back().position[z], end, 5.0 / kRate + 1e-9);
+  EXPECT_LE(sense * corrected.points.back().position[z], sense * end);
+}
+
 TEST_F(CorrectedChunks, DoNotTakeMapsThatCannotBeFollowed) {
   CorrectionMap other = risingMap(0.0);
   other.toolpath_id = "other";

@@ -9,6 +9,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/feeder_lead.hpp"
+#include "lamina/control/program/planned_correction.hpp"
 #include "lamina/program/gcode/gcode_writer.hpp"
 #include "lamina/toolpath/layer_frame.hpp"
 #include "support/control_layers.hpp"
@@ -18,11 +19,7 @@ namespace lamina {
 namespace {
 
 /// Two beads each in three layers.
-Toolpath beads() {
-  Toolpath part{"beads", {}};
-  for (int k = 1; k <= 3; ++k) part.layers.push_back(test::straightBeadLayer({0.0, 3.0}, 40.0, 1.5 * k));
-  return part;
-}
+Toolpath beads() { return test::stackedBeads(3); }
 
 Eigen::Isometry3d onBed() { return Eigen::Isometry3d(Eigen::Translation3d(50.0, 60.0, 0.0)); }
 
@@ -129,7 +126,7 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
   LayerCorrector corrector(beadProgram(), programmed(), settings);
   const CorrectionMap map = constantMap(2, 0.2);
   EXPECT_EQ(corrector.hear(map), "");
-  sent(corrector);
+  const std::string laid = sent(corrector);
   EXPECT_EQ(corrector.recordFailure(), "");
   const std::string record = readFile(settings.folder + "/record.csv");
   EXPECT_NE(record.find("# toolpath " + toolpathId(beads())), std::string::npos) << record;
@@ -138,6 +135,10 @@ TEST(LayerCorrector, RecordsWhatWasAppliedSoThatItCanBeLaidAgain) {
       << record;
   const std::string kept = readFile(settings.folder + "/layer_2.csv");
   EXPECT_EQ(digestOf(readCorrectionMap(kept, "layer_2.csv")), digestOf(map));
+  const PlannedCorrection again{
+      readProgrammedToolpath(readFile(settings.folder + "/toolpath.csv"), "toolpath.csv"),
+      readCorrectionFiles(settings.folder), settings.loop};
+  EXPECT_EQ(correctedByMaps("beads", textOf(beads()), again).text, laid) << "made again from the record";
 }
 
 TEST(LayerCorrector, ReadsItsSettings) {
