@@ -10,13 +10,13 @@ int main(int argc, char** argv) {
   using namespace lamina::cli;
   try {
     runSeparateCommand(argc, argv);
-    return runCommandLine(argc, argv,
-                          {addCalibrate, addCheck,      addCoordinates,     addCorrect, addDeposit,
-                           addEmulate,   addFillVoids,  addHeights,         addIncline, addInfo,
-                           addLay,       addMetrics,    addOverhang,        addPart,    addPores,
-                           addPreview,   addProfiles,   addResume,          addRotate,  addScaffold,
-                           addSlice,     addStatistics, addStiffness,       addStream,  addSweep,
-                           addTrack,     addVoids,      addSeparateCommands});
+    return runCommandLine(
+        argc, argv,
+        {addCalibrate,       addCheck,      addCoordinates, addCorrect, addDeposit, addEmulate,  addFillVoids,
+         addHeights,         addIncline,    addInfo,        addLay,     addMetrics, addOverhang, addPart,
+         addPores,           addPreview,    addProfiles,    addReplan,  addResume,  addRotate,   addScaffold,
+         addSlice,           addStatistics, addStiffness,   addStream,  addSweep,   addTrack,    addVoids,
+         addSeparateCommands});
   } catch (const lamina::Error& error) {
     std::fprintf(stderr, "lamina: %s\n", error.what());
     return 1;

@@ -65,6 +65,7 @@ void addPart(CLI::App& app, Chosen& chosen);
 void addPores(CLI::App& app, Chosen& chosen);
 void addPreview(CLI::App& app, Chosen& chosen);
 void addProfiles(CLI::App& app, Chosen& chosen);
+void addReplan(CLI::App& app, Chosen& chosen);
 void addResume(CLI::App& app, Chosen& chosen);
 void addRotate(CLI::App& app, Chosen& chosen);
 void addScaffold(CLI::App& app, Chosen& chosen);

@@ -47,6 +47,8 @@ CALLS = [
     ("slice box --set slicing.heights=file --set slicing.heights_file=FILE", ("", TABLE)),
     ("heights FILE", ("", MESH)),
     ("lay FILE", ("", MESH)),
+    ("replan FILE OWN -o OUT.csv", ("", PROGRAM, MODULE, TABLE)),
+    ("replan OWN FILE -o OUT.csv", ("", TABLE)),
     ("rotate FILE -o OUT.stl", ("", MESH)),
     ("metrics FILE --part box", (PROGRAM, MODULE)),
     ("metrics OWN --part FILE", (MESH,)),

@@ -470,6 +470,39 @@ TEST(HeightController, DoesNotGoOnWithAnotherMaterial) {
   EXPECT_EQ(controller->maps.front().layer, 0U);
 }
 
+/// A feeder that brings a little more than half: the layers left are planned anew, the print is held, and the
+/// loop goes on with the plan once that is what the machine drives.
+TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
+  SensedWallCase wall = wallCase();
+  wall.growth = 0.55;
+  wall.layers = 12;
+  wall.length_mm = 10.0;
+  Controller controller({"_loop/replan:=scale", "_monitor/reorder_s:=0.1", "_arrival_hold_s:=0.1"});
+  ros::NodeHandle node;
+  lamina_msgs::ToolpathConstPtr plan;
+  const boost::function<void(const lamina_msgs::ToolpathConstPtr&)> on_plan = [&](const auto& message) {
+    if (!plan) plan = message;
+  };
+  const auto plans = node.subscribe<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, on_plan);
+  LiveWall live(wall);
+  live.say([&] { return plan != nullptr; });
+  ASSERT_TRUE(plan);
+  EXPECT_NE(plan->id.find("-of-" + live.printed.part.toolpath_id), std::string::npos);
+  const MachineToolpath planned = fromMessage(*plan);
+  EXPECT_NEAR(planned.toolpath.layers.back().z_mm, 18.0, 1e-6) << "the planned top";
+  EXPECT_LT(planned.toolpath.layers.size(), wall.layers);
+  const auto driven = node.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
+  driven.publish(*plan);
+  const auto goes_on = [&] {
+    return !controller.maps.empty() && controller.maps.back().toolpath_id == plan->id;
+  };
+  waitUntil(goes_on);
+  ASSERT_TRUE(goes_on());
+  EXPECT_EQ(controller.maps.back().layer, 0U);
+  EXPECT_FALSE(controller.maps.back().paths.empty()) << "it corrects at once by what it has learnt";
+  EXPECT_TRUE(controller.isIn(StateMessage::ACTIVE));
+}
+
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {
   const test::ScratchFolder folder;
   SensedWallCase wall = wallCase();

@@ -53,6 +53,7 @@ struct SensedWallCase {
   std::function<void(std::size_t layer, std::vector<double>& heights_mm)> befalls = {};
   /// What the operator does with the loop while the bead of a layer is laid.
   std::function<void(std::size_t layer, LoopRun& run)> operates = {};
+  bool follows_plans = false;  ///< goes on with a plan as soon as it is offered
   /// Whether the machine lays a layer as planned, having waited for its map in vain.
   std::function<bool(std::size_t layer)> misses_map = {};
 };
@@ -65,6 +66,7 @@ struct SensedWall {
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
   std::vector<RaisedAlarm> alarms;
+  std::vector<PrintPlan> plans;
   std::vector<std::vector<double>> heights_mm;  ///< of each layer's top
   LoopStatus status;
   LoopCounts counts;
@@ -121,14 +123,18 @@ class SensedWallPrinter {
   explicit SensedWallPrinter(const SensedWallCase& wall)
       : wall_(wall), random_(wall.seed), now_ns_(wall.start_ns), surface_(places(), 0.0) {
     printed_.part.toolpath = scannedWall(wall);
-    printed_.part.toolpath_id = toolpathId(printed_.part.toolpath);
+    printed_.part.toolpath_id = toolpath_id_ = toolpathId(printed_.part.toolpath);
+    toolpath_ = printed_.part.toolpath;
   }
 
   SensedWall print() {
     LoopRun run(printed_.part, wall_.settings);
     run_ = &run;
     take();
-    for (std::size_t k = 0; k < wall_.layers; ++k) printLayer(k);
+    for (std::size_t k = 0; k < toolpath_.layers.size(); ++laid_) {
+      printLayer(k);
+      k = goesOn() ? 0 : k + 1;
+    }
     run.finish();
     take();
     printed_.status = run.status();
@@ -142,20 +148,41 @@ class SensedWallPrinter {
   void printLayer(std::size_t k) {
     run_->passAll();  // the machine waits for its map
     take();
+    const double planned_mm = plannedHeight(toolpath_.layers[k].paths[0]);
     for (std::size_t i = 0; i < places(); ++i) {
-      const double grows = wall_.grows ? wall_.grows(k, static_cast<double>(i)) : 1.0;
-      surface_[i] += wall_.growth * grows * wall_.layer_mm * (1.0 + amountAt(k, i));
+      const double grows = wall_.grows ? wall_.grows(laid_, static_cast<double>(i)) : 1.0;
+      surface_[i] += wall_.growth * grows * planned_mm * (1.0 + amountAt(k, i));
     }
-    if (wall_.befalls) wall_.befalls(k, surface_);
+    if (wall_.befalls) wall_.befalls(laid_, surface_);
     printed_.heights_mm.push_back(surface_);
-    const auto& paths = printed_.part.toolpath.layers[k].paths;
+    const auto& paths = toolpath_.layers[k].paths;
     go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, SensorDoes::KeepSilent);
     if (misses(k)) run_->missMap(k, 2.5);
     if (wall_.operates) wall_.operates(k, *run_);
-    const SensorDoes does = wall_.sensor ? wall_.sensor(k) : SensorDoes::Measure;
+    const SensorDoes does = wall_.sensor ? wall_.sensor(laid_) : SensorDoes::Measure;
     const auto& scan = paths[1].points;
     for (std::size_t m = 0; m + 1 < scan.size(); ++m)
       go(scan[m], scan[m + 1], wall_.scan_mm_s, m > 0 && m + 2 < scan.size() ? does : SensorDoes::KeepSilent);
+  }
+
+  /// Whether the machine goes on with a plan that was offered when the layer was done.
+  bool goesOn() {
+    const std::size_t plans = printed_.plans.size();
+    run_->passAll();
+    take();
+    if (!wall_.follows_plans || printed_.plans.size() == plans) return false;
+    const PlacedPart& part = printed_.plans.back().part;
+    if (!run_->follow(part.toolpath_id)) return false;
+    toolpath_ = part.toolpath;
+    toolpath_id_ = part.toolpath_id;
+    return true;
+  }
+
+  /// What a bead grows by where the process lays what it is told: its volume over the width of the wall.
+  double plannedHeight(const Path& bead) const {
+    const Bead& laid = bead.bead.at(1);
+    const double as_wide = crossSection({wall_.width_mm, laid.height_mm});
+    return laid.height_mm * crossSection(laid) / as_wide;
   }
 
   bool misses(std::size_t layer) const { return wall_.misses_map && wall_.misses_map(layer); }
@@ -164,7 +191,7 @@ class SensedWallPrinter {
     if (misses(layer)) return 0.0;
     const CorrectionMap* latest = nullptr;
     for (const CorrectionMap& map : printed_.maps)
-      if (map.layer == layer) latest = &map;
+      if (map.layer == layer && map.toolpath_id == toolpath_id_) latest = &map;
     if (latest == nullptr || latest->paths.empty()) return 0.0;
     return correctionAt(latest->paths[0], static_cast<double>(place)).amount;
   }
@@ -239,11 +266,15 @@ class SensedWallPrinter {
     LoopNews news = run_->takeNews();
     for (auto& map : news.maps) printed_.maps.push_back(std::move(map));
     for (auto& layer : news.layers) printed_.layers.push_back(std::move(layer));
+    for (auto& plan : news.plans) printed_.plans.push_back(std::move(plan));
     for (auto& alarm : news.alarms) printed_.alarms.push_back(std::move(alarm));
   }
 
   SensedWallCase wall_;
   Random random_;
+  Toolpath toolpath_;  ///< under way
+  std::string toolpath_id_;
+  std::size_t laid_ = 0;  ///< layers, of all plans
   std::int64_t now_ns_;
   double speed_mm_s_ = 0.0;  ///< of the sensor along the wall
   std::vector<double> surface_;

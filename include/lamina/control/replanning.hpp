@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lamina/control/layer_cells.hpp"
+#include "lamina/control/loop_settings.hpp"
 
 namespace lamina {
 
@@ -42,6 +43,16 @@ bool needsReplanning(const PartUnderWay& part, double layer_mm, double greatest_
 /// of a height, or the window of the process, there are more or fewer layers.
 /// @return none if nothing is left or no number of layers fits the window
 std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWindow& window);
+
+/// As many layers as planned, of the planned mean height, as come nearest to the planned top: within half a
+/// layer of it.
+/// @return none if nothing is left, or not even half a layer is missing
+std::optional<NewHeights> addedHeights(const PartUnderWay& part, const LayerWindow& window);
+
+/// The one or the other of these, as the setting asks for.
+/// @return none for `Off` and `Hold`
+std::optional<NewHeights> newHeights(const PartUnderWay& part, Replanning replan,
+                                     const LayerWindow& window = {});
 
 /// What a region of a layer needs.
 enum class RegionStep { None, AddLayer, SkipLayer, FillBeads };

@@ -30,6 +30,10 @@ bool allFit(const std::vector<double>& planned, double scale, const LayerWindow&
                      [&](double height) { return fits(scale * height, height, window); });
 }
 
+double flowOf(const PartUnderWay& part, const LayerWindow& window) {
+  return std::clamp(1.0 / part.growth, 1.0 / window.greatest_flow, window.greatest_flow);
+}
+
 RegionStep stepOf(double error, double layer, bool is_wide) {
   if (error > kWholeLayer * layer) return is_wide ? RegionStep::AddLayer : RegionStep::FillBeads;
   if (error < -kWholeLayer * layer && is_wide) return RegionStep::SkipLayer;
@@ -63,7 +67,7 @@ std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWin
   const double wanted = planned + part.error_mm;
   if (left.empty() || !(wanted > 0.0) || !(part.growth > 0.0)) return std::nullopt;
   NewHeights heights;
-  heights.flow = std::clamp(1.0 / part.growth, 1.0 / window.greatest_flow, window.greatest_flow);
+  heights.flow = flowOf(part, window);
   const double scale = wanted / planned;
   if (allFit(left, scale, window)) {
     for (const double height : left) heights.heights_mm.push_back(scale * height);
@@ -77,6 +81,23 @@ std::optional<NewHeights> scaledHeights(const PartUnderWay& part, const LayerWin
     return heights;
   }
   return std::nullopt;
+}
+
+std::optional<NewHeights> addedHeights(const PartUnderWay& part, const LayerWindow& window) {
+  const double planned = totalOf(part.heights_left_mm);
+  if (part.heights_left_mm.empty() || !(part.growth > 0.0)) return std::nullopt;
+  const double mean = planned / static_cast<double>(part.heights_left_mm.size());
+  const double count = std::round((planned + part.error_mm) / mean);
+  if (!(count >= 1.0) || !fits(mean, mean, window)) return std::nullopt;
+  NewHeights heights;
+  heights.flow = flowOf(part, window);
+  heights.heights_mm.assign(static_cast<std::size_t>(count), mean);
+  return heights;
+}
+
+std::optional<NewHeights> newHeights(const PartUnderWay& part, Replanning replan, const LayerWindow& window) {
+  if (replan == Replanning::Scale) return scaledHeights(part, window);
+  return replan == Replanning::Add ? addedHeights(part, window) : std::nullopt;
 }
 
 std::vector<RegionDecision> regionDecisions(const LayerCells& cells, const std::vector<double>& error_mm) {

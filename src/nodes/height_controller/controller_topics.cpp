@@ -4,6 +4,7 @@
 
 #include <sensor_msgs/PointCloud2.h>
 
+#include "conversions.hpp"
 #include "correction_messages.hpp"
 #include "latched.hpp"
 #include "loop/loop_messages.hpp"
@@ -18,6 +19,7 @@ constexpr std::uint32_t kKeepAll = 0;  // bound of a queue: no map is left out
 
 ControllerTopics::ControllerTopics(ros::NodeHandle node)
     : correction_(node.advertise<lamina_msgs::CorrectionMap>(names::kCorrection, kKeepAll, true)),
+      plan_(node.advertise<lamina_msgs::Toolpath>(names::kReplannedToolpath, 1, true)),
       state_(node.advertise<lamina_msgs::LoopState>(names::kLoopState, kKeepAll, true)),
       figures_(node.advertise<lamina_msgs::LoopFigures>(names::kLoopFigures, kKeepAll, true)),
       cells_(node.advertise<sensor_msgs::PointCloud2>(names::kLoopCells, 1, true)) {}
@@ -27,6 +29,14 @@ std::string ControllerTopics::publish(const CorrectionMap& map) {
   message.header.stamp = ros::Time::now();
   publishLatched(correction_, message);
   return message.digest;
+}
+
+void ControllerTopics::publish(const PrintPlan& plan) {
+  lamina_msgs::Toolpath message =
+      toMessage(MachineToolpath{plan.part.toolpath_id, {}, plan.part.bed_from_part, plan.part.toolpath});
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = names::kPartFrame;
+  plan_.publish(message);
 }
 
 void ControllerTopics::publish(const lamina_msgs::LoopFigures& figures) {

@@ -13,14 +13,16 @@ namespace lamina {
 
 /// Publishes what the loop does.
 ///
-/// correction (lamina/CorrectionMap), loop_state (lamina/LoopState), loop_figures (lamina/LoopFigures),
-/// loop_cells (sensor_msgs/PointCloud2 of the latest layer, frame `bed`), all latched
+/// correction (lamina/CorrectionMap), replanned_toolpath (lamina/Toolpath), loop_state (lamina/LoopState),
+/// loop_figures (lamina/LoopFigures), loop_cells (sensor_msgs/PointCloud2 of the latest layer, frame `bed`),
+/// all latched
 class ControllerTopics {
  public:
   explicit ControllerTopics(ros::NodeHandle node);
 
   /// @return the digest of the map as it is published
   std::string publish(const CorrectionMap& map);
+  void publish(const PrintPlan& plan);
   void publish(const lamina_msgs::LoopFigures& figures);
   /// What has not changed since is not published again.
   void publish(const lamina_msgs::LoopState& state);
@@ -28,6 +30,7 @@ class ControllerTopics {
 
  private:
   ros::Publisher correction_;
+  ros::Publisher plan_;
   ros::Publisher state_;
   ros::Publisher figures_;
   ros::Publisher cells_;

@@ -85,16 +85,17 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
-  record_ = LoopRecord();
   try {
-    feed_.add(toolpath);
+    const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
-    record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
+    // Of a plan that the loop goes on with, the report goes on.
+    if (!goes_on) record_ = LoopRecord(part.toolpath.part_name, part.toolpath_id);
     toolpath_fault_.clear();
     ROS_INFO_STREAM("the loop over toolpath " << part.toolpath_id << " is "
                                               << toString(feed_.run()->status().state) << " "
                                               << feed_.run()->status().reason);
   } catch (...) {
+    record_ = LoopRecord();
     toolpath_fault_ = currentFailure().message;
     ROS_ERROR_STREAM("no loop over toolpath " << toolpath.id << ": " << toolpath_fault_);
   }
@@ -183,6 +184,7 @@ void HeightController::publishNews() {
   if (feed_.run() != nullptr) {
     const LoopNews news = feed_.run()->takeNews();
     // First: a print that has to be held does not begin its next layer.
+    for (const PrintPlan& plan : news.plans) report(plan);
     for (const RaisedAlarm& alarm : news.alarms) report(alarm);
     auto map = news.maps.begin();
     const auto publishUpTo = [&](std::size_t layer) {
@@ -204,9 +206,17 @@ void HeightController::publishNews() {
   topics_.publish(toMessage(feed_.run()));
 }
 
+void HeightController::report(const PrintPlan& plan) {
+  topics_.publish(plan);
+  ROS_WARN("the layers from %zu on are planned anew as toolpath %s, of %zu layers: %s", plan.layer,
+           plan.part.toolpath_id.c_str(), plan.part.toolpath.layers.size(), plan.reason.c_str());
+}
+
 void HeightController::report(const RaisedAlarm& alarm) {
   ROS_WARN("alarm %d: %s", static_cast<int>(alarm.alarm), alarm.reason.c_str());
-  if (alarm.reaction != LoopReaction::Hold || !settings_.pauses_print) return;
+  // A plan takes the place of layers that must not be begun before.
+  const bool holds = alarm.reaction == LoopReaction::Hold || alarm.reaction == LoopReaction::Replan;
+  if (!holds || !settings_.pauses_print) return;
   topics_.publish(toMessage(feed_.run()));
   ROS_WARN("%s", print_hold_.hold().c_str());
 }

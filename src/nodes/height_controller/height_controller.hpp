@@ -50,6 +50,7 @@ class HeightController {
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void publishNews();
+  void report(const PrintPlan& plan);
   void report(const RaisedAlarm& alarm);
   void report(const LayerOutcome& layer);
   void save();

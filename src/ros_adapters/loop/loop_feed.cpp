@@ -28,7 +28,7 @@ std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_
 LoopFeed::LoopFeed(const LoopRunSettings& settings, double queue_mb)
     : settings_(settings), queue_bytes_(1e6 * queue_mb) {}
 
-void LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
+bool LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
   if (run_) {
     counts_.of_former_print += waiting_.size();
     counts_.waiting -= waiting_.size();
@@ -38,11 +38,13 @@ void LoopFeed::add(const lamina_msgs::Toolpath& toolpath) {
     }
     sequence_.takeNozzles();
   }
+  if (run_ && run_->follow(toolpath.id)) return true;
   run_.reset();
   MachineToolpath placed = fromMessage(toolpath);
   run_ = std::make_unique<LoopRun>(PlacedPart{std::move(placed.id), placed.bed_from_part,
                                               std::move(placed.toolpath), std::move(placed.machine)},
                                    settings_);
+  return false;
 }
 
 void LoopFeed::add(const geometry_msgs::TransformStamped& transform, const std::string& authority) {

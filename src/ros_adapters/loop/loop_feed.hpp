@@ -37,9 +37,11 @@ class LoopFeed {
   /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
   LoopFeed(const LoopRunSettings& settings, double queue_mb);
 
-  /// A toolpath begins a print; what waits of the one before is left out.
+  /// A toolpath begins a print, or is the plan that the loop offered last and goes on with the one under way
+  /// (`LoopRun::follow`); what waits of the one before is left out.
+  /// @return whether the print under way goes on
   /// @throws InvalidInput if the toolpath is none; there is no print then
-  void add(const lamina_msgs::Toolpath& toolpath);
+  bool add(const lamina_msgs::Toolpath& toolpath);
   void add(const geometry_msgs::TransformStamped& transform, const std::string& authority);
   /// One that holds for all times.
   void addFixed(const geometry_msgs::TransformStamped& transform, const std::string& authority);

@@ -45,7 +45,8 @@ void failProcess(SensedWallCase& wall, std::uint64_t print) {
   };
   wall.befalls = [print](std::size_t layer, std::vector<double>& heights) {
     if (chance(print, layer, 3) > 0.08) return;
-    const auto first = static_cast<std::size_t>(chance(print, layer, 4) * static_cast<double>(heights.size()));
+    const auto first =
+        static_cast<std::size_t>(chance(print, layer, 4) * static_cast<double>(heights.size()));
     const double by_mm = 16.0 * (chance(print, layer, 5) - 0.5);
     for (std::size_t i = first; i < std::min(first + 15, heights.size()); ++i) heights[i] += by_mm;
   };

@@ -39,7 +39,8 @@ std::function<SensorDoes(std::size_t)> failing(SensorDoes does, std::size_t laye
 }
 
 /// Raises a stretch of the wall, once, as a layer is laid.
-std::function<void(std::size_t, std::vector<double>&)> raised(std::size_t first, std::size_t end, double by_mm) {
+std::function<void(std::size_t, std::vector<double>&)> raised(std::size_t first, std::size_t end,
+                                                              double by_mm) {
   return [=](std::size_t layer, std::vector<double>& heights) {
     for (std::size_t i = first; i < end && layer == kFaultyLayer; ++i) heights[i] += by_mm;
   };
@@ -83,7 +84,7 @@ void missAMap(SensedWallCase& wall) {
   wall.misses_map = [](std::size_t layer) { return layer == kFaultyLayer; };
 }
 
-std::vector<Mishap> mishaps() {
+std::vector<Mishap> mishapsOfTheSensor() {
   using A = LoopAlarm;
   using R = LoopReaction;
   using S = LoopState;
@@ -107,11 +108,21 @@ std::vector<Mishap> mishaps() {
       {"profiles that stay the same",
        [](SensedWallCase& wall) { wall.sensor = failing(SensorDoes::SayTheSame); }, A::Stuck, R::Coast, at,
        S::Coasting},
-      {"points that are not believed", [](SensedWallCase& wall) { wall.sensor = failing(SensorDoes::Scatter); },
-       A::Contested, R::LeaveOut, at, S::Coasting},
+      {"points that are not believed",
+       [](SensedWallCase& wall) { wall.sensor = failing(SensorDoes::Scatter); }, A::Contested, R::LeaveOut,
+       at, S::Coasting},
       {"a time offset that moved", moveOffset, A::TimeOffset, R::Coast, at, S::Coasting},
       {"a sensor noisier than it is said to be", [](SensedWallCase& wall) { wall.noise_mm = 0.04; },
        A::Inconsistent, R::Warn, at, S::Active},
+  };
+}
+
+std::vector<Mishap> mishapsOfTheProcess() {
+  using A = LoopAlarm;
+  using R = LoopReaction;
+  using S = LoopState;
+  constexpr std::size_t at = kFaultyLayer;
+  return {
       {"a piece that came off", [](SensedWallCase& wall) { wall.befalls = raised(0, 61, -1.4); }, A::Step,
        R::Hold, at, S::Active},
       {"a dip", [](SensedWallCase& wall) { wall.befalls = raised(20, 26, -1.9); }, A::Deviation, R::Warn, at,
@@ -129,8 +140,8 @@ std::vector<Mishap> mishaps() {
          wall.befalls = raised(20, 26, 2.0);
        },
        A::Lump, R::Hold, at + 1, S::Active},
-      {"a lump as high as the head", [](SensedWallCase& wall) { wall.befalls = raised(20, 26, 7.0); }, A::Lump,
-       R::Hold, at + 1, S::Active},
+      {"a lump as high as the head", [](SensedWallCase& wall) { wall.befalls = raised(20, 26, 7.0); },
+       A::Lump, R::Hold, at + 1, S::Active},
       {"limits that are used, hold", [](SensedWallCase& wall) { saturate(wall, Replanning::Hold); },
        A::Saturated, R::Hold, at, S::Active},
       {"limits that are used, off", [](SensedWallCase& wall) { saturate(wall, Replanning::Off); },
@@ -169,7 +180,9 @@ std::string alarmsOf(const SensedWall& printed) {
 }
 
 TEST(SupervisedRun, TellsAndReactsToEachMishap) {
-  for (const Mishap& mishap : mishaps()) {
+  std::vector<Mishap> mishaps = mishapsOfTheSensor();
+  for (const Mishap& mishap : mishapsOfTheProcess()) mishaps.push_back(mishap);
+  for (const Mishap& mishap : mishaps) {
     SensedWallCase wall;
     wall.settings = calibratedLoop();
     wall.layers = 12;

@@ -60,6 +60,16 @@ struct LayerOutcome {
   std::vector<CellOutcome> cells;    ///< in the order in which the nozzle comes by
 };
 
+/// The layers left of a print, planned anew: a part that is to be laid in place of them.
+struct PrintPlan {
+  PlacedPart part;         ///< with an identity of its own that names its parent (`replannedId`)
+  std::size_t layer = 0;   ///< of the toolpath before, in whose place its first layer comes
+  double raised_mm = 0.0;  ///< its heights count from a plan that much higher than the one before
+  double flow = 1.0;       ///< its beads have that many times the volume
+  double short_mm = 0.0;   ///< by which it ends below the top of the toolpath that was begun with
+  std::string reason;      ///< for which it was made
+};
+
 /// What has come since it was asked for last, each in its order. An alarm that holds the print stands before
 /// the map of the layer that it holds.
 struct LoopNews {
@@ -67,6 +77,7 @@ struct LoopNews {
   std::vector<CorrectionMap> maps;
   std::vector<LayerOutcome> layers;
   std::optional<LoopMemory> memory;  ///< of the last of these, where it is kept
+  std::vector<PrintPlan> plans;      ///< the latest holds, until the layer that it begins with is laid
 };
 
 /// What became of what came: clouds received are the sum of those read, dropped and waiting.
@@ -121,6 +132,11 @@ class LoopRun {
   /// the estimate takes that into account.
   void missMap(std::size_t layer, double waited_s);
 
+  /// The machine goes on with the plan of that identity, from its first layer on: so does the loop, with what
+  /// it has learnt. What waits is worked off before.
+  /// @return whether that is the plan offered last; else nothing changes
+  bool follow(const std::string& toolpath_id);
+
   /// Works off what waits: nothing older comes.
   void passAll();
   /// Nothing more comes at all: judges the layer under way if all of it is laid.
@@ -163,6 +179,9 @@ class LoopRun {
   void beginLayer(std::size_t layer);
   void endLayer();
   void checkAgain(const LayerFigures& figures);
+  void planAnew(const LayerFigures& figures);
+  void offerPlan(const LayerFigures& figures, const std::string& reason);
+  std::string reasonToPlan(const LayerFigures& figures) const;
   void blockIfLump();
   LayerCorrection wanted() const;
   void layAsPlanned();
@@ -186,6 +205,9 @@ class LoopRun {
   std::optional<HeightLoop> loop_;
   CellAtlas atlas_;
   LoopStatus status_;
+  double short_mm_ = 0.0;                ///< by which the plan under way ends below the first one's top
+  std::optional<PrintPlan> plan_;        ///< offered
+  std::optional<HeightLoop> plan_loop_;  ///< as it goes on by that plan
   std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
   LoopState laid_in_ = LoopState::Off;
   LayerCorrection laid_;

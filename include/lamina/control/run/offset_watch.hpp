@@ -22,7 +22,8 @@ struct OffsetLeft {
 /// is seen along the way, to one side on the way there and to the other on the way back. What both saw of a
 /// cell then differs by twice speed times offset times the slope of the heights along the path.
 ///
-/// 32 bytes a cell, from the first reading on. A layer that is as even as its noise, or that no cell of is seen in both senses, tells nothing.
+/// 32 bytes a cell, from the first reading on. A layer that is as even as its noise, or that no cell of is
+/// seen in both senses, tells nothing.
 class OffsetWatch {
  public:
   /// A new layer of so many cells: nothing is seen of it yet.

@@ -7,7 +7,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kLeastSpeed = 1.0;    // mm/s
+constexpr double kLeastSpeed = 1.0;      // mm/s
 constexpr double kGreatestSigma = 0.01;  // s
 constexpr std::size_t kSlopeReach = 4;   // cells either side, over which heights have a slope
 constexpr std::size_t kLeastCells = 8;
@@ -16,10 +16,10 @@ constexpr double kPlaceInCell = 1.0 / 6.0;  // variance of the difference of two
 /// What both senses say of a cell.
 struct BothSenses {
   bool is_seen = false;
-  double error_mm = 0.0;         ///< mean of both
-  double difference_mm = 0.0;    ///< along the path less against it
+  double error_mm = 0.0;          ///< mean of both
+  double difference_mm = 0.0;     ///< along the path less against it
   double twice_speed_mm_s = 0.0;  ///< speeds added
-  double variance_mm2 = 0.0;     ///< of the difference
+  double variance_mm2 = 0.0;      ///< of the difference
 };
 
 /// Means of the readings in one sense.

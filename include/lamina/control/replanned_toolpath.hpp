@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lamina/control/replanning.hpp"
+#include "lamina/toolpath/toolpath.hpp"
+
+namespace lamina {
+
+/// Where a part stands that is printed otherwise than planned.
+struct LayersLeft {
+  std::size_t first = 0;  ///< layer that is not laid yet
+  double error_mm = 0.0;  ///< planned less actual height of what lies below it, in the mean: positive is too low
+};
+
+/// The part as planning anew sees it.
+/// @param growth  learnt, over commanded growth; positive
+/// @throws InvalidInput naming the layer: where none is left, one is not as high as it lies above the one
+///   below, or is not plane, or deposits drops
+PartUnderWay partUnderWay(const Toolpath& toolpath, const LayersLeft& left, double growth);
+
+/// The layers left, at new heights: their paths, moved along the layers' normal to where the new heights have
+/// them, with beads as much higher as the layer, and `flow` times the volume. They begin on what is laid, as
+/// high as it is, and end at the planned top. A new layer takes the paths of the planned one that lies at its
+/// share of what is left: on walls that lean, contours are those of up to half a layer beside it. Travels
+/// lead from layer to layer as before, to the new heights.
+///
+/// @throws InvalidInput as `partUnderWay`, or naming the layer where no travel leads to the next one
+Toolpath replannedToolpath(const Toolpath& toolpath, const LayersLeft& left, const NewHeights& heights);
+
+/// An identity of its own that names its parent: that of the toolpath, `-of-`, and the parent's own.
+std::string replannedId(const Toolpath& replanned, const std::string& parent_id);
+
+}  // namespace lamina
