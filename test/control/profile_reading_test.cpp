@@ -393,5 +393,22 @@ TEST(ReadProfile, ReadsNothingWhereThereIsNothing) {
   EXPECT_EQ(readProfile(profile, CellAtlas(), {}, {}).counts.off_path, 9U);
 }
 
+/// A sensor that rises by 0.03 mm, and goes 5 mm ahead, within the deviation of its stamps.
+TEST(ReadProfile, CountsInHowFarTheSensorMovesWhileItsStampsAreUnsure) {
+  const auto sigmaWith = [](const Eigen::Vector3d& way) {
+    const Scene scene;
+    const CellAtlas atlas = atlasOver(scene.measured);
+    Random random(1);
+    SensorProfile profile = profileAt(scene, 0.31, random);
+    profile.stamp_sigma_mm = way;
+    SightSettings settings;
+    settings.sigma_mm = 0.04;
+    return readProfile(profile, atlas, {}, settings).readings.at(0).reading.sigma_mm;
+  };
+  EXPECT_NEAR(sigmaWith({0, 0, 0}), 0.04, 1e-6);
+  EXPECT_NEAR(sigmaWith({5, 0, 0}), 0.04, 1e-6);
+  EXPECT_NEAR(sigmaWith({5, 0, 0.03}), 0.05, 1e-6);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -5,7 +5,9 @@
 #include <std_srvs/Trigger.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -197,7 +199,7 @@ TEST(HeightController, TakesTheOffsetOfTheSensorsClockOff) {
 constexpr double kLate = 0.25;  // s, by which the stamps of a sensor are late
 
 /// What `lamina calibrate` found of the wall's sensor, by a clock that is late.
-Calibration wallCalibration(const std::string& machine = "wall_machine") {
+Calibration wallCalibration(const std::string& machine = "cartesian_gantry") {
   Calibration found;
   found.machine = machine;
   found.time = CalibratedTime{kLate, 1e-4, 0.0, 0.0, {"bobbing", "2026-11-23T12:00:00Z"}};
@@ -233,6 +235,43 @@ TEST(HeightController, GoesByTheFileOfACalibration) {
   parameters.push_back("_sensor/calibration:=" + cell);
   const std::vector<std::string> expected = calibrated["map_digests"];
   EXPECT_EQ(replayed(folder.file("off.bag"), wall.layers, "4", parameters), expected);
+}
+
+/// The offset that a print's own scans tell, put into the file beside the place of the sensor.
+double offsetOfPrint(const std::string& bag, const std::string& cell) {
+  Calibration place = wallCalibration("cartesian_gantry");
+  place.time.reset();
+  writeCalibration(cell, place);
+  const std::string command =
+      std::string(LAMINA_COMMAND) + " calibrate time " + bag + " --method overlap -o " + cell;
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  const Calibration found = readCalibration(cell);
+  EXPECT_TRUE(found.time && found.pose);
+  return found.time ? found.time->offset_s : 0.0;
+}
+
+/// Scans there and back and there, by a clock that is 0.1 s late, which nobody knows: the print is its own
+/// calibration, and gives the figures that a known offset gives.
+TEST(HeightController, IsCalibratedByTheScansOfThePrintItself) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 6;
+  wall.scans = 3;
+  wall.grows = [](std::size_t, double along_mm) { return 1.0 + 0.1 * std::sin(0.45 * along_mm); };
+  const test::ScratchFolder folder;
+  const std::string bag = folder.file("late.bag");
+  test::writeBag(bag, sensedWall(wall), 0.1);
+  EXPECT_NEAR(offsetOfPrint(bag, folder.file("cell.yaml")), 0.1, 0.002);
+  const auto rmseWith = [&](const std::string& known) {
+    return estimate(bag, "", known)["prints"][0]["layers"];
+  };
+  const nlohmann::json found = rmseWith("--set sensor.calibration=" + folder.file("cell.yaml"));
+  const nlohmann::json known = rmseWith(
+      "--set sensor.time_offset_s=0.1 --set sensor.time_offset_trusted=true --set sensor.place_trusted=true");
+  ASSERT_EQ(found.size(), wall.layers);
+  for (std::size_t k = 0; k < wall.layers; ++k) {
+    const double rmse_mm = known[k]["rmse_mm"];
+    EXPECT_NEAR(found[k]["rmse_mm"], rmse_mm, 0.05 * rmse_mm) << k;
+  }
 }
 
 TEST(HeightController, EndsAtItsStartWithoutTheCalibrationItIsTold) {
@@ -391,7 +430,7 @@ TEST(HeightController, IsBlockedByTheCalibrationOfAnotherMachine) {
   LiveWall live(slowlyScanned());
   ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::BLOCKED); }));
   const std::string& reason = controller.states.back().reason;
-  for (const char* word : {"cell.yaml", "other_machine", "wall_machine"})
+  for (const char* word : {"cell.yaml", "other_machine", "cartesian_gantry"})
     EXPECT_NE(reason.find(word), std::string::npos) << word << " in: " << reason;
 }
 

@@ -21,7 +21,7 @@ inline lamina_msgs::Toolpath toolpathMessage(const SensedWall& wall) {
   MachineToolpath placed;
   placed.toolpath = wall.part.toolpath;
   placed.id = wall.part.toolpath_id;
-  placed.machine = "wall_machine";
+  placed.machine = "cartesian_gantry";
   return toMessage(placed);
 }
 

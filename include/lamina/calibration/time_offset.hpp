@@ -41,9 +41,9 @@ struct PassComparison {
 
 /// The time offset of a sensor that is led over the same ground in opposite senses, over an edge there and
 /// back, or in swaths that overlap: what both see is apart by twice speed times offset. Passes are found in
-/// the motion itself: straight, level, at the usual speed. A turn of the sensor's line about the viewing
-/// direction shifts swaths that overlap by their edges as well; it cancels between neighbours to the left and
-/// to the right.
+/// the motion itself, where something is seen within the search: straight, level, at the usual speed; so a
+/// print with scans will do. A turn of the sensor's line about the viewing direction shifts swaths that
+/// overlap by their edges as well; it cancels between neighbours to the left and to the right.
 ///
 /// @throws InvalidInput if there are no two passes in opposite senses that see the same ground, it is too
 ///   even to tell, or the best offset lies at the end of the search

@@ -33,6 +33,8 @@ void describe(SettingsSchema& schema, SightSettings& settings);
 struct SensorProfile {
   std::vector<Point3> points;  ///< [mm, frame of the sensor: z is the viewing direction]
   Eigen::Isometry3d toolpath_from_sensor = Eigen::Isometry3d::Identity();  ///< translation [mm]
+  /// Way of the sensor within a standard deviation of its stamps [mm, frame of the toolpath].
+  Eigen::Vector3d stamp_sigma_mm = Eigen::Vector3d::Zero();
 };
 
 /// What became of each point: every one counts once, as used or under the first cause that kept it from that.

@@ -96,8 +96,22 @@ StripProfile reduced(const RecordedProfile& profile, const Eigen::Isometry3d& ti
   return strips;
 }
 
+/// Poses at which something may have been seen: what the nozzle does between scans, as in a print, tells
+/// nothing.
+std::vector<RecordedPose> posesSeenFrom(const SensorRecording& recording, double search_s) {
+  std::vector<RecordedPose> seen;
+  auto profile = recording.profiles.begin();
+  for (const RecordedPose& pose : recording.poses) {
+    while (profile != recording.profiles.end() && profile->time_s < pose.time_s - search_s) ++profile;
+    if (profile != recording.profiles.end() && profile->time_s <= pose.time_s + search_s)
+      seen.push_back(pose);
+  }
+  return seen;
+}
+
 Comparison comparisonOf(const SensorRecording& recording, const PassComparison& settings) {
-  Comparison comparison{passesOf(recording.poses), {}, recording.poses, settings.column_mm, 0.0};
+  Comparison comparison{
+      passesOf(posesSeenFrom(recording, settings.search_s)), {}, recording.poses, settings.column_mm, 0.0};
   for (const RecordedProfile& profile : recording.profiles) {
     const double nearest =
         std::clamp(profile.time_s, recording.poses.front().time_s, recording.poses.back().time_s);

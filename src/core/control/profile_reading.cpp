@@ -42,7 +42,8 @@ class ProfileReader {
       : atlas_(atlas),
         settings_(settings),
         pose_(profile.toolpath_from_sensor),
-        to_sensor_(-pose_.linear().col(2)) {
+        to_sensor_(-pose_.linear().col(2)),
+        stamp_sigma_(profile.stamp_sigma_mm) {
     for (const std::size_t layer : atlas.layers()) {
       sheets_.push_back({atlas.cellsOf(layer), atlas.isPlane(layer), nullptr});
       for (const LayerPrediction& prediction : predictions)
@@ -103,8 +104,9 @@ class ProfileReader {
   }
 
   double sigmaOf(const CrownRun& run) const {
-    const double cosine = sheetOf(run.layer).growthAt(run.cell).dot(to_sensor_);
-    return pointSigma(std::max(least_cosine_, cosine), settings_);
+    const Eigen::Vector3d growth = sheetOf(run.layer).growthAt(run.cell);
+    const double sigma = pointSigma(std::max(least_cosine_, growth.dot(to_sensor_)), settings_);
+    return stamp_sigma_.isZero(0.0) ? sigma : std::hypot(sigma, growth.dot(stamp_sigma_));
   }
 
   TakenSight weighed(const CellSight& sight) const {
@@ -165,6 +167,7 @@ class ProfileReader {
   const SightSettings& settings_;
   Eigen::Isometry3d pose_;
   Eigen::Vector3d to_sensor_;
+  Eigen::Vector3d stamp_sigma_;
   std::vector<Sheet> sheets_;  ///< ascending by layer
   double least_cosine_ = 0.0;
   std::vector<CrownRun> runs_;

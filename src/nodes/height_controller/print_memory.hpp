@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// What the loop knows of the print under way, in a file from which another node can go on. A file that cannot
-/// be written is told once, and the print goes on.
+/// What the loop knows of the print under way, in a file from which another node can go on. A file that
+/// cannot be written is told once, and the print goes on.
 class PrintMemory {
  public:
   /// @param file  empty keeps nothing

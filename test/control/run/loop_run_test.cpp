@@ -294,6 +294,7 @@ TEST(LoopRun, TakesLayersThatItMissedForLaidAsPlanned) {
   EXPECT_EQ(meanAmount(news.maps[1]), 0.0);
   EXPECT_EQ(meanAmount(news.maps[2]), 0.0);
   EXPECT_EQ(news.maps[2].layer, 6U);
+  EXPECT_TRUE(raises(news.layers[1].alarms, LoopAlarm::MapLate)) << "of layer 5";
   EXPECT_GT(std::abs(meanAmount(news.maps[3])), 0.05) << "seen from layer 6 on";
 }
 

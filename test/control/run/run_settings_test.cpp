@@ -83,6 +83,13 @@ TEST(RunSettings, CellsAreReadOnceTheNozzleHasLeftThemBehind) {
   EXPECT_EQ(readBehind({{"monitor.settle_mm", "9"}}), 0U);
 }
 
+/// The nozzle goes at 10 mm/s: 20 mm along now, it left what lies at 12 mm behind by a bead's width of 3 mm
+/// 0.5 s ago, or up to a cell later.
+TEST(RunSettings, CellsAreReadOnceTheyAreSolid) {
+  EXPECT_EQ(readBehind({{"monitor.settle_s", "0.3"}}), 1U);
+  EXPECT_EQ(readBehind({{"monitor.settle_s", "0.6"}}), 0U);
+}
+
 TEST(RunSettings, WhatIsOlderIsWaitedFor) {
   const auto late = [](const char* window) {
     LoopRun run({"id", Eigen::Isometry3d::Identity(), twoLayers()},

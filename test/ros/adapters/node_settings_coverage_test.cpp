@@ -39,9 +39,32 @@ std::set<std::string> nodeKeys() {
   return keys;
 }
 
-const std::vector<TestedElsewhere>& nodeTests() {
+/// Of the loop on heights.
+const std::vector<TestedElsewhere>& loopTests() {
   static const std::vector<TestedElsewhere> all = {
       {"arrival_hold_s", "ros/height_controller_test.cpp", "arrival_hold_s"},
+      {"feeder.uncertainty_s", "control/run/run_settings_test.cpp", "feeder.uncertainty_s"},
+      {"head.clearance_mm", "control/run/run_settings_test.cpp", "head.clearance_mm"},
+      {"memory_file", "ros/height_controller_test.cpp", "_memory_file"},
+      {"monitor.reorder_s", "control/run/run_settings_test.cpp", "monitor.reorder_s"},
+      {"monitor.settle_mm", "control/run/run_settings_test.cpp", "monitor.settle_mm"},
+      {"monitor.settle_s", "control/run/run_settings_test.cpp", "monitor.settle_s"},
+      {"pauses_print", "ros/height_controller_test.cpp", "pauses_print"},
+      {"process.gain_ratio", "control/run/run_settings_test.cpp", "process.gain_ratio"},
+      {"process.levelling_mm", "control/run/run_settings_test.cpp", "process.levelling_mm"},
+      {"process.material", "ros/height_controller_test.cpp", "_process/material"},
+      {"process.standoff", "control/run/run_settings_test.cpp", "process.standoff"},
+      {"request", "control/run/run_settings_test.cpp", "\"request\""},
+      {"sensor.calibration", "ros/height_controller_test.cpp", "_sensor/calibration"},
+      {"sensor.place_error_mm", "control/run/run_settings_test.cpp", "sensor.place_error_mm"},
+      {"sensor.place_trusted", "control/run/run_settings_test.cpp", "sensor.place_trusted"},
+      {"sensor.time_offset_sigma_s", "control/run/run_settings_test.cpp", "sensor.time_offset_sigma_s"},
+      {"sensor.time_offset_trusted", "control/run/run_settings_test.cpp", "sensor.time_offset_trusted"}};
+  return all;
+}
+
+const std::vector<TestedElsewhere>& nodeTests() {
+  static const std::vector<TestedElsewhere> all = {
       {"baud", "ros/gcode_streamer_test.cpp", "_baud"},
       {"check_clearance", "ros/trajectory_driver.test", "check_clearance"},
       {"corrections.folder", "ros/adapters/layer_corrector_test.cpp", "corrections.folder"},
@@ -53,34 +76,18 @@ const std::vector<TestedElsewhere>& nodeTests() {
       {"deposit.cell_mm", "ros/emulated_belt.test", "cell_mm"},
       {"deposit.model", "ros/deposition_following_test.cpp", "model"},
       {"deposit.period_s", "ros/deposition_following.test", "period_s"},
-      {"feeder.uncertainty_s", "control/run/run_settings_test.cpp", "feeder.uncertainty_s"},
       {"faults", "ros/gcode_streamer_test.cpp", "faults"},
       {"filament_diameter_mm", "ros/told_machine_test.cpp", "filament_diameter_mm"},
       {"following.period_s", "ros/deposition_following.test", "following/period_s"},
-      {"head.clearance_mm", "control/run/run_settings_test.cpp", "head.clearance_mm"},
       {"host_wait_s", "ros/trajectory_driver.test", "host_wait_s"},
       {"lift_mm", "ros/trajectory_driver.test", "lift_mm"},
       {"lift_mm_s", "ros/trajectory_driver.test", "lift_mm_s"},
       {"load_program", "ros/inclined_playback_test.cpp", "load_program"},
       {"map_period_s", "ros/layer_height_monitor.test", "map_period_s"},
-      {"monitor.reorder_s", "control/run/run_settings_test.cpp", "monitor.reorder_s"},
-      {"monitor.settle_mm", "control/run/run_settings_test.cpp", "monitor.settle_mm"},
-      {"memory_file", "ros/height_controller_test.cpp", "_memory_file"},
       {"mode", "ros/deposition_following.test", "mode"},
       {"output_folder", "ros/end_to_end.test", "output_folder"},
       {"path_tolerance", "ros/simulated_controller.test", "path_tolerance"},
       {"path_spacing_mm", "ros/trajectory_publisher.test", "path_spacing_mm"},
-      {"pauses_print", "ros/height_controller_test.cpp", "pauses_print"},
-      {"process.gain_ratio", "control/run/run_settings_test.cpp", "process.gain_ratio"},
-      {"process.levelling_mm", "control/run/run_settings_test.cpp", "process.levelling_mm"},
-      {"process.material", "ros/height_controller_test.cpp", "_process/material"},
-      {"process.standoff", "control/run/run_settings_test.cpp", "process.standoff"},
-      {"request", "control/run/run_settings_test.cpp", "\"request\""},
-      {"sensor.calibration", "ros/height_controller_test.cpp", "_sensor/calibration"},
-      {"sensor.place_error_mm", "control/run/run_settings_test.cpp", "sensor.place_error_mm"},
-      {"sensor.place_trusted", "control/run/run_settings_test.cpp", "sensor.place_trusted"},
-      {"sensor.time_offset_sigma_s", "control/run/run_settings_test.cpp", "sensor.time_offset_sigma_s"},
-      {"sensor.time_offset_trusted", "control/run/run_settings_test.cpp", "sensor.time_offset_trusted"},
       {"port", "ros/gcode_streamer.test", "port"},
       {"position_spacing_mm", "ros/told_machine_test.cpp", "position_spacing_mm"},
       {"profile_spacing_mm", "ros/emulated_machine.test", "profile_spacing_mm"},
@@ -104,7 +111,9 @@ const std::vector<TestedElsewhere>& nodeTests() {
 
 TEST(NodeSettingsCoverage, EverySettingStandsInATest) {
   std::set<std::string> covered;
-  for (const TestedElsewhere& setting : nodeTests()) {
+  std::vector<TestedElsewhere> tests = nodeTests();
+  tests.insert(tests.end(), loopTests().begin(), loopTests().end());
+  for (const TestedElsewhere& setting : tests) {
     covered.insert(setting.key);
     const std::string text = readFile(std::string(LAMINA_SOURCE_DIR) + "/test/" + setting.file);
     EXPECT_NE(text.find(setting.word), std::string::npos) << setting.key << " in " << setting.file;

@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/control/correction_map.hpp"
@@ -189,6 +191,8 @@ class LoopRun {
   CellCorrections asLaid() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
   std::size_t cellsLaid(double settle_mm) const;
+  void leaveBehind(std::int64_t stamp_ns);
+  std::size_t cellsSolid(std::int64_t stamp_ns);
   void publishMap();
   void take(LoopStep step);
   bool isCorrecting() const;
@@ -227,6 +231,7 @@ class LoopRun {
   bool is_moving_ = false;
   double silent_s_ = 0.0;  ///< of motion in the scan, without a cloud
   double settle_mm_ = 0.0;
+  std::deque<std::pair<std::int64_t, std::size_t>> left_behind_;  ///< cells of the layer, and since when
   std::optional<std::int64_t> cloud_ns_;
   StuckWatch stuck_;
   OffsetWatch offset_;

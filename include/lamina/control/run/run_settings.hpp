@@ -43,6 +43,7 @@ struct LoopRunSettings {
   CellCalibration calibration;
   double cell_mm = 0.5;
   double settle_mm = 0.0;  ///< that the nozzle has left a cell behind before it is read; 0: a bead's width
+  double settle_s = 0.0;   ///< since the nozzle was so far away: until it is solid
   double reorder_s = 0.5;  ///< by the stamps, that what comes waits for what is older
   double head_clearance_mm = 5.0;  ///< of the head above the nozzle tip
   std::string material;            ///< its name

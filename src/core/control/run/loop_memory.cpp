@@ -58,9 +58,9 @@ void describeStatus(SettingsSchema& schema, StatedMemory& stated) {
 }
 
 /// The lists of the cells' estimates, in the order of `StatedMemory::cells`.
-constexpr const char* kEstimateKeys[] = {"cells.error_mm",     "cells.variance_mm2", "cells.commanded_mm",
-                                         "cells.base_mm",      "cells.contested_mm", "cells.gain",
-                                         "cells.contests",     "cells.flags"};
+constexpr const char* kEstimateKeys[] = {"cells.error_mm", "cells.variance_mm2", "cells.commanded_mm",
+                                         "cells.base_mm",  "cells.contested_mm", "cells.gain",
+                                         "cells.contests", "cells.flags"};
 
 void describeCells(SettingsSchema& schema, StatedMemory& stated) {
   for (std::size_t i = 0; i < stated.cells.size(); ++i)
@@ -98,9 +98,8 @@ StatedMemory statedFrom(const LoopMemory& memory) {
   stated.layers_begun = static_cast<int>(memory.heights.layers_begun);
   stated.clouds = static_cast<int>(memory.heights.clouds);
   for (const StoredEstimate& cell : memory.heights.estimates) {
-    const double values[] = {cell.error_mm,     cell.variance_mm2, cell.commanded_mm,
-                             cell.base_mm,      cell.contested_mm, cell.gain,
-                             1.0 * cell.contests, 1.0 * cell.flags};
+    const double values[] = {cell.error_mm,     cell.variance_mm2, cell.commanded_mm,   cell.base_mm,
+                             cell.contested_mm, cell.gain,         1.0 * cell.contests, 1.0 * cell.flags};
     for (std::size_t i = 0; i < stated.cells.size(); ++i) stated.cells[i].push_back(values[i]);
   }
   return stated;
@@ -114,7 +113,8 @@ void requireEqualCounts(const StatedMemory& stated, const std::string& source) {
   for (const auto& list : stated.cells) counts.insert(list.size());
   if (counts.size() > 1)
     throw InvalidConfig("'" + source + "' has lists of " + std::to_string(*counts.begin()) + " and of " +
-                        std::to_string(*counts.rbegin()) + " cells; expected one value of each kind per cell");
+                        std::to_string(*counts.rbegin()) +
+                        " cells; expected one value of each kind per cell");
 }
 
 StoredEstimate estimateOf(const StatedMemory& stated, std::size_t cell) {

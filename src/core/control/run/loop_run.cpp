@@ -285,6 +285,7 @@ void LoopRun::onTip(std::int64_t stamp_ns, const Point3& tip) {
     beginLayer(done + 1);
   }
   if (progress_.isFound()) is_catching_up_ = false;
+  leaveBehind(stamp_ns);
 }
 
 void LoopRun::onCloud(const SensedCloud& cloud) {
@@ -344,13 +345,27 @@ std::size_t LoopRun::cellsLaid(double settle_mm) const {
                   : cellsPassed(loop_->cells(), place.path, place.along_mm, settle_mm);
 }
 
+void LoopRun::leaveBehind(std::int64_t stamp_ns) {
+  if (!layer_) return;
+  const std::size_t cells = cellsLaid(settle_mm_);
+  if (left_behind_.empty() || left_behind_.back().second != cells) left_behind_.emplace_back(stamp_ns, cells);
+}
+
+/// Of what the nozzle had left behind, what had the time to become solid.
+std::size_t LoopRun::cellsSolid(std::int64_t stamp_ns) {
+  const std::int64_t since_ns = stamp_ns - std::llround(kSecond * settings_.settle_s);
+  while (left_behind_.size() > 1 && left_behind_[1].first <= since_ns) left_behind_.pop_front();
+  return !left_behind_.empty() && left_behind_.front().first <= since_ns ? left_behind_.front().second : 0;
+}
+
 void LoopRun::readCloud(const SensedCloud& cloud) {
-  atlas_.setLaid(*layer_, cellsLaid(settle_mm_));
+  atlas_.setLaid(*layer_, cellsSolid(cloud.stamp_ns));
   // In a scan pass all that lies open is of the layer.
   if (progress_.place().is_scanning) atlas_.forgetBelow(*layer_);
   const std::vector<LayerPrediction> predictions = {{*layer_, &loop_->estimates()}, {below_layer_, &below_}};
   SensorProfile profile;
   profile.toolpath_from_sensor = part_from_bed_ * cloud.bed_from_sensor;
+  profile.stamp_sigma_mm = settings_.calibration.time_offset_sigma_s * sensor_mm_s_;
   for (const auto& points : cloud.profiles) {
     profile.points = points;
     const ProfileReadings read = readProfile(profile, atlas_, predictions, settings_.sight);
@@ -424,6 +439,7 @@ void LoopRun::beginLayer(std::size_t layer) {
   if (cells.size() == 0) return;
   layer_ = layer;
   silent_s_ = 0.0;
+  left_behind_.clear();
   settle_mm_ = settings_.settle_mm > 0.0 ? settings_.settle_mm : widestBead(cells);
   const auto shared = std::make_shared<const LayerCells>(cells);
   loop_->beginLayer(std::move(cells));
@@ -451,6 +467,12 @@ void LoopRun::layAsPlanned() {
   laid_.limited_share = 0.0;
   shift_mm_.assign(loop_->cells().size(), 0.0);
   mean_shift_mm_ = 0.0;
+  laid_in_ = LoopState::Coasting;
+  take({status_,
+        {{LoopAlarm::MapLate, LoopReaction::Coast,
+          "layer " + std::to_string(*layer_) +
+              " was begun while nobody followed the print; expected its map before: it counts as laid as "
+              "planned"}}});
 }
 
 void LoopRun::blockIfLump() {

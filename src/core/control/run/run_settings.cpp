@@ -50,6 +50,8 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
                 "Length of a cell along a path at most.");
   schema.number("monitor.settle_mm", settings.settle_mm, {0.0, 1000.0},
                 "Way by which the nozzle has left a cell behind before it is read; 0: a bead's width.");
+  schema.number("monitor.settle_s", settings.settle_s, {0.0, 3600.0},
+                "Time since then after which a cell is solid, and read.");
   schema.number("monitor.reorder_s", settings.reorder_s, {0.0, 60.0},
                 "Time by the stamps for which poses and clouds wait for older ones.");
 }
