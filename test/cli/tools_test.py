@@ -153,13 +153,30 @@ class Tools(unittest.TestCase):
         parts = {m.part for m in found if m.lays() and m.role != "prime" and m.role != "skirt"}
         self.assertEqual(parts, {"box 1", "box 2"})
         self.assertIn(";PART:\nM486 S-1\n", text)
-        for order, word in (("by_part", "plate.order"), ("by_layer", "slicing.layer_height_mm is 0.3")):
-            with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
-                file.write("plate:\n  parts:\n    - {file: box.stl}\n    - {file: box.stl, settings: "
-                           "{slicing.layer_height_mm: 0.3}}\n  order: %s\n" % order)
-            done = lamina("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60")
-            self.assertEqual(done.returncode, 1)
-            self.assertIn(word, done.stderr)
+        done = lamina("slice", self.part, self.part, *TOOLS, "--set", "tools.purge_mm3=60", "--set", "plate.order=by_part")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("plate.order", done.stderr)
+
+    def test_towers_purge_for_parts_of_other_layers_and_heights(self):
+        told("part", "box", "--set", "x_mm=10", "--set", "y_mm=10", "--set", "z_mm=4", "-o", self.path("high.stl"))
+        with open(self.path("plate.yaml"), "w", encoding="utf-8") as file:
+            file.write("plate:\n  parts:\n    - {file: box.stl}\n    - {file: high.stl, settings: "
+                       "{slicing.layer_height_mm: 0.3, slicing.first_layer_height_mm: 0.3}}\n")
+        told("slice", "--plate", self.path("plate.yaml"), *TOOLS, "--set", "tools.purge_mm3=60", "-o", self.path("plate.gcode"))
+        with open(self.path("plate.gcode"), encoding="utf-8") as file:
+            found = [m for m in motions(file.read()) if m.lays() and m.role != "skirt"]
+        self.assertEqual({m.part for m in found if m.role != "prime"}, {"box", "high"})
+        purged, changes, at_work = None, 0, found[0].tool
+        for before, motion in zip(found, found[1:]):
+            self.assertGreaterEqual(motion.end[2], before.end[2] - 1e-6, "never below what is laid")
+            if motion.tool != at_work:
+                at_work, purged, changes = motion.tool, 0.0, changes + 1
+            if purged is not None and motion.role == "prime":
+                purged += 2.405282 * motion.filament
+            elif purged is not None:
+                self.assertAlmostEqual(purged, 60.0, delta=0.6)
+                purged = None
+        self.assertGreater(changes, 10)
 
     def test_plates_leave_room_for_their_tower(self):
         settings = (*TOOLS, "--set", "tools.purge_mm3=100", "--set", "plate.spacing_mm=5")

@@ -11,8 +11,7 @@ using Lines = std::vector<std::string>;
 
 Lines settingLines(const TranslatedSettings& translation) {
   Lines lines;
-  for (const SettingText& setting : translation.settings)
-    lines.push_back(setting.key + "=" + setting.text);
+  for (const SettingText& setting : translation.settings) lines.push_back(setting.key + "=" + setting.text);
   return lines;
 }
 
@@ -74,8 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Orca, SettingOfASlicer,
                                          Stated{{"top_shell_layers", "5"}, {"skins.top_layers=5"}},
                                          Stated{{"bottom_shell_thickness", "0"}, {"skins.bottom_mm=0"}},
                                          Stated{{"outer_wall_speed", "25"}, {"feed.outer_wall_mm_s=25"}},
-                                         Stated{{"internal_solid_infill_speed", "60"},
-                                                {"feed.skin_mm_s=60"}},
+                                         Stated{{"internal_solid_infill_speed", "60"}, {"feed.skin_mm_s=60"}},
                                          Stated{{"print_flow_ratio", "0.95"}, {"bead.flow=0.95"}},
                                          Stated{{"wall_filament", "2"}, {"tool.walls=1"}}));
 
@@ -97,9 +95,9 @@ TEST(SettingsOfASlicer, AreNamedWhereTheyHaveNoMeaningHere) {
                                                {"support_material", "1"}},
                                               JobSettings());
   EXPECT_TRUE(found.settings.empty());
-  EXPECT_EQ(found.left_out, (Lines{"'extruder' '2'", "'fill_density' '150%'", "'fill_pattern' 'stars'",
-                                   "'perimeter_speed' '50%'", "'perimeters' 'many'",
-                                   "'support_material' '1'"}));
+  EXPECT_EQ(found.left_out,
+            (Lines{"'extruder' '2'", "'fill_density' '150%'", "'fill_pattern' 'stars'",
+                   "'perimeter_speed' '50%'", "'perimeters' 'many'", "'support_material' '1'"}));
 }
 
 TEST(SettingsOfASlicer, AreShownWithoutWhatCannotBePrinted) {

@@ -268,6 +268,46 @@ TEST_F(PlateJobTest, RefusesAnOrderInWhichTheHeadWouldTouchAFinishedPart) {
   EXPECT_EQ(refusal(), "");
 }
 
+/// Each level of a prime tower begins with its walls, two squares in one path.
+TEST_F(PlateJobTest, StacksLevelsOfATowerBesideLayersOfOtherHeights) {
+  constexpr std::size_t kWallPoints = 10;
+  add(box("low", {10, 10, 1.2}), Point2(60, 60));
+  add(box("high", {10, 10, 3}), Point2(90, 60));
+  PlanSettings& planning = job_.settings.planning;
+  planning.tools.list = {{"0.name", "black"}, {"1.name", "white"}};
+  planning.tools.infill = 1;
+  planning.tools.purge_mm3 = {30.0};
+  planning.skins.top_layers = planning.skins.bottom_layers = 1;
+  for (const char* const height_mm : {"0.3", "0.25", "0.21", "0.2"}) {
+    job_.plate.parts.back().settings = {{"slicing.layer_height_mm", height_mm},
+                                        {"slicing.first_layer_height_mm", height_mm}};
+    double top_mm = 0.0;
+    double laid_mm = 0.0;
+    double purged_mm3 = 0.0;
+    std::size_t changes = 0;
+    std::optional<std::uint32_t> tool;
+    for (const ToolpathLayer& layer : run().sliced.toolpath.layers)
+      for (const Path& path : layer.paths) {
+        if (path.role == PathRole::Travel || path.role == PathRole::Skirt) continue;
+        if (tool.value_or(path.tool) != path.tool) ++changes;
+        tool = path.tool;
+        EXPECT_GE(path.firstPoint().z(), laid_mm - 1e-9) << "below what is laid, at " << height_mm;
+        laid_mm = path.firstPoint().z();
+        if (path.role != PathRole::Prime) continue;
+        purged_mm3 += depositedVolume(path);
+        EXPECT_LE(path.bead.at(0).height_mm, 1.5 * 0.3);
+        if (path.points.size() == kWallPoints) {
+          // A layer less than half a layer above its level lays from where it is.
+          top_mm += path.bead.at(0).height_mm;
+          EXPECT_GE(laid_mm, top_mm - 1e-9) << height_mm;
+          EXPECT_LT(laid_mm, top_mm + 0.5 * 0.2) << height_mm;
+        }
+      }
+    EXPECT_GT(changes, 10U);
+    EXPECT_GE(purged_mm3, 0.99 * 30.0 * static_cast<double>(changes));
+  }
+}
+
 TEST_F(PlateJobTest, RefusesWhatPlatesDoNotTake) {
   add(box("box", {10, 10, 1}));
   job_.settings.slicing.mode = "curved";

@@ -158,9 +158,7 @@ class SettingsTranslation {
   std::optional<std::vector<SettingText>> settingsFor(const SettingNames& names,
                                                       const std::string& text) const {
     const std::string key = names.key;
-    const auto as = [&](double value) {
-      return std::vector<SettingText>{{key, roundedText(value)}};
-    };
+    const auto as = [&](double value) { return std::vector<SettingText>{{key, roundedText(value)}}; };
     const auto number = numberIn(text);
     const auto share = shareIn(text);
     switch (names.kind) {
@@ -176,7 +174,8 @@ class SettingsTranslation {
       case ValueKind::Feed:
         if (number && *number == 0.0) return std::vector<SettingText>{};
         if (number) return as(*number);
-        if (share && *names.base != '\0') return as(*share * numberIn(schema_.find(names.base)->get()).value());
+        if (share && *names.base != '\0')
+          return as(*share * numberIn(schema_.find(names.base)->get()).value());
         break;
       case ValueKind::Pattern:
         return patternOf(text);

@@ -298,7 +298,6 @@ class PlateSlicer {
     Sources sources(job_.settings.input);
     items_ = itemsOf(job_.plate, sources, job_.settings);
     requireMergeable(items_, job_.settings.plate.order);
-    requireLayersFor(job_.settings.planning.tools, towerNeighbours(items_));
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
     const std::vector<StandingPart> standing = standingParts(items_);

@@ -21,8 +21,6 @@
 namespace lamina {
 namespace {
 
-constexpr double kOverlap = 1e-6;  // mm
-
 bool hasSeveralTools(const Toolpath& plate) {
   std::optional<std::uint32_t> first;
   for (const ToolpathLayer& layer : plate.layers)
@@ -31,39 +29,6 @@ bool hasSeveralTools(const Toolpath& plate) {
       first = path.tool;
     }
   return false;
-}
-
-/// Of what is laid first, which is the marked part's.
-std::string partOf(const ToolpathLayer& layer) {
-  for (const Path& path : layer.paths)
-    for (const PathEvent& placed : path.events)
-      if (const auto* const mark = std::get_if<PartMark>(&placed.event);
-          mark != nullptr && !mark->name.empty())
-        return mark->name;
-  return "";
-}
-
-std::string purgeText(const ToolSettings& tools) {
-  char text[96];
-  const double greatest_mm3 = *std::max_element(tools.purge_mm3.begin(), tools.purge_mm3.end());
-  std::snprintf(text, sizeof text, "tools.purge_mm3 is %s%.6g mm3",
-                tools.purge_mm3.size() > 1 ? "up to " : "", greatest_mm3);
-  return text;
-}
-
-/// A tower has one layer on the other.
-/// @param plate  whose paths are marked each
-void requireStacked(const Toolpath& plate, const ToolSettings& tools) {
-  for (std::size_t l = 1; l < plate.layers.size(); ++l) {
-    const ToolpathLayer& layer = plate.layers[l];
-    const ToolpathLayer& below = plate.layers[l - 1];
-    if (layer.z_mm - layer.height_mm > below.z_mm - kOverlap) continue;
-    throw InvalidConfig(purgeText(tools) + " for a plate on which a layer of part '" + partOf(layer) +
-                        "' from " + std::to_string(layer.z_mm - layer.height_mm) +
-                        " mm lies beside one of '" + partOf(below) + "' up to " + std::to_string(below.z_mm) +
-                        " mm; expected none, or parts of the same layer heights: a prime tower has one layer "
-                        "on the other");
-  }
 }
 
 /// That lay any of the parts, as far as settings tell: regions may have others.
@@ -149,33 +114,21 @@ void join(Toolpath& plate, const TravelSettings& settings) {
 
 }  // namespace
 
-void requireLayersFor(const ToolSettings& tower, const std::vector<TowerNeighbour>& parts) {
-  if (tower.purge_mm3.empty() || parts.empty() || toolsOfParts(parts).size() < 2) return;
-  const SlicingSettings& first = parts.front().settings->slicing;
-  for (const TowerNeighbour& part : parts) {
-    const SlicingSettings& slicing = part.settings->slicing;
-    const auto require = [&](const char* key, double value_mm, double of_first_mm) {
-      if (value_mm == of_first_mm) return;
-      throw InvalidConfig(std::string(key) + " is " + std::to_string(value_mm) + " mm of part '" + part.name +
-                          "' and " + std::to_string(of_first_mm) + " mm of part '" + parts.front().name +
-                          "', and " + purgeText(tower) +
-                          "; expected the same: a prime tower has one layer on the other");
-    };
-    require("slicing.layer_height_mm", slicing.layer_height_mm, first.layer_height_mm);
-    require("slicing.first_layer_height_mm", slicing.first_layer_height_mm, first.first_layer_height_mm);
-  }
-}
-
 double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>& parts) {
   const ToolSettings& tools = plate.planning.tools;
   const std::size_t count = toolsOfParts(parts).size();
   if (tools.purge_mm3.empty() || !tools.tower_at_mm.empty() || count < 2) return 0.0;
-  TowerLayer layer{plate.slicing.layer_height_mm, {}};
-  for (const TowerNeighbour& part : parts)
-    layer.height_mm = std::min({layer.height_mm, part.settings->slicing.layer_height_mm,
-                                part.settings->slicing.first_layer_height_mm});
+  std::set<std::pair<double, double>> stacks;  // layer and first layer
+  double lowest_mm = plate.slicing.layer_height_mm;
+  for (const TowerNeighbour& part : parts) {
+    const SlicingSettings& slicing = part.settings->slicing;
+    stacks.emplace(slicing.layer_height_mm, slicing.first_layer_height_mm);
+    lowest_mm = std::min({lowest_mm, slicing.layer_height_mm, slicing.first_layer_height_mm});
+  }
+  // Levels between layers of unequal heights are lower, and take the purges of several of them.
+  TowerLayer layer{stacks.size() > 1 ? 0.5 * lowest_mm : lowest_mm, {}};
   const double greatest_mm3 = *std::max_element(tools.purge_mm3.begin(), tools.purge_mm3.end());
-  layer.purges.push_back({0, static_cast<double>(count - 1) * greatest_mm3});
+  layer.purges.push_back({0, static_cast<double>((count - 1) * stacks.size()) * greatest_mm3});
   PlanSettings alone = plate.planning;
   alone.tools.tower_mm = 0.0;
   const double side_mm = PrimeTower({layer}, alone, Box2{Point2(0.0, 0.0), Point2(0.0, 0.0)}).side();
@@ -185,7 +138,6 @@ double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>&
 Toolpath withTower(Toolpath plate, const PlanSettings& settings) {
   if (!hasSeveralTools(plate)) return plate;
   markEach(plate);
-  requireStacked(plate, settings.tools);
   arrangeTools(plate.layers, settings, levelTravels(settings.travel));
   join(plate, settings.travel);
   giveTravelsTools(plate.layers);

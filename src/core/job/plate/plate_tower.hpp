@@ -17,11 +17,6 @@ struct TowerNeighbour {
   const JobSettings* settings = nullptr;  ///< its own
 };
 
-/// Refuses, before anything is planned, parts whose settings give them other layers than the first one, if
-/// several tools lay them.
-/// @throws InvalidConfig naming both parts
-void requireLayersFor(const ToolSettings& tower, const std::vector<TowerNeighbour>& parts);
-
 /// What the tower takes beside the parts [mm], with its distance from them: as wide as most changes in a
 /// layer may need. 0 without one, and where it has a place of its own.
 double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>& parts);
@@ -29,7 +24,7 @@ double roomForTower(const JobSettings& plate, const std::vector<TowerNeighbour>&
 /// Adds the prime tower of a plate that is laid layer by layer, with the purges that `tools.*` asks for; it
 /// is of no part. Ways to another tool and from layer to layer are made anew, without wipes.
 /// @param plate  tool by tool in each layer, with the marks of its parts [bed frame]
-/// @throws InvalidConfig if layers lie in each other, which a tower cannot have; as `arrangeTools`
+/// @throws as `arrangeTools`
 Toolpath withTower(Toolpath plate, const PlanSettings& settings);
 
 }  // namespace lamina

@@ -17,7 +17,7 @@ struct Purge {
   double volume_mm3 = 0.0;
 };
 
-/// What a layer asks of the tower.
+/// What a layer of the tower is asked for.
 struct TowerLayer {
   double height_mm = 0.0;
   std::vector<Purge> purges;
@@ -30,7 +30,7 @@ constexpr double kTowerBesidePart = 5.0;  ///< mm, where it has no place of its 
 /// high as the part.
 class PrimeTower {
  public:
-  /// @param layers  all of the part
+  /// @param layers  all of the tower, of which those above the last purge are not laid
   /// @param part    box of what is deposited, in the frame of the layers
   /// @throws InvalidConfig if it is too small, or stands on the part
   PrimeTower(std::vector<TowerLayer> layers, const PlanSettings& settings, const Box2& part);
@@ -38,6 +38,7 @@ class PrimeTower {
   double side() const { return side_mm_; }
   /// One past the last layer in which a tool changes.
   std::size_t height() const { return height_; }
+  bool purgesIn(std::size_t layer) const { return !layers_[layer].purges.empty(); }
 
   /// What a purge of a layer lays: two paths at most.
   std::vector<Path> purge(std::size_t layer, std::size_t index, double z_mm) const;

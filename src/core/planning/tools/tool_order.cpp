@@ -117,7 +117,46 @@ class LayerBuilder {
   std::vector<Path>& paths_;
 };
 
-/// Runs of layers that know their purges, and what each layer asks of the tower.
+/// What a layer lays into the tower.
+struct TowerPlace {
+  std::size_t level = 0;  ///< of the tower
+  double z_mm = 0.0;      ///< where the nozzle is
+  bool begins = true;     ///< no layer before it is of this level
+};
+
+/// The tower of layers: it stands on the bed and has no gaps, as a part has over a raft.
+struct TowerLevels {
+  std::vector<TowerPlace> of_layer;
+  std::vector<double> heights_mm;
+};
+
+/// Parts of a plate may have layers that end within each other's, by their tops. Each ends a level of the
+/// tower, as high as there is room above the one before; where that is less than half the lower of both
+/// layers it lays into the one before, from its own top, so that the nozzle stays above all that is laid.
+TowerLevels towerLevels(const std::vector<ToolpathLayer>& layers) {
+  constexpr double kLeastRise = 0.5;
+  TowerLevels levels;
+  double gaps_mm = 0.0;
+  double top_mm = 0.0;  // of the last level
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const ToolpathLayer& layer = layers[l];
+    const double gap_mm = l > 0 ? layer.z_mm - layer.height_mm - layers[l - 1].z_mm : 0.0;
+    if (gap_mm > kNoGap) gaps_mm += gap_mm;
+    const double z_mm = layer.z_mm - gaps_mm;
+    const bool is_stacked = l == 0 || (gap_mm > -kNoGap && levels.of_layer.back().begins);
+    const double rise_mm = is_stacked ? layer.height_mm : z_mm - top_mm;
+    const double lower_mm = l > 0 ? std::min(layer.height_mm, layers[l - 1].height_mm) : layer.height_mm;
+    const bool begins = is_stacked || rise_mm > kLeastRise * lower_mm - kNoGap;
+    if (begins) {
+      levels.heights_mm.push_back(rise_mm);
+      top_mm = z_mm;
+    }
+    levels.of_layer.push_back({levels.heights_mm.size() - 1, z_mm, begins});
+  }
+  return levels;
+}
+
+/// Runs of layers that know their purges, and what each level asks of the tower.
 struct PurgedRuns {
   std::vector<ToolRuns> runs;
   std::vector<TowerLayer> tower;
@@ -126,11 +165,12 @@ struct PurgedRuns {
 /// Plans the purges of one layer after the other.
 class PurgePlanner {
  public:
-  explicit PurgePlanner(const ToolSettings& settings) : settings_(settings) {}
+  PurgePlanner(const ToolSettings& settings, const TowerLevels& levels) : settings_(settings) {
+    for (const double height_mm : levels.heights_mm) planned_.tower.push_back({height_mm, {}});
+  }
 
-  void add(ToolRuns runs, double height_mm) {
-    TowerLayer layer;
-    layer.height_mm = height_mm;
+  void add(ToolRuns runs, std::size_t level) {
+    std::vector<Purge>& purges = planned_.tower[level].purges;
     for (std::size_t r = 0; r < runs.size(); ++r) {
       const std::uint32_t tool = runs[r].tool;
       const std::uint32_t before = std::exchange(at_work_, tool).value_or(tool);
@@ -141,11 +181,10 @@ class PurgePlanner {
         volume_mm3 -= leadingInfill(runs[r]);
         if (volume_mm3 <= kLeastPurge) continue;
       }
-      runs[r].purge = layer.purges.size();
-      layer.purges.push_back({tool, volume_mm3});
+      runs[r].purge = purges.size();
+      purges.push_back({tool, volume_mm3});
     }
     planned_.runs.push_back(std::move(runs));
-    planned_.tower.push_back(std::move(layer));
   }
 
   PurgedRuns finish() && { return std::move(planned_); }
@@ -156,46 +195,32 @@ class PurgePlanner {
   PurgedRuns planned_;
 };
 
-/// Where the tower ends in each layer if it stands on the bed and has no gaps, as a part has over a raft.
-std::vector<double> towerTops(const std::vector<ToolpathLayer>& layers) {
-  std::vector<double> tops;
-  double gaps_mm = 0.0;
-  for (std::size_t l = 0; l < layers.size(); ++l) {
-    const double gap_mm = l > 0 ? layers[l].z_mm - layers[l].height_mm - layers[l - 1].z_mm : 0.0;
-    if (gap_mm > kNoGap) gaps_mm += gap_mm;
-    tops.push_back(layers[l].z_mm - gaps_mm);
-  }
-  return tops;
-}
-
 /// Lays runs and tower of one layer after the other.
 class LayerArrangement {
  public:
-  LayerArrangement(const std::optional<PrimeTower>& tower, const std::vector<double>& tower_tops_mm,
-                   std::uint32_t at_work, const TravelMaker& travel)
-      : tower_(tower), tower_tops_mm_(tower_tops_mm), at_work_(at_work), travel_(travel) {}
+  LayerArrangement(const std::optional<PrimeTower>& tower, const TowerLevels& levels, std::uint32_t at_work,
+                   const TravelMaker& travel)
+      : tower_(tower), levels_(levels), at_work_(at_work), travel_(travel) {}
 
   std::vector<Path> build(std::size_t index, ToolRuns runs) {
     std::vector<Path> paths;
     LayerBuilder builder(index, travel_, paths);
-    const bool has_tower = tower_ && index < tower_->height();
-    const double top_mm = tower_tops_mm_[index];
-    bool is_kept = has_tower;
+    const TowerPlace& place = levels_.of_layer[index];
+    const bool has_tower = tower_ && place.level < tower_->height();
     for (ToolRun& run : runs) {
       if (has_tower && run.purge)
-        for (Path& path : tower_->purge(index, *run.purge, top_mm)) builder.add(std::move(path));
-      is_kept = is_kept && !run.purge;
+        for (Path& path : tower_->purge(place.level, *run.purge, place.z_mm)) builder.add(std::move(path));
       for (Path& path : run.paths) builder.add(std::move(path));
       at_work_ = run.tool;
     }
-    if (is_kept)
-      for (Path& path : tower_->keep(index, at_work_, top_mm)) builder.add(std::move(path));
+    if (has_tower && place.begins && !tower_->purgesIn(place.level))
+      for (Path& path : tower_->keep(place.level, at_work_, place.z_mm)) builder.add(std::move(path));
     return paths;
   }
 
  private:
   const std::optional<PrimeTower>& tower_;
-  const std::vector<double>& tower_tops_mm_;
+  const TowerLevels& levels_;
   std::uint32_t at_work_;
   const TravelMaker& travel_;
 };
@@ -220,17 +245,17 @@ void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settin
   const Box2 part = boxOf(layers);
   const std::uint32_t first = firstTool(layers);
   std::uint32_t at_work = first;
-  PurgePlanner planner(settings.tools);
-  for (ToolpathLayer& layer : layers) {
-    const std::vector<std::uint32_t> tools = orderedTools(layer, at_work);
-    planner.add(runsOf(std::move(layer.paths), tools), layer.height_mm);
+  const TowerLevels levels = towerLevels(layers);
+  PurgePlanner planner(settings.tools, levels);
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const std::vector<std::uint32_t> tools = orderedTools(layers[l], at_work);
+    planner.add(runsOf(std::move(layers[l].paths), tools), levels.of_layer[l].level);
     if (!tools.empty()) at_work = tools.back();
   }
   PurgedRuns purged = std::move(planner).finish();
   std::optional<PrimeTower> tower;
   if (purges(settings.tools) && !part.isEmpty()) tower.emplace(std::move(purged.tower), settings, part);
-  const std::vector<double> tower_tops_mm = towerTops(layers);
-  LayerArrangement arrangement(tower, tower_tops_mm, first, travel);
+  LayerArrangement arrangement(tower, levels, first, travel);
   for (std::size_t l = 0; l < layers.size(); ++l)
     layers[l].paths = arrangement.build(l, std::move(purged.runs[l]));
 }

@@ -21,7 +21,9 @@ std::uint32_t toolOf(const Path& path, const ToolSettings& settings);
 /// those to another tool are retracted. With `tools.purge_mm3` the tool that is taken first lays that volume
 /// into a prime tower, before anything else; with `tools.purge_into_infill` infill first, which tools before
 /// it leave to it, and only the rest into the tower. The tower has no gap anywhere, neither over a raft nor
-/// in layers in which nothing else is laid. Layers are not joined yet.
+/// in layers in which nothing else is laid. Layers may lie beside others' as on a plate, by their tops: the
+/// tower's then end at each top, or, where that is less than half a layer higher, take what is laid there.
+/// Layers are not joined yet.
 /// @throws InvalidConfig if the tower is too small for its purges, or stands on the part
 void arrangeTools(std::vector<ToolpathLayer>& layers, const PlanSettings& settings,
                   const TravelMaker& travel);
