@@ -66,12 +66,9 @@ void print(const ReplanArguments& arguments, const PlacedToolpath& planned, cons
            const NewHeights& heights, OutputFormat format) {
   const double top_mm = planned.toolpath.layers.back().z_mm;
   if (format == OutputFormat::Json) {
-    const nlohmann::ordered_json json = {{"output", arguments.output},
-                                         {"toolpath_id", id},
-                                         {"layers", heights.heights_mm.size()},
-                                         {"heights_mm", heights.heights_mm},
-                                         {"flow", heights.flow},
-                                         {"top_mm", top_mm}};
+    const nlohmann::ordered_json json = {
+        {"output", arguments.output},       {"toolpath_id", id},    {"layers", heights.heights_mm.size()},
+        {"heights_mm", heights.heights_mm}, {"flow", heights.flow}, {"top_mm", top_mm}};
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
@@ -109,7 +106,8 @@ void addReplan(CLI::App& app, Chosen& chosen) {
   subcommand->add_option("toolpath", arguments->toolpath, "Toolpath (.csv) or program (.gcode, .mod)")
       ->required();
   subcommand
-      ->add_option("figures", arguments->figures, "Figures of its layers (loop_layers.csv): the last one seen counts")
+      ->add_option("figures", arguments->figures,
+                   "Figures of its layers (loop_layers.csv): the last one seen counts")
       ->required();
   subcommand->add_option("-o,--output", arguments->output, "Layers left (.gcode, .csv, .mod)");
   subcommand

@@ -29,7 +29,8 @@ TEST(ReplannedToolpath, EndsAtThePlannedTop) {
     const Path& bead = replanned.layers[i].paths[0];
     EXPECT_NEAR(bead.points[1].z(), top, 1e-9);
     EXPECT_NEAR(bead.bead.at(1).height_mm, 1.7, 1e-9);
-    EXPECT_NEAR(crossSection(bead.bead.at(1)), crossSection({3.0, 1.7}) / 0.8, 1e-9) << "growth is in the plan";
+    EXPECT_NEAR(crossSection(bead.bead.at(1)), crossSection({3.0, 1.7}) / 0.8, 1e-9)
+        << "growth is in the plan";
     EXPECT_EQ(bead.feed_mm_s.at(1), 20.0);
   }
   EXPECT_NO_THROW(validate(replanned));

@@ -13,7 +13,8 @@ namespace lamina {
 /// Where a part stands that is printed otherwise than planned.
 struct LayersLeft {
   std::size_t first = 0;  ///< layer that is not laid yet
-  double error_mm = 0.0;  ///< planned less actual height of what lies below it, in the mean: positive is too low
+  double error_mm =
+      0.0;  ///< planned less actual height of what lies below it, in the mean: positive is too low
 };
 
 /// The part as planning anew sees it.

@@ -54,7 +54,8 @@ TEST(ReplannedRun, EndsAtThePlannedTopAfterAClog) {
     ASSERT_FALSE(printed.plans.empty());
     EXPECT_LE(layersUntilTold(printed), 4U);
     EXPECT_NEAR(topOf(printed), 60.0, layers * wall.layer_mm) << printed.plans.size() << " plans";
-    RecordProperty(replan == Replanning::Scale ? "scale_mm" : "add_mm", std::to_string(topOf(printed) - 60.0));
+    RecordProperty(replan == Replanning::Scale ? "scale_mm" : "add_mm",
+                   std::to_string(topOf(printed) - 60.0));
     EXPECT_EQ(printed.status.state, LoopState::Active);
     for (std::size_t k = 0; k < kClogLayer - 1; ++k)
       for (const RaisedAlarm& alarm : printed.layers[k].alarms)
