@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <utility>
 
+#include "control/run/cloud_order.hpp"
+#include "control/run/layer_ground.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/metal_split.hpp"
 #include "lamina/control/replanned_toolpath.hpp"
@@ -31,31 +32,6 @@ bool isAllZero(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
 }
 
-/// An order of what is in clouds, the same for the same bits.
-/// By their bits: values that are no numbers have an order too.
-int compared(const double* a, const double* b, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t of_a = 0;
-    std::uint64_t of_b = 0;
-    std::memcpy(&of_a, a + i, sizeof of_a);
-    std::memcpy(&of_b, b + i, sizeof of_b);
-    if (of_a != of_b) return of_a < of_b ? -1 : 1;
-  }
-  return 0;
-}
-
-int compared(const SensedCloud& a, const SensedCloud& b) {
-  if (a.profiles.size() != b.profiles.size()) return a.profiles.size() < b.profiles.size() ? -1 : 1;
-  for (std::size_t i = 0; i < a.profiles.size(); ++i) {
-    const auto& of_a = a.profiles[i];
-    const auto& of_b = b.profiles[i];
-    if (of_a.size() != of_b.size()) return of_a.size() < of_b.size() ? -1 : 1;
-    for (std::size_t k = 0; k < of_a.size(); ++k)
-      if (const int order = compared(of_a[k].data(), of_b[k].data(), 3); order != 0) return order;
-  }
-  return compared(a.bed_from_sensor.data(), b.bed_from_sensor.data(), 16);
-}
-
 /// Asks once for all layers what `metalSplit` refuses.
 void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
   if (settings.loop.speed_exponent == 0.0) return;
@@ -74,27 +50,6 @@ StabilityReport checkedStart(const PlacedPart& part, const LoopRunSettings& sett
   report.reason = "the calibration '" + known.file + "' is that of machine '" + known.machine +
                   "'; expected that of '" + part.machine + "', which the toolpath is for";
   return report;
-}
-
-double widestBead(const LayerCells& cells) {
-  return cells.size() == 0 ? 0.0 : *std::max_element(cells.width_mm.begin(), cells.width_mm.end());
-}
-
-/// What a layer covers, its beads' width around it, without its height.
-Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal) {
-  Box3 ground;
-  const double reach = widestBead(cells);
-  const Point3 around(reach, reach, reach);
-  for (const Point3& middle : cells.middle) {
-    const Point3 at = middle - middle.dot(normal) * normal;
-    ground.include(at - around);
-    ground.include(at + around);
-  }
-  return ground;
-}
-
-bool isWithin(const Box3& box, const Point3& point) {
-  return (point.array() >= box.low.array()).all() && (point.array() <= box.high.array()).all();
 }
 
 /// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
@@ -612,7 +567,7 @@ void LoopRun::offerPlan(const LayerFigures& figures, const std::string& reason) 
   if (!heights)
     throw InvalidInput("no number of layers of 0.7 to 1.3 of their heights comes to the planned top");
   PrintPlan plan;
-  plan.part = {{}, part_.bed_from_part, replannedToolpath(part_.toolpath, left, *heights)};
+  plan.part = {{}, part_.bed_from_part, replannedToolpath(part_.toolpath, left, *heights), part_.machine};
   plan.part.toolpath_id = replannedId(plan.part.toolpath, part_.toolpath_id);
   plan.layer = left.first;
   plan.raised_mm = -figures.mean_error_mm;

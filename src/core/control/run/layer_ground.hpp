@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "lamina/control/layer_cells.hpp"
+#include "lamina/geometry/vector.hpp"
+
+namespace lamina {
+
+/// Width of a layer's widest bead [mm]; 0 without cells.
+double widestBead(const LayerCells& cells);
+
+/// What a layer covers, its beads' width around it [mm]: middles of cells along the layers' normal onto the plane through the origin.
+Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
+
+bool isWithin(const Box3& box, const Point3& point);
+
+}  // namespace lamina
