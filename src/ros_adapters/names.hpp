@@ -60,6 +60,7 @@ inline constexpr char kAbort[] = "abort";             ///< std_srvs/Trigger
 inline constexpr char kChangeJob[] = "change_job";    ///< lamina/ChangeJob
 inline constexpr char kRunStartup[] = "run_startup";  ///< lamina/RunStartup
 inline constexpr char kSaveHeightMap[] = "save_height_map";     ///< std_srvs/Trigger
+inline constexpr char kReadCalibration[] = "read_calibration";  ///< std_srvs/Trigger
 inline constexpr char kSetLoop[] = "set_loop";                  ///< lamina/SetLoop
 inline constexpr char kMachineRest[] = "machine_rest";          ///< lamina/MachineRest
 inline constexpr char kFinishMeasuring[] = "finish_measuring";  ///< lamina/FinishMeasuring

@@ -434,6 +434,36 @@ TEST(HeightController, IsBlockedByTheCalibrationOfAnotherMachine) {
     EXPECT_NE(reason.find(word), std::string::npos) << word << " in: " << reason;
 }
 
+/// Calibrated while it waits for that.
+TEST(HeightController, ReadsACalibrationThatComesLater) {
+  const test::ScratchFolder folder;
+  const std::string cell = folder.file("cell.yaml");
+  Calibration later = wallCalibration();
+  later.time->offset_s = 0.0;
+  Calibration first = later;
+  first.time.reset();
+  writeCalibration(cell, first);
+  std::vector<std::string> parameters = kUntyped;
+  parameters.push_back("_sensor/calibration:=" + cell);
+  Controller controller(parameters);
+  LiveWall live(slowlyScanned());
+  ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::BLOCKED); }));
+  std_srvs::Trigger read;
+  writeFile(cell, "a: 1");
+  ASSERT_TRUE(ros::service::call(names::kReadCalibration, read));
+  EXPECT_EQ(read.response.success, 0U);
+  EXPECT_NE(read.response.message.find("cell.yaml"), std::string::npos) << read.response.message;
+  EXPECT_TRUE(controller.isIn(StateMessage::BLOCKED));
+  writeCalibration(cell, later);
+  ASSERT_TRUE(ros::service::call(names::kReadCalibration, read));
+  EXPECT_EQ(read.response.success, 1U) << read.response.message;
+  EXPECT_NE(read.response.message.find("bobbing"), std::string::npos) << read.response.message;
+  ASSERT_TRUE(waitUntil([&] { return controller.isIn(StateMessage::ACTIVE); }));
+  live.say([&] { return !controller.layers.empty(); });
+  ASSERT_FALSE(controller.layers.empty());
+  EXPECT_TRUE(controller.layers.front().is_measured);
+}
+
 /// The second layer is found four layers too low: the print is held before the map of the third one comes.
 TEST(HeightController, HoldsThePrintWhenAPieceComesOff) {
   SensedWallCase wall = wallCase();
@@ -540,6 +570,29 @@ TEST(HeightController, PlansTheLayersLeftAnewAndGoesOnWithThat) {
   EXPECT_EQ(controller.maps.back().layer, 0U);
   EXPECT_FALSE(controller.maps.back().paths.empty()) << "it corrects at once by what it has learnt";
   EXPECT_TRUE(controller.isIn(StateMessage::ACTIVE));
+}
+
+/// What is kept is of a print that was given up: the machine starts the same part once more.
+TEST(HeightController, BeginsAgainWithTheMachine) {
+  const test::ScratchFolder folder;
+  SensedWallCase wall = wallCase();
+  wall.length_mm = 20.0;
+  const std::vector<std::string> parameters = {"_memory_file:=" + folder.file("memory.yaml")};
+  std::optional<Controller> controller(std::in_place, parameters);
+  LiveWall live(wall);
+  live.say([&] { return controller->layers.size() >= 3 && controller->states.back().layer == 3; });
+  EXPECT_EQ(controller->end(SIGKILL), -1);
+  ros::NodeHandle node;
+  auto machine = node.advertise<lamina_msgs::MachineState>(names::kMachineState, 10);
+  controller.emplace(parameters);
+  ASSERT_TRUE(waitUntil([&] { return !controller->maps.empty() && machine.getNumSubscribers() > 0; }));
+  EXPECT_EQ(controller->maps.front().layer, 3U);
+  lamina_msgs::MachineState starting;
+  starting.state = lamina_msgs::MachineState::STARTING;
+  starting.layer = -1;
+  machine.publish(starting);
+  ASSERT_TRUE(waitUntil([&] { return controller->maps.back().layer == 0; }));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("memory.yaml")));
 }
 
 TEST(HeightController, LeavesNothingHangingWhenItIsKilled) {

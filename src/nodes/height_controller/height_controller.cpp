@@ -8,6 +8,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/control/report/loop_report.hpp"
+#include "lamina/control/run/run_calibration.hpp"
 #include "loop/loop_messages.hpp"
 #include "names.hpp"
 #include "status.hpp"
@@ -19,8 +20,8 @@ constexpr double kTurn = 0.02;              // s between looks at what is due
 constexpr double kQuietFor = 0.5;           // s without anything new: nothing older comes
 constexpr std::uint32_t kUnboundQueue = 0;  // what is left out is left out, and counted, by the feed
 
-LoopRunSettings keepingMemory(const HeightControllerSettings& settings) {
-  LoopRunSettings run = settings.run;
+LoopRunSettings calibratedRun(const HeightControllerSettings& settings) {
+  LoopRunSettings run = withCalibrationFile(settings.run);
   run.keeps_memory = !settings.memory_file.empty();
   return run;
 }
@@ -30,13 +31,16 @@ LoopRunSettings keepingMemory(const HeightControllerSettings& settings) {
 HeightController::HeightController(ros::NodeHandle node, const HeightControllerSettings& settings)
     : settings_(settings),
       topics_(node),
-      feed_(keepingMemory(settings), settings.queue_mb),
+      feed_(calibratedRun(settings), settings.queue_mb),
       hold_(settings.arrival_hold_s),
       memory_(settings.memory_file) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("height loop",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
+  know(feed_.settings());
   subscribe(node);
+  read_calibration_ =
+      node.advertiseService(names::kReadCalibration, &HeightController::onReadCalibration, this);
   set_loop_ = node.advertiseService(names::kSetLoop, &HeightController::onSetLoop, this);
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { onTimer(); });
   topics_.publish(toMessage(feed_.run()));
@@ -166,6 +170,26 @@ bool HeightController::onSetLoop(lamina_msgs::SetLoop::Request& request,
   return true;
 }
 
+void HeightController::know(const LoopRunSettings& settings) {
+  known_ = settings.calibration.sources;
+  for (const std::string& source : known_) ROS_INFO_STREAM(source);
+}
+
+bool HeightController::onReadCalibration(std_srvs::Trigger::Request& /*request*/,
+                                         std_srvs::Trigger::Response& response) {
+  try {
+    feed_.recalibrate(calibratedRun(settings_));
+    know(feed_.settings());
+    response.success = 1U;
+    for (const std::string& source : known_)
+      response.message += (response.message.empty() ? "" : "; ") + source;
+  } catch (...) {
+    response.message = currentFailure().message;
+  }
+  publishNews();
+  return true;
+}
+
 void HeightController::onTimer() {
   const double now = clock_.now();
   hold_.release(now);
@@ -246,7 +270,7 @@ void HeightController::save() {
 
 void HeightController::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   using diagnostic_msgs::DiagnosticStatus;
-  for (const std::string& source : settings_.run.calibration.sources) status.add("calibration", source);
+  for (const std::string& source : known_) status.add("calibration", source);
   const LoopRun* run = feed_.run();
   if (run == nullptr) {
     const bool is_refused = !toolpath_fault_.empty();

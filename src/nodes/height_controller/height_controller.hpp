@@ -5,11 +5,13 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "arrival_hold.hpp"
 #include "controller_topics.hpp"
@@ -27,7 +29,7 @@ namespace lamina {
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), tf
 /// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), /diagnostics
-/// Services    set_loop (lamina/SetLoop)
+/// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger)
 /// Calls       pause (std_srvs/Trigger) where an alarm holds the print
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
 class HeightController {
@@ -45,10 +47,12 @@ class HeightController {
   void onTransforms(const TfEvent& event);
   void onFixedTransforms(const TfEvent& event);
   void onMachineState(const lamina_msgs::MachineStateConstPtr& message);
+  bool onReadCalibration(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
   void onTimer();
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
+  void know(const LoopRunSettings& settings);
   void publishNews();
   void report(const PrintPlan& plan);
   void report(const RaisedAlarm& alarm);
@@ -56,7 +60,8 @@ class HeightController {
   void save();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
-  HeightControllerSettings settings_;
+  HeightControllerSettings settings_;  ///< as stated
+  std::vector<std::string> known_;     ///< of clock, place and feeder, and whence
   SteadyClock clock_;
   ControllerTopics topics_;
   LoopFeed feed_;
@@ -77,6 +82,7 @@ class HeightController {
   ros::Subscriber tf_static_;
   ros::Subscriber machine_state_;
   ros::ServiceServer set_loop_;
+  ros::ServiceServer read_calibration_;
   ros::WallTimer timer_;
 };
 

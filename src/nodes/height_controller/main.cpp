@@ -3,7 +3,6 @@
 #include <ros/ros.h>
 
 #include "height_controller.hpp"
-#include "lamina/control/run/run_calibration.hpp"
 #include "parameters.hpp"
 #include "shutdown.hpp"
 
@@ -14,8 +13,6 @@ int main(int argc, char** argv) {
     describe(schema, settings);
     lamina::applyParameters(schema, ros::NodeHandle("~"));
     ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
-    settings.run = lamina::withCalibrationFile(settings.run);
-    for (const std::string& source : settings.run.calibration.sources) ROS_INFO_STREAM(source);
     const lamina::HeightController controller(ros::NodeHandle(), settings);
     ros::spin();
   });

@@ -123,6 +123,13 @@ void LoopFeed::request(LoopRequest request) {
   if (status.state == LoopState::Blocked) throw Rejected("the loop is blocked: " + status.reason);
 }
 
+void LoopFeed::recalibrate(const LoopRunSettings& settings) {
+  settings_.calibration = settings.calibration;
+  settings_.sight = settings.sight;
+  settings_.loop = settings.loop;
+  if (run_) run_->recalibrate(settings_.calibration, settings_.request);
+}
+
 void LoopFeed::placeClouds() {
   std::set<std::string> ahead;  // frames that tf has not come up to
   for (auto cloud = waiting_.begin(); cloud != waiting_.end();) {

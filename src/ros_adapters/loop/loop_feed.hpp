@@ -53,6 +53,9 @@ class LoopFeed {
   /// @throws Rejected with the reason where the loop is blocked
   void request(LoopRequest request);
 
+  /// The sensor was calibrated anew, for the print under way and those that follow; what is requested stays.
+  void recalibrate(const LoopRunSettings& settings);
+
   /// Gives on what tf has come up to.
   void pass();
   /// The same, and nothing older comes.
@@ -64,6 +67,8 @@ class LoopFeed {
   LoopRun* run() { return run_.get(); }
   const LoopRun* run() const { return run_.get(); }
   const FeedCounts& counts() const { return counts_; }
+  /// As they are now.
+  const LoopRunSettings& settings() const { return settings_; }
 
  private:
   using Cloud = sensor_msgs::PointCloud2ConstPtr;

@@ -134,5 +134,28 @@ TEST(RunCalibration, LetsTheLoopStartOnItsOwnMachineAlone) {
             "toolpath is for");
 }
 
+TEST(RunCalibration, OfAPrintUnderWayLetsItsLoopBegin) {
+  LoopRunSettings settings = named("cell.yaml");
+  settings.loop.narrow_low_pass = NarrowLowPass::Raised;
+  test::SensedWallCase wall;
+  wall.layers = 2;
+  LoopRun run({"id", Eigen::Isometry3d::Identity(), test::scannedWall(wall), "gantry"}, settings);
+  CellCalibration known = withCalibration(settings, found()).calibration;
+  run.recalibrate(known, LoopRequest::Active);
+  EXPECT_EQ(run.status().state, LoopState::Off) << "as the operator has it";
+  run.request(LoopRequest::Active);
+  EXPECT_EQ(run.status().state, LoopState::Active);
+  known.machine = "belt";
+  run.recalibrate(known, LoopRequest::Active);
+  EXPECT_EQ(run.status().state, LoopState::Blocked);
+  known.machine = "gantry";
+  run.recalibrate(known, LoopRequest::Identify);
+  EXPECT_EQ(run.status().state, LoopState::Identifying);
+  known.time_offset_sigma_s = 0.2;  // 4 mm at 20 mm/s: the low-pass of 3 mm would be raised
+  run.recalibrate(known, LoopRequest::Active);
+  EXPECT_EQ(run.status().state, LoopState::Blocked);
+  EXPECT_NE(run.status().reason.find("next one"), std::string::npos) << run.status().reason;
+}
+
 }  // namespace
 }  // namespace lamina

@@ -126,6 +126,10 @@ class LoopRun {
   /// @return the status, `Blocked` with the reason where the loop may not start
   const LoopStatus& request(LoopRequest request);
 
+  /// The sensor was calibrated anew: what comes from now on is taken by that. A loop that coasts until then,
+  /// or is blocked, begins as requested if the check of stability allows it with the low-pass of this print.
+  void recalibrate(const CellCalibration& known, LoopRequest request);
+
   void observe(const StampedTip& pose);
   void see(SensedCloud cloud);
   /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.

@@ -6,8 +6,8 @@
 
 namespace lamina {
 
-/// An order of what is in clouds, the same for the same bits: negative, zero or positive as the first comes before, is the same as,
-/// or comes after the second. Their stamps do not count.
+/// An order of what is in clouds, the same for the same bits: negative, zero or positive as the first comes
+/// before, is the same as, or comes after the second. Their stamps do not count.
 int compared(const SensedCloud& a, const SensedCloud& b);
 
 }  // namespace lamina

@@ -10,7 +10,8 @@ namespace lamina {
 /// Width of a layer's widest bead [mm]; 0 without cells.
 double widestBead(const LayerCells& cells);
 
-/// What a layer covers, its beads' width around it [mm]: middles of cells along the layers' normal onto the plane through the origin.
+/// What a layer covers, its beads' width around it [mm]: middles of cells along the layers' normal onto the
+/// plane through the origin.
 Box3 groundOf(const LayerCells& cells, const Eigen::Vector3d& normal);
 
 bool isWithin(const Box3& box, const Point3& point);

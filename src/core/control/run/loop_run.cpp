@@ -142,6 +142,19 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   return true;
 }
 
+void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
+  settings_.calibration = known;
+  offset_left_ = {};
+  stability_ = checkedStart(part_, settings_);
+  if (stability_.may_start && stability_.low_pass_mm > settings_.loop.low_pass_mm) {
+    stability_.may_start = false;
+    stability_.reason += "; the low-pass of this print stays: it holds from the next one on";
+  }
+  const bool waits = status_.coasting_for == CoastingFor::TimeOffset || status_.state == LoopState::Blocked;
+  const bool is_refused = !stability_.may_start && status_.state != LoopState::Off;
+  if (waits || is_refused) status_ = afterRequest(request, stability_);
+}
+
 bool LoopRun::isCorrecting() const { return corrects(status_.state); }
 
 void LoopRun::observe(const StampedTip& pose) {
