@@ -17,6 +17,7 @@
 #include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/calibration/calibration_file.hpp"
+#include "lamina/control/program/correction_files.hpp"
 #include "support/scratch_folder.hpp"
 #include "wait_until.hpp"
 #include "wall_messages.hpp"
@@ -182,6 +183,11 @@ TEST(HeightController, ReplaysToTheSameBitsAtAnySpeedAndWithoutAMaster) {
   EXPECT_EQ(replayed(bag, wall.layers, "1"), expected);
   EXPECT_LT(2.0 * offline["elapsed_s"].get<double>(), offline["recorded_s"].get<double>());
   EXPECT_NE(readFile(folder.file("estimate/correction_3.csv")).find(expected[3]), std::string::npos);
+  const std::vector<FiledMap> maps = readCorrectionFiles(folder.file("estimate"));
+  EXPECT_EQ(maps.size(), wall.layers);
+  const ProgrammedToolpath planned =
+      readProgrammedToolpath(readFile(folder.file("estimate/toolpath.csv")), "toolpath.csv");
+  for (const FiledMap& each : maps) EXPECT_EQ(defectOf(each.map, planned), "") << each.file;
 }
 
 TEST(HeightController, TakesTheOffsetOfTheSensorsClockOff) {
