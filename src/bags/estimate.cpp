@@ -105,7 +105,10 @@ class Estimation {
     prints_.back().status = run.status();
     prints_.back().counts = run.counts();
     prints_.back().feed = counts;
-    if (!folder_.empty()) saveLoopReport(folder_, prints_.back().record);
+    if (folder_.empty()) return;
+    saveLoopReport(folder_, prints_.back().record);
+    if (const auto map = run.learnt(PartEnd::Complete))
+      writeFile(folder_ + "/learnt_part.csv", partMapCsv(*map));
   }
 
   std::string output_;

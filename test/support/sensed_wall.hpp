@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,6 +54,7 @@ struct SensedWallCase {
   std::function<void(std::size_t layer, std::vector<double>& heights_mm)> befalls = {};
   /// What the operator does with the loop while the bead of a layer is laid.
   std::function<void(std::size_t layer, LoopRun& run)> operates = {};
+  std::string machine = {};    ///< that it is printed on
   bool follows_plans = false;  ///< goes on with a plan as soon as it is offered
   /// Whether the machine lays a layer as planned, having waited for its map in vain.
   std::function<bool(std::size_t layer)> misses_map = {};
@@ -70,6 +72,7 @@ struct SensedWall {
   std::vector<std::vector<double>> heights_mm;  ///< of each layer's top
   LoopStatus status;
   LoopCounts counts;
+  std::optional<PartMap> learnt;  ///< for the next part, this one being complete
 };
 
 /// The loop that the tests are about: calibrated, active from the first layer on.
@@ -124,6 +127,7 @@ class SensedWallPrinter {
       : wall_(wall), random_(wall.seed), now_ns_(wall.start_ns), surface_(places(), 0.0) {
     printed_.part.toolpath = scannedWall(wall);
     printed_.part.toolpath_id = toolpath_id_ = toolpathId(printed_.part.toolpath);
+    printed_.part.machine = wall.machine;
     toolpath_ = printed_.part.toolpath;
   }
 
@@ -139,6 +143,7 @@ class SensedWallPrinter {
     take();
     printed_.status = run.status();
     printed_.counts = run.counts();
+    printed_.learnt = run.learnt(PartEnd::Complete);
     return std::move(printed_);
   }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lamina/control/cell_estimate.hpp"
@@ -60,6 +61,11 @@ class HeightLoop {
   /// Takes over to the layer's cells what is known of those below. Cells above none take the mean height of
   /// the layer below and the mean gain of their region. The first layer lies on a bed that is known.
   void beginLayer(LayerCells cells);
+  /// The same where parts before have told how such a layer is to be laid: relative amounts, one per cell.
+  /// They stand for its gain, and what is learnt of this part for how far it is off that. Such a layer is
+  /// corrected even among the first ones.
+  /// @throws InvalidInput if there is not one value per cell
+  void beginLayer(LayerCells cells, std::vector<double> learnt);
 
   /// How the layer is to be laid in that state: by the law where it is active, else by what is learnt or not
   /// at all; the first layers not at all.
@@ -95,7 +101,10 @@ class HeightLoop {
   /// Goes on after the layer of these cells, as it was stored: the next `beginLayer` is that of the layer
   /// above.
   /// @throws InvalidInput if it was stored of another number of cells
-  void resume(LayerCells cells, const StoredHeights& stored);
+  void resume(LayerCells cells, const StoredHeights& stored) { resume(std::move(cells), stored, {}); }
+  /// The same of a layer that was laid by what parts before have told.
+  /// @param learnt  one per cell, or none
+  void resume(LayerCells cells, const StoredHeights& stored, std::vector<double> learnt);
 
   const LayerCells& cells() const { return cells_; }
   const std::vector<CellEstimate>& estimates() const { return estimates_; }
@@ -103,6 +112,7 @@ class HeightLoop {
   LayerKnowledge knowledge() const;
 
  private:
+  void takeGainsOver(const std::vector<double>& learnt_below);
   LayerKnowledge filled(std::vector<double> error_mm, std::vector<double> gain) const;
   /// By the law of the process, in that state, from that knowledge.
   LayerCorrection asked(LoopState state, const LayerKnowledge& known,
@@ -121,6 +131,7 @@ class HeightLoop {
   Eigen::Vector3d normal_;
   LayerCells cells_;
   std::vector<CellEstimate> estimates_;
+  std::vector<double> learnt_;   ///< amounts from parts before; empty if there are none
   std::vector<double> deficit_;  ///< of cross-section, of a pressed process
   std::vector<bool> is_section_seen_;
   std::vector<double> laid_;            ///< correction of the layer

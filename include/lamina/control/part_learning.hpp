@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lamina/control/layer_law.hpp"
@@ -39,6 +40,15 @@ enum class PartEnd { Complete, Aborted };
 /// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
                        const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);
+
+/// The map as comma-separated rows, one a cell, under comments that state program, machine, material, parts
+/// and a digest of all of it; it reads back to the same bits, but for layers without cells at the top.
+std::string partMapCsv(const PartMap& map);
+
+/// @param source  names the text in errors
+/// @throws InvalidInput naming source and line: a comment that is missing, other columns, a number that is
+///   none, layers that do not ascend, an amount of -1 or less or of more than 5, a digest that is another's
+PartMap readPartMap(std::string_view text, const std::string& source);
 
 /// What differs between a map's part and another: "machine 'a' instead of 'b'"; empty if nothing does. A map
 /// that differs must not be used.

@@ -105,7 +105,14 @@ std::vector<double> carried(const std::vector<std::uint32_t>& below, const std::
 HeightLoop::HeightLoop(const LoopSettings& settings, const Eigen::Vector3d& normal)
     : settings_(settings), normal_(normal), spread_(settings.growth_spread) {}
 
-void HeightLoop::beginLayer(LayerCells cells) {
+void HeightLoop::beginLayer(LayerCells cells) { beginLayer(std::move(cells), {}); }
+
+void HeightLoop::beginLayer(LayerCells cells, std::vector<double> learnt) {
+  if (!learnt.empty() && learnt.size() != cells.size())
+    throw InvalidInput("there are " + std::to_string(learnt.size()) +
+                       " amounts learnt; expected one for each of the layer's " +
+                       std::to_string(cells.size()) + " cells");
+  std::vector<double> learnt_below(cells.size(), 0.0);
   std::vector<CellEstimate> estimates;
   estimates.reserve(cells.size());
   if (layers_begun_ == 0) {
@@ -121,6 +128,7 @@ void HeightLoop::beginLayer(LayerCells cells) {
     }
     before_clouds_.error_mm = carried(below, before_clouds_.error_mm, 0.0);
     before_clouds_.gain = carried(below, before_clouds_.gain, gains[0]);
+    if (!learnt_.empty()) learnt_below = carried(below, learnt_, meanOverCells(cells_, learnt_));
     deficit_ = carried(below, deficit_, 0.0);
     before_deficit_ = carried(below, before_deficit_, 0.0);
   }
@@ -130,10 +138,22 @@ void HeightLoop::beginLayer(LayerCells cells) {
   laid_.assign(cells.size(), 0.0);
   cells_ = std::move(cells);
   estimates_ = std::move(estimates);
+  learnt_ = std::move(learnt);
+  if (!learnt_.empty()) takeGainsOver(learnt_below);
   clouds_below_ = clouds_;
   ++layers_begun_;
   clouds_ = surprises_ = repeats_ = 0;
   surprise_ = repeat_surprise_ = excess_ = limited_share_ = 0.0;
+}
+
+/// From a layer below whose gains stand for other amounts learnt.
+void HeightLoop::takeGainsOver(const std::vector<double>& learnt_below) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const double ratio = (1.0 + learnt_below[i]) / (1.0 + learnt_[i]);
+    estimates_[i].setGain(estimates_[i].gain() * ratio);
+    before_clouds_.gain[i] =
+        std::clamp(before_clouds_.gain[i] * ratio, CellEstimate::kLeastGain, CellEstimate::kGreatestGain);
+  }
 }
 
 LayerKnowledge HeightLoop::filled(std::vector<double> error_mm, std::vector<double> gain) const {
@@ -162,6 +182,11 @@ LayerCorrection HeightLoop::correction(LoopState state) const {
   const bool is_learnt_only = layers_begun_ <= static_cast<std::size_t>(settings_.first_layers);
   const bool corrects =
       state == LoopState::Active || (state == LoopState::Coasting && settings_.process == LoopProcess::Free);
+  if (is_learnt_only && corrects && !learnt_.empty()) {
+    LayerCorrection learnt = asked(LoopState::Coasting, knowledge(), deficit_);
+    boundByClouds(learnt, LoopState::Coasting);
+    return learnt;
+  }
   if (is_learnt_only || !corrects) {
     LayerCorrection none;
     none.amount.assign(cells_.size(), 0.0);
@@ -294,7 +319,7 @@ StoredHeights HeightLoop::stored() const {
   return stored;
 }
 
-void HeightLoop::resume(LayerCells cells, const StoredHeights& stored) {
+void HeightLoop::resume(LayerCells cells, const StoredHeights& stored, std::vector<double> learnt) {
   for (const std::size_t count :
        {stored.estimates.size(), stored.deficit.size(), stored.before_deficit.size(),
         stored.before_clouds.error_mm.size(), stored.before_clouds.gain.size()})
@@ -302,6 +327,7 @@ void HeightLoop::resume(LayerCells cells, const StoredHeights& stored) {
       throw InvalidInput("what was kept of layer " + std::to_string(cells.layer) + " is of " +
                          std::to_string(count) + " cells; expected " + std::to_string(cells.size()));
   cells_ = std::move(cells);
+  learnt_ = std::move(learnt);
   estimates_.clear();
   for (const StoredEstimate& cell : stored.estimates) estimates_.emplace_back(cell);
   deficit_ = stored.deficit;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/report/loop_report.hpp"
 #include "lamina/control/run/run_calibration.hpp"
@@ -89,6 +90,7 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
 
 void HeightController::beginPrint(const lamina_msgs::Toolpath& toolpath) {
   digests_.clear();
+  is_learnt_saved_ = false;
   try {
     const bool goes_on = feed_.add(toolpath);
     const PlacedPart& part = feed_.run()->part();
@@ -146,8 +148,10 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   if (!is_over || feed_.run() == nullptr) return;
   hold_.releaseAll();
   feed_.pass();
+  if (message->state == State::COMPLETE) feed_.finish();
   publishNews();
   save();
+  if (message->state == State::COMPLETE) saveLearnt();
   const bool was_resumed = memory_.resumedAfter().has_value();
   memory_.forget();
   if (!was_resumed) return;
@@ -265,6 +269,22 @@ void HeightController::save() {
   } catch (const Error& error) {
     ROS_ERROR("%s", error.what());
     is_saved_ = true;  // once is enough to say so
+  }
+}
+
+/// Only of parts that are complete, once: what is learnt is used when an operator asks for it.
+void HeightController::saveLearnt() {
+  if (is_learnt_saved_ || settings_.output_folder.empty()) return;
+  is_learnt_saved_ = true;
+  try {
+    const auto map = feed_.run()->learnt(PartEnd::Complete);
+    if (!map) return;
+    const std::string path = settings_.output_folder + "/learnt_part.csv";
+    writeFile(path, partMapCsv(*map));
+    ROS_INFO("what %zu parts have taught is in %s: the next one is laid by it with loop/learned", map->parts,
+             path.c_str());
+  } catch (const Error& error) {
+    ROS_ERROR("%s", error.what());
   }
 }
 

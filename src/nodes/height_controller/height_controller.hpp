@@ -58,6 +58,7 @@ class HeightController {
   void report(const RaisedAlarm& alarm);
   void report(const LayerOutcome& layer);
   void save();
+  void saveLearnt();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   HeightControllerSettings settings_;  ///< as stated
@@ -75,6 +76,7 @@ class HeightController {
   double last_arrival_s_ = 0.0;
   bool is_quiet_ = true;  ///< all that came was worked off
   bool is_saved_ = true;
+  bool is_learnt_saved_ = false;  ///< of the print under way
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;
   ros::Subscriber profile_;

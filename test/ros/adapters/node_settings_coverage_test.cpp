@@ -45,6 +45,7 @@ const std::vector<TestedElsewhere>& loopTests() {
       {"arrival_hold_s", "ros/height_controller_test.cpp", "arrival_hold_s"},
       {"feeder.uncertainty_s", "control/run/run_settings_test.cpp", "feeder.uncertainty_s"},
       {"head.clearance_mm", "control/run/run_settings_test.cpp", "head.clearance_mm"},
+      {"loop.learned", "control/run/taught_part_test.cpp", "loop.learned"},
       {"memory_file", "ros/height_controller_test.cpp", "_memory_file"},
       {"monitor.reorder_s", "control/run/run_settings_test.cpp", "monitor.reorder_s"},
       {"monitor.settle_mm", "control/run/run_settings_test.cpp", "monitor.settle_mm"},

@@ -20,6 +20,7 @@
 #include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/run/run_settings.hpp"
 #include "lamina/control/run/stuck_watch.hpp"
+#include "lamina/control/run/taught_part.hpp"
 
 namespace lamina {
 
@@ -107,7 +108,9 @@ struct LoopCounts {
 /// at once.
 class LoopRun {
  public:
-  /// @throws InvalidInput as `validate` of a toolpath, and as `metalSplit` for its speeds
+  /// @throws InvalidInput as `validate` of a toolpath, as `metalSplit` for its speeds, and as `TaughtPart`
+  /// for
+  ///   the map that it is to be laid by; FileError if that cannot be read
   LoopRun(PlacedPart part, const LoopRunSettings& settings);
   LoopRun(const LoopRun&) = delete;
   LoopRun& operator=(const LoopRun&) = delete;
@@ -149,6 +152,9 @@ class LoopRun {
   void finish();
 
   LoopNews takeNews();
+
+  /// The map for the next part of this program (`TaughtPart::learnt`), for the caller to keep or not.
+  std::optional<PartMap> learnt(PartEnd end) const { return taught_.learnt(part_.toolpath, end); }
 
   const LoopStatus& status() const { return status_; }
   /// Of the last alarm; none if there was none.
@@ -208,6 +214,7 @@ class LoopRun {
   Eigen::Isometry3d part_from_bed_;
   Eigen::Vector3d normal_;
   LayerProgress progress_;
+  TaughtPart taught_;
   StabilityReport stability_;
   double gain_at_check_ = 1.0;
   std::optional<HeightLoop> loop_;

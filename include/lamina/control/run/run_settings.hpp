@@ -48,6 +48,7 @@ struct LoopRunSettings {
   double head_clearance_mm = 5.0;  ///< of the head above the nozzle tip
   std::string material;            ///< its name
   bool keeps_memory = false;       ///< whether news hold what it takes to go on after a layer
+  std::string learned;             ///< file of a map learnt from parts before (`readPartMap`); empty: none
 };
 
 /// Adds the keys request, loop.*, sight.*, following.*, sensor.*, feeder.*, process.*, head.clearance_mm and

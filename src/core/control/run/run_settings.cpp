@@ -39,6 +39,8 @@ void describe(SettingsSchema& schema, LoopRunSettings& settings) {
       {{"none", LoopRequest::Off}, {"identify", LoopRequest::Identify}, {"active", LoopRequest::Active}},
       "What a print begins with: no loop, learning only, or corrections.");
   describe(schema, settings.loop);
+  schema.text("loop.learned", settings.learned,
+              "Map learnt from parts before, which this part is laid by; empty for none.");
   describe(schema, settings.sight);
   describe(schema, settings.following);
   describeCalibration(schema, settings.calibration);
