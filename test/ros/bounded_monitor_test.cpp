@@ -11,6 +11,7 @@
 #include <map>
 
 #include "lamina/base/clock.hpp"
+#include "latched.hpp"
 #include "plate_scan.hpp"
 #include "wait_until.hpp"
 
@@ -97,8 +98,8 @@ TEST_F(BoundedMonitor, PublishesMapsNoOftenerThanItsPeriod) {
   tf2_msgs::TFMessage fixed;
   fixed.transforms = {
       test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, stamp_)};
-  fixed_.publish(fixed);
-  toolpath_.publish(test::twoPlates());
+  publishLatched(fixed_, fixed);
+  publishLatched(toolpath_, test::twoPlates());
   ASSERT_TRUE(test::waitUntil([this] { return measured_id_ == test::twoPlates().id; }));
   const SteadyClock clock;
   const double begin = clock.now();

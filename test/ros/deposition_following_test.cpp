@@ -16,6 +16,7 @@
 #include "lamina/kinematics/model/kinematic_model.hpp"
 #include "lamina/program/gcode/toolpath_from_gcode.hpp"
 #include "lamina/streaming/client/stream_session.hpp"
+#include "latched.hpp"
 #include "leaning_square.hpp"
 #include "names.hpp"
 #include "node_process.hpp"
@@ -45,7 +46,7 @@ class Followed {
     toolpath_ = node_.advertise<lamina_msgs::Toolpath>(names::kToolpath, 1, true);
   }
 
-  void latch(const MachineToolpath& placed) { toolpath_.publish(stamped(placed, ros::Time::now())); }
+  void latch(const MachineToolpath& placed) { publishLatched(toolpath_, stamped(placed, ros::Time::now())); }
   bool isReadyFor(unsigned subscribers) const {
     return state_.getNumPublishers() > 0 && cloud_.getNumPublishers() > 0 &&
            toolpath_.getNumSubscribers() >= subscribers;

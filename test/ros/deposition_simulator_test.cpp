@@ -13,6 +13,7 @@
 #include "conversions.hpp"
 #include "lamina/geometry/mesh_io/mesh_reader.hpp"
 #include "lamina/job/slice_job.hpp"
+#include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "point_cloud.hpp"
@@ -68,7 +69,7 @@ class DepositionSimulator : public testing::Test {
 
   /// Publishes a toolpath and waits until the node has it.
   void latch(const MachineToolpath& placed) {
-    toolpath_.publish(stamped(placed, ros::Time::now()));
+    publishLatched(toolpath_, stamped(placed, ros::Time::now()));
     Goal probe;
     probe.toolpath_id = placed.id;
     probe.output = "none.xyz";  // refused, for this reason only once the toolpath is there

@@ -16,6 +16,7 @@
 
 #include "conversions.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "wait_until.hpp"
@@ -72,7 +73,7 @@ class DriveCell {
     placed.id = toolpathId(toolpath);
     placed.toolpath = std::move(toolpath);
     waitUntil([&] { return toolpath_.getNumSubscribers() > 0; });
-    toolpath_.publish(toMessage(placed));
+    publishLatched(toolpath_, toMessage(placed));
     ask(placed.id);
   }
   void drive(Toolpath toolpath) { drive(std::move(toolpath), model->name()); }

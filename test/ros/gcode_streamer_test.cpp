@@ -20,6 +20,7 @@
 #include "correction_messages.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
 #include "lamina/streaming/emulator/emulated_machine.hpp"
+#include "latched.hpp"
 #include "messages.hpp"
 #include "names.hpp"
 #include "node_process.hpp"
@@ -101,7 +102,7 @@ class GcodeStreamer : public testing::Test {
   }
   /// Asks for a toolpath as soon as the node has received it.
   lamina_msgs::StreamProgramResult streamPublished(const lamina::MachineToolpath& placed) {
-    publisher_.publish(toMessage(placed));
+    lamina::publishLatched(publisher_, toMessage(placed));
     lamina_msgs::StreamProgramResult given;
     EXPECT_TRUE(waitUntil([&] {
       start("", placed.id);
@@ -358,7 +359,7 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   ASSERT_TRUE(client.waitForServer(ros::Duration(kPatience)));
   ros::Publisher toolpath = node_.advertise<lamina_msgs::Toolpath>("/corrected/toolpath", 1, true);
   ros::Publisher correction = node_.advertise<lamina_msgs::CorrectionMap>("/corrected/correction", 10, true);
-  toolpath.publish(toMessage(placed));
+  lamina::publishLatched(toolpath, toMessage(placed));
   ASSERT_TRUE(
       waitUntil([&] { return toolpath.getNumSubscribers() > 0 && correction.getNumSubscribers() > 0; }));
   MachineState::ConstPtr state;
@@ -370,7 +371,7 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   ASSERT_TRUE(waitUntil([&] { return state && state->state == MachineState::EXECUTE; }));
   const lamina::LayerCells cells = layerCells(placed.toolpath.layers[1], 1, 0.5);
   const auto map = correctionMap(cells, {std::vector<double>(cells.size(), 0.3), {}, {}}, placed.id, 1);
-  correction.publish(toMessage(map));
+  lamina::publishLatched(correction, toMessage(map));
   EXPECT_TRUE(waitUntil([&] { return client.getState().isDone(); }));
   EXPECT_EQ(client.getState().toString(), "SUCCEEDED") << client.getState().getText();
   // The map of the last layer never comes.

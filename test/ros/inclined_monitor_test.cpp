@@ -7,6 +7,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "lamina/toolpath/layer_frame.hpp"
+#include "latched.hpp"
 #include "plate_scan.hpp"
 #include "wait_until.hpp"
 
@@ -67,8 +68,8 @@ class InclinedMonitor : public ::testing::Test {
     tf2_msgs::TFMessage fixed;
     fixed.transforms = {
         test::stamped(test::nozzleFromSensor(), names::kNozzleFrame, names::kSensorFrame, ros::Time(1000.0))};
-    fixed_.publish(fixed);
-    toolpath_.publish(inclinedPlates());
+    publishLatched(fixed_, fixed);
+    publishLatched(toolpath_, inclinedPlates());
     ASSERT_TRUE(test::waitUntil([this] { return measured_id_ == inclinedPlates().id; }));
   }
 

@@ -12,6 +12,7 @@
 #include "bag_player.hpp"
 #include "conversions.hpp"
 #include "lamina/kinematics/model/kinematic_model.hpp"
+#include "latched.hpp"
 #include "leaning_square.hpp"
 #include "names.hpp"
 #include "node_process.hpp"
@@ -59,7 +60,7 @@ TEST_P(KinematicModelPlayback, TfReportsEveryWaypointLiveAndFromARecording) {
       LAMINA_NODE, {"__ns:=/" + name, "/tf:=/" + name + "/tf", "/tf_static:=/" + name + "/tf_static",
                     "_machine/name:=" + name, "_speed_up:=5"});
   ASSERT_TRUE(test::waitUntil([&] { return live.isConnected(); }));
-  toolpath.publish(toMessage(played.placed));
+  publishLatched(toolpath, toMessage(played.placed));
   EXPECT_TRUE(test::waitUntil([&] { return hasEnded(played, live); }));
   expectPlayed(played, live);
 

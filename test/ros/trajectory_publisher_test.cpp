@@ -14,6 +14,7 @@
 #include <functional>
 
 #include "conversions.hpp"
+#include "latched.hpp"
 #include "names.hpp"
 #include "wait_until.hpp"
 
@@ -72,7 +73,7 @@ class Listener {
     position_ = node_.advertise<sensor_msgs::JointState>(names::kMachinePosition, 10000);
   }
 
-  void send(const lamina_msgs::Toolpath& message) { toolpath_.publish(message); }
+  void send(const lamina_msgs::Toolpath& message) { publishLatched(toolpath_, message); }
   void report(const Point3& axes_mm, const ros::Time& stamp) {
     sensor_msgs::JointState state;
     state.header.stamp = stamp;
