@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "lamina/calibration/calibration_file.hpp"
 #include "lamina/control/run/run_settings.hpp"
 
@@ -24,5 +26,10 @@ LoopRunSettings withCalibration(const LoopRunSettings& settings, const Calibrati
 /// The same with the file that `sensor.calibration` names; with an empty one if it names none.
 /// @throws FileError, InvalidConfig as `readCalibration`
 LoopRunSettings withCalibrationFile(const LoopRunSettings& settings);
+
+/// `checkStability` of a loop over a print, which refuses the calibration of another machine, by both names.
+/// @param machine  that the toolpath is for
+StabilityReport checkStart(const Toolpath& toolpath, const std::string& machine,
+                           const LoopRunSettings& settings);
 
 }  // namespace lamina

@@ -11,6 +11,7 @@
 #include "control/run/layer_ground.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/metal_split.hpp"
+#include "lamina/control/run/run_calibration.hpp"
 #include "lamina/control/z_follow.hpp"
 
 namespace lamina {
@@ -40,17 +41,6 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
   }
 }
 
-/// A file of another machine says nothing of this one, so nothing of it may act.
-StabilityReport checkedStart(const PlacedPart& part, const LoopRunSettings& settings) {
-  StabilityReport report = checkStability(settings.loop, calibrationFor(part.toolpath, settings));
-  const CellCalibration& known = settings.calibration;
-  if (known.machine.empty() || known.machine == part.machine) return report;
-  report.may_start = false;
-  report.reason = "the calibration '" + known.file + "' is that of machine '" + known.machine +
-                  "'; expected that of '" + part.machine + "', which the toolpath is for";
-  return report;
-}
-
 /// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
 double highestCell(const std::vector<CellEstimate>& estimates) {
   double highest = -1e9;
@@ -77,7 +67,7 @@ LoopRun::LoopRun(PlacedPart part, const LoopRunSettings& settings)
       normal_(normalOfLayers(part_.toolpath)),
       progress_(part_.toolpath, settings.following),
       taught_(part_.toolpath, {part_.toolpath_id, part_.machine, settings.material}, settings),
-      stability_(checkedStart(part_, settings)),
+      stability_(checkStart(part_.toolpath, part_.machine, settings)),
       atlas_(settings.sight.window_layers) {
   requireSpeeds(part_.toolpath, settings_);
   if (stability_.may_start) settings_.loop.low_pass_mm = stability_.low_pass_mm;
@@ -125,7 +115,7 @@ const LoopStatus& LoopRun::request(LoopRequest request) {
 void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   settings_.calibration = known;
   offset_left_ = {};
-  stability_ = checkedStart(part_, settings_);
+  stability_ = checkStart(part_.toolpath, part_.machine, settings_);
   if (stability_.may_start && stability_.low_pass_mm > settings_.loop.low_pass_mm) {
     stability_.may_start = false;
     stability_.reason += "; the low-pass of this print stays: it holds from the next one on";
@@ -517,7 +507,7 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
 void LoopRun::checkAgain(const LayerFigures& figures) {
   if (!needsNewCheck(gain_at_check_, figures.gain_mean)) return;
   gain_at_check_ = figures.gain_mean;
-  stability_ = checkedStart(part_, settings_);
+  stability_ = checkStart(part_.toolpath, part_.machine, settings_);
   if (!stability_.may_start && status_.state != LoopState::Off)
     status_ = afterRequest(LoopRequest::Active, stability_);
 }

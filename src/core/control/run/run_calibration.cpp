@@ -118,4 +118,16 @@ LoopRunSettings withCalibrationFile(const LoopRunSettings& settings) {
   return withCalibration(settings, file.empty() ? Calibration{} : readCalibration(file));
 }
 
+/// A file of another machine says nothing of this one, so nothing of it may act.
+StabilityReport checkStart(const Toolpath& toolpath, const std::string& machine,
+                           const LoopRunSettings& settings) {
+  StabilityReport report = checkStability(settings.loop, calibrationFor(toolpath, settings));
+  const CellCalibration& known = settings.calibration;
+  if (known.machine.empty() || known.machine == machine) return report;
+  report.may_start = false;
+  report.reason = "the calibration '" + known.file + "' is that of machine '" + known.machine +
+                  "'; expected that of '" + machine + "', which the toolpath is for";
+  return report;
+}
+
 }  // namespace lamina
