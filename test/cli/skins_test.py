@@ -90,7 +90,8 @@ class Skins(unittest.TestCase):
         self.assertIn("0.8 of bead.width_mm", lamina(*box, *both).stderr)
 
         def infills(*settings):
-            told(*box, "--set", "machine.nozzle_mm=0.8", "--set", "bead.width_mm=0.8", *settings, "-o", self.path("box.gcode"))
+            told(*box, "--set", "machine.nozzle_mm=0.8", "--set", "slicing.layer_height_mm=0.2", "--set",
+                 "slicing.first_layer_height_mm=0.2", *settings, "-o", self.path("box.gcode"))
             with open(self.path("box.gcode"), encoding="utf-8") as file:
                 return file.read().count(";TYPE:infill")
 
