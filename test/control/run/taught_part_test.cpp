@@ -75,7 +75,7 @@ TEST(TaughtPart, IsRefusedOnAnotherMachineOrOfAnotherMaterialOrProgram) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("learnt.csv");
   writeFile(file, partMapCsv(*sensedWall(taughtWall("")).learnt));
-  const auto refusalOf = [&](SensedWallCase wall) {
+  const auto refusalOf = [&](const SensedWallCase& wall) {
     try {
       sensedWall(wall);
       return std::string();

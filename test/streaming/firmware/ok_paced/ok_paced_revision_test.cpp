@@ -118,8 +118,8 @@ TEST_P(OkPacedRevision, RestsInFrontOfALayerUntilItIsKnown) {
   const auto machine = firmware({});
   auto streamer = streamerOf(layeredText());
   test::PacedLink link(streamer, *machine);
-  const auto behind =
-      static_cast<std::ptrdiff_t>(3 + 4 * kLinesPerLayer);  // layers 0 to 2, of which one is split
+  const std::ptrdiff_t behind =
+      3 + std::ptrdiff_t{4} * kLinesPerLayer;  // layers 0 to 2, of which one is split
   double rested_at = 0.0;
   const auto rests = [&] {
     const bool is_at_rest = streamer.status().lines_acknowledged == static_cast<std::uint64_t>(behind) + 1;
