@@ -3,6 +3,7 @@
 #include "planning/laid_runs.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/polygon/inside.hpp"
 
@@ -29,6 +30,17 @@ std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs) {
   ends.reserve(runs.size());
   for (const FillPath& run : runs) ends.push_back({run.points.front(), lastPoint(run)});
   return ends;
+}
+
+std::vector<FillPath> inOrder(std::vector<FillPath> runs, RunOrder order, const Point2& from) {
+  if (order == RunOrder::AsGiven) return runs;
+  std::vector<FillPath> ordered;
+  ordered.reserve(runs.size());
+  for (const OrderedRun& next : orderRuns(endsOf(runs), from)) {
+    FillPath& run = runs[next.run];
+    ordered.push_back(next.is_reversed ? reversed(std::move(run)) : std::move(run));
+  }
+  return ordered;
 }
 
 std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops) {

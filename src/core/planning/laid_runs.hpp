@@ -7,6 +7,7 @@
 
 #include "lamina/geometry/polygon/polygon.hpp"
 #include "lamina/infill/fill_path.hpp"
+#include "lamina/infill/strategy.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/order/ordering.hpp"
 
@@ -17,6 +18,9 @@ double areaMissed(const Regions& regions, const std::vector<Path>& paths, std::s
 
 /// Where runs start and end.
 std::vector<RunEnds> endsOf(const std::vector<FillPath>& runs);
+/// Runs as they are laid, each in its direction: as given, or the shortest travels between them.
+/// @param from  where the nozzle comes from [mm]
+std::vector<FillPath> inOrder(std::vector<FillPath> runs, RunOrder order, const Point2& from);
 /// Of closed runs both are the first point.
 std::vector<RunEnds> endsOf(const std::vector<Polygon>& loops);
 

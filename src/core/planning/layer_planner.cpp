@@ -182,7 +182,7 @@ class LayerPlanner {
       if (infill_.spacing_mm > 0.0) addInfill(infillArea(walls.infill));
       keepSeen(walls.infill);
       starts_ += startsOf(walls.infill, fillsSince(result_.paths, before), pitch_);
-      addShortest(std::move(walls.narrow_infill), {});
+      addFills(std::move(walls.narrow_infill), {});
       if (!isSolid(infill_)) appendTo(sparse_, walls.infill);
     }
     return walls.unprinted_mm2 + (isSolid(infill_) ? areaMissed(walls.infill, result_.paths, before) : 0.0);
@@ -192,7 +192,7 @@ class LayerPlanner {
   /// @return what is left to fill
   Regions addBridges(BridgedAreas areas) {
     bridging_ += areas.counts;
-    for (LaidBridge& bridge : areas.bridges) addShortest(std::move(bridge.threads), bridge.area);
+    for (LaidBridge& bridge : areas.bridges) addFills(std::move(bridge.threads), bridge.area);
     const std::size_t before = result_.paths.size();
     addSkin(areas.hanging, PathRole::BottomSkin);
     markSince(before, settings_.feed.skin_mm_s * settings_.overhangs.feed_factors.back());
@@ -224,7 +224,7 @@ class LayerPlanner {
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t k = settings_.walls.order == WallOrder::OutsideIn ? i : count - 1 - i;
       addWall(walls.walls[k].centre_lines, k == 0 ? PathRole::OuterWall : PathRole::InnerWall);
-      addShortest(std::move(walls.walls[k].thin), {});
+      addFills(std::move(walls.walls[k].thin), {});
     }
   }
 
@@ -312,7 +312,7 @@ class LayerPlanner {
       for (const FillPath& run : whole)
         for (FillPath& part : clipped(run, piece)) runs.push_back(std::move(part));
     }
-    addShortest(std::move(runs), {});
+    addFills(std::move(runs), {});
   }
 
   /// Skins and infill, up to the walls of the island and to the border of the piece.
@@ -332,7 +332,7 @@ class LayerPlanner {
     std::vector<FillPath> narrow;
     for (const FillPath& run : walls.narrow_infill)
       for (FillPath& part : clipped(run, piece)) narrow.push_back(std::move(part));
-    addShortest(std::move(narrow), {});
+    addFills(std::move(narrow), {});
     if (!isSolid(infill_)) appendTo(sparse_, inside);
   }
 
@@ -406,7 +406,7 @@ class LayerPlanner {
     if (goes_one_way)
       for (const FillPath& fill : std::exchange(fills, {})) addFill(fill, area);
     for (FillPath& narrow : parts.narrow) fills.push_back(std::move(narrow));
-    addShortest(std::move(fills), area);
+    addFills(std::move(fills), area);
   }
 
   /// A solid infill that is seen is ironed as a skin is.
@@ -425,7 +425,7 @@ class LayerPlanner {
   void ironSeen(const Regions& seen) {
     if (seen.empty()) return;
     const double turn_deg = settings_.skins.angle_deg + 90.0 * static_cast<double>(index_ % 4 + 1);
-    addShortest(ironingLines(seen, settings_.ironing, turn_deg * M_PI / 180.0), seen);
+    addFills(ironingLines(seen, settings_.ironing, turn_deg * M_PI / 180.0), seen);
   }
 
   void addWall(const Regions& centre_lines, PathRole role) {
@@ -464,17 +464,12 @@ class LayerPlanner {
       fill = simplified(smoothed(std::move(fill), smoothing), smoothing.tolerance_mm);
       for (double& width : fill.width_mm) width *= pitch_ / infill_.pitch_mm;
     }
-    if (context_.strategy.order == RunOrder::AsGiven) {
-      for (const FillPath& fill : fills) addFill(fill, area);
-      return;
-    }
-    addShortest(std::move(fills), area);
+    addFills(std::move(fills), area, context_.strategy.order);
   }
 
   /// @param area  over which travels need not be retracted
-  void addShortest(std::vector<FillPath> runs, const Regions& area) {
-    for (const OrderedRun& next : orderRuns(endsOf(runs), nozzle_))
-      addFill(next.is_reversed ? reversed(std::move(runs[next.run])) : runs[next.run], area);
+  void addFills(std::vector<FillPath> runs, const Regions& area, RunOrder order = RunOrder::Shortest) {
+    for (const FillPath& run : inOrder(std::move(runs), order, nozzle_)) addFill(run, area);
   }
 
   /// What a sparse infill leaves open stays so.
@@ -483,7 +478,7 @@ class LayerPlanner {
     settings.least_area = settings_.voids.least_area;
     const Regions solid = isSolid(infill_) && sparse_.empty() ? material : difference(material, sparse_);
     const std::size_t before = result_.paths.size();
-    addShortest(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);
+    addFills(refill(findVoids(solid, withoutFlow(result_, settings_.bead.flow), {}), settings), material);
     for (std::size_t i = before; i < result_.paths.size(); ++i) {
       const Path& path = result_.paths[i];
       if (path.role == PathRole::Travel) continue;
@@ -512,19 +507,12 @@ class LayerPlanner {
 
   /// They need no anchor on the part.
   void addAids(const AidRuns& aids) {
-    const std::vector<FillPath>& runs = *aids.runs;
-    const auto lay = [&](const FillPath& run) {
+    for (const FillPath& run : inOrder(*aids.runs, aids.order, nozzle_)) {
       const bool is_inside = aids.area && staysInside(*aids.area, nozzle_, run.points.front());
       Path path = pathAlong(run, aids.bead, aids.top_mm, feedIn(settings_.feed, run.role, index_));
       path.tool = aids.tool;
       layPath(std::move(path), is_inside ? TravelOver::Infill : TravelOver::Anything);
-    };
-    if (aids.order == RunOrder::AsGiven) {
-      std::for_each(runs.begin(), runs.end(), lay);
-      return;
     }
-    for (const OrderedRun& next : orderRuns(endsOf(runs), nozzle_))
-      lay(next.is_reversed ? reversed(runs[next.run]) : runs[next.run]);
   }
 
   void addRun(const FillPath& run, TravelOver over) {
