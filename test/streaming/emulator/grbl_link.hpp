@@ -11,6 +11,14 @@
 
 namespace lamina::test {
 
+/// Of a job on a grbl whose link changes no byte.
+inline StreamSettings reliableGrbl() {
+  StreamSettings settings;
+  settings.firmware = "grbl";
+  settings.link = LinkKind::Reliable;
+  return settings;
+}
+
 /// A streamer and an emulated grbl joined by a wire. A cable that was pulled is plugged in again.
 class GrblLink : public SimulatedWire<EmulatedGrbl> {
  public:

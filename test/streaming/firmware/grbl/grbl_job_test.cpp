@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lamina/streaming/client/streamer.hpp"
+#include "streaming/emulator/grbl_link.hpp"
 
 namespace lamina {
 namespace {
@@ -15,12 +16,7 @@ constexpr char kGreeting[] = "\r\nGrbl 1.1h ['$' for help]\r\n";
 
 class GrblPeer : public testing::Test {
  protected:
-  static StreamSettings settings() {
-    StreamSettings settings;
-    settings.firmware = "grbl";
-    settings.link = LinkKind::Reliable;
-    return settings;
-  }
+  static StreamSettings settings() { return test::reliableGrbl(); }
 
   /// Answers until the machine is known.
   static void identify(Streamer& streamer, const std::string& options = "[OPT:V,15,128]",

@@ -12,16 +12,9 @@ namespace {
 
 using test::GrblLink;
 
-StreamSettings pausedSettings() {
-  StreamSettings settings;
-  settings.firmware = "grbl";
-  settings.link = LinkKind::Reliable;
-  return settings;
-}
-
 /// Layers of a hundred lines behind three lines of modes.
 StreamableProgram layeredProgram() {
-  return StreamableProgram::fromText("mill", test::millProgram(1000), pausedSettings());
+  return StreamableProgram::fromText("mill", test::millProgram(1000), test::reliableGrbl());
 }
 
 /// Until the machine holds in front of a layer, or the job is over.
@@ -38,7 +31,7 @@ RC_GTEST_PROP(GrblLayerPauseProperty, StandsBetweenTwoLayersAndGoesOn, ()) {
   EmulatedGrblSettings machine;
   machine.seed = *rc::gen::inRange<std::uint64_t>(1, 1000000);
   machine.obeys_holds = *rc::gen::arbitrary<bool>();
-  GrblLink link(layeredProgram(), pausedSettings(), machine, {});
+  GrblLink link(layeredProgram(), test::reliableGrbl(), machine, {});
   runToLayer(link, layer);
   const std::vector<std::string> meant = test::commandsOf(layeredProgram());
   const auto before = meant.begin() + 3 + 100 * static_cast<std::ptrdiff_t>(layer);
@@ -55,7 +48,7 @@ RC_GTEST_PROP(GrblLayerPauseProperty, StandsBetweenTwoLayersAndGoesOn, ()) {
 }
 
 TEST(GrblLayerPause, EndsTheJobWhereAnAnswerIsLostOnTheWayToIt) {
-  GrblLink link(layeredProgram(), pausedSettings(), {}, {{GrblFaultKind::LostOk, 0.0, {60}}});
+  GrblLink link(layeredProgram(), test::reliableGrbl(), {}, {{GrblFaultKind::LostOk, 0.0, {60}}});
   runToLayer(link, 1);
   link.runUntil(1e6);
   EXPECT_EQ(link.streamer.status().state, PackmlState::Aborted);

@@ -12,22 +12,15 @@ namespace {
 
 using test::GrblLink;
 
-StreamSettings grblSettings() {
-  StreamSettings settings;
-  settings.firmware = "grbl";
-  settings.link = LinkKind::Reliable;
-  return settings;
-}
-
 /// A laser that is on while it runs slow moves of a minute in all.
 StreamableProgram laserProgram() {
   std::string text = "G21\nG90\nM3 S1000\nG1 F60\n";
   for (int i = 1; i <= 30; ++i) text += "X" + std::to_string(2 * i) + "\n";
-  return StreamableProgram::fromText("laser", text, grblSettings());
+  return StreamableProgram::fromText("laser", text, test::reliableGrbl());
 }
 
 TEST(GrblOverrides, ScaleTheLasersPowerAmidALine) {
-  GrblLink link(laserProgram(), grblSettings(), {}, {});
+  GrblLink link(laserProgram(), test::reliableGrbl(), {}, {});
   link.start();
   link.runUntil(3.0);
   ASSERT_EQ(link.firmware.spindleSpeed(), 1000.0);
@@ -39,7 +32,7 @@ TEST(GrblOverrides, ScaleTheLasersPowerAmidALine) {
 
 // Byte by byte from any override to any other.
 RC_GTEST_PROP(GrblOverridesProperty, BecomeWhatWasAskedFor, ()) {
-  GrblLink link(laserProgram(), grblSettings(), {}, {});
+  GrblLink link(laserProgram(), test::reliableGrbl(), {}, {});
   link.start();
   link.runUntil(3.0);
   for (int i = 0; i < 3; ++i) {

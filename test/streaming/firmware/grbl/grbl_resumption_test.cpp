@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include "streaming/emulator/grbl_link.hpp"
 
 #include "lamina/streaming/client/streamer.hpp"
 #include "lamina/streaming/emulator/grbl/emulated_grbl.hpp"
@@ -14,15 +15,8 @@ namespace {
 
 constexpr const char* kModes = "[GC:G1 G54 G17 G21 G90 G94 M5 M9 T0 F600 S0]";
 
-StreamSettings resumedSettings() {
-  StreamSettings settings;
-  settings.firmware = "grbl";
-  settings.link = LinkKind::Reliable;
-  return settings;
-}
-
 StreamableProgram programOf(const std::string& text) {
-  return StreamableProgram::fromText("part", text, resumedSettings());
+  return StreamableProgram::fromText("part", text, test::reliableGrbl());
 }
 
 GrblResumption resumed(const std::string& text, std::uint64_t taken, std::uint64_t sent, const GrblAxes& work,
@@ -105,7 +99,7 @@ TEST(GrblResumption, GoesOnWithEachLineOnce) {
   }
   for (double death = 1.0; death < 6.0; death += 0.37) {
     LivingGrbl grbl;
-    auto first = std::make_unique<Streamer>(programOf(text), resumedSettings());
+    auto first = std::make_unique<Streamer>(programOf(text), test::reliableGrbl());
     grbl.connect(*first, death);
     const StreamStatus left = first->status();
     ASSERT_EQ(left.state, PackmlState::Execute);
@@ -113,7 +107,7 @@ TEST(GrblResumption, GoesOnWithEachLineOnce) {
     grbl.machine.receive("X1", grbl.now);  // of the next line
     StreamOrder order{
         programOf(text),
-        resumedSettings(),
+        test::reliableGrbl(),
         {},
         {},
         0,
@@ -132,13 +126,14 @@ TEST(GrblResumption, GoesOnWithEachLineOnce) {
 TEST(GrblResumption, LooksForThePlaceOnceWhatWasSentHasRun) {
   const std::string text = "G21\nG90\nG1 X10 F3000\nG4 P5\nG91\nG1 X1\nM5\n";
   LivingGrbl grbl;
-  auto first = std::make_unique<Streamer>(programOf(text), resumedSettings());
+  auto first = std::make_unique<Streamer>(programOf(text), test::reliableGrbl());
   grbl.connect(*first, 2.0);
   ASSERT_EQ(first->status().lines_sent, 7U);
   ASSERT_EQ(first->status().lines_acknowledged, 3U) << "it dwells";
   first.reset();
   grbl.tellOffsetIn(2);  // while it dwells
-  Streamer second(StreamOrder{programOf(text), resumedSettings(), {}, {}, 0, UnfinishedLines{0, 7, ""}, 0});
+  Streamer second(
+      StreamOrder{programOf(text), test::reliableGrbl(), {}, {}, 0, UnfinishedLines{0, 7, ""}, 0});
   grbl.connect(second, 1e4);
   EXPECT_EQ(second.status().state, PackmlState::Complete) << second.status().failure.message;
   EXPECT_EQ(std::count(grbl.executed.begin(), grbl.executed.end(), "G1 X1"), 1);
@@ -147,7 +142,7 @@ TEST(GrblResumption, LooksForThePlaceOnceWhatWasSentHasRun) {
 
 TEST(GrblResumption, IsNoneOfAMachineThatGreets) {
   StreamOrder order{
-      programOf("G90\nG1 X1 F600\n"), resumedSettings(), {}, {}, 0, UnfinishedLines{1, 2, ""}, 0};
+      programOf("G90\nG1 X1 F600\n"), test::reliableGrbl(), {}, {}, 0, UnfinishedLines{1, 2, ""}, 0};
   Streamer streamer(order);
   streamer.start(0.0);
   EXPECT_EQ(streamer.takeOutput().find("Z\n"), 0U);
