@@ -18,6 +18,10 @@ namespace lamina {
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body, Progress& progress,
                  const std::string& stage);
 
+/// As above, for loops too short to report or to cancel.
+/// @throws the first exception a body threw
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body);
+
 /// Runs both, at the same time if there is more than one thread.
 /// @throws what one of them threw
 void inParallel(const std::function<void()>& first, const std::function<void()>& second);

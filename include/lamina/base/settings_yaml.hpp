@@ -19,6 +19,9 @@ struct PlacedSetting {
 /// @throws InvalidConfig as `settingsFromYaml`
 std::vector<PlacedSetting> placedSettingsFromYaml(const std::string& yaml, const std::string& source_name);
 
+/// Key and value of each setting of a schema, in its order.
+std::vector<SettingText> settingTexts(const SettingsSchema& schema);
+
 /// Settings as a YAML document that `settingsFromYaml` reads back, grouped by the first part of the key. Of
 /// settings with one key, the last counts, in the place of the first.
 std::string settingsToYaml(const std::vector<SettingText>& settings);

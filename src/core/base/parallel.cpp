@@ -49,6 +49,21 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   handover.end();
 }
 
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body) {
+  Handover handover;
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  handover.begin();
+  tbb::parallel_for(
+      std::size_t{0}, count,
+      [&](std::size_t i) {
+        handover.take();
+        body(i);
+        handover.giveBack();
+      },
+      context);
+  handover.end();
+}
+
 void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
   tbb::task_group_context context(tbb::task_group_context::isolated);
   Handover handover;

@@ -111,6 +111,13 @@ std::string settingsToYaml(const SettingsSchema& schema) {
   return yaml;
 }
 
+std::vector<SettingText> settingTexts(const SettingsSchema& schema) {
+  std::vector<SettingText> texts;
+  texts.reserve(schema.settings().size());
+  for (const Setting& setting : schema.settings()) texts.push_back({setting.key, setting.get()});
+  return texts;
+}
+
 std::string settingsToYaml(const std::vector<SettingText>& settings) {
   std::vector<std::string> groups;
   std::map<std::string, std::vector<SettingText>> settings_of;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stiffness/conjugate_gradients.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 
 #include "conjugate_gradients.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/stiffness/element_stiffness.hpp"
 #include "lamina/stiffness/node_field.hpp"
@@ -30,8 +30,7 @@ inline constexpr std::size_t kBlock = 16384;
 template <class Body>
 void forBlocks(std::size_t count, const Body& body) {
   const std::size_t blocks = (count + kBlock - 1) / kBlock;
-  tbb::parallel_for(std::size_t{0}, blocks,
-                    [&](std::size_t b) { body(b * kBlock, std::min(count, (b + 1) * kBlock)); });
+  parallelFor(blocks, [&](std::size_t b) { body(b * kBlock, std::min(count, (b + 1) * kBlock)); });
 }
 
 /// Calls body(axis, begin, end) for the components of blocks of [0, count), at the same time.

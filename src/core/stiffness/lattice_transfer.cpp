@@ -3,9 +3,10 @@
 #include "stiffness/lattice_transfer.hpp"
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+
+#include "lamina/base/parallel.hpp"
 
 namespace lamina {
 namespace {
@@ -35,7 +36,8 @@ Between between(int fine) { return {fine / 2, (fine + 1) / 2}; }
 template <class Body>
 void forNodeRows(const ElementLattice& lattice, const Body& body) {
   const int rows = lattice.count()[1] + 1;
-  tbb::parallel_for(0, lattice.count()[2] + 1, [&](int k) {
+  parallelFor(std::size_t(lattice.count()[2]) + 1, [&](std::size_t layer) {
+    const int k = static_cast<int>(layer);
     for (int j = 0; j < rows; ++j)
       if (lattice.nodesBegin(lattice.nodeRow(j, k)) != lattice.nodesEnd(lattice.nodeRow(j, k))) body(j, k);
   });

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stiffness/matrix_free_operator.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <memory>
+
+#include "lamina/base/parallel.hpp"
 
 namespace lamina {
 namespace {
@@ -191,9 +191,9 @@ void addForces(const ElasticElements& elements, double factor, const NodeField<R
   const int blocks = (layers + kLayers - 1) / kLayers;
   // Blocks of layers touch only their neighbours: first the even ones, then the odd ones.
   for (int parity = 0; parity < 2; ++parity)
-    tbb::parallel_for(0, (blocks + 1 - parity) / 2, [&](int b) {
+    parallelFor(std::size_t(blocks + 1 - parity) / 2, [&](std::size_t b) {
       RowProduct<Real> product(elements, factor, displacement, force);
-      const int first = (2 * b + parity) * kLayers;
+      const int first = (2 * static_cast<int>(b) + parity) * kLayers;
       for (int k = first; k < std::min(layers, first + kLayers); ++k)
         for (int j = 0; j < rows; ++j) product.add(lattice.elementRow(j, k));
     });

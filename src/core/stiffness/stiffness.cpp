@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/stiffness/stiffness.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 
 #include "conjugate_gradients.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/parallel.hpp"
 #include "lamina/stiffness/elastic_material.hpp"
 #include "lamina/stiffness/element_lattice.hpp"
 #include "lamina/stiffness/load_case.hpp"
@@ -167,7 +167,7 @@ Stress stressAt(const Eigen::Matrix3d& gradients, const ElasticMaterial& materia
 std::vector<Stress> stressOf(const ElementLattice& lattice, const ElasticMaterial& material,
                              double element_mm, const NodeField<double>& displacement) {
   std::vector<Stress> stress(static_cast<std::size_t>(lattice.elementCount()));
-  tbb::parallel_for(std::size_t{0}, lattice.runCount(), [&](std::size_t r) {
+  parallelFor(lattice.runCount(), [&](std::size_t r) {
     const ElementRun& run = lattice.elementsBegin(0)[r];
     // A 0 stands after each run before it.
     const std::size_t first = std::size_t(run.column) - r;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/settings_yaml.hpp"
 #include "lamina/job/incline_job.hpp"
 #include "lamina/job/output_files.hpp"
 
@@ -75,9 +76,7 @@ std::vector<SettingText> textsOf(const InclineForm& form) {
   InclineForm copy = form;
   SettingsSchema schema;
   describe(schema, copy);
-  std::vector<SettingText> texts;
-  for (const Setting& setting : schema.settings()) texts.push_back({setting.key, setting.get()});
-  return texts;
+  return settingTexts(schema);
 }
 
 InclineForm formFrom(const std::vector<SettingText>& texts) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "lamina/base/error.hpp"
+#include "lamina/base/settings_yaml.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/profiles/layered_settings.hpp"
 #include "lamina/job/profiles/profile_library.hpp"
@@ -91,9 +92,7 @@ std::vector<SettingText> textsOf(const PrintForm& form) {
   PrintForm copy = form;
   SettingsSchema schema;
   describe(schema, copy);
-  std::vector<SettingText> texts;
-  for (const Setting& setting : schema.settings()) texts.push_back({setting.key, setting.get()});
-  return texts;
+  return settingTexts(schema);
 }
 
 PrintForm printFormFrom(const std::vector<SettingText>& texts) {

@@ -149,9 +149,7 @@ std::string toYaml(const LoopMemory& memory) {
   StatedMemory stated = statedFrom(memory);
   SettingsSchema schema;
   describe(schema, stated);
-  std::vector<SettingText> texts;
-  for (const Setting& setting : schema.settings()) texts.push_back({setting.key, setting.get()});
-  return "# What the loop on layer heights knew after a layer.\n" + settingsToYaml(texts);
+  return "# What the loop on layer heights knew after a layer.\n" + settingsToYaml(settingTexts(schema));
 }
 
 LoopMemory memoryFromYaml(const std::string& yaml, const std::string& source) {

@@ -13,6 +13,7 @@
 
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/base/settings_yaml.hpp"
 #include "lamina/base/version.hpp"
 #include "lamina/job/output_files.hpp"
 #include "lamina/job/study/study_measurement.hpp"
@@ -398,7 +399,7 @@ class StudyRun {
     SettingsSchema schema;
     study_.method == SearchMethod::Nsga2 ? describe(schema, settings_.nsga2)
                                          : describe(schema, settings_.surrogate);
-    for (const Setting& setting : schema.settings()) outcome_.search.push_back({setting.key, setting.get()});
+    outcome_.search = settingTexts(schema);
     if (study_.method == SearchMethod::Surrogate)
       for (const SettingText& setting : surrogateFitSettingsOf(study_)) outcome_.search.push_back(setting);
   }
