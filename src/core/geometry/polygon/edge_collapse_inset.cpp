@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "geometry/polygon/edge_collapse_inset.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -121,9 +123,18 @@ class MovingOutline {
   bool cellsAreSound(std::uint32_t first, std::uint32_t last) const {
     CollapsingChain chain(edges_[first].direction);
     for (std::uint32_t i = after(first);; i = after(i)) {
+      if (isNearMoved({edges_[first].previous, first, last, edges_[last].next}, points_[i])) return false;
       chain.add(points_[i], edges_[i].direction);
       if (i == last) return chain.collapsesWithin(distance_);
     }
+  }
+
+  /// An edge may vanish behind one that by then is shorter than what it must hide.
+  bool isNearMoved(const std::array<std::uint32_t, 4>& edges, const Point2& corner) const {
+    return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t i) {
+      const Point2 nearest = nearestOnSegment(edges_[i].start, edges_[edges_[i].next].start, corner);
+      return (nearest - corner).norm() < distance_ - kTolerance;
+    });
   }
 
   const Polygon& points_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "lamina/geometry/vector.hpp"
@@ -20,6 +21,14 @@ inline Point2 rightOf(const Point2& direction) { return {direction.y(), -directi
 
 /// From one direction to the other [rad], positive to the left.
 inline double turn(const Point2& from, const Point2& to) { return std::atan2(cross(from, to), from.dot(to)); }
+
+/// The point of the way from a to b that is nearest to another; a where both are one.
+inline Point2 nearestOnSegment(const Point2& a, const Point2& b, const Point2& point) {
+  const Point2 along = b - a;
+  const double squared = along.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return a + share * along;
+}
 
 /// Whether the line from a to b crosses that from c to d.
 inline bool areCrossing(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {

@@ -16,13 +16,6 @@ constexpr double kMostCells = 1024.0;       // across
 constexpr double kCellSlack = 1e-6;         // cells, far above rounding
 constexpr double kAsideOfCorners = 0.0137;  // cells: middles of cells lie on no corner of usual parts
 
-double squaredDistance(const Point2& point, const Point2& a, const Point2& b) {
-  const Point2 along = b - a;
-  const double squared = along.squaredNorm();
-  const double t = squared == 0.0 ? 0.0 : std::clamp((point - a).dot(along) / squared, 0.0, 1.0);
-  return (a + t * along - point).squaredNorm();
-}
-
 }  // namespace
 
 int BorderDistance::clamped(double position, int count) {
@@ -120,7 +113,7 @@ double BorderDistance::at(const Point2& point) const {
   double nearest = reach_ * reach_;
   const Point2 reach(reach_, reach_);
   visitEdges(point - reach, point + reach, [&](const Point2& a, const Point2& b) {
-    nearest = std::min(nearest, squaredDistance(point, a, b));
+    nearest = std::min(nearest, (nearestOnSegment(a, b, point) - point).squaredNorm());
   });
   return isInside(point) ? -std::sqrt(nearest) : std::sqrt(nearest);
 }

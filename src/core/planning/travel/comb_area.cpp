@@ -18,13 +18,6 @@ constexpr double kInner = 1e-4;        // mm, from the border to where lines alo
 constexpr double kUsualDetour = 1.25;  // straight ways
 constexpr std::size_t kMostCorners = 1000;
 
-Point2 nearestOn(const Point2& a, const Point2& b, const Point2& point) {
-  const Point2 along = b - a;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0.0 ? std::clamp((point - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  return a + share * along;
-}
-
 /// Whether a way from a point round a corner touches it, rather than running into the walls beside it.
 bool isTangent(const Point2& from, const Point2& corner, const Point2& before, const Point2& after) {
   return side(from, corner, before) * side(from, corner, after) >= 0.0;
@@ -184,7 +177,7 @@ std::optional<CombArea::End> CombArea::endAt(const Point2& point, double reach_m
   double nearest = reach_mm;
   std::optional<Point2> place;
   const auto takeNearer = [&](std::size_t i) {
-    const Point2 on_edge = nearestOn(edges_[i].from, edges_[i].to, point);
+    const Point2 on_edge = nearestOnSegment(edges_[i].from, edges_[i].to, point);
     const double distance = (on_edge - point).norm();
     if (distance > nearest || distance == 0.0) return true;
     nearest = distance;
