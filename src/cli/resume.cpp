@@ -9,8 +9,8 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/streaming/journal/job_journal.hpp"
-#include "lamina/streaming/resume/rest_offer.hpp"
-#include "lamina/streaming/resume/rest_program.hpp"
+#include "lamina/streaming/resume/remaining_program.hpp"
+#include "lamina/streaming/resume/resume_point.hpp"
 #include "subcommand.hpp"
 
 namespace lamina::cli {
@@ -56,16 +56,16 @@ void showOffer(const ResumeArguments& arguments, OutputFormat format) {
     throw InvalidProgram(
         arguments.program +
         " is not the program of the port's last job, or was changed; known is: " + describeProgress(known));
-  const RestOffer offer = offerRest(program, known.progress.taken_through);
+  const ResumePoint point = resumePointAfter(program, known.progress.taken_through);
   if (format == OutputFormat::Text) {
-    std::printf("%s\n%s", describeProgress(known).c_str(), describeOffer(offer).c_str());
+    std::printf("%s\n%s", describeProgress(known).c_str(), adviceFor(point).c_str());
     return;
   }
   nlohmann::ordered_json json = {{"known", describeProgress(known)},
-                                 {"from_line", offer.line},
+                                 {"from_line", point.line},
                                  {"from_layer", nullptr},
-                                 {"from_height", offer.height_mm}};
-  if (offer.layer) json["from_layer"] = *offer.layer;
+                                 {"from_height", point.height_mm}};
+  if (point.layer) json["from_layer"] = *point.layer;
   std::printf("%s\n", json.dump().c_str());
 }
 
@@ -83,8 +83,8 @@ void runResume(const ResumeArguments& arguments, OutputFormat format) {
   const auto program = StreamableProgram::fromFile(arguments.program);
   const std::uint64_t line = lineFrom(arguments, program);
   AtomicFile file(arguments.output);
-  const RestProgramNotes notes = writeRest(program, line, *arguments.nozzle_height_mm, settings,
-                                           [&](std::string_view piece) { file.write(piece); });
+  const RemainingProgramNotes notes = writeRemaining(program, line, *arguments.nozzle_height_mm, settings,
+                                                     [&](std::string_view piece) { file.write(piece); });
   file.commit();
   if (format == OutputFormat::Json) {
     const nlohmann::ordered_json json = {

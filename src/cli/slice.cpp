@@ -102,8 +102,8 @@ void printLean(const OverhangAngle& lean) {
   if (lean.beyond_bead_mm2 <= 0.0) return;
   std::printf("overhang    %.1f %% of the surface puts a layer out by more than a bead",
               100.0 * lean.shareBeyondBead());
-  std::printf(", at most %.1f deg at (%.2f, %.2f, %.2f)\n", lean.steepest_rad * 180.0 / M_PI,
-              lean.steepest.x(), lean.steepest.y(), lean.steepest.z());
+  std::printf(", at most %.1f deg at (%.2f, %.2f, %.2f)\n", lean.greatest_rad * 180.0 / M_PI,
+              lean.greatest_at.x(), lean.greatest_at.y(), lean.greatest_at.z());
 }
 
 void printBridging(const Bridging& bridging) {
@@ -133,8 +133,8 @@ nlohmann::ordered_json jsonOf(const SliceSummary& s, const std::string& output) 
       {"mode", s.mode},
       {"mode_reason", s.mode_reason},
       {"notes", s.notes},
-      {"steepest_lean_deg", s.lean.steepest_rad * 180.0 / M_PI},
-      {"steepest_lean_at_mm", {s.lean.steepest.x(), s.lean.steepest.y(), s.lean.steepest.z()}},
+      {"steepest_lean_deg", s.lean.greatest_rad * 180.0 / M_PI},
+      {"steepest_lean_at_mm", {s.lean.greatest_at.x(), s.lean.greatest_at.y(), s.lean.greatest_at.z()}},
       {"overhang_per_layer_mm", std::isfinite(s.lean.overhang_mm) ? nlohmann::ordered_json(s.lean.overhang_mm)
                                                                   : nlohmann::ordered_json()},
       {"beyond_bead_mm2", s.lean.beyond_bead_mm2},

@@ -210,8 +210,8 @@ lamina_msgs::SliceSummary toMessage(const SliceSummary& summary) {
   message.mode = summary.mode;
   message.mode_reason = summary.mode_reason;
   message.notes = summary.notes;
-  message.steepest_lean = summary.lean.steepest_rad;
-  message.steepest_lean_at = toMessage(summary.lean.steepest);
+  message.steepest_lean = summary.lean.greatest_rad;
+  message.steepest_lean_at = toMessage(summary.lean.greatest_at);
   message.overhang_per_layer = toMetres(summary.lean.overhang_mm);
   message.beyond_bead = summary.lean.beyond_bead_mm2 * 1e-6;
   message.triangles = static_cast<std::uint32_t>(summary.triangles);

@@ -97,7 +97,7 @@ TEST_F(SlicingModes, AdaptedLayersGrowAlongALeaningWall) {
   // h cos 30 deg from one layer to the next.
   const double first = sliced.toolpath.layers[5].z_mm;
   EXPECT_NEAR(sliced.toolpath.layers[6].z_mm - first, 0.5 * std::cos(lean), 2e-3);
-  EXPECT_LT(sliced.summary.lean.steepest_rad, 1.0 * M_PI / 180.0);
+  EXPECT_LT(sliced.summary.lean.greatest_rad, 1.0 * M_PI / 180.0);
 }
 
 TEST_F(SlicingModes, AdaptedLayersCanBeFilled) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/startup/machine_reports.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 
 #include <gtest/gtest.h>
 

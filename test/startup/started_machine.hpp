@@ -6,6 +6,7 @@
 
 #include "lamina/base/error.hpp"
 #include "lamina/startup/startup.hpp"
+#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
 #include "startup/large_gantry.hpp"
 
 namespace lamina::test {
@@ -15,7 +16,7 @@ class StartedMachine {
  public:
   explicit StartedMachine(const StartupSettings& settings = largeGantry()) : startup(settings) {}
 
-  void say(const std::string& line) { startup.read(parseReply(line), now_s); }
+  void say(const std::string& line) { startup.onReply(parseReply(line), now_s); }
   void sayBed(double bed_c) { say("T:25.00 /0.00 B:" + std::to_string(bed_c) + " /90.00 @:0 B@:0"); }
   void sayZones(double kpa) {
     for (int zone = 1; zone <= 4; ++zone)
@@ -36,7 +37,7 @@ class StartedMachine {
         startup.confirm(step, now_s);
         return letPass(4.0 * 3600.0);
       case StartupStep::TransferProgram:
-        return startup.transferred(program, now_s);
+        return startup.onTransferred(program, now_s);
       default:
         startup.begin(step, now_s);
     }
@@ -45,7 +46,7 @@ class StartedMachine {
       if (step == StartupStep::DrawVacuum) sayZones(12.0);
       if (const auto axis = homedAxis(step)) say("homed: " + homedAxes() + *axis);
       if (step == StartupStep::MapHeights) sayHeights();
-      startup.finished(step, now_s);
+      startup.onCodeFinished(step, now_s);
     }
   }
   std::string homedAxes() const {

@@ -38,7 +38,7 @@ class AnyOrder {
     if (kind < 8) return machine_.perform(step);
     if (kind == 8) return machine_.startup.begin(step, machine_.now_s);
     if (kind == 9) return machine_.startup.confirm(step, machine_.now_s);
-    if (kind == 10) return machine_.startup.finished(step, machine_.now_s);
+    if (kind == 10) return machine_.startup.onCodeFinished(step, machine_.now_s);
     machine_.startup.fail(step, "it failed");
   }
   void disturb(int kind) {
@@ -46,7 +46,7 @@ class AnyOrder {
     constexpr std::array<const char*, 6> kReplies = {"start",         "homed: X",        "zone 4: 90 kPa",
                                                      "zone 4: 9 kPa", "T:20 /0 B:30 /0", "ok"};
     const auto which = static_cast<std::size_t>(kind - 12);
-    if (which < 6) return machine_.startup.sent(kCommands[which]);
+    if (which < 6) return machine_.startup.onCommandSent(kCommands[which]);
     if (which < 12) return machine_.say(kReplies[which - 6]);
     machine_.letPass(which == 12 ? 60.0 : 3600.0);
   }
@@ -95,7 +95,7 @@ TEST(StartupProperty, ReadyIsReachedFromAnyConditionByDoingWhatIsOpen) {
     for (const std::string& command : commands) {
       machine.performAll();
       RC_ASSERT(machine.refusal().empty());
-      machine.startup.sent(command);
+      machine.startup.onCommandSent(command);
 
       RC_ASSERT(!machine.startup.isReady());
     }

@@ -139,9 +139,9 @@ TEST(Startup, FailsABedThatHeatsTooFastOrNotAtAll) {
   weak.perform(StartupStep::PowerOn);
   weak.startup.begin(StartupStep::HeatBed, 0.0);
   weak.sayBed(71.0);
-  weak.startup.finished(StartupStep::HeatBed, 59.0 * 60.0);
+  weak.startup.onCodeFinished(StartupStep::HeatBed, 59.0 * 60.0);
   EXPECT_EQ(weak.stateOf(StartupStep::HeatBed), StartupState::Running);
-  weak.startup.finished(StartupStep::HeatBed, 61.0 * 60.0);
+  weak.startup.onCodeFinished(StartupStep::HeatBed, 61.0 * 60.0);
   EXPECT_EQ(weak.stateOf(StartupStep::HeatBed), StartupState::Failed);
   EXPECT_EQ(weak.reasonOf(StartupStep::HeatBed),
             "the bed is at 71 degC; expected 89 to 91 degC within 60 min");
@@ -164,7 +164,7 @@ TEST(Startup, LosesHomingAndTheSheetWhenMotorsAreOff) {
   for (const char* command : {"M84", "M18", "M84 S60", "M410"}) {
     StartedMachine machine;
     machine.performAll();
-    machine.startup.sent(command);
+    machine.startup.onCommandSent(command);
     for (const StartupStep step : {StartupStep::HomeX, StartupStep::HomeY, StartupStep::HomeZ,
                                    StartupStep::HomeZAgain, StartupStep::PlaceSheet})
       EXPECT_EQ(machine.stateOf(step), StartupState::Pending) << command << " " << toString(step);
@@ -180,9 +180,9 @@ TEST(Startup, LosesHomingAndTheSheetWhenMotorsAreOff) {
 TEST(Startup, LosesOnlyTheAxesWhoseMotorsAreOff) {
   StartedMachine machine;
   machine.performAll();
-  machine.startup.sent("M84 E");
+  machine.startup.onCommandSent("M84 E");
   EXPECT_TRUE(machine.startup.isReady());
-  machine.startup.sent("M84 Y");
+  machine.startup.onCommandSent("M84 Y");
   EXPECT_EQ(machine.stateOf(StartupStep::HomeX), StartupState::Done);
   EXPECT_EQ(machine.stateOf(StartupStep::HomeY), StartupState::Pending);
   EXPECT_EQ(machine.stateOf(StartupStep::HomeZ), StartupState::Done);
@@ -213,18 +213,18 @@ TEST(Startup, LosesEverythingOfTheMachineWhenItStopsOrStartsAnew) {
   }
   StartedMachine machine;
   machine.performAll();
-  machine.startup.sent("M112");
+  machine.startup.onCommandSent("M112");
   EXPECT_EQ(machine.stateOf(StartupStep::PowerOn), StartupState::Pending);
 }
 
 TEST(Startup, LosesTheBedToAnotherTargetAndTheVacuumToItsOffCode) {
   StartedMachine machine;
   machine.performAll();
-  machine.startup.sent("M190 S90");
+  machine.startup.onCommandSent("M190 S90");
   EXPECT_TRUE(machine.startup.isReady());
-  machine.startup.sent("M140 S0");
+  machine.startup.onCommandSent("M140 S0");
   expectPart(machine.reasonOf(StartupStep::HeatBed), "M140 S0 has set another target than 90 degC");
-  machine.startup.sent("M42 P3 S0");
+  machine.startup.onCommandSent("M42 P3 S0");
   expectPart(machine.reasonOf(StartupStep::DrawVacuum), "M42 P3 S0 has closed a zone");
 }
 
@@ -235,7 +235,7 @@ TEST(Startup, ReportsTheZoneThatLeaksAtOnceAndLater) {
                                  StartupStep::HomeZ, StartupStep::PlaceSheet})
     machine.perform(step);
   machine.startup.begin(StartupStep::DrawVacuum, 0.0);
-  machine.startup.finished(StartupStep::DrawVacuum, 0.0);
+  machine.startup.onCodeFinished(StartupStep::DrawVacuum, 0.0);
   expectPart(machine.reasonOf(StartupStep::DrawVacuum), "has not reported the pressure of zone 1");
   EXPECT_EQ(machine.stateOf(StartupStep::DrawVacuum), StartupState::Failed);
   machine.perform(StartupStep::DrawVacuum);
@@ -253,10 +253,10 @@ TEST(Startup, HoldsTheVacuumBeforeItIsDone) {
     machine.perform(step);
   machine.startup.begin(StartupStep::DrawVacuum, 0.0);
   machine.sayZones(12.0);
-  machine.startup.finished(StartupStep::DrawVacuum, 30.0);
+  machine.startup.onCodeFinished(StartupStep::DrawVacuum, 30.0);
   EXPECT_EQ(machine.stateOf(StartupStep::DrawVacuum), StartupState::Running);
   machine.sayZones(45.0);
-  machine.startup.finished(StartupStep::DrawVacuum, 60.0);
+  machine.startup.onCodeFinished(StartupStep::DrawVacuum, 60.0);
   EXPECT_EQ(machine.stateOf(StartupStep::DrawVacuum), StartupState::Failed);
 }
 
@@ -265,7 +265,7 @@ TEST(Startup, RefusesABedThatIsNotFlatAndAMapThatIsOld) {
   machine.performAll();
   machine.startup.begin(StartupStep::MapHeights, machine.now_s);
   for (const char* line : {"Bilinear Leveling Grid:", " 0 -0.600 +0.600"}) machine.say(line);
-  machine.startup.finished(StartupStep::MapHeights, machine.now_s);
+  machine.startup.onCodeFinished(StartupStep::MapHeights, machine.now_s);
   expectPart(machine.reasonOf(StartupStep::MapHeights),
              "the bed's 2 heights differ by 1.2 mm; expected at most 1 mm");
   machine.perform(StartupStep::MapHeights);

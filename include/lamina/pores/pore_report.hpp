@@ -26,17 +26,17 @@ struct PoreSizes {
   std::array<Spread, 3> ellipsoid_mm{};  ///< axes of ellipsoids of equal second moments, longest first
 };
 
-/// What the frame of a grid holds open [Vega2023, section 7.2.2.4 and annex J].
+/// Pores within the box of a voxel grid [Vega2023, section 7.2.2.4 and annex J].
 struct PoreReport {
   double porosity_percent = 0.0;
   Passages passages;          ///< through all pores
   Passages joining_passages;  ///< along each axis through the groups that join its two faces
   PoreSizes all;
-  PoreSizes joining_opposite;  ///< groups that join opposite faces; their volume is CVI
-  PoreSizes joining_two;       ///< groups that touch two faces; their volume is CVI_2, the interconnectivity
+  PoreSizes joining_opposite;  ///< groups that join opposite faces; `volume_percent` is the thesis' CVI
+  PoreSizes joining_two;  ///< groups that touch two faces; `volume_percent` is CVI_2, the interconnectivity
 };
 
-/// @param solid  cropped to what is looked at: the frame counts as a whole
+/// @param solid  cropped to what is looked at: its whole box counts
 /// @throws InvalidInput as `labelPores`; Cancelled if `progress` is cancelled
 PoreReport reportPores(const VoxelGrid& solid, Progress& progress);
 

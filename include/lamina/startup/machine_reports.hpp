@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "lamina/startup/startup_settings.hpp"
-#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "lamina/streaming/job/firmware_reply.hpp"
 
 namespace lamina {
 

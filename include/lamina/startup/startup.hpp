@@ -9,7 +9,7 @@
 #include "lamina/startup/machine_reports.hpp"
 #include "lamina/startup/program_identity.hpp"
 #include "lamina/startup/startup_sequence.hpp"
-#include "lamina/streaming/firmware/marlin/marlin_protocol.hpp"
+#include "lamina/streaming/job/firmware_reply.hpp"
 
 namespace lamina {
 
@@ -18,9 +18,9 @@ namespace lamina {
 /// come out. Times are machine times [s] since any start and never go back.
 ///
 /// Life of a step: Pending; `begin` or `confirm`, refused unless all that must come before it is satisfied;
-/// Running, while `nextCode` is sent and `finished` reported; Done or Failed. What is lost afterwards (a cold
-/// bed, motors that were switched off, a zone that leaks, pellets that are dry no more) makes it Pending
-/// again, and with it whatever rests on it.
+/// Running, while `nextCode` is sent and `onCodeFinished` reported; Done or Failed. What is lost afterwards
+/// (a cold bed, motors that were switched off, a zone that leaks, pellets that are dry no more) makes it
+/// Pending again, and with it whatever rests on it.
 ///
 /// Nothing is carried over from an earlier run: a Startup begins with every step Pending.
 class Startup {
@@ -30,10 +30,11 @@ class Startup {
 
   /// Whether there is no sequence: then a job may always start.
   bool isEmpty() const { return entries_.empty(); }
+  /// How each step is, in their order.
   std::vector<StartupStatus> steps() const;
   /// Whether the step is in the sequence and not left out.
   bool awaits(StartupStep step) const;
-  /// Whether any step that is done or under way was run by the machine, or is reported by it.
+  /// Whether a step that the machine runs or reports is under way or done.
   bool hasMachineAtWork() const;
   /// Whether every step is satisfied.
   bool isReady() const;
@@ -56,12 +57,12 @@ class Startup {
   void confirm(StartupStep step, double now_s);
   /// A program has arrived whole.
   /// @throws InvalidInput, Rejected as `begin`
-  void transferred(const ProgramIdentity& program, double now_s);
+  void onTransferred(const ProgramIdentity& program, double now_s);
 
   /// G-code to send next for a running step; nothing if there is none to send now.
   std::optional<std::string> nextCode(StartupStep step);
   /// That G-code was run to its end.
-  void finished(StartupStep step, double now_s);
+  void onCodeFinished(StartupStep step, double now_s);
   /// A running step cannot be brought to its end.
   void fail(StartupStep step, const std::string& why);
   /// Adds to the reason of a step that has failed.
@@ -70,11 +71,12 @@ class Startup {
   void giveUp(StartupStep step, const std::string& why);
 
   /// The machine has said something.
-  void read(const FirmwareReply& reply, double now_s);
+  void onReply(const FirmwareReply& reply, double now_s);
   /// A command was sent to the machine, by whomever.
-  void sent(const std::string& command);
+  void onCommandSent(const std::string& command);
   /// The machine was reset or halted, or cannot be reached: what it knew is not known any more.
-  void losePower(const std::string& why);
+  void forgetMachine(const std::string& why);
+  /// Time has passed: what is waited for may be over, what was done may be lost.
   void elapse(double now_s);
 
  private:

@@ -19,7 +19,7 @@
 namespace lamina {
 namespace {
 
-/// One of the nine.
+/// A built-in metric: its name, what it means, and where it stands.
 struct NamedField {
   const char* name;
   double ToolpathMetrics::*value;
@@ -27,7 +27,7 @@ struct NamedField {
   MetricNeed need = MetricNeed::Path;
 };
 
-constexpr std::array<NamedField, 9> kNine{{
+constexpr std::array<NamedField, 9> kBuiltInMetrics{{
     {"print_time_s", &ToolpathMetrics::print_time_s, "Time from rest to rest on every motion [s]"},
     {"material_mm", &ToolpathMetrics::material_mm, "Length along which material is deposited [mm]"},
     {"travel_mm", &ToolpathMetrics::travel_mm, "Length along which none is deposited [mm]"},
@@ -47,7 +47,7 @@ constexpr std::array<NamedField, 9> kNine{{
 
 std::map<std::string, Metric> builtInMetrics() {
   std::map<std::string, Metric> metrics;
-  for (const NamedField& field : kNine)
+  for (const NamedField& field : kBuiltInMetrics)
     metrics[field.name] = {
         field.meaning, [value = field.value](const MetricRequest& request) { return request.nine.*value; },
         field.need};
@@ -55,9 +55,9 @@ std::map<std::string, Metric> builtInMetrics() {
 }
 
 const NamedField* fieldOf(const std::string& name) {
-  const auto found =
-      std::find_if(kNine.begin(), kNine.end(), [&](const NamedField& field) { return name == field.name; });
-  return found != kNine.end() ? &*found : nullptr;
+  const auto found = std::find_if(kBuiltInMetrics.begin(), kBuiltInMetrics.end(),
+                                  [&](const NamedField& field) { return name == field.name; });
+  return found != kBuiltInMetrics.end() ? &*found : nullptr;
 }
 
 void addMotion(ToolpathMetrics& metrics, const Path& path, std::size_t motion,
@@ -156,8 +156,8 @@ Registry<Metric>& toolpathMetrics() {
 
 std::vector<std::string> metricNames() {
   std::vector<std::string> names;
-  names.reserve(kNine.size());
-  for (const NamedField& field : kNine) names.emplace_back(field.name);
+  names.reserve(kBuiltInMetrics.size());
+  for (const NamedField& field : kBuiltInMetrics) names.emplace_back(field.name);
   for (std::string& name : toolpathMetrics().names())
     if (fieldOf(name) == nullptr) names.push_back(std::move(name));
   return names;

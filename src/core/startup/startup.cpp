@@ -227,7 +227,7 @@ void Startup::confirm(StartupStep step, double now_s) {
     complete(entry, "confirmed by the operator", now_s);
 }
 
-void Startup::transferred(const ProgramIdentity& program, double now_s) {
+void Startup::onTransferred(const ProgramIdentity& program, double now_s) {
   Entry& entry = entryOf(StartupStep::TransferProgram);
   requireMayBegin(entry);
   program_ = program;
@@ -290,7 +290,7 @@ std::optional<std::string> Startup::nextCode(StartupStep step) {
   }
 }
 
-void Startup::finished(StartupStep step, double now_s) {
+void Startup::onCodeFinished(StartupStep step, double now_s) {
   Entry* const entry = find(step);
   if (entry == nullptr || entry->status.state != StartupState::Running) return;
   ++entry->phase;
@@ -354,7 +354,7 @@ void Startup::measure(Entry& entry) {
   if (entry.status.state == StartupState::Running) entry.status.reason = check.reason;
 }
 
-void Startup::read(const FirmwareReply& reply, double now_s) {
+void Startup::onReply(const FirmwareReply& reply, double now_s) {
   reports_.read(reply, now_s);
   for (Entry& entry : entries_) {
     if (entry.status.state == StartupState::Running || entry.status.state == StartupState::Done) {
@@ -362,7 +362,7 @@ void Startup::read(const FirmwareReply& reply, double now_s) {
       watch(entry);
     }
   }
-  if (reply.kind == ReplyKind::Start) losePower("the machine was reset");
+  if (reply.kind == ReplyKind::Start) forgetMachine("the machine was reset");
   if (reply.kind == ReplyKind::Fatal) halt("the machine halted: \"" + reply.text + "\"");
   if (asksForHoming(reply.text)) loseHoming("XYZ", "the machine says \"" + reply.text + "\"");
   elapse(now_s);
@@ -371,7 +371,7 @@ void Startup::read(const FirmwareReply& reply, double now_s) {
 void Startup::halt(const std::string& why) {
   for (const Entry& entry : entries_)
     if (!isDoneByHand(entry.status.step, settings_)) fail(entry.status.step, why);
-  losePower(why);
+  forgetMachine(why);
 }
 
 /// Fails a step that runs out of its bounds, loses one that no longer holds.
@@ -416,14 +416,14 @@ void Startup::loseHoming(const std::string& axes, const std::string& why) {
     if (axes.find(*homedAxis(step)) != std::string::npos) lose(step, why);
 }
 
-void Startup::sent(const std::string& command) {
+void Startup::onCommandSent(const std::string& command) {
   const std::string code = codeOf(command);
   if (code == "M84" || code == "M18") {
     loseHoming(axesOf(command), command + " has switched the motors off");
   } else if (code == "M410") {
     loseHoming("XYZ", "M410 has stopped the motors without a ramp");
   } else if (code == "M112") {
-    losePower("M112 has stopped the machine in an emergency");
+    forgetMachine("M112 has stopped the machine in an emergency");
   } else if (code == "M140" || code == "M190") {
     const auto target_c = wordValue(command, 'S') ? wordValue(command, 'S') : wordValue(command, 'R');
     const bool is_other =
@@ -437,7 +437,7 @@ void Startup::sent(const std::string& command) {
     lose(StartupStep::DrawVacuum, command + " has closed a zone");
 }
 
-void Startup::losePower(const std::string& why) {
+void Startup::forgetMachine(const std::string& why) {
   for (const StartupStep step :
        {StartupStep::PowerOn, StartupStep::HeatBed, StartupStep::DrawVacuum, StartupStep::MapHeights})
     lose(step, why);

@@ -198,7 +198,7 @@ void StartupSession::Impl::confirm(StartupStep step) {
 void StartupSession::Impl::transferred(const ProgramIdentity& program) {
   Lock lock(mutex_);
   requireNoJob();
-  startup_.transferred(program, now());
+  startup_.onTransferred(program, now());
   notify(lock);
 }
 
@@ -233,21 +233,21 @@ void StartupSession::Impl::lookBeforeJob(Lock& lock) {
   try {
     stream(lock, settings_.check_code, [] { return true; });
   } catch (const Error& error) {
-    startup_.losePower(error.what());
+    startup_.forgetMachine(error.what());
     throw;
   }
 }
 
 void StartupSession::Impl::heard(const FirmwareReply& reply) {
   const Lock lock(mutex_);
-  startup_.read(reply, now());
+  startup_.onReply(reply, now());
 }
 
 void StartupSession::Impl::endJob(const StreamableProgram& program, const StreamStatus& status) {
   Lock lock(mutex_);
   noteSent(program, status);
   const ErrorCode code = status.failure.code;
-  if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.losePower(status.failure.message);
+  if (code != ErrorCode::Ok && code != ErrorCode::Cancelled) startup_.forgetMachine(status.failure.message);
   port_user_ = PortUser::Nobody;
   wake_.notify_all();
   notify(lock);
@@ -305,7 +305,7 @@ void StartupSession::Impl::drive(Lock& lock, StartupStep step) {
       const auto code = startup_.nextCode(step);
       if (!code) break;
       stream(lock, *code, [this, step] { return isWanted(step); });
-      startup_.finished(step, now());
+      startup_.onCodeFinished(step, now());
       notify(lock);
     }
     // A bed that does not heat as it should must not go on.
@@ -319,7 +319,7 @@ void StartupSession::Impl::drive(Lock& lock, StartupStep step) {
 void StartupSession::Impl::onFailure(Lock& lock, StartupStep step, const Error& error) {
   if (isInterrupted()) return;
   startup_.fail(step, error.what());
-  if (error.code() != ErrorCode::Cancelled) startup_.losePower(error.what());
+  if (error.code() != ErrorCode::Cancelled) startup_.forgetMachine(error.what());
   startup_.addRemark(step, leaveSafe(lock));
 }
 
@@ -345,10 +345,10 @@ void StartupSession::Impl::look(Lock& lock) {
       return !isInterrupted();
     });
   } catch (const Error& error) {
-    if (error.code() != ErrorCode::Cancelled) startup_.losePower(error.what());
+    if (error.code() != ErrorCode::Cancelled) startup_.forgetMachine(error.what());
   }
   // A bed that the operator heats has nobody else who looks when it is hot.
-  if (task_ == Task::None) startup_.finished(StartupStep::HeatBed, now());
+  if (task_ == Task::None) startup_.onCodeFinished(StartupStep::HeatBed, now());
   port_user_ = PortUser::Nobody;
   wake_.notify_all();
 }
@@ -365,7 +365,7 @@ std::string StartupSession::Impl::leaveSafe(Lock& lock) {
     stream(lock, settings_.abort_code, [] { return true; });
     return {};
   } catch (const Error& error) {
-    startup_.losePower(error.what());
+    startup_.forgetMachine(error.what());
     return std::string("; the machine could not be left safe, look after it: ") + error.what();
   }
 }
@@ -394,16 +394,17 @@ StreamStatus StartupSession::Impl::runSession(const StreamableProgram& program, 
 /// Whatever was sent counts as run, so that nothing is believed that may be lost.
 void StartupSession::Impl::noteSent(const StreamableProgram& program, const StreamStatus& status) {
   const ErrorCode code = status.failure.code;
-  if (program.hasChanged()) return startup_.losePower(program.name() + " was changed while it was streamed");
+  if (program.hasChanged())
+    return startup_.forgetMachine(program.name() + " was changed while it was streamed");
   ProgramCursor cursor = program.open();
   for (std::uint64_t line = 0; line < status.lines_sent; ++line) {
     const auto command = cursor.next();
     if (!command) break;
-    startup_.sent(command->command);
+    startup_.onCommandSent(command->command);
   }
   if (code != ErrorCode::Cancelled) return;
-  startup_.sent("M410");
-  if (!stream_.keep_heaters_on) startup_.sent("M140 S0");
+  startup_.onCommandSent("M410");
+  if (!stream_.keep_heaters_on) startup_.onCommandSent("M140 S0");
 }
 
 }  // namespace lamina

@@ -27,7 +27,7 @@ std::string statesOf(const StartedMachine& machine) {
 /// Begins a step, whoever does it.
 void enter(StartedMachine& machine, StartupStep step) {
   if (step == StartupStep::TransferProgram)
-    return machine.startup.transferred(machine.program, machine.now_s);
+    return machine.startup.onTransferred(machine.program, machine.now_s);
   try {
     machine.startup.confirm(step, machine.now_s);
   } catch (const Rejected&) {
@@ -46,7 +46,7 @@ std::string codesOf(StartedMachine& machine, StartupStep step) {
     if (step == StartupStep::DrawVacuum) machine.sayZones(30.0);
     if (const auto axis = homedAxis(step)) machine.say("homed: " + machine.homedAxes() + *axis);
     if (step == StartupStep::MapHeights) machine.sayHeights();
-    machine.startup.finished(step, machine.now_s);
+    machine.startup.onCodeFinished(step, machine.now_s);
   }
   return codes;
 }
@@ -71,7 +71,7 @@ std::string dayWithout(const std::string& omitted, const SettingTexts& set) {
     machine.letPass(3600.0);
     text += machine.refusal() + "\n";
   }
-  machine.startup.sent("M42 P1 S0");
+  machine.startup.onCommandSent("M42 P1 S0");
   return text + statesOf(machine);
 }
 
@@ -84,7 +84,7 @@ std::string weakBed(const SettingTexts& set) {
   for (int minute = 0; minute <= 120; ++minute) {
     machine.now_s = 60.0 * minute;
     machine.sayBed(std::min(20.0 + 5.0 * minute, 88.5));
-    machine.startup.finished(StartupStep::HeatBed, machine.now_s);
+    machine.startup.onCodeFinished(StartupStep::HeatBed, machine.now_s);
     text += machine.reasonOf(StartupStep::HeatBed) + "\n";
   }
   return text;

@@ -71,8 +71,8 @@ TEST(Conversions, GiveASummaryInMetres) {
   summary.mesh_volume_mm3 = 1000.0;
   summary.deposition_mm = 2500.0;
   summary.repairs = {"2 holes filled"};
-  summary.lean.steepest_rad = 0.5;
-  summary.lean.steepest = {10.0, 20.0, 30.0};
+  summary.lean.greatest_rad = 0.5;
+  summary.lean.greatest_at = {10.0, 20.0, 30.0};
   summary.lean.overhang_mm = 0.2;
   summary.lean.beyond_bead_mm2 = 3e6;
   summary.refilling.runs = 4;

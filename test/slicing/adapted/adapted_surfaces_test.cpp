@@ -94,5 +94,12 @@ TEST(HarmonicHeights, OfALinearBorderAreLinear) {
   for (std::size_t i = 0; i < heights.size(); ++i) EXPECT_NEAR(heights[i], plane(region.points[i]), 1e-9);
 }
 
+TEST(HarmonicHeights, RefuseATriangleWithoutArea) {
+  RegionTriangulation flat;
+  flat.points = {{0, 0}, {2, 0}, {1, 0}};  // two of the border, one inside
+  flat.triangles = {{0, 1, 2}};
+  EXPECT_THROW(harmonicHeights(flat, {0.0, 1.0}), InvalidInput);
+}
+
 }  // namespace
 }  // namespace lamina

@@ -55,7 +55,7 @@ double wallArea(double lean_deg) {
 TEST(OverhangAngle, EachLayerIsPutOutByItsHeightTimesTheTangent) {
   for (const double lean_deg : {10.0, 30.0, 45.0}) {
     const OverhangAngle lean = overhangAngle(funnel(lean_deg), Point3::UnitZ(), {0.8, 1.0});
-    EXPECT_NEAR(lean.steepest_rad / kOverhangAngleDegree, lean_deg, 0.01);
+    EXPECT_NEAR(lean.greatest_rad / kOverhangAngleDegree, lean_deg, 0.01);
     EXPECT_NEAR(lean.overhang_mm, std::tan(lean_deg * kOverhangAngleDegree), 1e-3);
   }
 }
@@ -68,14 +68,14 @@ TEST(OverhangAngle, WallsBeyondABeadAreCountedByTheirArea) {
 
 TEST(OverhangAngle, WhatStandsOnTheBedDoesNotLean) {
   const OverhangAngle lean = overhangAngle(makePart("box"), Point3::UnitZ(), {0.4, 0.2});
-  EXPECT_EQ(lean.steepest_rad, 0.0);
+  EXPECT_EQ(lean.greatest_rad, 0.0);
   EXPECT_EQ(lean.overhang_mm, 0.0);
 }
 
 TEST(OverhangAngle, LevelUndersidesLeanByARightAngle) {
   // Grown along x, the side at the far end of -x is the bed and nothing else faces down; along (1, 0, 1) the
   // bottom does.
-  EXPECT_EQ(overhangAngle(makePart("box"), Point3::UnitX(), {0.4, 0.2}).steepest_rad, 0.0);
+  EXPECT_EQ(overhangAngle(makePart("box"), Point3::UnitX(), {0.4, 0.2}).greatest_rad, 0.0);
   Mesh table = makePart("cone", {{"radius_mm", "2"}, {"top_radius_mm", "20"}, {"height_mm", "1e-6"}});
   for (Point3& vertex : table.vertices) vertex.z() += 5.0;
   const Mesh foot = makePart("cylinder", {{"radius_mm", "2"}, {"height_mm", "5"}});
@@ -83,16 +83,16 @@ TEST(OverhangAngle, LevelUndersidesLeanByARightAngle) {
   table.vertices.insert(table.vertices.end(), foot.vertices.begin(), foot.vertices.end());
   for (const Triangle& corner : foot.triangles)
     table.triangles.push_back({first + corner[0], first + corner[1], first + corner[2]});
-  EXPECT_NEAR(overhangAngle(table, Point3::UnitZ(), {0.4, 0.2}).steepest_rad, M_PI / 2.0, 1e-6);
+  EXPECT_NEAR(overhangAngle(table, Point3::UnitZ(), {0.4, 0.2}).greatest_rad, M_PI / 2.0, 1e-6);
 }
 
 TEST(OverhangAngle, AToolHeldAlongTheWallClearsTheOverhang) {
   const Mesh mesh = funnel(45.0);
   const OverhangAngle upright = overhangAngle(mesh, wallsOf(45.0, 0.0), 0.8);
-  EXPECT_NEAR(upright.steepest_rad / kOverhangAngleDegree, 45.0, 0.05);
+  EXPECT_NEAR(upright.greatest_rad / kOverhangAngleDegree, 45.0, 0.05);
   EXPECT_GT(upright.beyond_bead_mm2, 0.8 * wallArea(45.0));
   const OverhangAngle along = overhangAngle(mesh, wallsOf(45.0, 45.0), 0.8);
-  EXPECT_NEAR(along.steepest_rad / kOverhangAngleDegree, 0.0, 0.6);
+  EXPECT_NEAR(along.greatest_rad / kOverhangAngleDegree, 0.0, 0.6);
   EXPECT_EQ(along.beyond_bead_mm2, 0.0);
 }
 

@@ -16,7 +16,7 @@ namespace lamina {
 /// The build space of a machine or robot: where over its bed the tip of its nozzle may be, and how its head
 /// holds the nozzle there. It is what placing, slicing and planning know of what will run a toolpath: neither
 /// axes that move nor speeds. Of linear axes it is what they reach with rotary joints at zero; of an arm or
-/// platform the room over the bodies of its bed, of which a joint path shows the part that is reached.
+/// platform it is the box over its bed; which part of that can be reached only a joint path tells.
 ///
 /// A parallelepiped: tips are `bed_from_axes * values`, with values within `range`.
 struct BuildSpace {
@@ -54,14 +54,14 @@ BuildSpace buildSpaceFromUrdf(const std::string& text);
 /// Box of all tips [mm, bed frame].
 Box3 boundingBox(const BuildSpace& space);
 
-/// Of the nozzle with its head at rest, of unit length [bed frame].
+/// Tool axis with all rotary joints at zero, of unit length [bed frame].
 Point3 toolAxis(const BuildSpace& space);
 
 /// Whether head or table can turn the tool axis over the bed.
 bool canTurnToolAxis(const BuildSpace& space);
 
-/// The space with the nozzle straight down, and its tips and its sensor where they were: for what is asked of
-/// level layers.
+/// The space with the nozzle straight down, and its tips and its sensor where they were: for checks on level
+/// layers.
 BuildSpace withUprightHead(BuildSpace space);
 
 /// Where the sensor's line of sight meets the plane of a layer through the nozzle tip, seen from the tip [mm,

@@ -9,8 +9,7 @@
 
 namespace lamina {
 
-/// How far beyond its limit a joint may be reported to be: what limits lose by rounding on their way through
-/// a controller [mm, rad].
+/// Tolerance on reported joint positions: the rounding of limits on their way through a controller [mm, rad].
 constexpr double kJointLimitSlack = 1e-6;
 
 /// The first joint beyond its limits or not a number, in words: "joint a at 1.2 deg; must be within -1 to

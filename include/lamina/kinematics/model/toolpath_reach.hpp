@@ -9,8 +9,8 @@
 
 namespace lamina {
 
-/// Checks that every tip of a toolpath is in the build space, and that the head holds the nozzle so. The turn
-/// about the tool axis is free.
+/// Checks that every tip of a toolpath is in the build space, and that each tool axis is that of the head at
+/// rest. The turn about the tool axis is free.
 /// @param bed_from_part  [mm]
 /// @throws Unreachable if a tip is outside (gives axis, value and limits), or the tool axis is another than
 ///   that of the head at rest by more than 0.01 deg (gives the angle); names layer, path and waypoint of the

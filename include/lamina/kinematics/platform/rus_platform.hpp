@@ -4,22 +4,27 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "lamina/geometry/vector.hpp"
 
 namespace lamina {
 
-/// Legs of a 6-RUS platform: a driven crank each, a coupler on a universal joint at the crank's end, and a
-/// spherical joint on the mobile platform.
+/// Legs of a 6-RUS platform (six legs of a revolute, a universal and a spherical joint): a driven crank each,
+/// a coupler on a universal joint at the crank's end, and a spherical joint on the mobile platform.
 constexpr std::size_t kLegs = 6;
 
 /// Angles of the six cranks [rad].
 using CrankAngles = Eigen::Matrix<double, 6, 1>;
 
-/// Which of the two ways a leg reaches its ball: the crank's angle is less or greater than that of the line
-/// from the motor to the ball, seen along the motor's axis.
-enum class CrankBranch : std::uint8_t { Behind, Ahead };
+/// Which of the two ways a leg reaches its ball: the crank's angle beside that of the line from the motor to
+/// the ball, seen along the motor's axis.
+enum class CrankBranch : std::uint8_t {
+  Behind,  ///< less
+  Ahead    ///< greater
+};
 
 /// One leg of a 6-RUS platform.
 struct RusLeg {
@@ -42,7 +47,7 @@ struct RusLeg {
   Point3 crankDirection(double crank) const {
     return std::cos(crank) * rest + std::sin(crank) * axis.cross(rest);
   }
-  /// How the direction changes with the angle, of unit length.
+  /// Derivative of `crankDirection` by the angle.
   Point3 crankTangent(double crank) const {
     return std::cos(crank) * axis.cross(rest) - std::sin(crank) * rest;
   }

@@ -29,7 +29,7 @@ enum class CoolingInterval : std::uint8_t {
 struct CoolingSettings {
   double least_layer_time_s = 0.0;  ///< 0 for none
   CoolingBy by = CoolingBy::SlowThenDwell;
-  double least_feed_mm_s = 10.0;  ///< slower than this nothing is laid
+  double least_feed_mm_s = 10.0;  ///< lower bound of deposition feeds
   double lift_mm = 2.0;           ///< while it waits
   ParkPlace park = ParkPlace::Outside;
   CoolingInterval interval = CoolingInterval::Layer;
@@ -44,12 +44,12 @@ struct FanSettings {
   double least = 0.35;  ///< shares of its power
   double greatest = 1.0;
   double full_below_s = 5.0;          ///< of layer time: the greatest share
-  double off_above_s = 60.0;          ///< of layer time: the least share; between, linear
+  double off_above_s = 60.0;          ///< of layer time: `beyond` from here on; between the two, linear
   WhenSlow beyond = WhenSlow::Least;  ///< above `off_above_s`
   double bridge = 1.0;                ///< while a bridge is laid
   double overhang = 1.0;              ///< while walls and skins are laid that nothing carries
   std::string by_role;                ///< shares of other roles, as `support_interface=1,top_skin=0.8`
-  double spin_up_s = 0.0;             ///< by which it is told earlier to blow more
+  double spin_up_s = 0.0;             ///< lead time of commands that raise the fan
 };
 
 /// Adds the keys cooling.*.
@@ -57,9 +57,10 @@ void describe(SettingsSchema& schema, CoolingSettings& settings);
 /// Adds the keys fan.*.
 void describe(SettingsSchema& schema, FanSettings& settings);
 
-/// @throws InvalidConfig if the least is above the greatest, or `by_role` is no list of roles and shares
+/// @throws InvalidConfig if the least share is above the greatest, `full_below_s` is above `off_above_s`, or
+///   `by_role` is not a list of roles and shares
 void requireConsistent(const FanSettings& settings);
-/// @throws InvalidConfig if places are to be left alone by slower feeds
+/// @throws InvalidConfig if `interval` is Place and `by` is not Dwell
 void requireConsistent(const CoolingSettings& settings);
 
 }  // namespace lamina

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// Whose word sets the pressure advance.
+/// Which firmware's command sets the pressure advance.
 enum class AdvanceWord : std::uint8_t { Marlin, Klipper, RepRapFirmware };
 
 /// What a nozzle can push out, and how late it follows.
@@ -17,19 +17,20 @@ struct FlowSettings {
   double greatest_mm3_s = 0.0;         ///< 0 for no limit
   double greatest_slope_mm3_s2 = 0.0;  ///< of its change along a run; 0 for no limit
   double coast_mm3 = 0.0;              ///< at the end of each run, which is left to the pressure; 0 for none
-  double coast_longest_mm = 2.0;
-  double advance_s = 0.0;       ///< pressure advance of the firmware; 0 leaves it alone
-  std::string advance_by_role;  ///< as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
+  double coast_longest_mm = 2.0;       ///< of a run left to the pressure
+  double advance_s = 0.0;              ///< pressure advance of the firmware; 0 leaves it alone
+  std::string advance_by_role;         ///< as "outer_wall=0.04, infill=0.06"; other roles have `advance_s`
   AdvanceWord advance_word = AdvanceWord::Marlin;
-  double lag_s = 0.0;        ///< by which what leaves the nozzle lags behind what is pushed; 0 for none
+  double lag_s = 0.0;  ///< time constant of the lag of what leaves the nozzle, which the program makes up
+                       ///< for; 0 for none
   double dead_time_s = 0.0;  ///< before anything follows at all
 };
 
 /// Adds the keys flow.*.
 void describe(SettingsSchema& schema, FlowSettings& settings);
 
-/// @throws InvalidConfig if both firmware and program are to make up for the lag, or the advances by role are
-///   none
+/// @throws InvalidConfig if both firmware and program are to make up for the lag, or `advance_by_role` cannot
+///   be read
 void requireConsistent(const FlowSettings& settings);
 
 }  // namespace lamina

@@ -28,10 +28,14 @@ struct HookSite {
 void addPauses(Toolpath& toolpath, const PauseSettings& settings, const CoolingSettings& parking,
                const HookSite& site);
 
-/// Adds code as events: of a layer, a role, a layer's number or a height (as of pauses) before the bead it is
-/// about, once the nozzle is there; behind a role before the next travel; behind a layer after all its paths,
-/// those of the part before its first motion and after its last; of tools behind the change, of pauses before
-/// them. A role is entered when the bead before, in whatever layer, has another.
+/// Adds code as events. Where each stands:
+/// - of a layer, a role, a layer's number or a height: before the first bead concerned, after the travel to
+/// it;
+/// - of the end of a role: before the next travel;
+/// - of the end of a layer: after its last path;
+/// - of the part: before its first motion and after its last;
+/// - of a tool: after the change; of a pause: before it.
+/// A role is entered when the bead before, in whatever layer, has another.
 ///
 /// Placeholders: {layer} from 0, {layers}, {z_mm} and {height_mm} of the layer, {time_s} since the start,
 /// {left_s} and {share} of the estimated time, {role}, {part}, {tool} and the {next_tool} after it,

@@ -9,7 +9,7 @@
 
 namespace lamina {
 
-/// What becomes of an overhang that no mark says anything of.
+/// What becomes of an overhang that no mark covers.
 enum class UnmarkedOverhangs : std::uint8_t {
   ByAngle,  ///< held up if it leans more than `supports.angle_deg`
   LeftOut   ///< not held up
@@ -18,7 +18,7 @@ enum class UnmarkedOverhangs : std::uint8_t {
 /// Where a part is held up, or not, whatever its overhangs are: by layer [frame of the layers], or empty.
 struct SupportMarks {
   std::vector<Regions> never;   ///< what hangs there is not held up
-  std::vector<Regions> always;  ///< what hangs there at all is held up; apart from the former
+  std::vector<Regions> always;  ///< what hangs there at all is held up; disjoint from `never`
   UnmarkedOverhangs unmarked = UnmarkedOverhangs::ByAngle;
 };
 

@@ -9,7 +9,7 @@ namespace lamina {
 
 /// What a firmware takes besides motions. Numbers in braces are put in by `dialectLine`.
 struct GcodeDialect {
-  std::string name;          ///< as the flavour of `program.flavour`
+  std::string name;          ///< the flavour, as `program.flavour` gives it
   bool has_extruder = true;  ///< E words; without them what deposits is switched by code of the machine
   bool has_heaters = true;
   bool has_fan = true;
@@ -23,7 +23,7 @@ struct GcodeDialect {
 /// The dialects that `writeGcode` writes: marlin, klipper, reprapfirmware, grbl.
 const std::vector<GcodeDialect>& gcodeDialects();
 
-/// That of the name; that of Marlin for flavours which are none of them.
+/// The dialect of that name; Marlin's if the flavour has none of its own (fullcontrol, plug-ins).
 const GcodeDialect& gcodeDialect(const std::string& name);
 
 /// A word of a dialect's command that stands for a number.

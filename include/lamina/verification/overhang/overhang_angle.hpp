@@ -11,10 +11,10 @@ namespace lamina {
 /// growth puts each layer of height h out by h tan t over the one before; what goes beyond a bead's width is
 /// laid on air. Faces that the first layer lies along rest on the bed, or on what takes its place.
 struct OverhangAngle {
-  double steepest_rad = 0.0;         ///< greatest lean of a wall, 0 to pi / 2; 0 if none leans outwards
-  Point3 steepest = Point3::Zero();  ///< where [mm, frame of the mesh]
-  double overhang_mm = 0.0;          ///< h tan t there; infinite on level undersides
-  double area_mm2 = 0.0;             ///< of the whole surface
+  double greatest_rad = 0.0;            ///< greatest lean of a wall, 0 to pi / 2; 0 if none leans outwards
+  Point3 greatest_at = Point3::Zero();  ///< where [mm, frame of the mesh]
+  double overhang_mm = 0.0;             ///< h tan t there; infinite on level undersides
+  double area_mm2 = 0.0;                ///< of the whole surface
   double beyond_bead_mm2 = 0.0;  ///< of the surface that leans so that a layer is put out by more than a bead
 
   /// Part of the surface; 0 if there is none.
@@ -22,13 +22,13 @@ struct OverhangAngle {
 };
 
 /// Layers that grow all one way, as level or inclined ones. Linear in the number of triangles.
-/// A wall must not lean by more than a bead a layer [Flores2018, section 4.3.3].
+/// A wall should not overhang by more than one bead width per layer [Flores2018, section 4.3.3].
 /// @param growth  unit vector, the layers' normal [frame of the mesh]
 /// @param bead    width, and height of the layers [mm]
 OverhangAngle overhangAngle(const Mesh& mesh, const Point3& growth, const Bead& bead);
 
 /// Layers that grow against the tool axis: at each triangle as at the nearest waypoint of the outer walls, or
-/// of all that is deposited if there are no walls. n log n.
+/// of all that is deposited if there are no walls. Time is O(n log n).
 /// @param toolpath   in the frame of the mesh
 /// @param width_mm   of a bead
 /// @throws InvalidInput if nothing is deposited

@@ -252,7 +252,7 @@ void addSummary(SliceSummary& sum, const PlatedPart& part) {
   for (const std::string& note : of_part.notes) sum.notes.push_back("part '" + part.name + "': " + note);
   for (const std::string& repair : of_part.repairs)
     sum.repairs.push_back("part '" + part.name + "': " + repair);
-  if (of_part.lean.steepest_rad > sum.lean.steepest_rad) sum.lean = of_part.lean;
+  if (of_part.lean.greatest_rad > sum.lean.greatest_rad) sum.lean = of_part.lean;
   sum.triangles += of_part.triangles;
   sum.contours += of_part.contours;
   sum.open_contours += of_part.open_contours;

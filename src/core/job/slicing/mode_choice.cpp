@@ -97,7 +97,7 @@ std::vector<ModeChoice> modesFor(const Mesh& mesh, const SliceJob& job) {
   const OverhangAngle lean = overhangAngle(
       mesh, Point3::UnitZ(), {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
   std::vector<ModeChoice> modes;
-  if (lean.steepest_rad > 0.0 && maySteer(job))
+  if (lean.greatest_rad > 0.0 && maySteer(job))
     modes.push_back({"adapted", "a lone wall is asked for, and it leans outwards"});
   modes.push_back({"planar", "a lone wall is asked for, and layers are not adapted to it"});
   return modes;

@@ -106,7 +106,7 @@ PlannedPart planPlanar(SourcePart source, const PlanningRequest& request, Progre
   planned.notes.insert(planned.notes.end(), modified.notes.begin(), modified.notes.end());
   planned.lean = overhangAngle(source.mesh, Point3::UnitZ(),
                                {settings.planning.bead.width_mm, settings.slicing.layer_height_mm});
-  planned.lean.steepest = partFromLayers(plane) * planned.lean.steepest;
+  planned.lean.greatest_at = partFromLayers(plane) * planned.lean.greatest_at;
   source = {};
   planned.counts = countsOf(modified.layers);
   planned.counts.slice_s = laps.lap();

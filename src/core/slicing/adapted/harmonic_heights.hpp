@@ -12,6 +12,7 @@ namespace lamina {
 /// finite elements.
 /// @param border  one per point of the border [mm]
 /// @return one per point [mm]; between the lowest and the highest of the border
+/// @throws InvalidInput if a triangle beside an inner point has no area
 std::vector<double> harmonicHeights(const RegionTriangulation& region, const std::vector<double>& border);
 
 }  // namespace lamina

@@ -27,6 +27,9 @@ class AnswerTimer {
     retry_at_ = now + retry_s_;
   }
 
+  /// The question is to be put again by then, or before.
+  void askBy(double time_s) { retry_at_ = std::min(retry_at_, time_s); }
+
   double quietFor(double now) const { return now - quiet_since_; }
   double quietSince() const { return quiet_since_; }
   double retryAt() const { return retry_at_; }

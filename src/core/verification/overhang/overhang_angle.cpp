@@ -44,9 +44,9 @@ void addFacet(OverhangAngle& lean, const Facet& facet, const Growth& growth) {
       cosine > 1e-7 ? growth.bead.height_mm * sine / cosine : std::numeric_limits<double>::infinity();
   if (overhang > growth.bead.width_mm) lean.beyond_bead_mm2 += facet.area_mm2;
   const double angle = std::asin(sine);
-  if (angle <= lean.steepest_rad) return;
-  lean.steepest_rad = angle;
-  lean.steepest = facet.middle;
+  if (angle <= lean.greatest_rad) return;
+  lean.greatest_rad = angle;
+  lean.greatest_at = facet.middle;
   lean.overhang_mm = overhang;
 }
 

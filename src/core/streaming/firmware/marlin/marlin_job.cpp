@@ -423,6 +423,8 @@ void MarlinJob::onOk(const FirmwareReply& reply, double now) {
   } else if (phase_ == Phase::Numbering || phase_ == Phase::Confirming) {
     --answers_due_;
     if (phase_ == Phase::Confirming) confirm(now);
+    // A machine that answers, but not the probe, has not had it whole.
+    if (phase_ == Phase::Numbering && answers_due_ <= 0) timer_.askBy(now + settings_.settle_s);
   } else if (phase_ == Phase::Reporting) {
     --answers_due_;
     onReportDone(now);

@@ -10,9 +10,9 @@
 
 namespace lamina {
 
-/// From where a program could be gone on with on a machine that has lost its position, for a person who looks
-/// at the part: what a machine has taken need not have been deposited.
-struct RestOffer {
+/// Where a job can be resumed after the machine has lost its position. To be confirmed by looking at the
+/// part: lines that were acknowledged need not have been deposited.
+struct ResumePoint {
   std::uint64_t line = 1;             ///< the first that was not certainly taken, from 1
   std::optional<std::int32_t> layer;  ///< of that line, as comments number them
   std::uint64_t layer_line = 1;       ///< the first of that layer
@@ -22,9 +22,9 @@ struct RestOffer {
 /// @param taken_through  the last line that was certainly taken; 0 for none
 /// @throws InvalidInput if no line is left
 /// @throws InvalidProgram as `GcodeReader`
-RestOffer offerRest(const StreamableProgram& program, std::uint64_t taken_through);
+ResumePoint resumePointAfter(const StreamableProgram& program, std::uint64_t taken_through);
 
 /// The same in words: what to look for, and the options of `lamina resume` that go on from there.
-std::string describeOffer(const RestOffer& offer);
+std::string adviceFor(const ResumePoint& point);
 
 }  // namespace lamina

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/resume/rest_program.hpp"
+#include "lamina/streaming/resume/remaining_program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,8 +109,8 @@ std::string modes(const ProgramState& state) {
   return text;
 }
 
-RestProgramNotes notesOf(const ProgramState& state, double nozzle_height_mm) {
-  RestProgramNotes notes;
+RemainingProgramNotes notesOf(const ProgramState& state, double nozzle_height_mm) {
+  RemainingProgramNotes notes;
   notes.to_check = {"the part still holds on the bed, and nothing stands in the way of homing x and y",
                     "the nozzle is free of the part and stands at z = " + shortNumber(nozzle_height_mm) +
                         " mm when this begins",
@@ -198,8 +198,9 @@ std::uint64_t firstLineAtHeight(const StreamableProgram& program, double height_
   throw InvalidInput(program.name() + " deposits nothing at z = " + shortNumber(height_mm) + " mm or above");
 }
 
-RestProgramNotes writeRest(const StreamableProgram& program, std::uint64_t from_line, double nozzle_height_mm,
-                           const ResumeSettings& settings, const TextSink& sink) {
+RemainingProgramNotes writeRemaining(const StreamableProgram& program, std::uint64_t from_line,
+                                     double nozzle_height_mm, const ResumeSettings& settings,
+                                     const TextSink& sink) {
   if (from_line < 1 || from_line > program.lines())
     throw InvalidInput("the line to go on from is " + std::to_string(from_line) + "; expected 1 to " +
                        std::to_string(program.lines()));
@@ -211,7 +212,7 @@ RestProgramNotes writeRest(const StreamableProgram& program, std::uint64_t from_
   requireClear(state, nozzle_height_mm + state.shift.z(), safe_mm, settings);
   const std::string begin = preparation(state, nozzle_height_mm + state.shift.z()) +
                             purgeAndApproach(state, safe_mm, settings) + modes(state);
-  RestProgramNotes notes = notesOf(state, nozzle_height_mm);
+  RemainingProgramNotes notes = notesOf(state, nozzle_height_mm);
   sink("; The rest of " + program.name() + ", from line " + std::to_string(from_line) + " of " +
        std::to_string(program.lines()) + ".\n; Run it only if:\n");
   for (const std::string& note : notes.to_check) sink("; - " + note + "\n");

@@ -39,7 +39,7 @@ std::uint64_t firstLineOfLayer(const StreamableProgram& program, std::int32_t la
 std::uint64_t firstLineAtHeight(const StreamableProgram& program, double height_mm);
 
 /// What must be seen to before the rest of a program is run, a sentence each.
-struct RestProgramNotes {
+struct RemainingProgramNotes {
   std::vector<std::string> to_check;
 };
 
@@ -52,7 +52,8 @@ struct RestProgramNotes {
 /// @throws InvalidInput if there is no such line, the nozzle stands too low to pass over the part, or the
 ///   purge would lie on it
 /// @throws InvalidProgram as `GcodeReader`, and for volumetric extrusion (M200)
-RestProgramNotes writeRest(const StreamableProgram& program, std::uint64_t from_line, double nozzle_height_mm,
-                           const ResumeSettings& settings, const TextSink& sink);
+RemainingProgramNotes writeRemaining(const StreamableProgram& program, std::uint64_t from_line,
+                                     double nozzle_height_mm, const ResumeSettings& settings,
+                                     const TextSink& sink);
 
 }  // namespace lamina

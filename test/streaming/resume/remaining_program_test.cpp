@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Lamina authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lamina/streaming/resume/rest_program.hpp"
+#include "lamina/streaming/resume/remaining_program.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/random.hpp"
 #include "lamina/program/gcode/gcode_reader.hpp"
-#include "lamina/streaming/resume/rest_offer.hpp"
+#include "lamina/streaming/resume/resume_point.hpp"
 
 namespace lamina {
 namespace {
@@ -18,7 +18,8 @@ StreamableProgram wholeOf(const std::string& text) { return StreamableProgram::f
 std::string restFrom(const std::string& text, std::uint64_t line, double nozzle_height_mm = 50.0,
                      const ResumeSettings& settings = {}) {
   std::string rest;
-  writeRest(wholeOf(text), line, nozzle_height_mm, settings, [&](std::string_view piece) { rest += piece; });
+  writeRemaining(wholeOf(text), line, nozzle_height_mm, settings,
+                 [&](std::string_view piece) { rest += piece; });
   std::string commands;
   ProgramCursor cursor = wholeOf(rest).open();
   while (const auto command = cursor.next()) commands += command->command + "\n";
@@ -37,18 +38,18 @@ const char* const kPart =
     "M140 S60\nM104 S210\nG28\nM190 S60\nM109 S210\nG90\nM82\nG92 E0\nG1 X20 Y20 Z0.2 F3000\n"  // 9 lines
     "G1 E2 F300\nM106 S128\n;LAYER:0\nG1 X40 E3 F1200\nG1 Y40 E4\n;LAYER:1\nG1 Z0.4\nG1 X20 E5\nG1 Y20 E6\n";
 
-TEST(RestOffer, IsBehindTheLastLineThatWasTaken) {
-  const RestOffer amid = offerRest(wholeOf(kPart), 14);
+TEST(ResumePoint, IsBehindTheLastLineThatWasTaken) {
+  const ResumePoint amid = resumePointAfter(wholeOf(kPart), 14);
   EXPECT_EQ(amid.line, 15U);
   EXPECT_EQ(amid.layer, 1);
   EXPECT_EQ(amid.layer_line, 14U);
   EXPECT_DOUBLE_EQ(amid.height_mm, 0.4);
-  const RestOffer between = offerRest(wholeOf(kPart), 13);
+  const ResumePoint between = resumePointAfter(wholeOf(kPart), 13);
   EXPECT_EQ(between.layer, 1);
   EXPECT_DOUBLE_EQ(between.height_mm, 0.2);
-  EXPECT_FALSE(offerRest(wholeOf(kPart), 0).layer);
-  EXPECT_THROW(offerRest(wholeOf(kPart), 16), InvalidInput) << "it has 16 lines";
-  EXPECT_NE(describeOffer(amid).find("--from-layer 1  which begins at line 14\n--from-height 0.4 "),
+  EXPECT_FALSE(resumePointAfter(wholeOf(kPart), 0).layer);
+  EXPECT_THROW(resumePointAfter(wholeOf(kPart), 16), InvalidInput) << "it has 16 lines";
+  EXPECT_NE(adviceFor(amid).find("--from-layer 1  which begins at line 14\n--from-height 0.4 "),
             std::string::npos);
 }
 
@@ -117,7 +118,8 @@ TEST(RestProgram, RefusesWhatWouldHarmThePart) {
 }
 
 TEST(RestProgram, TellsWhatSomebodyHasToSee) {
-  const auto notes = writeRest(wholeOf("G28\nG29\nM42 P1 S1\nM42 P2 S1\nG1 X1\n"), 5, 50.0, {}, [](auto) {});
+  const auto notes =
+      writeRemaining(wholeOf("G28\nG29\nM42 P1 S1\nM42 P2 S1\nG1 X1\n"), 5, 50.0, {}, [](auto) {});
   std::string all;
   for (const std::string& note : notes.to_check) all += note + "\n";
   for (const char* const part : {"still holds", "z = 50 mm", "as hot as it was", "\"G29\"", "\"M42 P1 S1\""})
