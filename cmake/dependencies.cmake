@@ -27,3 +27,18 @@ else()
   set(LAMINA_WITH_SEARCHES OFF)
   message(STATUS "without searches: pagmo, OpenTURNS or MPI is not installed (tools/install-dependencies --all)")
 endif()
+
+# STEP files: without Open CASCADE (tools/install-dependencies --all) they are refused by name. Its own configuration asks for all of
+# it, displays too.
+set(LAMINA_OCCT_LIBRARIES)
+find_path(LAMINA_OCCT_INCLUDE STEPControl_Reader.hxx PATH_SUFFIXES opencascade)
+foreach(name TKSTEP TKSTEPBase TKXSBase TKMesh TKTopAlgo TKBRep TKG3d TKMath TKernel)
+  find_library(LAMINA_OCCT_${name} ${name})
+  list(APPEND LAMINA_OCCT_LIBRARIES ${LAMINA_OCCT_${name}})
+endforeach()
+if(LAMINA_OCCT_INCLUDE AND NOT "${LAMINA_OCCT_LIBRARIES}" MATCHES NOTFOUND)
+  set(LAMINA_WITH_STEP ON)
+else()
+  set(LAMINA_WITH_STEP OFF)
+  message(STATUS "without STEP files: Open CASCADE is not installed (tools/install-dependencies --all)")
+endif()

@@ -110,8 +110,9 @@ void addInfo(CLI::App& app, Chosen& chosen) {
   CLI::App* subcommand = app.add_subcommand(
       "info", "Report on a mesh: size, volume, defects; of programs, preview --json reports");
   const auto arguments = std::make_shared<InfoArguments>();
-  subcommand->add_option("mesh", arguments->path, "Mesh file (STL, OBJ, PLY, 3MF)")->required();
-  subcommand->add_option("--unit", arguments->unit, "Unit of the file's numbers (3MF states its own)")
+  subcommand->add_option("mesh", arguments->path, "Mesh file (STL, OBJ, PLY, 3MF, STEP)")->required();
+  subcommand
+      ->add_option("--unit", arguments->unit, "Unit of the file's numbers (3MF and STEP state their own)")
       ->check(CLI::IsMember(unitNames()));
   subcommand->add_option("--scale", arguments->scale, "Factor on all lengths");
   addJsonFlag(*subcommand, chosen);

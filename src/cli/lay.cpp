@@ -56,7 +56,8 @@ void addLay(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("lay", "Propose turns by which a part lies on the bed with little overhang");
   const auto arguments = std::make_shared<LayArguments>();
   subcommand
-      ->add_option("part", arguments->part, "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part")
+      ->add_option("part", arguments->part,
+                   "Mesh file (STL, OBJ, PLY, 3MF, STEP) or name of a parametric part")
       ->required();
   addSettingOptions(*subcommand, arguments->settings, "Settings (YAML), of which input.* is used");
   subcommand

@@ -299,7 +299,7 @@ void addSlice(CLI::App& app, Chosen& chosen) {
   const auto arguments = std::make_shared<SliceArguments>();
   subcommand->add_option(
       "part", arguments->parts,
-      "Mesh file (STL, OBJ, PLY, 3MF) or name of a parametric part; several share the bed");
+      "Mesh file (STL, OBJ, PLY, 3MF, STEP) or name of a parametric part; several share the bed");
   subcommand->add_option("--plate", arguments->plate,
                          "File of parts that share the bed, their places and settings (YAML)");
   subcommand->add_option("-o,--output", arguments->output,

@@ -49,6 +49,7 @@ enum class RepairPolicy { Repair, Strict };
 struct InputSettings {
   MeshUnits units;
   RepairPolicy repair = RepairPolicy::Repair;
+  Tessellation tessellation;
   double extrude_mm = 0.0;  ///< height of the part that an outline (SVG) becomes; 0 refuses outlines
 };
 

@@ -22,6 +22,10 @@ void describe(SettingsSchema& schema, InputSettings& input) {
   schema.choice<RepairPolicy>("input.repair", input.repair,
                               {{"repair", RepairPolicy::Repair}, {"strict", RepairPolicy::Strict}},
                               "Whether a broken mesh is repaired or refused.");
+  schema.number("input.deflection_mm", input.tessellation.deflection_mm, {0.0, 100.0, true},
+                "Farthest that the triangles of a solid (STEP) lie from its curved faces.");
+  schema.number("input.deflection_deg", input.tessellation.deflection_deg, {0.0, 90.0, true},
+                "Greatest angle between edges of these triangles along a curve.");
   schema.number("input.extrude_mm", input.extrude_mm, {0.0, 1e6},
                 "Height of the part that an outline (SVG) becomes; 0 refuses outlines.");
 }

@@ -54,6 +54,8 @@ const std::vector<TestedElsewhere>& testedElsewhere() {
       {"stream.password_file", "streaming/client/upload_session_test.cpp", "password_file"},
       {"frames.every_mm", "ros/adapters/frame_markers_test.cpp", "every_mm"},
       {"frames.length_mm", "ros/adapters/frame_markers_test.cpp", "length_mm"},
+      {"input.deflection_deg", "geometry/mesh_io/step_reader_test.cpp", "deflection"},
+      {"input.deflection_mm", "geometry/mesh_io/step_reader_test.cpp", "deflection_mm"},
       {"input.extrude_mm", "job/part/outline_part_test.cpp", "extrude_mm"},
       {"machine.greatest_bed_c", "job/profiles/capabilities_test.cpp", "machine.greatest_bed_c"},
       {"machine.greatest_layer_mm", "job/profiles/capabilities_test.cpp", "machine.greatest_layer_mm"},

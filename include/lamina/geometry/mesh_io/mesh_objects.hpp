@@ -33,10 +33,11 @@ struct MeshObject {
   std::vector<MeshVolume> volumes = {};  ///< besides
 };
 
-/// The items of a 3MF file's build list, each where the list places it; of other formats one object, the
-/// file's mesh.
+/// The items of a 3MF file's build list, the solids of a STEP file, each where the file places it; of other
+/// formats one object, the file's mesh.
 /// @throws as `readMesh`
-std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units = {});
+std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units = {},
+                                        const Tessellation& tessellation = {});
 
 /// The volumes of all objects of a file that are no part of the part, which only 3MF files have.
 /// @throws as `readMesh`

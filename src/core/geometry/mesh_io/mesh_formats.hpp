@@ -26,6 +26,8 @@ bool isAsciiStl(std::string_view bytes);
 bool isPly(std::string_view bytes);
 /// Whether the bytes are a ZIP archive, as every 3MF file is.
 bool isThreemf(std::string_view bytes);
+/// Whether the bytes start as STEP files do.
+bool isStep(std::string_view bytes);
 /// Whether the bytes are text with lines that start with the letter v.
 bool isObj(std::string_view bytes);
 

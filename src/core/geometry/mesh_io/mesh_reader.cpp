@@ -11,6 +11,7 @@
 #include "lamina/geometry/mesh/mesh_topology.hpp"
 #include "lamina/geometry/mesh_io/mesh_objects.hpp"
 #include "mesh_formats.hpp"
+#include "step_module.hpp"
 #include "threemf_module.hpp"
 
 namespace lamina {
@@ -39,13 +40,13 @@ std::string lowerSuffix(const std::string& name) {
 }
 
 Mesh readInFileUnits(std::string_view bytes, const std::string& name) {
-  if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY or 3MF)");
+  if (bytes.empty()) throw InvalidMesh(name + ": empty file; expected a mesh (STL, OBJ, PLY, 3MF or STEP)");
   if (isPly(bytes)) return readPly(bytes, name);
   if (isExactBinaryStl(bytes, bytes.size())) return readBinaryStl(bytes, name);
   if (isAsciiStl(bytes)) return readAsciiStl(bytes, name);
   if (isObj(bytes)) return readObj(bytes, name);
   if (lowerSuffix(name) == ".stl") return readBinaryStl(bytes, name);
-  throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY nor 3MF");
+  throw InvalidMesh(name + ": not a mesh: neither STL, OBJ, PLY, 3MF nor STEP");
 }
 
 double factorOf(const MeshUnits& units) {
@@ -74,7 +75,44 @@ std::vector<MeshVolume> inMillimetres(std::vector<MeshVolume> volumes, double fa
   return volumes;
 }
 
+/// The module of Open CASCADE, which not every build has, nor every machine what it links to.
+std::vector<MeshObject> readStepSolids(std::string_view bytes, const std::string& name,
+                                       const Tessellation& tessellation) {
+  try {
+    const auto* const module = static_cast<const StepModule*>(moduleTable("step"));
+    return module->read_solids(bytes, name, tessellation);
+  } catch (const FileError& error) {
+    throw FileError(name +
+                    ": STEP files are read by Open CASCADE, which is not here; install "
+                    "libocct-data-exchange-dev and build Lamina with it, or mesh the file first (" +
+                    error.what() + ")");
+  }
+}
+
+/// All solids as one mesh.
+Mesh readStep(std::string_view bytes, const std::string& name, const Tessellation& tessellation) {
+  Mesh all;
+  for (const MeshObject& solid : readStepSolids(bytes, name, tessellation)) {
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), solid.mesh.vertices.begin(), solid.mesh.vertices.end());
+    for (const Triangle& triangle : solid.mesh.triangles)
+      all.triangles.push_back({first + triangle[0], first + triangle[1], first + triangle[2]});
+  }
+  return all;
+}
+
+std::vector<MeshObject> readObjectsOf(std::string_view bytes, const std::string& path,
+                                      const Tessellation& tessellation) {
+  if (isStep(bytes)) return readStepSolids(bytes, path, tessellation);
+  return static_cast<const ThreemfModule*>(moduleTable("threemf"))->read_objects(bytes, path);
+}
+
 }  // namespace
+
+bool isStep(std::string_view bytes) {
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  return start != std::string_view::npos && bytes.substr(start, 12) == "ISO-10303-21";
+}
 
 bool isThreemf(std::string_view bytes) { return bytes.substr(0, 4) == "PK\x03\x04"; }
 
@@ -92,27 +130,27 @@ const std::vector<std::pair<std::string, LengthUnit>>& lengthUnits() {
 
 bool isClosedSurface(const Mesh& mesh) { return !pairHalfEdges(mesh).has_border && volume(mesh) != 0.0; }
 
-Mesh readMesh(const std::string& path, const MeshUnits& units) {
+Mesh readMesh(const std::string& path, const MeshUnits& units, const Tessellation& tessellation) {
   InputFile file(path);
   std::array<char, kBinaryStlStart> buffer;
   const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
   if (isPly(start) || !isExactBinaryStl(start, file.size()))
-    return readMeshFromBytes(file.readRest(start), path, units);
+    return readMeshFromBytes(file.readRest(start), path, units, tessellation);
   return inMillimetres(readExactBinaryStl(file, start, path), factorOf(units), path);
 }
 
-std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units) {
+std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units,
+                                        const Tessellation& tessellation) {
   InputFile file(path);
-  std::array<char, 4> buffer{};
+  std::array<char, kBinaryStlStart> buffer;
   const std::string_view start(buffer.data(), file.read(buffer.data(), buffer.size()));
   std::vector<MeshObject> objects;
-  if (!isThreemf(start)) {
+  if (!isThreemf(start) && !isStep(start)) {
     objects.push_back({"", readMesh(path, units)});
     return objects;
   }
   const double factor = factorOf({LengthUnit::Millimetre, units.scale});
-  const auto* const module = static_cast<const ThreemfModule*>(moduleTable("threemf"));
-  objects = module->read_objects(file.readRest(start), path);
+  objects = readObjectsOf(file.readRest(start), path, tessellation);
   for (MeshObject& object : objects) {
     object.mesh = inMillimetres(std::move(object.mesh), factor, path);
     object.volumes = inMillimetres(std::move(object.volumes), factor, path);
@@ -130,9 +168,13 @@ std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits
                        factorOf({LengthUnit::Millimetre, units.scale}), path);
 }
 
-Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units) {
-  if (!isThreemf(bytes)) return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
-  return inMillimetres(readThreemf(bytes, name), factorOf({LengthUnit::Millimetre, units.scale}), name);
+Mesh readMeshFromBytes(std::string_view bytes, const std::string& name, const MeshUnits& units,
+                       const Tessellation& tessellation) {
+  if (!isThreemf(bytes) && !isStep(bytes))
+    return inMillimetres(readInFileUnits(bytes, name), factorOf(units), name);
+  const double factor = factorOf({LengthUnit::Millimetre, units.scale});
+  return inMillimetres(isStep(bytes) ? readStep(bytes, name, tessellation) : readThreemf(bytes, name), factor,
+                       name);
 }
 
 }  // namespace lamina

@@ -33,7 +33,7 @@ bool isParametric(const std::string& part) {
 
 Mesh readOrMake(const std::string& part, const InputSettings& settings) {
   if (isSvgName(part)) return extrudedOutline(part, settings);
-  if (!isParametric(part)) return readMesh(part, settings.units);
+  if (!isParametric(part)) return readMesh(part, settings.units, settings.tessellation);
   Mesh mesh = makePart(part);
   for (Point3& vertex : mesh.vertices) vertex *= settings.units.scale;
   return mesh;
@@ -63,7 +63,7 @@ std::vector<SourceObject> readParts(const std::string& part, const InputSettings
     objects.push_back({"", readPart(part, settings)});
     return objects;
   }
-  for (MeshObject& object : readMeshObjects(part, settings.units)) {
+  for (MeshObject& object : readMeshObjects(part, settings.units, settings.tessellation)) {
     objects.push_back({std::move(object.name), fitToSlice(std::move(object.mesh), settings.repair)});
     objects.back().source.volumes = std::move(object.volumes);
   }

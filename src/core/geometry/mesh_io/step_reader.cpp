@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
+#include <Poly_Triangulation.hxx>
+#include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepRepr_CharacterizedDefinition.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
+#include <StepRepr_PropertyDefinitionRepresentation.hxx>
+#include <StepRepr_RepresentedDefinition.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <istream>
+#include <streambuf>
+#include <utility>
+
+#include "indexed_faces.hpp"
+#include "lamina/base/error.hpp"
+#include "step_module.hpp"
+
+namespace lamina {
+namespace {
+
+constexpr double kRadians = 3.14159265358979323846 / 180.0;
+constexpr std::size_t kMostTriangles = 200'000'000;
+// By default the library takes a tenth of the deflection, below which angles do not count.
+constexpr double kShortestEdge = 0.001;  // mm
+constexpr int kMostSteps = 8;  // from an item up to its product, over representations and their relations
+
+/// Reads bytes where they are.
+class BytesBuffer : public std::streambuf {
+ public:
+  explicit BytesBuffer(std::string_view bytes) {
+    char* const start = const_cast<char*>(bytes.data());  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+    setg(start, start, start + bytes.size());
+  }
+};
+
+std::string textOf(const Handle(TCollection_HAsciiString) & text) {
+  return text.IsNull() || text->ToCString() == nullptr ? std::string() : std::string(text->ToCString());
+}
+
+/// Of the product whose shape the entity says something of; empty for other entities.
+std::string productName(const Handle(Standard_Transient) & entity) {
+  const auto shape = Handle(StepRepr_PropertyDefinitionRepresentation)::DownCast(entity);
+  if (shape.IsNull()) return {};
+  const Handle(StepRepr_PropertyDefinition) property = shape->Definition().PropertyDefinition();
+  if (property.IsNull()) return {};
+  const Handle(StepBasic_ProductDefinition) definition = property->Definition().ProductDefinition();
+  if (definition.IsNull() || definition->Formation().IsNull()) return {};
+  const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
+  return product.IsNull() ? std::string() : textOf(product->Name());
+}
+
+class StepReader {
+ public:
+  StepReader(const std::string& name, const Tessellation& tessellation)
+      : name_(name), tessellation_(tessellation) {}
+
+  std::vector<MeshObject> read(std::string_view bytes) {
+    load(bytes);
+    std::vector<MeshObject> objects;
+    for (int i = 1; i <= reader_.NbShapes(); ++i) {
+      const TopoDS_Shape shape = reader_.Shape(i);
+      requireNoFreeFaces(shape);
+      for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+        objects.push_back({nameOf(solid.Current()), meshOf(solid.Current())});
+    }
+    if (objects.empty()) refuse("has no solid; expected at least one, for only solids can be printed");
+    return objects;
+  }
+
+ private:
+  void load(std::string_view bytes) {
+    BytesBuffer buffer(bytes);
+    std::istream stream(&buffer);
+    if (reader_.ReadStream(name_.c_str(), stream) != IFSelect_RetDone)
+      refuse("is no readable STEP file: damaged, or cut off");
+    reader_.TransferRoots();
+  }
+
+  /// Free faces enclose nothing, and dropping them would lose what somebody drew.
+  void requireNoFreeFaces(const TopoDS_Shape& shape) const {
+    std::size_t faces = 0;
+    for (TopExp_Explorer face(shape, TopAbs_FACE, TopAbs_SOLID); face.More(); face.Next()) ++faces;
+    if (faces > 0)
+      refuse("has " + std::to_string(faces) + " faces that belong to no solid; expected solids alone");
+  }
+
+  /// Of the solid itself, or else of the product that it is of.
+  std::string nameOf(const TopoDS_Shape& solid) const {
+    const Handle(StepShape_ManifoldSolidBrep) item = itemOf(solid);
+    if (item.IsNull()) return {};
+    std::string name = textOf(item->Name());
+    return name.empty() || name == "NONE" ? nameAbove(item, reader_.WS()->Graph()) : name;
+  }
+
+  /// What the file states that the solid is of; none if it is of no single item.
+  Handle(StepShape_ManifoldSolidBrep) itemOf(const TopoDS_Shape& solid) const {
+    const Handle(Interface_InterfaceModel) model = reader_.WS()->Model();
+    const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      const auto item = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
+      if (item.IsNull()) continue;
+      const TopoDS_Shape result = TransferBRep::ShapeResult(process, item);
+      for (TopExp_Explorer of_item(result, TopAbs_SOLID); of_item.More(); of_item.Next())
+        if (of_item.Current().IsPartner(solid)) return item;
+    }
+    return {};
+  }
+
+  /// Breadth first through what refers to the entity.
+  static std::string nameAbove(const Handle(Standard_Transient) & entity, const Interface_Graph& graph) {
+    std::vector<Handle(Standard_Transient)> level = {entity};
+    for (int step = 0; step < kMostSteps && !level.empty(); ++step) {
+      std::vector<Handle(Standard_Transient)> next;
+      for (const auto& one : level) {
+        std::string name = productName(one);
+        if (!name.empty()) return name;
+        for (Interface_EntityIterator above = graph.Sharings(one); above.More(); above.Next())
+          next.push_back(above.Value());
+      }
+      level = std::move(next);
+    }
+    return {};
+  }
+
+  Mesh meshOf(const TopoDS_Shape& solid) {
+    IMeshTools_Parameters parameters;
+    parameters.Deflection = tessellation_.deflection_mm;
+    parameters.MinSize = kShortestEdge;
+    parameters.Angle = tessellation_.deflection_deg * kRadians;
+    // The library's own order of threads must not show in the mesh.
+    parameters.InParallel = false;
+    BRepMesh_IncrementalMesh mesher(solid, parameters);
+    IndexedFaces faces;
+    for (TopExp_Explorer face(solid, TopAbs_FACE); face.More(); face.Next())
+      addFace(TopoDS::Face(face.Current()), faces);
+    return weld(faces, name_);
+  }
+
+  void addFace(const TopoDS_Face& face, IndexedFaces& faces) {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, location);
+    if (triangulation.IsNull()) refuse("has a face that cannot be divided into triangles");
+    triangles_ += static_cast<std::size_t>(triangulation->NbTriangles());
+    if (triangles_ > kMostTriangles)
+      refuse("becomes more than " + std::to_string(kMostTriangles) +
+             " triangles; expected fewer: a larger input.deflection_mm or input.deflection_deg");
+    const auto first = static_cast<int>(faces.positions.size()) - 1;
+    for (int i = 1; i <= triangulation->NbNodes(); ++i) {
+      const gp_Pnt point = triangulation->Node(i).Transformed(location.Transformation());
+      faces.positions.push_back({point.X(), point.Y(), point.Z()});
+    }
+    const bool is_reversed = face.Orientation() == TopAbs_REVERSED;
+    for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
+      int a = 0;
+      int b = 0;
+      int c = 0;
+      triangulation->Triangle(i).Get(a, b, c);
+      if (is_reversed) std::swap(b, c);
+      const auto vertex = [&](int node) { return static_cast<std::uint32_t>(first + node); };
+      faces.triangles.push_back({vertex(a), vertex(b), vertex(c)});
+    }
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const { throw InvalidMesh(name_ + ": " + what); }
+
+  const std::string& name_;
+  const Tessellation& tessellation_;
+  STEPControl_Reader reader_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace
+
+std::vector<MeshObject> readStepSolids(std::string_view bytes, const std::string& name,
+                                       const Tessellation& tessellation) {
+  // What the library says would stand amid the output of commands.
+  Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
+  try {
+    return StepReader(name, tessellation).read(bytes);
+  } catch (const Standard_Failure& failure) {
+    throw InvalidMesh(name + ": is no readable STEP file: " + failure.GetMessageString());
+  }
+}
+
+}  // namespace lamina
+
+// A name of C.
+extern "C" const void* lamina_module();   // NOLINT(readability-identifier-naming)
+extern "C" const void* lamina_module() {  // NOLINT(readability-identifier-naming)
+  static constexpr lamina::StepModule kTable{&lamina::readStepSolids};
+  return &kTable;
+}
