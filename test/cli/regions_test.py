@@ -232,7 +232,7 @@ class Regions(unittest.TestCase):
 
     BOXES = [((0, 0, 0), (20, 20, 4)), ((10, -1, -1), (30, 21, 9))]
 
-    def prusa(self, settings):
+    def prusa(self, settings, of_object=(), of_material=(), boxes=BOXES):
         """A box of 20 x 20 x 4 mm whose right half has settings of its own, as PrusaSlicer 2.5 writes it."""
         def volume(first, kind, name, rest):
             words = [("name", name), *rest[:1], ("volume_type", kind), ("matrix", "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"),
@@ -244,11 +244,11 @@ class Regions(unittest.TestCase):
                     'backwards_edges="0"/>\n  </volume>\n')
         config = ('<?xml version="1.0" encoding="UTF-8"?>\n<config>\n <object id="4" instances_count="1">\n'
                   '  <metadata type="object" key="name" value="part"/>\n'
-                  '  <metadata type="object" key="perimeters" value="9"/>\n'
-                  + volume(0, "ModelPart", "part", []) + volume(12, "ParameterModifier", "Generic-Box",
+                  + "".join('  <metadata type="object" key="%s" value="%s"/>\n' % word for word in of_object)
+                  + volume(0, "ModelPart", "part", list(of_material)) + volume(12, "ParameterModifier", "Generic-Box",
                                                                 [("modifier", "1"), *settings])
                   + " </object>\n</config>\n")
-        return self.threemf(self.BOXES, "Metadata/Slic3r_PE_model.config", config)
+        return self.threemf(boxes, "Metadata/Slic3r_PE_model.config", config)
 
     def orca(self, settings):
         """The same as OrcaSlicer and Bambu Studio write it: volumes are objects, and components of one."""
@@ -318,6 +318,107 @@ class Regions(unittest.TestCase):
         summary = told("slice", self.prusa([("perimeters", "3")]), *LEVEL, "--set", "infill.strategy=vase", "--set",
                        "walls.count=0", "--set", "skins.top_layers=0", "--set", "skins.bottom_layers=0", "--set", "bridges.use=false")
         self.assertIn("cannot lie beside others", " ".join(summary["notes"]))
+
+    def alike(self, part, modifier, *arguments):
+        """Asserts that a 3MF file gives the program of a modifier in YAML; returns the notes besides."""
+        with open(self.path("modifiers.yaml"), "w", encoding="utf-8") as file:
+            file.write("modifiers:\n  - {%s}\n" % modifier)
+        summary, found = self.program(part, *arguments)
+        plain_file = self.threemf(self.BOXES[:1], "", "")
+        usual, plain = self.program(plain_file, *arguments)
+        _, expected = self.program(plain_file, *arguments, "--set", "part.modifiers=" + self.path("modifiers.yaml"))
+        self.assertNotEqual(plain, expected)
+        self.assertEqual(found, expected)
+        return [note for note in summary["notes"] if note not in usual["notes"]]
+
+    def test_settings_of_an_object_hold_in_all_of_it(self):
+        whole = box((-1, -1, -1), (21, 21, 5))
+        words = [("fill_density", "60%"), ("perimeters", "3"), ("extruder", "1"), ("brim_width", "5")]
+        notes = self.alike(self.prusa([], words), whole + ", settings: {infill.density: 0.6, walls.count: 3}")
+        self.assertEqual(len(notes), 1)
+        self.assertIn("object '' of the part's file", notes[0])
+        self.assertIn("'brim_width' '5'", notes[0])
+        # What says no more than the part changes nothing.
+        _, found = self.program(self.prusa([], [("perimeters", "2"), ("extruder", "1")]))
+        self.assertEqual(found, self.program(self.threemf(self.BOXES[:1], "", ""))[1])
+
+    def test_settings_of_an_object_by_orca(self):
+        path = self.orca([])
+        with zipfile.ZipFile(path) as file:
+            entries = {name: file.read(name).decode() for name in file.namelist()}
+        entry = "Metadata/model_settings.config"
+        entries[entry] = entries[entry].replace('<metadata key="extruder" value="1"/>',
+                                                '<metadata key="wall_loops" value="3"/>', 1)
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+            for name, text in entries.items():
+                file.writestr(name, text)
+        self.assertEqual(self.alike(path, box((-1, -1, -1), (21, 21, 5)) + ", settings: {walls.count: 3}"), [])
+
+    def test_a_piece_of_the_part_has_a_tool_of_its_own(self):
+        halves = [((0, 0, 0), (10, 20, 2)), ((10, 0, 0), (20, 20, 2))]
+        config = ('<?xml version="1.0"?><config><object id="4"><volume firstid="0" lastid="11"><metadata type="volume" '
+                  'key="extruder" value="1"/></volume><volume firstid="12" lastid="23"><metadata type="volume" '
+                  'key="volume_type" value="ModelPart"/><metadata type="volume" key="extruder" value="2"/></volume></object>'
+                  '</config>')
+        part = self.threemf(halves, "Metadata/Slic3r_PE_model.config", config)
+        told("slice", part, "-o", self.path("part.gcode"), *LEVEL, *TOOLS)
+        with open(self.path("part.gcode"), encoding="utf-8") as file:
+            laid = [motion for motion in motions(file.read()) if motion.lays()]
+        self.assertEqual({motion.tool for motion in laid}, {0, 1})
+        for motion in laid:
+            middle = 0.5 * (motion.start[0] + motion.end[0]) - MIDDLE[0]
+            self.assertEqual(motion.tool, 1 if middle > 0 else 0, (motion.start, motion.end))
+
+    def with_heights(self, ranges, entry="Metadata/Prusa_Slicer_layer_config_ranges.xml"):
+        text = '<?xml version="1.0" encoding="utf-8"?>\n<objects>\n <object id="1">\n'
+        for low, high, options in ranges:
+            text += '  <range min_z="%s" max_z="%s">\n' % (low, high)
+            text += "".join('   <option opt_key="%s">%s</option>\n' % option for option in options) + "  </range>\n"
+        return self.threemf(self.BOXES[:1], entry, text + " </object>\n</objects>\n")
+
+    def test_ranges_of_heights_have_settings_of_their_own(self):
+        ours = "from_mm: 1, to_mm: 3, settings: {infill.density: 0.6, walls.count: 3}"
+        words = [("extruder", "0"), ("layer_height", "0.2"), ("fill_density", "60%"), ("perimeters", "3")]
+        self.assertEqual(self.alike(self.with_heights([("1", "3", words)]), ours), [])
+        words = [("layer_height", "0.1"), ("sparse_infill_density", "60%"), ("wall_loops", "3")]
+        part = self.with_heights([("1", "3", words)], "Metadata/layer_config_ranges.xml")
+        notes = self.alike(part, ours)
+        self.assertEqual(len(notes), 1)
+        self.assertIn("heights 1 to 3 mm of object", notes[0])
+        self.assertIn("'layer_height' '0.1'", notes[0])
+        for low, high in (("3", "1"), ("1", "nan"), ("one", "2"), ("1", "1")):
+            done = lamina("slice", self.with_heights([(low, high, [])]), *LEVEL)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("layer_config_ranges.xml:4", done.stderr)
+
+    def cura(self, settings):
+        """The box and one over its right half, an object each, with settings of the latter as Cura writes them."""
+        path = self.orca([])
+        with zipfile.ZipFile(path) as file:
+            entries = {name: file.read(name).decode() for name in file.namelist()}
+        del entries["Metadata/model_settings.config"]
+        model = entries["3D/3dmodel.model"]
+        words = "".join('<metadata name="cura:%s" preserve="1" type="xs:string">%s</metadata>' % word for word in settings)
+        model = model.replace("<model ", '<model xmlns:cura="http://software.ultimaker.com/xml/cura/3mf/2015/10" ', 1)
+        second = model.index('<object id="2"')
+        mesh_end = model.index("<mesh>", second)
+        model = model[:mesh_end] + "<metadatagroup>" + words + "</metadatagroup>" + model[mesh_end:]
+        model = model[:model.index('<object id="3"')] + ('</resources><build><item objectid="1"/><item objectid="2"/></build>'
+                                                         "</model>")
+        entries["3D/3dmodel.model"] = model
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file:
+            for name, text in entries.items():
+                file.writestr(name, text)
+        return path
+
+    def test_objects_of_cura_change_others(self):
+        words = [("infill_mesh", "True"), ("drop_to_buildplate", "False"), ("infill_sparse_density", "60"),
+                 ("infill_pattern", "grid"), ("wall_line_count", "4"), ("speed_wall_0", "20"), ("ironing_enabled", "True")]
+        half = box((10, -1, -1), (30, 21, 9))
+        notes = self.alike(self.cura(words), half + ", settings: {infill.density: 0.6, infill.strategy: grid, "
+                           "walls.count: 4, feed.outer_wall_mm_s: 20}")
+        self.assertEqual(len(notes), 1)
+        self.assertIn("'cura:ironing_enabled' 'True'", notes[0])
 
     def negative(self, number=4):
         return ('<?xml version="1.0"?><config><object id="%d"><volume firstid="12" lastid="23"><metadata type="volume" '

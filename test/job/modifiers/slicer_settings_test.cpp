@@ -77,6 +77,24 @@ INSTANTIATE_TEST_SUITE_P(Orca, SettingOfASlicer,
                                          Stated{{"print_flow_ratio", "0.95"}, {"bead.flow=0.95"}},
                                          Stated{{"wall_filament", "2"}, {"tool.walls=1"}}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Cura, SettingOfASlicer,
+    testing::Values(Stated{{"cura:wall_line_count", "3"}, {"walls.count=3"}},
+                    Stated{{"cura:infill_sparse_density", "35"}, {"infill.density=0.35"}},
+                    Stated{{"cura:infill_pattern", "lines"}, {"infill.strategy=zigzag"}},
+                    Stated{{"cura:infill_overlap", "10"}, {"infill.wall_overlap=0.1"}},
+                    Stated{{"cura:top_layers", "5"}, {"skins.top_layers=5"}},
+                    Stated{{"cura:bottom_thickness", "0.6"}, {"skins.bottom_mm=0.6"}},
+                    Stated{{"cura:speed_wall_0", "25"}, {"feed.outer_wall_mm_s=25"}},
+                    Stated{{"cura:material_flow", "95"}, {"bead.flow=0.95"}},
+                    Stated{{"cura:extruder_nr", "1"}, {"tool.walls=1", "tool.infill=1", "tool.skin=1"}},
+                    Stated{{"cura:extruder_nr", "-1"}, {}}));
+
+TEST(SettingsOfASlicer, TheLayerHeightOfThePartIsNoOther) {
+  EXPECT_TRUE(translated({{"layer_height", "0.2"}}, JobSettings()).left_out.empty());
+  EXPECT_EQ(translated({{"layer_height", "0.15"}}, JobSettings()).left_out.size(), 1U);
+}
+
 TEST(SettingsOfASlicer, ReferToFeedsOfTheirOwnRegion) {
   const TranslatedSettings found =
       translated({{"external_perimeter_speed", "50%"}, {"perimeter_speed", "30"}}, JobSettings());

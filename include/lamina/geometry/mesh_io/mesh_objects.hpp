@@ -11,12 +11,15 @@
 
 namespace lamina {
 
-/// What a volume of an object is that is no part of the part.
+/// What a volume of an object is.
 enum class VolumeKind : std::uint8_t {
-  Modifier,        ///< with settings of its own
-  Negative,        ///< cut away
-  SupportBlocker,  ///< where nothing is held up
-  SupportEnforcer  ///< where all that hangs is held up
+  Modifier,         ///< no part of the part, with settings of its own
+  Negative,         ///< cut away
+  SupportBlocker,   ///< where nothing is held up
+  SupportEnforcer,  ///< where all that hangs is held up
+  Object,           ///< a box round a whole object that has settings
+  Material,         ///< a piece of the part, with settings of its own
+  Heights           ///< a box from height to height of an object, with settings of its own
 };
 
 /// A volume that says how the part within it is laid.
@@ -24,6 +27,7 @@ struct MeshVolume {
   VolumeKind kind = VolumeKind::Modifier;
   Mesh mesh;
   std::vector<SettingText> settings = {};  ///< by the names and in the words of the slicer that wrote them
+  std::string of = {};                     ///< for messages: the object or its heights, if that is what it is
 };
 
 /// One of the objects that a file tells apart.
@@ -39,7 +43,8 @@ struct MeshObject {
 std::vector<MeshObject> readMeshObjects(const std::string& path, const MeshUnits& units = {},
                                         const Tessellation& tessellation = {});
 
-/// The volumes of all objects of a file that are no part of the part, which only 3MF files have.
+/// The volumes of all objects of a file that say how the part is laid, which only 3MF files have. Of each
+/// object those of the whole come first, then of its pieces, of heights, and of what is no part of it.
 /// @throws as `readMesh`
 std::vector<MeshVolume> readMeshVolumes(const std::string& path, const MeshUnits& units = {});
 

@@ -4,7 +4,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -13,6 +15,7 @@
 
 #include "indexed_faces.hpp"
 #include "lamina/base/error.hpp"
+#include "lamina/geometry/mesh/box_mesh.hpp"
 #include "mesh_formats.hpp"
 #include "threemf_module.hpp"
 #include "threemf_volumes.hpp"
@@ -46,6 +49,14 @@ double millimetresPerUnit(DWORD unit) {
   }
 }
 
+constexpr double kBeyond = 1.0;  // mm, by which a box reaches over the object it is of
+
+std::string shortText(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
 Eigen::Affine3d toAffine(const NMR::MODELTRANSFORM& transform) {
   Eigen::Affine3d affine = Eigen::Affine3d::Identity();
   for (int row = 0; row < 3; ++row)
@@ -59,21 +70,21 @@ class ThreemfReader {
   explicit ThreemfReader(const std::string& name) : name_(name) {}
 
   Mesh read(std::string_view bytes) {
-    volumes_ = objectVolumes(bytes, name_);
+    words_ = slicerWords(bytes, name_);
     addItems(bytes, [](const Handle&) {});
     return weld(faces_, name_);
   }
 
-  /// Those that are no material.
+  /// Those that say how the part is laid.
   std::vector<MeshVolume> readVolumes(std::string_view bytes) {
-    volumes_ = objectVolumes(bytes, name_);
-    if (volumes_.empty()) return {};
+    words_ = slicerWords(bytes, name_);
+    if (!hasWords()) return {};
     addItems(bytes, [](const Handle&) {});
     return weldedVolumes();
   }
 
   std::vector<MeshObject> readObjects(std::string_view bytes) {
-    volumes_ = objectVolumes(bytes, name_);
+    words_ = slicerWords(bytes, name_);
     std::vector<MeshObject> objects;
     addItems(bytes, [&](const Handle& object) {
       const IndexedFaces faces = std::exchange(faces_, {});
@@ -106,7 +117,7 @@ class ThreemfReader {
     auto* buffer = const_cast<BYTE*>(reinterpret_cast<const BYTE*>(bytes.data()));
     if (NMR::lib3mf_reader_readfrombuffer(reader.get(), buffer, bytes.size()) != LIB3MF_OK)
       refuse(reason(reader.get()));
-    if (!volumes_.empty()) orders_ = ordersOf(model);
+    if (hasWords()) orders_ = ordersOf(model);
     const double scale = millimetresPerUnit(get<DWORD>(NMR::lib3mf_model_getunit, model));
     const Handle items =
         make([&](Object** out) { return NMR::lib3mf_model_getbuilditems(model.get(), out); });
@@ -122,8 +133,65 @@ class ThreemfReader {
     Eigen::Affine3d part_from_item = Eigen::Affine3d::Identity();
     if (get<BOOL>(NMR::lib3mf_builditem_hasobjecttransform, item))
       part_from_item = toAffine(get<NMR::MODELTRANSFORM>(NMR::lib3mf_builditem_getobjecttransform, item));
+    const std::size_t triangles = faces_.triangles.size();
+    const auto volumes = static_cast<std::ptrdiff_t>(volume_faces_.size());
     addObject(object, Eigen::Scaling(scale) * part_from_item, 0);
+    if (!hasWords()) return object;
+    addBoxes(object, triangles);
+    std::stable_sort(volume_faces_.begin() + volumes, volume_faces_.end(), [](const auto& a, const auto& b) {
+      return rankOf(a.first.kind) < rankOf(b.first.kind);
+    });
     return object;
+  }
+
+  bool hasWords() const { return !words_.objects.empty() || !words_.heights.empty(); }
+
+  /// What comes later holds over what comes before.
+  static int rankOf(VolumeKind kind) {
+    if (kind == VolumeKind::Object) return 0;
+    if (kind == VolumeKind::Material) return 1;
+    return kind == VolumeKind::Heights ? 2 : 3;
+  }
+
+  /// Round an object that was built, and its heights, where they have settings.
+  /// @param first  of its triangles
+  void addBoxes(const Handle& object, std::size_t first) {
+    Box3 box;
+    for (std::size_t i = first; i < faces_.triangles.size(); ++i)
+      for (const std::uint32_t corner : faces_.triangles[i]) {
+        if (corner >= faces_.positions.size()) refuse("a triangle names a vertex that is not there");
+        const auto& at = faces_.positions[corner];
+        box.include({at[0], at[1], at[2]});
+      }
+    if (first == faces_.triangles.size()) return;
+    const auto number = get<DWORD>(NMR::lib3mf_resource_getresourceid, object);
+    const std::string name = "object '" + nameOf(object) + "'";
+    const auto words = words_.objects.find(orders_.at(number));
+    const double low = box.low.z();
+    if (words != words_.objects.end() && !words->second.settings.empty())
+      addBox(box, {low - kBeyond, box.high.z() + kBeyond},
+             {VolumeKind::Object, {}, words->second.settings, name});
+    const auto built = built_.emplace(number, built_.size()).first;
+    const auto heights = words_.heights.find(built->second);
+    if (heights == words_.heights.end()) return;
+    for (const RangeOfHeights& range : heights->second)
+      addBox(box, {low + range.from_mm, low + range.to_mm},
+             {VolumeKind::Heights,
+              {},
+              range.settings,
+              "heights " + shortText(range.from_mm) + " to " + shortText(range.to_mm) + " mm of " + name});
+  }
+
+  /// A little wider than the object, so that its border is none of the box.
+  void addBox(Box3 box, const std::pair<double, double>& heights, MeshVolume volume) {
+    box.low = {box.low.x() - kBeyond, box.low.y() - kBeyond, heights.first};
+    box.high = {box.high.x() + kBeyond, box.high.y() + kBeyond, heights.second};
+    const Mesh mesh = boxMesh(box);
+    IndexedFaces faces;
+    for (const Point3& vertex : mesh.vertices)
+      faces.positions.push_back({vertex.x(), vertex.y(), vertex.z()});
+    faces.triangles = mesh.triangles;
+    volume_faces_.emplace_back(std::move(volume), std::move(faces));
   }
 
   std::string nameOf(const Handle& object) const {
@@ -185,7 +253,7 @@ class ThreemfReader {
     for (const VolumeRange& range : ranges) {
       IndexedFaces volume;
       for (std::size_t i = range.first; i <= range.last && i < triangles; ++i) {
-        is_of_part[i] = false;
+        if (range.kind != VolumeKind::Material) is_of_part[i] = false;
         addAlone(triangleAt(static_cast<DWORD>(i)), volume);
       }
       if (!volume.triangles.empty())
@@ -207,11 +275,11 @@ class ThreemfReader {
     return orders;
   }
 
-  /// Of a mesh object, that are no part of the part.
+  /// Of a mesh object, that are no part of the part or have settings of their own.
   std::vector<VolumeRange> rangesOf(const Handle& mesh) const {
-    if (volumes_.empty()) return {};
-    const auto found = volumes_.find(orders_.at(get<DWORD>(NMR::lib3mf_resource_getresourceid, mesh)));
-    return found == volumes_.end() ? std::vector<VolumeRange>{} : found->second;
+    if (words_.objects.empty()) return {};
+    const auto found = words_.objects.find(orders_.at(get<DWORD>(NMR::lib3mf_resource_getresourceid, mesh)));
+    return found == words_.objects.end() ? std::vector<VolumeRange>{} : found->second.volumes;
   }
 
   /// With corners of its own.
@@ -254,7 +322,8 @@ class ThreemfReader {
 
   const std::string& name_;
   IndexedFaces faces_;
-  ObjectVolumes volumes_;
+  SlicerWords words_;
+  std::map<DWORD, std::size_t> built_;   ///< places of objects among those that are built
   std::map<DWORD, std::size_t> orders_;  ///< of objects, by the numbers that the library gives them
   std::vector<std::pair<MeshVolume, IndexedFaces>> volume_faces_;  ///< volumes without their meshes
   int objects_ = 0;

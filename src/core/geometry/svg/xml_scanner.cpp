@@ -35,6 +35,10 @@ std::string XmlTag::attribute(const std::string& key) const {
   return found == attributes.end() ? "" : found->second;
 }
 
+std::string XmlScanner::textBehind() const {
+  return withoutEntities(std::string(text_.substr(0, text_.find('<'))));
+}
+
 void XmlScanner::refuse(int line, const std::string& what) const {
   throw InvalidMesh(name_ + ":" + std::to_string(line) + ": " + what);
 }

@@ -29,6 +29,9 @@ class XmlScanner {
   /// @throws InvalidMesh naming file and line if a tag, comment or attribute is not closed
   bool next(XmlTag& tag);
 
+  /// What stands from the last tag to the next.
+  std::string textBehind() const;
+
   /// @throws InvalidMesh "name:line: what"
   [[noreturn]] void refuse(int line, const std::string& what) const;
 

@@ -11,6 +11,7 @@
 #include "lamina/base/error.hpp"
 #include "lamina/base/error_place.hpp"
 #include "lamina/base/parallel.hpp"
+#include "lamina/geometry/mesh/box_mesh.hpp"
 #include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/job/modifiers/modifier.hpp"
@@ -24,19 +25,6 @@ constexpr double kBeyond = 1.0;  // mm, by which a range of heights reaches over
 using ModifierSet = std::vector<std::size_t>;
 /// Where in one layer which modifiers hold; apart from each other.
 using Overlay = std::vector<std::pair<ModifierSet, Regions>>;
-
-Mesh boxMesh(const Box3& box) {
-  Mesh mesh;
-  for (int corner = 0; corner < 8; ++corner) {
-    Point3 point = box.low;
-    for (int i = 0; i < 3; ++i)
-      if ((corner >> i & 1) != 0) point[i] = box.high[i];
-    mesh.vertices.push_back(point);
-  }
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
 
 Mesh meshOf(const Modifier& modifier, InputSettings input) {
   if (modifier.box) return boxMesh(*modifier.box);

@@ -12,6 +12,7 @@
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/text.hpp"
+#include "lamina/geometry/mesh/mesh_repair.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/modifiers/slicer_settings.hpp"
 
@@ -153,6 +154,9 @@ Modifier modifierFrom(const StrictYaml& yaml, const std::string& folder) {
 ModifierKind kindOf(VolumeKind kind) {
   switch (kind) {
     case VolumeKind::Modifier:
+    case VolumeKind::Object:
+    case VolumeKind::Material:
+    case VolumeKind::Heights:
       break;
     case VolumeKind::Negative:
       return ModifierKind::Negative;
@@ -167,6 +171,76 @@ ModifierKind kindOf(VolumeKind kind) {
 bool liesBesideOthers(const std::string& strategy) {
   const InfillStrategy fill = infillStrategy(strategy);
   return fill.deposit == Deposit::Bead && fill.link == LayerLink::Travel;
+}
+
+/// What slicers state of every object and piece of it: without what the part has anyway, unless a modifier
+/// before says something else.
+std::vector<SettingText> onlyOthers(const std::vector<SettingText>& settings, const JobSettings& of_part,
+                                    const std::vector<Modifier>& before) {
+  JobSettings usual = of_part;
+  SettingsSchema schema;
+  describe(schema, usual);
+  std::vector<SettingText> others;
+  for (const SettingText& setting : settings) {
+    const std::string of_part_text = schema.find(setting.key)->get();
+    schema.set(setting.key, setting.text);
+    const bool is_set_before = std::any_of(before.begin(), before.end(), [&](const Modifier& modifier) {
+      return std::any_of(modifier.settings.begin(), modifier.settings.end(),
+                         [&](const SettingText& other) { return other.key == setting.key; });
+    });
+    if (is_set_before || schema.find(setting.key)->get() != of_part_text) others.push_back(setting);
+    schema.set(setting.key, of_part_text);
+  }
+  return others;
+}
+
+bool isSoundMesh(const Mesh& mesh) {
+  try {
+    requireSound(mesh);
+    return true;
+  } catch (const InvalidMesh&) {
+    return false;
+  }
+}
+
+/// Pieces of the part are counted by themselves, and what is no part of it.
+std::string nameOf(const MeshVolume& volume, const std::vector<MeshVolume>& all) {
+  if (!volume.of.empty()) return volume.of;
+  const bool is_piece = volume.kind == VolumeKind::Material;
+  const auto before = std::count_if(all.data(), &volume, [&](const MeshVolume& other) {
+    return other.of.empty() && (other.kind == VolumeKind::Material) == is_piece;
+  });
+  return (is_piece ? "piece " : "volume ") + std::to_string(before);
+}
+
+/// What of a volume's settings holds here, and what is to be told of the rest.
+struct VolumeSettings {
+  std::vector<SettingText> settings;
+  std::vector<std::string> notes;
+};
+
+VolumeSettings settingsOf(const MeshVolume& volume, const std::string& place, const JobSettings& of_part,
+                          const std::vector<Modifier>& before) {
+  TranslatedSettings translation = translated(volume.settings, of_part);
+  VolumeSettings found;
+  found.settings = volume.kind == VolumeKind::Modifier ? std::move(translation.settings)
+                                                       : onlyOthers(translation.settings, of_part, before);
+  const std::string& strategy = of_part.planning.infill.strategy;
+  const auto leaveOut = [&](const std::string& why) {
+    if (!found.settings.empty()) found.notes.push_back(place + ": its settings are left out: " + why);
+    found.settings.clear();
+  };
+  if (!liesBesideOthers(strategy)) {
+    leaveOut("infill.strategy '" + strategy + "' cannot lie beside others");
+    return found;
+  }
+  if (!translation.left_out.empty())
+    found.notes.push_back(place + ": settings of another slicer that no region has here are left out: " +
+                          lamina::listed(translation.left_out));
+  // The part is repaired as a whole, and not its pieces.
+  if (volume.kind == VolumeKind::Material && !isSoundMesh(volume.mesh))
+    leaveOut("its own surface is not closed");
+  return found;
 }
 
 }  // namespace
@@ -192,21 +266,14 @@ VolumeModifiers modifiersOf(const std::vector<MeshVolume>& volumes, const JobSet
   for (const MeshVolume& volume : volumes) {
     Modifier modifier;
     modifier.kind = kindOf(volume.kind);
-    modifier.volume = volume.mesh;
-    modifier.place = "volume " + std::to_string(&volume - volumes.data()) + " of the part's file";
+    modifier.place = nameOf(volume, volumes) + " of the part's file";
     if (modifier.kind == ModifierKind::Settings) {
-      TranslatedSettings translation = translated(volume.settings, of_part);
-      const std::string& strategy = of_part.planning.infill.strategy;
-      const bool may_differ = liesBesideOthers(strategy);
-      if (!may_differ && !translation.settings.empty())
-        found.notes.push_back(modifier.place + ": its settings are left out: infill.strategy '" + strategy +
-                              "' cannot lie beside others");
-      else if (!translation.left_out.empty())
-        found.notes.push_back(modifier.place + ": settings of another slicer that no region has here are " +
-                              "left out: " + listed(translation.left_out));
-      if (!may_differ || translation.settings.empty()) continue;
-      modifier.settings = std::move(translation.settings);
+      VolumeSettings own = settingsOf(volume, modifier.place, of_part, found.modifiers);
+      found.notes.insert(found.notes.end(), own.notes.begin(), own.notes.end());
+      if (own.settings.empty()) continue;
+      modifier.settings = std::move(own.settings);
     }
+    modifier.volume = volume.mesh;
     found.modifiers.push_back(std::move(modifier));
   }
   return found;

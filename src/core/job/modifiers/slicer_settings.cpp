@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "geometry/mesh_io/volume_origin.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/base/quotation.hpp"
 
@@ -26,7 +27,9 @@ enum class ValueKind {
   Feed,         ///< mm/s, or a share of another feed; 0 leaves it to the slicer
   Pattern,
   BridgeAngle,  ///< 0 is sought
-  Tool          ///< from 1; 0 is none of its own
+  Tool,         ///< from 1; 0 is none of its own
+  Percent,      ///< 60 is 0.6
+  ToolFromZero  ///< below 0 is none of its own
 };
 
 struct SettingNames {
@@ -67,13 +70,40 @@ constexpr std::array<SettingNames, 24> kSettingNames = {{
     {"solid_infill_extruder", "solid_infill_filament", "tool.skin", ValueKind::Tool},
 }};
 
+/// Cura's, by what its files call them.
+struct CuraNames {
+  std::string_view cura;
+  const char* key;
+  ValueKind kind = ValueKind::AsItIs;
+};
+
+constexpr std::array<CuraNames, 16> kCuraNames = {{
+    {"cura:wall_line_count", "walls.count"},
+    {"cura:infill_sparse_density", "infill.density", ValueKind::Percent},
+    {"cura:infill_pattern", "infill.strategy", ValueKind::Pattern},
+    {"cura:infill_overlap", "infill.wall_overlap", ValueKind::Percent},
+    {"cura:top_layers", "skins.top_layers"},
+    {"cura:bottom_layers", "skins.bottom_layers"},
+    {"cura:top_thickness", "skins.top_mm"},
+    {"cura:bottom_thickness", "skins.bottom_mm"},
+    {"cura:min_infill_area", "skins.least_infill_mm2"},
+    {"cura:speed_wall_x", "feed.inner_wall_mm_s", ValueKind::Feed},
+    {"cura:speed_wall_0", "feed.outer_wall_mm_s", ValueKind::Feed},
+    {"cura:speed_infill", "feed.infill_mm_s", ValueKind::Feed},
+    {"cura:speed_topbottom", "feed.skin_mm_s", ValueKind::Feed},
+    {"cura:bridge_skin_speed", "feed.bridge_mm_s", ValueKind::Feed},
+    {"cura:material_flow", "bead.flow", ValueKind::Percent},
+    {"cura:extruder_nr", "tool", ValueKind::ToolFromZero},
+}};
+
 /// Those that lay the same lines here; aligned ones do not turn from layer to layer.
 constexpr const char* kAligned = "aligned";
-constexpr std::array<std::pair<std::string_view, const char*>, 14> kPatterns = {
+constexpr std::array<std::pair<std::string_view, const char*>, 15> kPatterns = {
     {{"rectilinear", "zigzag"},
      {"zig-zag", "zigzag"},
      {"zigzag", "zigzag"},
      {"line", "zigzag"},
+     {"lines", "zigzag"},
      {"monotonic", "zigzag"},
      {"monotonicline", "zigzag"},
      {"alignedrectilinear", kAligned},
@@ -84,16 +114,6 @@ constexpr std::array<std::pair<std::string_view, const char*>, 14> kPatterns = {
      {"honeycomb", "honeycomb"},
      {"lightning", "lightning"},
      {"hilbertcurve", "hilbert"}}};
-
-/// Where a volume came from, which says nothing of how it is laid. Those that end with _ begin others.
-constexpr std::array<std::string_view, 7> kOrigins = {"name",      "matrix",      "modifier", "source_",
-                                                      "text_info", "volume_type", "mesh_stat"};
-
-bool saysOrigin(const std::string& key) {
-  return std::any_of(kOrigins.begin(), kOrigins.end(), [&](std::string_view origin) {
-    return origin.back() == '_' ? key.compare(0, origin.size(), origin) == 0 : key == origin;
-  });
-}
 
 std::optional<double> numberIn(std::string_view text) {
   double value = 0.0;
@@ -130,6 +150,9 @@ class SettingsTranslation {
       translate(names, std::string(names.prusa));
       translate(names, std::string(names.orca));
     }
+    for (const CuraNames& names : kCuraNames)
+      translate({{}, {}, names.key, names.kind}, std::string(names.cura));
+    passOverLayerHeight();
     fillSolidly();
     Quotation quotation;
     quotation.recognise();
@@ -185,6 +208,12 @@ class SettingsTranslation {
       case ValueKind::Tool:
         if (number) return toolOf(key, *number);
         break;
+      case ValueKind::Percent:
+        if (number) return as(*number / 100.0);
+        break;
+      case ValueKind::ToolFromZero:
+        if (number) return toolOf(key, std::max(*number + 1.0, 0.0));
+        break;
     }
     return std::nullopt;
   }
@@ -207,6 +236,14 @@ class SettingsTranslation {
     const std::string tool = std::to_string(static_cast<int>(number) - 1);
     if (key != "tool") return std::vector<SettingText>{{key, tool}};
     return std::vector<SettingText>{{"tool.walls", tool}, {"tool.infill", tool}, {"tool.skin", tool}};
+  }
+
+  /// Ranges of heights state it always; that of the part is no other.
+  void passOverLayerHeight() {
+    const auto stated = rest_.find("layer_height");
+    if (stated == rest_.end()) return;
+    const auto height_mm = numberIn(stated->second);
+    if (height_mm && std::abs(*height_mm - region_.slicing.layer_height_mm) < 1e-9) rest_.erase(stated);
   }
 
   /// As these slicers do, whose sparse patterns are none of solid fills.
