@@ -37,6 +37,7 @@
 #include "planning/seams/start_count.hpp"
 #include "planning/skins/ironing.hpp"
 #include "planning/skins/skin_areas.hpp"
+#include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/layer_travels.hpp"
 #include "planning/walls/walls.hpp"
@@ -79,9 +80,9 @@ class LayerPlanner {
                             Bead{settings_.bead.width_mm, layer.bounds.height()});
     result_.z_mm = layer.bounds.top_mm;
     result_.height_mm = layer.bounds.height();
-    bead_ = {settings_.bead.width_mm, result_.height_mm};
-    pitch_ = settings_.bead.pitch_mm > 0.0 ? settings_.bead.pitch_mm : planWidth(bead_);
-    infill_ = infillSpacing(settings_.infill, pitch_, {index, context.layer_count});
+    beads_ = beadsByRole(settings_, result_.height_mm);
+    pitch_ = beads_.walls.pitch_mm;
+    infill_ = infillSpacing(settings_.infill, beads_.infill.pitch_mm, {index, context.layer_count});
   }
 
   /// Once only.
@@ -121,7 +122,14 @@ class LayerPlanner {
   /// A sparse fill runs into the walls rather than ending at them.
   WallContact contact() const {
     const WallContact contact = context_.strategy.contact;
+    if (fitsInfillAlone()) return WallContact::Beside;
     return contact == WallContact::Fitted && !isSolid(infill_) ? WallContact::Overlapping : contact;
+  }
+
+  /// Beads of another width than those of the walls do not go on from these.
+  bool fitsInfillAlone() const {
+    return isSolid(infill_) && context_.strategy.contact == WallContact::Fitted &&
+           beads_.infill.pitch_mm != pitch_;
   }
 
   /// By which the infill reaches into the walls [mm].
@@ -344,7 +352,10 @@ class LayerPlanner {
     SkinAreas areas = skinAreas(inside, *cover_, skinMeasures(settings_, pitch_));
     const auto lay = [&](const Regions& area, PathRole role) {
       if (!isSolid(infill_)) return addSkin(area, role);
-      addFitted(area, role, infillRequest(), context_.strategy);
+      InfillRequest request = infillRequest();
+      if (beads_.of(role).pitch_mm != beads_.infill.pitch_mm)
+        request.pitch_mm = request.spacing_mm = beads_.of(role).pitch_mm;
+      addFitted(area, role, std::move(request), context_.strategy);
     };
     areas.skin = withoutLowest(std::move(areas.skin), inside);
     lay(areas.bottom_skin, PathRole::BottomSkin);
@@ -383,7 +394,7 @@ class LayerPlanner {
   /// @param turn_deg  against the first layer's skins
   void addSkin(const Regions& area, PathRole role, double turn_deg) {
     InfillRequest request = infillRequest();
-    request.pitch_mm = request.spacing_mm = pitch_;
+    request.pitch_mm = request.spacing_mm = beads_.skins.pitch_mm;
     request.angle_rad = (settings_.skins.angle_deg + turn_deg) * M_PI / 180.0;
     request.turn_rad = turn_deg * M_PI / 180.0;
     addFitted(area, role, std::move(request), context_.skin_strategy);
@@ -393,14 +404,14 @@ class LayerPlanner {
   void addFitted(const Regions& area, PathRole role, InfillRequest request, const InfillStrategy& strategy) {
     if (area.empty()) return;
     FittedArea parts{area, {}};
-    if (strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, pitch_);
+    if (strategy.contact == WallContact::Fitted) parts = fitted(area, settings_, beads_.of(role).pitch_mm);
     const bool goes_one_way = laysInOneSense(settings_.skins, role);
     if (goes_one_way) request.advance = LineAdvance::OneSense;
     std::vector<FillPath> fills;
     if (!parts.wide.empty()) fills = strategy.fill(parts.wide, request);
     for (FillPath& fill : fills) {
       fill.role = role;
-      for (double& width : fill.width_mm) width *= pitch_ / request.pitch_mm;
+      for (double& width : fill.width_mm) width *= beads_.of(role).pitch_mm / request.pitch_mm;
     }
     for (FillPath& narrow : parts.narrow) narrow.role = role;
     if (goes_one_way)
@@ -437,13 +448,14 @@ class LayerPlanner {
 
   /// Without walls the outermost lines lie as for beads that fill their pitch: the part would grow or shrink.
   Regions infillArea(const Regions& inside) const {
-    const double beyond = infill_.pitch_mm - pitch_;
+    const double beyond = infill_.pitch_mm - beads_.infill.pitch_mm;
     if (settings_.walls.count > 0 || beyond == 0.0) return inside;
     return offset(inside, 0.5 * beyond);
   }
 
   /// That of a group of layers is laid in the last of them, as in one high layer.
   void addInfill(const Regions& area) {
+    if (fitsInfillAlone()) return addFitted(area, PathRole::Infill, infillRequest(), context_.strategy);
     if (group_ == nullptr || isSolid(infill_)) return layInfill(area);
     const GroupedInfill parts = groupedInfill(area, *group_, settings_.bead.width_mm);
     layInfill(parts.alone);
@@ -462,7 +474,7 @@ class LayerPlanner {
     std::vector<FillPath> fills = context_.strategy.fill(area, infillRequest());
     for (FillPath& fill : fills) {
       fill = simplified(smoothed(std::move(fill), smoothing), smoothing.tolerance_mm);
-      for (double& width : fill.width_mm) width *= pitch_ / infill_.pitch_mm;
+      for (double& width : fill.width_mm) width *= beads_.infill.pitch_mm / infill_.pitch_mm;
     }
     addFills(std::move(fills), area, context_.strategy.order);
   }
@@ -497,8 +509,7 @@ class LayerPlanner {
   }
 
   void addFill(const FillPath& fill, const Regions& area) {
-    const bool is_inside = staysInside(area, nozzle_, fill.points.front());
-    addRun(fill, is_inside ? TravelOver::Infill : TravelOver::Anything);
+    addRun(fill, staysInside(area, nozzle_, fill.points.front()) ? TravelOver::Infill : TravelOver::Anything);
   }
 
   void addLoop(Polygon loop, PathRole role) {
@@ -525,7 +536,8 @@ class LayerPlanner {
   }
 
   void layRun(const FillPath& run, TravelOver over) {
-    Path path = below_.carried(pathAlong(run, beadsAlong(run, settings_, bead_, pitch_), top_,
+    const RoleBead& usual = beads_.of(run.role);
+    Path path = below_.carried(pathAlong(run, beadsAlong(run, settings_, usual.bead, usual.pitch_mm), top_,
                                          feedIn(settings_.feed, run.role, index_)));
     layPath(withFlow(std::move(path), settings_.bead.flow), over);
   }
@@ -561,8 +573,8 @@ class LayerPlanner {
   LayerBelow below_;
   std::optional<SupportTest> support_test_;  ///< of runs that are to be anchored
   std::size_t moved_starts_ = 0;
-  Bead bead_;           ///< nominal
-  double pitch_ = 0.0;  ///< between neighbouring beads [mm]
+  LayerBeads beads_;
+  double pitch_ = 0.0;  ///< between neighbouring walls [mm]
   InfillSpacing infill_;
   double unprinted_mm2_ = 0.0;
   Refilling refilling_;

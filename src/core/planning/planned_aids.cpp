@@ -3,7 +3,9 @@
 #include "planning/planned_aids.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "lamina/geometry/polygon/simplify.hpp"
 #include "planning/adhesion/brim.hpp"
 #include "planning/adhesion/prime_line.hpp"
+#include "planning/order/near_origin.hpp"
 #include "planning/skirt.hpp"
 #include "planning/supports/branch_loops.hpp"
 #include "planning/supports/branch_tips.hpp"
@@ -52,12 +55,22 @@ void append(const Regions& added, Regions& regions) {
   regions.insert(regions.end(), added.begin(), added.end());
 }
 
+/// Of which layers the aids are asked for, among those that decide of them.
+struct AidWindow {
+  LayerSpan asked;
+  LatticePlace place;
+};
+
 /// Plans what stands beside the part, from its first layer out.
 class AidPlanner {
  public:
   AidPlanner(const std::vector<Layer>& layers, const PlanContext& context,
-             const SupportRegions& support_regions)
-      : layers_(layers), context_(context), settings_(context.settings), support_regions_(support_regions) {
+             const SupportRegions& support_regions, const AidWindow& window)
+      : layers_(layers),
+        context_(context),
+        settings_(context.settings),
+        support_regions_(support_regions),
+        window_(window) {
     first_ = unite(simplify(layers.front().section.contours, settings_.simplification_mm));
   }
 
@@ -75,7 +88,7 @@ class AidPlanner {
   }
 
  private:
-  double layerHeight() const { return layers_[layers_.size() / 2].bounds.height(); }
+  double layerHeight() const { return window_.place.layer_height_mm; }
   double width() const { return settings_.bead.width_mm; }
 
   void findSupports(Progress& progress) {
@@ -87,7 +100,7 @@ class AidPlanner {
     overhangs_ = std::move(overhangs.held);
     blocked_mm2_ = overhangs.blocked_mm2;
     if (settings.kind == SupportKind::Lattice)
-      supports_ = supportAreas(stack, overhangs_, settings, width(), progress);
+      supports_ = supportAreas(stack, overhangs_, settings, width(), window_.asked, progress);
     else
       tree_ = growBranches(stack, branchTips(stack, overhangs_, settings), settings, progress);
   }
@@ -107,7 +120,9 @@ class AidPlanner {
   void addSupports(Progress& progress) {
     std::vector<LayerAids> supports;
     if (settings_.supports.kind == SupportKind::Lattice) {
-      supports = supportLattice(supports_.layers, settings_, layerHeight(), progress);
+      supports = supportLattice(supports_.layers, settings_, window_.place, progress);
+      for (std::size_t i = 0; i < supports.size(); ++i)
+        if (i < window_.asked.begin || i >= window_.asked.end) supports[i].clear();
       planned_.supports = supports_.totals;
       for (const LayerSupport& layer : supports_.layers) support_areas_.push_back(regionsOf(layer));
     } else {
@@ -201,6 +216,7 @@ class AidPlanner {
   const PlanContext& context_;
   const PlanSettings& settings_;
   const SupportRegions& support_regions_;
+  const AidWindow& window_;
   Regions first_;  ///< layer of the part
   std::vector<Regions> overhangs_;
   double blocked_mm2_ = 0.0;
@@ -213,6 +229,54 @@ class AidPlanner {
   PlannedAids planned_;
 };
 
+double heightAmid(const std::vector<Layer>& layers) { return layers[layers.size() / 2].bounds.height(); }
+
+/// How many layers a column crosses at most, from what it holds up down to the bed, with its interfaces.
+std::size_t greatestReach(const std::vector<Layer>& layers, const BedPlane& bed,
+                          const SupportSettings& settings) {
+  double highest_mm = 0.0;
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (const Layer& layer : layers) {
+    least_mm = std::min(least_mm, layer.bounds.height());
+    for (const Polygon& contour : layer.section.contours)
+      for (const Point2& point : contour)
+        highest_mm = std::max(highest_mm, bed.heightOf({point.x(), point.y(), layer.bounds.top_mm}));
+  }
+  const double way_mm = highest_mm * bed.up.z() + settings.top_gap_mm + settings.bottom_gap_mm;
+  return static_cast<std::size_t>(std::ceil(way_mm / least_mm) + settings.interface_layers) + 2;
+}
+
+void add(SupportTotals& sum, const SupportTotals& more) {
+  sum.overhang_mm2 += more.overhang_mm2;
+  sum.unsupported_mm2 += more.unsupported_mm2;
+  sum.area_mm2 = std::max(sum.area_mm2, more.area_mm2);
+  sum.support_mm3 += more.support_mm3;
+  sum.interface_mm3 += more.interface_mm3;
+}
+
+/// Stretch by stretch near the origin, each with the layers beside it that decide of it.
+PlannedAids aidsAlongBelt(const std::vector<Layer>& layers, const PlanContext& context,
+                          const SupportRegions& support_regions, Progress& progress) {
+  PlannedAids all;
+  all.layers.resize(layers.size());
+  const std::size_t reach = greatestReach(layers, *context.bed, context.settings.supports);
+  for (const StackStretch& stretch : stretchesAlongBelt(layers)) {
+    const std::size_t begin = stretch.begin - std::min(stretch.begin, reach);
+    const std::size_t end = std::min(layers.size(), stretch.end + reach);
+    std::vector<Layer> near;
+    for (std::size_t i = begin; i < end; ++i) near.push_back(moved(layers[i], -stretch.away));
+    PlanContext there = context;
+    there.bed->level_mm -= there.bed->up.head<2>().dot(stretch.away);
+    const AidWindow window = {{stretch.begin - begin, stretch.end - begin},
+                              {heightAmid(layers), stretch.away}};
+    PlannedAids planned = AidPlanner(near, there, support_regions, window).plan(progress);
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i)
+      all.layers[i] = moved(std::move(planned.layers[i - begin]), stretch.away);
+    add(all.supports, planned.supports);
+  }
+  return all;
+}
+
 }  // namespace
 
 PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& context,
@@ -221,7 +285,12 @@ PlannedAids planAids(const std::vector<Layer>& layers, const PlanContext& contex
   if (context.lift || context.strategy.deposit == Deposit::Drops || layers.empty()) return {};
   const bool lies_on_bed = settings.skirt.count > 0 || isUsed(settings.adhesion);
   if (!settings.supports.use && (!lies_on_bed || context.bed)) return {};
-  return AidPlanner(layers, context, support_regions).plan(progress);
+  const auto isFarOut = [](const StackStretch& stretch) { return !stretch.away.isZero(); };
+  const std::vector<StackStretch> stretches = stretchesAlongBelt(layers);
+  if (context.bed && std::any_of(stretches.begin(), stretches.end(), isFarOut))
+    return aidsAlongBelt(layers, context, support_regions, progress);
+  const AidWindow window = {{0, layers.size()}, {heightAmid(layers), Point2::Zero()}};
+  return AidPlanner(layers, context, support_regions, window).plan(progress);
 }
 
 }  // namespace lamina

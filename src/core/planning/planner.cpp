@@ -35,6 +35,7 @@
 #include "planning/skins/layer_cover.hpp"
 #include "planning/skins/roof_branches.hpp"
 #include "planning/skins/stack_covers.hpp"
+#include "planning/tools/tool_beads.hpp"
 #include "planning/tools/tool_order.hpp"
 #include "planning/travel/space_travel.hpp"
 #include "planning/travel/travel.hpp"
@@ -283,6 +284,16 @@ void requireFlowFor(VoidRefill refill, double flow_of_region, double flow) {
                       " elsewhere, with voids.refill 'beads'; expected the same, or voids.refill 'none'");
 }
 
+/// Walls go on from region to region, of one width.
+void requireSameNozzle(const ToolSettings& of_region, const ToolSettings& of_part) {
+  const double share =
+      nozzleShare(toolFor(PathRole::OuterWall, of_region), toolFor(PathRole::OuterWall, of_part), of_part);
+  if (share == 1.0) return;
+  throw InvalidConfig("tool.walls is " + std::to_string(of_region.walls) + " in a region and " +
+                      std::to_string(of_part.walls) + " elsewhere, whose nozzle_mm is " +
+                      std::to_string(1.0 / share) + " times as wide; expected tools of the same nozzle_mm");
+}
+
 /// The groups of layers of one region end within those of another.
 void requireInfillInEachLayer(const InfillSettings& infill) {
   if (infill.every_layers == 1) return;
@@ -301,6 +312,7 @@ std::vector<VariantPlan> variantPlans(const std::vector<Layer>& layers,
     requireBeadsInLayers(context);
     requireFlowFor(plan.settings.voids.refill, context.settings.bead.flow, plan.settings.bead.flow);
     requireInfillInEachLayer(context.settings.infill);
+    requireSameNozzle(context.settings.tools, plan.settings.tools);
     StackCover stack = stackCover(layers, context, progress);
     PlanContext on_bed = bedContext(context);
     plans.push_back({variant.areas, std::move(context), std::move(on_bed), std::move(stack)});

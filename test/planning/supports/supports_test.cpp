@@ -328,7 +328,7 @@ TEST(Supports, FallAlongGravityThroughInclinedLayers) {
   const StackedMaterial stack = stackedMaterial(inclinedTee(), 0.005, BedPlane{{0, root, root}, 0.0}, nobody);
   SupportSettings settings = withSupports(30.0).supports;
   const SupportAreas areas =
-      supportAreas(stack, overhangAreas(stack, settings, nobody), settings, 0.4, nobody);
+      supportAreas(stack, overhangAreas(stack, settings, nobody), settings, 0.4, {0, stack.size()}, nobody);
   // Amid the part each layer cuts the columns from the bed to the gap below the slab.
   for (const std::size_t l : {90U, 110U, 130U}) {
     double sum = 0.0;
@@ -341,6 +341,67 @@ TEST(Supports, FallAlongGravityThroughInclinedLayers) {
       }
     EXPECT_NEAR(sum, 2 * (15 - kSideGap) * (20 / root - kSideGap), 2.0) << l;
     EXPECT_NEAR(lowest, -stack.bounds[l].cut(), 1e-3) << "on the bed";
+  }
+}
+
+/// The same elsewhere on the belt, in layers over a bed of 45 deg.
+Plan inclinedTeeAt(const Point2& by) {
+  std::vector<Layer> layers = inclinedTee();
+  for (Layer& layer : layers)
+    for (Polygon& contour : layer.section.contours)
+      for (Point2& point : contour) point += by;
+  const double root = std::sqrt(0.5);
+  LayerIncline incline;
+  incline.bed = {{0, root, root}, root * by.y()};
+  PlanSettings settings = withSupports(30.0);
+  settings.supports.raster_angle_deg = 30.0;
+  NoProgress nobody;
+  return planPart("part", layers, settings, incline, nobody);
+}
+
+/// Where the lines of a lattice lie across their direction, as shares of their distance: least and greatest.
+std::pair<double, double> linePhases(const Toolpath& toolpath, const Point2& by) {
+  const double spacing = planWidth({0.4, kLayerHeight}) / SupportSettings().density;
+  const Point2 along(std::cos(M_PI / 6.0), std::sin(M_PI / 6.0));
+  const Point2 across(-along.y(), along.x());
+  std::pair<double, double> phases = {1.0, -1.0};
+  forEachSupport(toolpath, [&](const Path& path, std::size_t) {
+    if (path.role != PathRole::Support || path.is_closed) return;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const Point2 way = (path.points[i] - path.points[i - 1]).head<2>();
+      if (way.norm() < 2.0 || std::abs(way.normalized().dot(across)) > 1e-4) continue;
+      const double place = across.dot(path.points[i].head<2>() - by) / spacing;
+      phases.first = std::min(phases.first, place - std::round(place));
+      phases.second = std::max(phases.second, place - std::round(place));
+    }
+  });
+  return phases;
+}
+
+/// Stretches of a belt are looked at near the origin, one after the other.
+TEST(Supports, AreTheSameFarOutOnABelt) {
+  const Plan here = inclinedTeeAt(Point2::Zero());
+  EXPECT_GT(here.supports.support_mm3, 1000.0);
+  const auto [least, greatest] = linePhases(here.toolpath, Point2::Zero());
+  EXPECT_NEAR(least, 0.0, 1e-3);
+  EXPECT_NEAR(greatest, 0.0, 1e-3);
+  // 12.5 m: some layers lie nearer to 12 m, others to 13 m.
+  for (const Point2& by : {Point2(12000, 0), Point2(0, 12500), Point2(0, 30500)}) {
+    const Plan there = inclinedTeeAt(by);
+    EXPECT_NEAR(there.supports.overhang_mm2, here.supports.overhang_mm2, 1e-3) << by.transpose();
+    EXPECT_NEAR(there.supports.unsupported_mm2, here.supports.unsupported_mm2, 1e-3) << by.transpose();
+    EXPECT_NEAR(there.supports.area_mm2, here.supports.area_mm2, 1e-3) << by.transpose();
+    EXPECT_NEAR(there.supports.support_mm3 / here.supports.support_mm3, 1.0, 0.01) << by.transpose();
+    EXPECT_NEAR(there.supports.interface_mm3 / here.supports.interface_mm3, 1.0, 0.01) << by.transpose();
+    // Lines go on from stretch to stretch as if nothing had been moved.
+    const auto [low, high] = linePhases(there.toolpath, Point2::Zero());
+    EXPECT_LT(high - low, 1e-3) << by.transpose();
+    Box2 box;
+    forEachSupport(there.toolpath, [&](const Path& path, std::size_t) {
+      for (const Point3& point : path.points) box.include(point.head<2>() - by);
+    });
+    EXPECT_GT(box.low.x(), -20.1);
+    EXPECT_LT(box.high.x(), 20.1);
   }
 }
 

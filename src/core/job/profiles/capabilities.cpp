@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/job/profiles/capabilities.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 #include "lamina/base/error.hpp"
 #include "lamina/job/job_settings.hpp"
@@ -55,6 +57,30 @@ void requireLayerHeight(const char* key, double height_mm, const MachineCapabili
 
 constexpr double kHighestBead = 0.8;  // of the nozzle's diameter
 
+/// Of the tool that lays a role; 0 if it is not known.
+double nozzleOf(PathRole role, const ToolSettings& settings) {
+  const std::vector<Tool> tools = toolsOf(settings);
+  const std::size_t tool = toolFor(role, settings);
+  return tool < tools.size() ? tools[tool].nozzle_mm : 0.0;
+}
+
+/// Layers are those that the finest nozzle at work can lay.
+void requireLayersForTools(const JobSettings& settings) {
+  const ToolSettings& tools = settings.planning.tools;
+  if (tools.list.empty()) return;
+  const double height_mm = std::max(settings.slicing.layer_height_mm, settings.slicing.first_layer_height_mm);
+  std::vector<PathRole> roles = {PathRole::OuterWall, PathRole::Infill, PathRole::Skin};
+  if (settings.planning.supports.use)
+    roles.insert(roles.end(), {PathRole::Support, PathRole::SupportInterface});
+  for (const PathRole role : roles) {
+    const double nozzle_mm = nozzleOf(role, tools);
+    if (nozzle_mm <= 0.0 || height_mm <= nozzle_mm * (1.0 + 1e-9)) continue;
+    throw InvalidConfig("a layer height is " + textOf(height_mm) + " mm and nozzle_mm of tool " +
+                        std::to_string(toolFor(role, tools)) + " in tools.list " + textOf(nozzle_mm) +
+                        " mm; a layer is no higher than the nozzles that lay it are wide");
+  }
+}
+
 /// Infill of several layers at once is no higher than beads of the nozzle may be.
 void requireInfillHeight(const JobSettings& settings) {
   const int layers = settings.planning.infill.every_layers;
@@ -64,14 +90,18 @@ void requireInfillHeight(const JobSettings& settings) {
     throw InvalidConfig(asked +
                         " with slicing.heights not 'equal'; expected 1: layers share an infill if they "
                         "are equally high");
-  const double nozzle_mm = settings.capabilities.nozzle_mm;
-  const bool is_known = nozzle_mm > 0.0;
-  const double greatest_mm = kHighestBead * (is_known ? nozzle_mm : settings.planning.bead.width_mm);
+  const double of_tool_mm = nozzleOf(PathRole::Infill, settings.planning.tools);
+  const double of_machine_mm = settings.capabilities.nozzle_mm;
+  const double of_bead_mm = of_machine_mm > 0.0 ? of_machine_mm : settings.planning.bead.width_mm;
+  const double greatest_mm = kHighestBead * (of_tool_mm > 0.0 ? of_tool_mm : of_bead_mm);
+  const char* const of = of_tool_mm > 0.0      ? "nozzle_mm of the tool of infill"
+                         : of_machine_mm > 0.0 ? "machine.nozzle_mm"
+                                               : "bead.width_mm";
   const double height_mm = layers * settings.slicing.layer_height_mm;
   if (height_mm <= greatest_mm * (1.0 + 1e-9)) return;
   throw InvalidConfig(asked + " of " + textOf(settings.slicing.layer_height_mm) + " mm, which makes beads " +
                       textOf(height_mm) + " mm high; must be at most " + textOf(greatest_mm) +
-                      " mm, 0.8 of " + (is_known ? "machine.nozzle_mm" : "bead.width_mm"));
+                      " mm, 0.8 of " + of);
 }
 
 }  // namespace
@@ -108,6 +138,7 @@ void requireCapable(const JobSettings& settings) {
   requireLayerHeight("slicing.first_layer_height_mm", settings.slicing.first_layer_height_mm, machine);
   requireAtMost({"slicing.layer_height_mm", settings.slicing.layer_height_mm, "mm"}, "machine.nozzle_mm",
                 machine.nozzle_mm, ": a layer is no higher than the nozzle is wide");
+  requireLayersForTools(settings);
   requireInfillHeight(settings);
 }
 

@@ -22,6 +22,19 @@ Point2 distanceFromOrigin(const Layer& layer) {
   return {wholeMetres(box.centre().x()), wholeMetres(box.centre().y())};
 }
 
+std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers) {
+  std::vector<StackStretch> stretches = {{0, layers.size(), Point2::Zero()}};
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (boundingBox(layers[i].section.contours).isEmpty()) continue;
+    const Point2 away = distanceFromOrigin(layers[i]);
+    if (away == stretches.back().away) continue;
+    stretches.back().end = i;
+    if (i == 0) stretches.clear();
+    stretches.push_back({i, layers.size(), away});
+  }
+  return stretches;
+}
+
 Layer moved(Layer layer, const Point2& by) {
   for (Polygon& contour : layer.section.contours)
     for (Point2& point : contour) point += by;

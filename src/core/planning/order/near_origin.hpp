@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "lamina/slicing/layer.hpp"
 
 namespace lamina {
@@ -10,6 +13,16 @@ namespace lamina {
 /// areas are refused beyond 10 m, and layers on a belt may be anywhere. Zero within 5 m, so that usual parts
 /// are planned where they are.
 Point2 distanceFromOrigin(const Layer& layer);
+
+/// Layers that follow each other and lie equally far out.
+struct StackStretch {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  Point2 away = Point2::Zero();  ///< [mm], of `distanceFromOrigin`
+};
+
+/// All layers of a stack, as few stretches as there are. Empty layers belong to those before them.
+std::vector<StackStretch> stretchesAlongBelt(const std::vector<Layer>& layers);
 
 /// The layer at another place of its plane.
 Layer moved(Layer layer, const Point2& by);

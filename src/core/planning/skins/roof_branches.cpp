@@ -12,6 +12,7 @@
 #include "lamina/geometry/polygon/offset.hpp"
 #include "lamina/toolpath/toolpath.hpp"
 #include "planning/skins/skin_areas.hpp"
+#include "planning/tools/tool_beads.hpp"
 #include "planning/walls/infill_spacing.hpp"
 
 namespace lamina {
@@ -62,10 +63,10 @@ std::vector<std::vector<Polyline>> branchesUnderSkins(const std::vector<LayerCov
   parallelFor(covers.size(), lay_roof, progress, "skins");
   const double mean_mm =
       std::accumulate(heights_mm.begin(), heights_mm.end(), 0.0) / static_cast<double>(heights_mm.size());
-  const double pitch_mm = pitchOf(settings, mean_mm);
+  const RoleBead bead = beadOf(PathRole::Infill, settings, mean_mm);
   const auto outer = static_cast<std::size_t>(settings.infill.outer_layers);
-  const InfillSpacing spacing = infillSpacing(settings.infill, pitch_mm, {outer, 2 * outer + 1});
-  return branchesUnderRoofs(layers, {spacing.spacing_mm, settings.bead.width_mm}, progress);
+  const InfillSpacing spacing = infillSpacing(settings.infill, bead.pitch_mm, {outer, 2 * outer + 1});
+  return branchesUnderRoofs(layers, {spacing.spacing_mm, bead.bead.width_mm}, progress);
 }
 
 }  // namespace lamina

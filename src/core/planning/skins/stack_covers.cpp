@@ -14,25 +14,9 @@
 namespace lamina {
 namespace {
 
-/// Layers that follow each other and lie equally far out.
-struct StackStretch {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  Point2 away = Point2::Zero();  ///< [mm]
-};
-
 std::vector<StackStretch> stretchesOf(const std::vector<Layer>& layers, StackPlace place) {
-  std::vector<StackStretch> stretches = {{0, layers.size(), Point2::Zero()}};
-  if (place == StackPlace::NearOrigin) return stretches;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (boundingBox(layers[i].section.contours).isEmpty()) continue;
-    const Point2 away = distanceFromOrigin(layers[i]);
-    if (away == stretches.back().away) continue;
-    stretches.back().end = i;
-    if (i == 0) stretches.clear();
-    stretches.push_back({i, layers.size(), away});
-  }
-  return stretches;
+  if (place == StackPlace::AlongBelt) return stretchesAlongBelt(layers);
+  return {{0, layers.size(), Point2::Zero()}};
 }
 
 /// How many layers beside a layer decide what covers it, at most.

@@ -69,7 +69,7 @@ class ColumnStack {
               const SupportSettings& settings, double bead_width_mm)
       : stack_(stack), overhangs_(overhangs), settings_(settings), width_(bead_width_mm) {}
 
-  SupportAreas build(Progress& progress);
+  SupportAreas build(const LayerSpan& counted, Progress& progress);
 
  private:
   void placeTops(Progress& progress);
@@ -360,7 +360,7 @@ double ColumnStack::unsupported(std::size_t layer) const {
   return area(differenceByPieces(overhangs_[layer], grownByPieces(beside, reach)));
 }
 
-SupportAreas ColumnStack::build(Progress& progress) {
+SupportAreas ColumnStack::build(const LayerSpan& counted, Progress& progress) {
   SupportAreas areas;
   areas.layers.resize(stack_.size());
   placeTops(progress);
@@ -379,10 +379,14 @@ SupportAreas ColumnStack::build(Progress& progress) {
   };
   parallelFor(stack_.size(), finish, progress, "supports");
   SupportTotals& totals = areas.totals;
-  for (const Regions& overhang : overhangs_) totals.overhang_mm2 += area(overhang);
-  totals.unsupported_mm2 = std::accumulate(unsupported_mm2.begin(), unsupported_mm2.end(), 0.0);
-  for (std::size_t k = 0; k < count_; ++k)
-    if (k == 0 || whole_[k] != whole_[k - 1]) totals.area_mm2 = std::max(totals.area_mm2, area(*whole_[k]));
+  for (std::size_t k = counted.begin; k < counted.end; ++k) {
+    totals.overhang_mm2 += area(overhangs_[k]);
+    totals.unsupported_mm2 += unsupported_mm2[k];
+  }
+  const std::size_t begin = std::min(counted.begin, count_);
+  for (std::size_t k = begin; k < std::min(counted.end, count_); ++k)
+    if (k == begin || whole_[k] != whole_[k - 1])
+      totals.area_mm2 = std::max(totals.area_mm2, area(*whole_[k]));
   return areas;
 }
 
@@ -413,8 +417,9 @@ std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, 
 }
 
 SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, Progress& progress) {
-  return ColumnStack(stack, overhangs, settings, bead_width_mm).build(progress);
+                          const SupportSettings& settings, double bead_width_mm, const LayerSpan& counted,
+                          Progress& progress) {
+  return ColumnStack(stack, overhangs, settings, bead_width_mm).build(counted, progress);
 }
 
 }  // namespace lamina

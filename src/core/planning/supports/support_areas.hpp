@@ -48,13 +48,21 @@ struct ColumnTop {
 std::optional<ColumnTop> columnTopBelow(const std::vector<LayerBounds>& bounds, std::size_t layer,
                                         double gap_mm);
 
+/// Some of the layers of a stack.
+struct LayerSpan {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 /// Columns below what hangs over, from the top down: `F(j) = (F(j+1) + C) \ R(j)`, where C is what is held up
 /// by columns that end in layer j, without what is nearer to the part R(j) than the side gap. In inclined
 /// layers columns fall along gravity. One union and one difference for each layer that is not as the one
 /// above it.
 /// @param overhangs      of each layer
 /// @param bead_width_mm  narrower places have no support
+/// @param counted        layers that the totals are of
 SupportAreas supportAreas(const StackedMaterial& stack, const std::vector<Regions>& overhangs,
-                          const SupportSettings& settings, double bead_width_mm, Progress& progress);
+                          const SupportSettings& settings, double bead_width_mm, const LayerSpan& counted,
+                          Progress& progress);
 
 }  // namespace lamina

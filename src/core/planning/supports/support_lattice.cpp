@@ -10,6 +10,7 @@
 #include "lamina/base/parallel.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 #include "planning/supports/piecewise.hpp"
+#include "planning/tools/tool_beads.hpp"
 
 namespace lamina {
 namespace {
@@ -23,7 +24,25 @@ struct LatticeLines {
   double pitch_mm = 0.0;  ///< plan width of a bead
   double angle_rad = 0.0;
   int walls = 0;
+  Point2 away = Point2::Zero();  ///< by which the areas were moved towards the origin, where the lines begin
 };
+
+/// The least way by which an area may be moved so that its lines are those of another place.
+Point2 phaseOf(const LatticeLines& lines) {
+  if (lines.away.isZero()) return Point2::Zero();
+  const Point2 across(-std::sin(lines.angle_rad), std::cos(lines.angle_rad));
+  return std::remainder(lines.away.dot(across), lines.spacing_mm) * across;
+}
+
+/// Along the lines that there are without moving anything towards the origin.
+std::vector<FillPath> rasterAtPlace(const Regions& centred, const InfillRequest& request,
+                                    const Point2& phase) {
+  if (phase.isZero()) return rasterRuns(centred, request);
+  std::vector<FillPath> runs = rasterRuns(shifted(centred, phase), request);
+  for (FillPath& run : runs)
+    for (Point2& point : run.points) point -= phase;
+  return runs;
+}
 
 void addLoops(const Regions& centre_lines, PathRole role, std::vector<FillPath>& runs) {
   for (Polygon& loop : outlines(centre_lines))
@@ -57,7 +76,7 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
       addLoops(centred, lines.role, runs);
       continue;
     }
-    for (FillPath& run : rasterRuns(centred, request)) {
+    for (FillPath& run : rasterAtPlace(centred, request, phaseOf(lines))) {
       run.role = lines.role;
       runs.push_back(std::move(run));
     }
@@ -67,8 +86,8 @@ SharedRuns linesIn(const Regions& area, const LatticeLines& lines) {
 
 class LatticePlanner {
  public:
-  LatticePlanner(const PlanSettings& settings, double layer_height_mm)
-      : settings_(settings), nominal_(planWidth({settings.bead.width_mm, layer_height_mm})) {}
+  LatticePlanner(const PlanSettings& settings, double layer_height_mm, const Point2& away)
+      : settings_(settings), height_mm_(layer_height_mm), away_(away) {}
 
   LayerAids plan(const LayerSupport& sections) const {
     LayerAids aids;
@@ -83,7 +102,7 @@ class LatticePlanner {
   void add(const SupportSection& section, const SharedRegions& area, PathRole role, LayerAids& aids) const {
     if (area->empty()) return;
     AidRuns group;
-    group.bead = {settings_.bead.width_mm, section.top_mm - section.bottom_mm};
+    group.bead = supportBead(role, section.top_mm - section.bottom_mm);
     group.top_mm = section.top_mm;
     const SupportSettings& supports = settings_.supports;
     const int tool = role == PathRole::Support ? supports.tool : supports.interface_tool;
@@ -93,20 +112,33 @@ class LatticePlanner {
     if (!group.runs->empty()) aids.push_back(std::move(group));
   }
 
+  /// By the tool that lays it, `supports.tool` too.
+  Bead supportBead(PathRole role, double height_mm) const {
+    const SupportSettings& supports = settings_.supports;
+    ToolSettings tools = settings_.tools;
+    if (tools.support < 0 && supports.tool > 0) tools.support = supports.tool;
+    if (tools.interface < 0 && supports.interface_tool > 0) tools.interface = supports.interface_tool;
+    const double share = nozzleShare(toolFor(role, tools), toolFor(PathRole::OuterWall, tools), tools);
+    return {share * settings_.bead.width_mm, height_mm};
+  }
+
   LatticeLines linesOf(PathRole role, double pitch_mm) const {
     const SupportSettings& supports = settings_.supports;
     const bool is_lattice = role == PathRole::Support;
     LatticeLines lines;
     lines.role = role;
     lines.pitch_mm = pitch_mm;
-    lines.spacing_mm = nominal_ / (is_lattice ? supports.density : supports.interface_density);
+    lines.spacing_mm = planWidth(supportBead(role, height_mm_)) /
+                       (is_lattice ? supports.density : supports.interface_density);
     lines.angle_rad = (supports.raster_angle_deg + (is_lattice ? 0.0 : 90.0)) * M_PI / 180.0;
     lines.walls = supports.walls;
+    lines.away = away_;
     return lines;
   }
 
   const PlanSettings& settings_;
-  double nominal_;  ///< plan width that lines are spaced by
+  double height_mm_;  ///< of the layers that lines are spaced for
+  Point2 away_;
 };
 
 /// Whether a layer is filled like the one below it.
@@ -119,8 +151,8 @@ bool areAlike(const LayerSupport& a, const LayerSupport& b) {
 }  // namespace
 
 std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, const PlanSettings& settings,
-                                      double layer_height_mm, Progress& progress) {
-  const LatticePlanner planner(settings, layer_height_mm);
+                                      const LatticePlace& place, Progress& progress) {
+  const LatticePlanner planner(settings, place.layer_height_mm, place.away);
   std::vector<LayerAids> aids(areas.size());
   const auto isShared = [&](std::size_t i) { return i > 0 && areAlike(areas[i], areas[i - 1]); };
   const auto plan_layer = [&](std::size_t i) {

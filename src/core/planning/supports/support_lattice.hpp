@@ -11,13 +11,18 @@
 
 namespace lamina {
 
+/// What layers a lattice is for.
+struct LatticePlace {
+  double layer_height_mm = 0.0;  ///< for which lines are as far apart as the densities say, in all layers
+  Point2 away = Point2::Zero();  ///< by which they were moved towards the origin
+};
+
 /// The lines of supports: of the lattice in one direction over the whole height, so that they stand on each
 /// other, and of interfaces across.
 /// @param areas           as many layers as the part; those that share regions share their lines
-/// @param layer_height_mm for which lines are as far apart as the densities say, in all layers
 /// @return as many as layers, those of lower sections first
 std::vector<LayerAids> supportLattice(const std::vector<LayerSupport>& areas, const PlanSettings& settings,
-                                      double layer_height_mm, Progress& progress);
+                                      const LatticePlace& place, Progress& progress);
 
 /// Volumes of what is laid, by role.
 void addVolumes(SupportTotals& totals, const std::vector<LayerAids>& supports);
