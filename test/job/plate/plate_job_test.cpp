@@ -398,5 +398,60 @@ TEST(PlateFile, IsRefusedByLineAndKey) {
             std::string::npos);
 }
 
+/// Values of the belt over what is laid, by part.
+std::map<std::string, std::pair<double, double>> beltByPart(const SlicedPart& plate) {
+  const CartesianMachine machine = machineByName("belt_45");
+  std::map<std::string, std::pair<double, double>> spans;
+  std::string part;
+  for (const ToolpathLayer& layer : plate.toolpath.layers)
+    for (const Path& path : layer.paths) {
+      for (const PathEvent& placed : path.events)
+        if (const auto* const mark = std::get_if<PartMark>(&placed.event))
+          if (placed.motion == 0) part = mark->name;
+      if (path.role != PathRole::Travel)
+        for (const Point3& point : path.points) {
+          const double belt = axisValues(machine, plate.bed_from_part * point).z();
+          auto& span = spans.emplace(part, std::pair(belt, belt)).first->second;
+          span = {std::min(span.first, belt), std::max(span.second, belt)};
+        }
+      for (const PathEvent& placed : path.events)
+        if (const auto* const mark = std::get_if<PartMark>(&placed.event)) part = mark->name;
+    }
+  return spans;
+}
+
+TEST_F(PlateJobTest, PartsFollowEachOtherAlongABelt) {
+  job_.settings.machine.name = "belt_45";
+  job_.settings.slicing.plane.angle_deg = 45.0;
+  job_.settings.slicing.layer_height_mm = job_.settings.slicing.first_layer_height_mm = 1.0;
+  job_.settings.planning.bead.width_mm = 1.2;
+  job_.settings.copies.spacing_mm = 7.0;
+  const std::vector<std::pair<std::string, Point3>> boxes = {
+      {"cube", {20, 20, 20}}, {"low", {30, 40, 8}}, {"high", {10, 10, 40}}};
+  std::map<std::string, double> single;
+  for (const auto& [name, size] : boxes) {
+    job_.plate.parts.clear();
+    add(box(name, size));
+    single[name] = laidIn(run().sliced.toolpath);
+  }
+  job_.plate.parts.clear();
+  for (const auto& [name, size] : boxes) add(folder_.file(name + ".stl"));
+  const SlicedPlate plate = run();
+  const auto spans = beltByPart(plate.sliced);
+  ASSERT_EQ(spans.size(), 3U);
+  EXPECT_NEAR(spans.at("low").first - spans.at("cube").second, 7.0, 1e-6);
+  EXPECT_NEAR(spans.at("high").first - spans.at("low").second, 7.0, 1e-6);
+  const auto laid = volumesByPart(plate.sliced.toolpath);
+  for (const auto& [name, volume_mm3] : single) EXPECT_NEAR(laid.at(name), volume_mm3, 1e-6) << name;
+  ASSERT_EQ(plate.parts.size(), 3U);
+  EXPECT_LT(plate.parts[2].at_mm.y(), plate.parts[1].at_mm.y() - 20.0) << "the belt goes along -y";
+
+  job_.plate.parts.front().at_mm = Point2(10, 10);
+  EXPECT_NE(refusal().find("at_mm"), std::string::npos) << refusal();
+  job_.plate.parts.front().at_mm.reset();
+  job_.settings.machine.name = "gantry_45";
+  EXPECT_NE(refusal().find("has no belt"), std::string::npos) << refusal();
+}
+
 }  // namespace
 }  // namespace lamina

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
+#include <vector>
 
 #include "lamina/base/settings.hpp"
 #include "lamina/kinematics/model/build_space.hpp"
@@ -27,5 +29,26 @@ void describe(SettingsSchema& schema, CopySettings& settings);
 /// @throws InvalidConfig if there are to be several and the build space has no endless edge
 Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s);
+
+/// A part among those that a belt printer prints one after the other.
+struct BeltPart {
+  std::string name;
+  const Toolpath* toolpath = nullptr;                               ///< in the frame of the part
+  Eigen::Isometry3d bed_from_part = Eigen::Isometry3d::Identity();  ///< at the beginning of the belt
+};
+
+/// Where such parts stand, farther along the belt than at its beginning: the belt has passed all of a part,
+/// and `spacing_mm` more, when the next one begins.
+/// @return for each part, the first at zero [bed frame]
+/// @throws InvalidConfig if the build space has no endless edge
+std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double spacing_mm,
+                                    const BuildSpace& space);
+
+/// Their toolpath in the frame of the first, each part marked by its name (`PartMark`); in between the nozzle
+/// moves as between copies. Their layers must be parallel.
+/// @param places             of the parts
+/// @param travel_feed_mm_s  between parts
+Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<Point3>& places,
+                         const BuildSpace& space, double travel_feed_mm_s);
 
 }  // namespace lamina

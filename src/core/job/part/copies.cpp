@@ -19,33 +19,53 @@ struct Belt {
   Point3 direction = Point3::Zero();  ///< in which its value grows, of unit length [part frame]
   Eigen::RowVector3d row;             ///< its value from a point of the part, less a constant
 
+  double offset = 0.0;  ///< that constant
+
   double valueAt(const Point3& point) const { return row * point; }
 };
 
-Belt beltOf(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, int copies) {
+/// Of the belt's value over what is laid; empty if nothing is.
+struct BeltSpan {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+/// What needs a belt, and what is expected without one, for messages.
+struct BeltUse {
+  std::string asked;
+  std::string expected;
+};
+
+BeltUse useByPlate() { return {"the plate has parts in inclined layers", "level layers, or one part"}; }
+
+Belt beltOf(const BuildSpace& space, const Eigen::Isometry3d& bed_from_part, const BeltUse& use) {
   for (int i = 0; i < 3; ++i) {
     if (!space.is_endless[static_cast<std::size_t>(i)]) continue;
     const Eigen::Affine3d axes_from_part = space.bed_from_axes.inverse() * bed_from_part;
     return {bed_from_part.linear().transpose() * space.bed_from_axes.linear().col(i),
-            axes_from_part.linear().row(i)};
+            axes_from_part.linear().row(i), axes_from_part.translation()[i]};
   }
-  throw InvalidConfig("part.copies is " + std::to_string(copies) + ", and the machine " + space.name +
-                      " has no belt; expected 1");
+  throw InvalidConfig(use.asked + ", and the machine " + space.name + " has no belt; expected " +
+                      use.expected);
 }
 
-/// How far the belt goes while the toolpath deposits [mm].
-double wayOf(const Toolpath& toolpath, const Belt& belt) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+BeltSpan spanOf(const Toolpath& toolpath, const Belt& belt) {
+  BeltSpan span;
   for (const ToolpathLayer& layer : toolpath.layers)
     for (const Path& path : layer.paths) {
       if (path.role == PathRole::Travel) continue;
       for (const Point3& point : path.points) {
-        low = std::min(low, belt.valueAt(point));
-        high = std::max(high, belt.valueAt(point));
+        span.low = std::min(span.low, belt.valueAt(point));
+        span.high = std::max(span.high, belt.valueAt(point));
       }
     }
-  return std::max(0.0, high - low);
+  return span;
+}
+
+/// How far the belt goes while the toolpath deposits [mm].
+double wayOf(const Toolpath& toolpath, const Belt& belt) {
+  const BeltSpan span = spanOf(toolpath, belt);
+  return std::max(0.0, span.high - span.low);
 }
 
 std::vector<ToolpathLayer> moved(std::vector<ToolpathLayer> layers, const Point3& by, const Point3& normal) {
@@ -71,9 +91,43 @@ Path travelBetween(const Point3& from, const Point3& to, const Belt& belt, doubl
   return travel;
 }
 
-const Path& lastPath(const std::vector<ToolpathLayer>& layers) {
+Path& lastPath(std::vector<ToolpathLayer>& layers) {
   return std::find_if(layers.rbegin(), layers.rend(), [](const auto& layer) { return !layer.paths.empty(); })
       ->paths.back();
+}
+
+PathEvent markOf(const std::string& part, std::size_t motion) {
+  PathEvent event;
+  event.motion = motion;
+  event.event.emplace<PartMark>(PartMark{part});
+  return event;
+}
+
+/// Before the first path.
+void markStart(const std::string& part, std::vector<ToolpathLayer>& layers) {
+  const auto first =
+      std::find_if(layers.begin(), layers.end(), [](const auto& layer) { return !layer.paths.empty(); });
+  std::vector<PathEvent>& events = first->paths.front().events;
+  events.insert(events.begin(), markOf(part, 0));
+}
+
+/// Behind the last path, so that the way to the next part is of that part.
+void markEnd(const std::string& part, std::vector<ToolpathLayer>& layers) {
+  Path& last = lastPath(layers);
+  last.events.push_back(markOf(part, last.motionCount()));
+}
+
+/// Lays layers after all that there is, on the way along the belt.
+void append(Toolpath& toolpath, std::vector<ToolpathLayer> next, const Belt& belt, double travel_feed_mm_s) {
+  const auto first =
+      std::find_if(next.begin(), next.end(), [](const auto& layer) { return !layer.paths.empty(); });
+  if (first == next.end()) return;
+  const Path& before = lastPath(toolpath.layers);
+  Path travel = travelBetween(before.lastPoint(), first->paths.front().firstPoint(), belt, travel_feed_mm_s);
+  travel.orientation = before.orientation.at(0);
+  travel.tool = first->paths.front().tool;
+  if (travel.points.size() > 1) first->paths.insert(first->paths.begin(), std::move(travel));
+  std::move(next.begin(), next.end(), std::back_inserter(toolpath.layers));
 }
 
 }  // namespace
@@ -87,25 +141,51 @@ void describe(SettingsSchema& schema, CopySettings& settings) {
 Toolpath withCopies(Toolpath toolpath, const CopySettings& settings, const BuildSpace& space,
                     const Eigen::Isometry3d& bed_from_part, double travel_feed_mm_s) {
   if (settings.count == 1) return toolpath;
-  const Belt belt = beltOf(space, bed_from_part, settings.count);
+  const Belt belt = beltOf(space, bed_from_part, {"part.copies is " + std::to_string(settings.count), "1"});
   const Point3 step = (wayOf(toolpath, belt) + settings.spacing_mm) * belt.direction;
   const Point3 normal = layerNormal(toolpath);
   const std::vector<ToolpathLayer> one = toolpath.layers;
   toolpath.layers.reserve(one.size() * static_cast<std::size_t>(settings.count));
-  for (int copy = 1; copy < settings.count; ++copy) {
-    std::vector<ToolpathLayer> next = moved(one, static_cast<double>(copy) * step, normal);
-    const auto first =
-        std::find_if(next.begin(), next.end(), [](const auto& layer) { return !layer.paths.empty(); });
-    if (first == next.end()) return toolpath;
-    const Path& before = lastPath(toolpath.layers);
-    Path travel =
-        travelBetween(before.lastPoint(), first->paths.front().firstPoint(), belt, travel_feed_mm_s);
-    travel.orientation = before.orientation.at(0);
-    travel.tool = first->paths.front().tool;
-    if (travel.points.size() > 1) first->paths.insert(first->paths.begin(), std::move(travel));
-    std::move(next.begin(), next.end(), std::back_inserter(toolpath.layers));
-  }
+  for (int copy = 1; copy < settings.count; ++copy)
+    append(toolpath, moved(one, static_cast<double>(copy) * step, normal), belt, travel_feed_mm_s);
   return toolpath;
+}
+
+std::vector<Point3> placesAlongBelt(const std::vector<BeltPart>& parts, double spacing_mm,
+                                    const BuildSpace& space) {
+  std::vector<Point3> places;
+  double end = 0.0;
+  for (const BeltPart& part : parts) {
+    const Belt belt = beltOf(space, part.bed_from_part, useByPlate());
+    const BeltSpan span = spanOf(*part.toolpath, belt);
+    const double begin = span.low + belt.offset;
+    const double way = places.empty() ? 0.0 : end + spacing_mm - begin;
+    places.push_back(way * (part.bed_from_part.linear() * belt.direction));
+    end = span.high + belt.offset + way;
+  }
+  return places;
+}
+
+Toolpath oneAfterAnother(const std::vector<BeltPart>& parts, const std::vector<Point3>& places,
+                         const BuildSpace& space, double travel_feed_mm_s) {
+  Toolpath all;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const BeltPart& part = parts[i];
+    const Eigen::Isometry3d& bed_from_first = parts.front().bed_from_part;
+    const Belt belt = beltOf(space, bed_from_first, useByPlate());
+    const Point3 by = bed_from_first.linear().transpose() *
+                      (part.bed_from_part.translation() + places[i] - bed_from_first.translation());
+    std::vector<ToolpathLayer> layers = moved(part.toolpath->layers, by, layerNormal(*part.toolpath));
+    if (all.layers.empty()) {
+      all = *part.toolpath;
+      all.layers = std::move(layers);
+      markStart(part.name, all.layers);
+      continue;
+    }
+    markEnd(part.name, all.layers);
+    append(all, std::move(layers), belt, travel_feed_mm_s);
+  }
+  return all;
 }
 
 }  // namespace lamina

@@ -24,6 +24,7 @@
 #include "lamina/geometry/polygon/convex_hull.hpp"
 #include "lamina/infill/strategy.hpp"
 #include "lamina/job/output_files.hpp"
+#include "lamina/job/part/copies.hpp"
 #include "lamina/job/slicing/slicing_mode.hpp"
 
 namespace lamina {
@@ -43,10 +44,9 @@ struct PlateItem {
 
 void requirePlateSettings(const JobSettings& settings) {
   const std::string& mode = settings.slicing.mode;
-  if (!hasPlaneLayers(mode) || settings.slicing.plane.angle_deg != 0.0)
-    throw InvalidConfig("slicing.mode is '" + mode + "' with slicing.plane.angle_deg " +
-                        std::to_string(settings.slicing.plane.angle_deg) +
-                        "; parts of a plate are sliced in level layers: expected 'planar' and 0");
+  if (!hasPlaneLayers(mode))
+    throw InvalidConfig("slicing.mode is '" + mode +
+                        "'; parts of a plate are sliced in plane layers: expected 'planar' or 'inclined'");
   if (settings.copies.count != 1)
     throw InvalidConfig("part.copies is " + std::to_string(settings.copies.count) +
                         "; expected 1: parts of a plate have 'copies' of their own");
@@ -64,6 +64,16 @@ void requirePlateSettings(const JobSettings& settings) {
   if (planning.skirt.layers != 1)
     throw InvalidConfig("skirt.layers is " + std::to_string(planning.skirt.layers) +
                         "; expected 1: the skirt of a plate stands in its first layer");
+}
+
+bool isInclined(const JobSettings& settings) { return settings.slicing.plane.angle_deg != 0.0; }
+
+/// On a belt parts follow each other as they are given.
+void requireNoPlaces(const Plate& plate) {
+  for (const PlatePart& part : plate.parts)
+    if (part.at_mm)
+      throw InvalidConfig("part '" + part.file +
+                          "' has at_mm in inclined layers; expected none: parts of a belt follow each other");
 }
 
 /// A vase rises by itself from layer to layer.
@@ -287,6 +297,12 @@ std::vector<std::size_t> clearOrder(const std::vector<StandingPart>& parts, cons
   return order;
 }
 
+std::string namesOf(const std::vector<PlateItem>& items) {
+  std::string names;
+  for (const PlateItem& item : items) names += (names.empty() ? "" : ", ") + item.name;
+  return names;
+}
+
 /// Everything between meshes and the plate's toolpath.
 class PlateSlicer {
  public:
@@ -297,6 +313,7 @@ class PlateSlicer {
     Laps laps;
     Sources sources(job_.settings.input);
     items_ = itemsOf(job_.plate, sources, job_.settings);
+    if (isInclined(job_.settings)) return sliceAlongBelt(of_plate, laps.lap(), progress, reports);
     requireMergeable(items_, job_.settings.plate.order);
     const double read_s = laps.lap();
     arrange(items_, boundingBox(space_), job_.settings);
@@ -315,6 +332,36 @@ class PlateSlicer {
   }
 
  private:
+  SlicedPart sliceAlongBelt(const SliceJob& of_plate, double read_s, Progress& progress,
+                            std::vector<PlatedPart>& reports) {
+    requireNoPlaces(job_.plate);
+    for (PlateItem& item : items_) {
+      item.turn = turnOf(item.part.turn_deg);
+      stand(item);
+    }
+    planAll(of_plate, progress);
+    std::vector<BeltPart> parts;
+    for (const PlateItem& item : items_) {
+      const SlicedPart& plan = plans_.at(planKey(item));
+      parts.push_back({item.name, &plan.toolpath, plan.bed_from_part});
+    }
+    const std::vector<Point3> places = placesAlongBelt(parts, job_.settings.copies.spacing_mm, space_);
+    std::vector<LabelledPart> labelled;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      items_[i].place.at_mm = (parts[i].bed_from_part.translation() + places[i]).head<2>();
+      labelled.push_back({parts[i].name, moved(hullOf(items_[i].mesh), items_[i].place.at_mm)});
+    }
+    SlicedPart plate;
+    plate.bed_from_part = parts.front().bed_from_part;
+    plate.toolpath = oneAfterAnother(parts, places, space_, job_.settings.planning.travel.feed_mm_s);
+    addLabels(plate.toolpath, labelled, job_.settings.plate.labels);
+    plate.toolpath.part_name = namesOf(items_);
+    summarise(plate, reports);
+    plate.summary.read_s = read_s;
+    requireWithin(space_, of_plate, plate);
+    return plate;
+  }
+
   void planAll(const SliceJob& of_plate, Progress& progress) {
     for (const PlateItem& item : items_) {
       const std::string key = planKey(item);
@@ -337,7 +384,7 @@ class PlateSlicer {
     addSkirt(plate, parts, settings);
     if (!settings.tools.purge_mm3.empty()) plate = withTower(std::move(plate), settings);
     addLabels(plate, labelled, job_.settings.plate.labels);
-    for (const PlateItem& item : items_) plate.part_name += (plate.part_name.empty() ? "" : ", ") + item.name;
+    plate.part_name = namesOf(items_);
     return plate;
   }
 
