@@ -14,7 +14,7 @@
 namespace lamina {
 namespace {
 
-constexpr double kHeight = 0.2;  // mm
+constexpr double kToolLayer = 0.2;  // mm
 
 /// Two nozzles, the second for infill and skins.
 PlanSettings twoNozzles(double first_mm, double second_mm) {
@@ -31,25 +31,25 @@ PlanSettings twoNozzles(double first_mm, double second_mm) {
 
 TEST(ToolBeads, AreAsWideAsTheNozzleOfTheirToolSays) {
   const PlanSettings settings = twoNozzles(0.4, 0.8);
-  EXPECT_NEAR(beadOf(PathRole::OuterWall, settings, kHeight).bead.width_mm, 0.4, 1e-12);
-  const RoleBead infill = beadOf(PathRole::Infill, settings, kHeight);
+  EXPECT_NEAR(beadOf(PathRole::OuterWall, settings, kToolLayer).bead.width_mm, 0.4, 1e-12);
+  const RoleBead infill = beadOf(PathRole::Infill, settings, kToolLayer);
   EXPECT_NEAR(infill.bead.width_mm, 0.8, 1e-12);
-  EXPECT_NEAR(infill.pitch_mm, 0.8 - (1.0 - M_PI / 4.0) * kHeight, 1e-12);
-  EXPECT_NEAR(beadOf(PathRole::TopSkin, settings, kHeight).bead.width_mm, 0.8, 1e-12);
-  EXPECT_NEAR(beadOf(PathRole::Bridge, settings, kHeight).bead.width_mm, 0.4, 1e-12);
+  EXPECT_NEAR(infill.pitch_mm, 0.8 - (1.0 - M_PI / 4.0) * kToolLayer, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::TopSkin, settings, kToolLayer).bead.width_mm, 0.8, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::Bridge, settings, kToolLayer).bead.width_mm, 0.4, 1e-12);
   // The width that is set is that of the walls, whatever their nozzle.
   PlanSettings wide = settings;
   wide.bead.width_mm = 0.5;
-  EXPECT_NEAR(beadOf(PathRole::Infill, wide, kHeight).bead.width_mm, 1.0, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::Infill, wide, kToolLayer).bead.width_mm, 1.0, 1e-12);
   wide.tools.walls = 1;
   wide.tools.infill = 0;
-  EXPECT_NEAR(beadOf(PathRole::Infill, wide, kHeight).bead.width_mm, 0.25, 1e-12);
+  EXPECT_NEAR(beadOf(PathRole::Infill, wide, kToolLayer).bead.width_mm, 0.25, 1e-12);
   // Of nozzles that are not known nothing follows.
-  EXPECT_EQ(beadOf(PathRole::Infill, twoNozzles(0.4, 0.0), kHeight).bead.width_mm, 0.4);
-  EXPECT_EQ(beadOf(PathRole::Infill, twoNozzles(0.0, 0.8), kHeight).bead.width_mm, 0.4);
+  EXPECT_EQ(beadOf(PathRole::Infill, twoNozzles(0.4, 0.0), kToolLayer).bead.width_mm, 0.4);
+  EXPECT_EQ(beadOf(PathRole::Infill, twoNozzles(0.0, 0.8), kToolLayer).bead.width_mm, 0.4);
 }
 
-Toolpath planned(const PlanSettings& settings) {
+Toolpath squareBy(const PlanSettings& settings) {
   NoProgress nobody;
   return planPart("part",
                   test::layersOf(20, [](int) { return std::vector<Polygon>{test::rectangle(0, 0, 40, 40)}; }),
@@ -67,20 +67,20 @@ double laidBy(const Toolpath& toolpath, std::uint32_t tool) {
 
 TEST(ToolBeads, FillWhatTheWallsLeaveWhateverTheirWidth) {
   // Two walls of 0.4 mm leave a square whose sides are 1.471239 mm shorter.
-  const double inside_mm = 40.0 - 2.0 * (0.2 + 1.5 * (0.4 - (1.0 - M_PI / 4.0) * kHeight));
-  const double whole_mm3 = 20 * kHeight * inside_mm * inside_mm;
+  const double inside_mm = 40.0 - 2.0 * (0.2 + 1.5 * (0.4 - (1.0 - M_PI / 4.0) * kToolLayer));
+  const double whole_mm3 = 20 * kToolLayer * inside_mm * inside_mm;
   for (const double nozzle_mm : {0.4, 0.6, 0.8}) {
     PlanSettings settings = twoNozzles(0.4, nozzle_mm);
     settings.infill.density = 1.0;
-    const Toolpath solid = planned(settings);
+    const Toolpath solid = squareBy(settings);
     EXPECT_NEAR(laidBy(solid, 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
     settings.infill.density = 0.2;
     settings.infill.links.link = LineLink::None;
     settings.infill.wall_overlap = 0.0;
-    EXPECT_NEAR(laidBy(planned(settings), 1) / whole_mm3, 0.2, 0.01) << nozzle_mm;
+    EXPECT_NEAR(laidBy(squareBy(settings), 1) / whole_mm3, 0.2, 0.01) << nozzle_mm;
     settings.skins.top_layers = settings.skins.bottom_layers = 10;
-    EXPECT_NEAR(laidBy(planned(settings), 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
-    for (const ToolpathLayer& layer : planned(settings).layers)
+    EXPECT_NEAR(laidBy(squareBy(settings), 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
+    for (const ToolpathLayer& layer : squareBy(settings).layers)
       for (const Path& path : layer.paths)
         if (path.tool == 0 && path.role != PathRole::Travel) EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-9);
   }
@@ -88,8 +88,8 @@ TEST(ToolBeads, FillWhatTheWallsLeaveWhateverTheirWidth) {
 
 TEST(ToolBeads, NozzlesThatAreAlikeChangeNothing) {
   PlanSettings unknown = twoNozzles(0.0, 0.0);
-  const Toolpath before = planned(unknown);
-  const Toolpath after = planned(twoNozzles(0.4, 0.4));
+  const Toolpath before = squareBy(unknown);
+  const Toolpath after = squareBy(twoNozzles(0.4, 0.4));
   ASSERT_EQ(before.layers.size(), after.layers.size());
   for (std::size_t l = 0; l < before.layers.size(); ++l) {
     ASSERT_EQ(before.layers[l].paths.size(), after.layers[l].paths.size());
