@@ -10,7 +10,7 @@
 
 namespace lamina {
 
-enum class ImageFormat : std::uint8_t { Png, Qoi };
+enum class ImageFormat : std::uint8_t { Png, Qoi, Jpeg };
 
 /// A small picture of what is deposited.
 struct Thumbnail {
@@ -19,7 +19,8 @@ struct Thumbnail {
   ImageFormat format = ImageFormat::Png;
 };
 
-/// Thumbnails as `program.thumbnails` states them: "220x124 png, 16x16 qoi".
+/// Thumbnails as `program.thumbnails` states them: "220x124 png, 16x16 qoi"; formats are png,
+/// qoi and jpg.
 /// @throws InvalidConfig if one is not stated so, or a side is not within 16 and 2000 pixels
 std::vector<Thumbnail> thumbnailsFrom(const std::string& text);
 

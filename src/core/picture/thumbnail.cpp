@@ -21,9 +21,9 @@ constexpr double kThumbnailMargin = 0.04;  // of the smaller side
 constexpr double kSamePixel = 0.4;
 
 [[noreturn]] void refuseThumbnail(std::string_view stated) {
-  throw InvalidConfig(
-      "program.thumbnails has '" + std::string(stated) +
-      "'; expected sizes from 16 to 2000 pixels with a format, as \"220x124 png, 16x16 qoi\"");
+  throw InvalidConfig("program.thumbnails has '" + std::string(stated) +
+                      "'; expected sizes from 16 to 2000 pixels with a format, png, qoi or jpg, as \"220x124 "
+                      "png, 16x16 qoi\"");
 }
 
 int sideFrom(std::string_view digits, std::string_view stated) {
@@ -43,8 +43,14 @@ Thumbnail thumbnailFrom(std::string_view stated) {
   thumbnail.width_px = sideFrom(stated.substr(0, times), stated);
   thumbnail.height_px = sideFrom(stated.substr(times + 1, space - times - 1), stated);
   const std::string_view format = trimmed(stated.substr(space));
-  if (format != "png" && format != "qoi") refuseThumbnail(stated);
-  thumbnail.format = format == "png" ? ImageFormat::Png : ImageFormat::Qoi;
+  if (format == "png")
+    thumbnail.format = ImageFormat::Png;
+  else if (format == "qoi")
+    thumbnail.format = ImageFormat::Qoi;
+  else if (format == "jpg")
+    thumbnail.format = ImageFormat::Jpeg;
+  else
+    refuseThumbnail(stated);
   return thumbnail;
 }
 
@@ -145,7 +151,8 @@ std::string drawThumbnail(const Toolpath& toolpath, const Thumbnail& thumbnail) 
   canvas.show(seenBoxOf(projection, box), area);
   drawDeposition(canvas, projection, coarseToolpath(toolpath, kSamePixel / canvas.pixelsPerMm()), box,
                  PictureColour::Role);
-  return thumbnail.format == ImageFormat::Png ? canvas.png() : qoiFile(canvas.pixels());
+  if (thumbnail.format == ImageFormat::Png) return canvas.png();
+  return thumbnail.format == ImageFormat::Qoi ? qoiFile(canvas.pixels()) : jpegFile(canvas.pixels());
 }
 
 }  // namespace lamina

@@ -29,7 +29,8 @@ void describe(SettingsSchema& schema, ProgramSettings& settings) {
       "program.arcs_tolerance_mm", settings.arcs_tolerance_mm, {0.0, 1.0, false},
       "By how much arcs (G2, G3) may leave the waypoints and chords that they stand for; 0 for none.");
   schema.text("program.thumbnails", settings.thumbnails,
-              "Pictures of the part in G-code, with commas between them: \"220x124 png, 16x16 qoi\".");
+              "Pictures of the part in G-code, with commas between them: \"220x124 png, 16x16 qoi\"; formats "
+              "are png, qoi, jpg.");
   schema.flag("program.closing_comments", settings.states_summary,
               "Whether G-code ends with its time, its filament and the layer height as comments.");
   schema.flag("program.settings_in_file", settings.states_settings,

@@ -17,9 +17,21 @@ namespace {
 
 constexpr std::size_t kLongestLine = 78;  // characters of base64
 
+const char* nameOf(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::Png:
+      return "thumbnail";
+    case ImageFormat::Qoi:
+      return "thumbnail_QOI";
+    case ImageFormat::Jpeg:
+      return "thumbnail_JPG";
+  }
+  return "";
+}
+
 /// As slicers write them, and hosts look for them.
 std::string thumbnailComment(const Toolpath& toolpath, const Thumbnail& thumbnail) {
-  const std::string name = thumbnail.format == ImageFormat::Png ? "thumbnail" : "thumbnail_QOI";
+  const std::string name = nameOf(thumbnail.format);
   const std::string picture = base64(drawThumbnail(toolpath, thumbnail));
   std::string text = "; " + name + " begin " + std::to_string(thumbnail.width_px) + "x" +
                      std::to_string(thumbnail.height_px) + " " + std::to_string(picture.size()) + "\n";

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "lamina/picture/pixel_image.hpp"
+
+namespace lamina {
+
+/// What the module `jpeg` offers: libjpeg stays out of commands that write no JPEG.
+struct JpegModule {
+  std::string (*encode)(const PixelImage& image);  ///< as `jpegFile`
+};
+
+}  // namespace lamina
