@@ -82,7 +82,9 @@ TEST(ToolBeads, FillWhatTheWallsLeaveWhateverTheirWidth) {
     EXPECT_NEAR(laidBy(squareBy(settings), 1) / whole_mm3, 1.0, 0.01) << nozzle_mm;
     for (const ToolpathLayer& layer : squareBy(settings).layers)
       for (const Path& path : layer.paths)
-        if (path.tool == 0 && path.role != PathRole::Travel) EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-9);
+        if (path.tool == 0 && path.role != PathRole::Travel) {
+          EXPECT_NEAR(path.bead.at(0).width_mm, 0.4, 1e-9);
+        }
   }
 }
 

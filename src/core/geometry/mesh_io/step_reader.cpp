@@ -121,7 +121,7 @@ class StepReader {
     const Handle(Interface_InterfaceModel) model = reader_.WS()->Model();
     const Handle(Transfer_TransientProcess) process = reader_.WS()->TransferReader()->TransientProcess();
     for (int i = 1; i <= model->NbEntities(); ++i) {
-      const auto item = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
+      auto item = Handle(StepShape_ManifoldSolidBrep)::DownCast(model->Value(i));
       if (item.IsNull()) continue;
       const TopoDS_Shape result = TransferBRep::ShapeResult(process, item);
       for (TopExp_Explorer of_item(result, TopAbs_SOLID); of_item.More(); of_item.Next())
