@@ -11,9 +11,11 @@
 #include <utility>
 
 #include "geometry/polygon/clipper_units.hpp"
+#include "geometry/polygon/crossed_outlines.hpp"
 #include "geometry/polygon/edge_collapse_inset.hpp"
 #include "geometry/polygon/nesting.hpp"
 #include "geometry/polygon/outline_crossings.hpp"
+#include "geometry/polygon/plane_vectors.hpp"
 #include "geometry/polygon/raw_offset.hpp"
 #include "lamina/base/error.hpp"
 
@@ -38,8 +40,6 @@ void add(ClipperLib::Clipper& clipper, const Regions& regions, ClipperLib::PolyT
 }
 
 Regions combine(const Regions& a, const Regions& b, ClipperLib::ClipType operation) {
-  refuseFarPoints(a);
-  refuseFarPoints(b);
   ClipperLib::Clipper clipper;
   add(clipper, a, ClipperLib::ptSubject);
   add(clipper, b, ClipperLib::ptClip);
@@ -60,16 +60,25 @@ Regions offsetRound(const Regions& regions, double delta_mm) {
   return fromTree(tree);
 }
 
-Regions offsetMitred(const Regions& regions, double delta_mm) {
-  ClipperLib::Clipper clipper;
+std::vector<Polygon> movedOutlines(const Regions& regions, double delta_mm) {
+  std::vector<Polygon> moved;
   const auto addMoved = [&](const Polygon& outline) {
-    if (outline.size() > 2)
-      clipper.AddPath(toUnits(rawOffset(outline, delta_mm)), ClipperLib::ptSubject, true);
+    if (outline.size() > 2) moved.push_back(rawOffset(outline, delta_mm));
   };
   for (const Region& region : regions) {
     addMoved(region.outer);
     for (const Polygon& hole : region.holes) addMoved(hole);
   }
+  return moved;
+}
+
+Regions offsetMitred(const Regions& regions, double delta_mm) {
+  const std::vector<Polygon> moved = movedOutlines(regions, delta_mm);
+  if (delta_mm > 0.0 && areSurelyApart(moved)) {
+    if (std::optional<Regions> nested = nest(moved)) return std::move(*nested);
+  }
+  ClipperLib::Clipper clipper;
+  for (const Polygon& outline : moved) clipper.AddPath(toUnits(outline), ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftPositive, ClipperLib::pftPositive);
   return fromTree(tree);
@@ -82,10 +91,27 @@ bool isSliver(const Region& region) {
   return signedArea(region.outer) < kNarrowest * perimeter(region.outer);
 }
 
+/// Whether no disc of that diameter fits: the whole lies between two lines that near to each other. Nothing
+/// is said of what is bent.
+bool isStripBelow(const Polygon& outline, double width_mm) {
+  if (outline.size() < 3) return true;
+  Point2 along = Point2::Zero();
+  for (const Point2& point : outline)
+    if ((point - outline.front()).squaredNorm() > along.squaredNorm()) along = point - outline.front();
+  double least = 0.0, greatest = 0.0;
+  for (const Point2& point : outline) {
+    const double aside = cross(along, point - outline.front());
+    least = std::min(least, aside);
+    greatest = std::max(greatest, aside);
+  }
+  return greatest - least < width_mm * along.norm();
+}
+
 /// Regions that shrink do not meet, so that each can be shrunk by itself.
 Regions insetEach(const Regions& regions, double distance_mm) {
   Regions result;
   for (const Region& region : regions) {
+    if (isStripBelow(region.outer, 2.0 * distance_mm)) continue;
     if (std::optional<Region> shrunk = insetByEdgeCollapse(region, distance_mm)) {
       result.push_back(std::move(*shrunk));
     } else {
@@ -135,9 +161,17 @@ std::vector<Polyline> clipped(const std::vector<Polyline>& lines, const Regions&
 }
 
 Regions difference(const Regions& regions, const Regions& subtracted) {
+  refuseFarPoints(regions);
+  refuseFarPoints(subtracted);
+  if (std::optional<Regions> rest = CrossedOutlines(regions, subtracted).rest()) return std::move(*rest);
   return combine(regions, subtracted, ClipperLib::ctDifference);
 }
 
-Regions intersection(const Regions& a, const Regions& b) { return combine(a, b, ClipperLib::ctIntersection); }
+Regions intersection(const Regions& a, const Regions& b) {
+  refuseFarPoints(a);
+  refuseFarPoints(b);
+  if (std::optional<Regions> common = CrossedOutlines(a, b).common()) return std::move(*common);
+  return combine(a, b, ClipperLib::ctIntersection);
+}
 
 }  // namespace lamina

@@ -3,7 +3,9 @@
 #include "planning/skins/skin_areas.hpp"
 
 #include <algorithm>
+#include <utility>
 
+#include "geometry/polygon/divided_area.hpp"
 #include "lamina/geometry/polygon/offset.hpp"
 
 namespace lamina {
@@ -14,28 +16,17 @@ Regions opened(const Regions& regions, double narrowest_mm) {
   return offset(offset(regions, -0.5 * narrowest_mm), 0.5 * narrowest_mm);
 }
 
-/// Those of the regions that may touch an area: a whole layer costs more than the island it is asked for.
-Regions near(const Regions& regions, const Box2& box) {
-  Regions found;
-  for (const Region& region : regions) {
-    const Box2 own = boundingBox({region.outer});
-    if (!own.isEmpty() && (own.low.array() <= box.high.array()).all() &&
-        (box.low.array() <= own.high.array()).all())
-      found.push_back(region);
-  }
-  return found;
-}
-
 /// What of an area is not covered.
-Regions uncovered(const Regions& regions, const SharedRegions& cover) {
-  return regions.empty() ? regions : difference(regions, near(*cover, boundingBox(outlines(regions))));
+/// @param inside  the material of its layer
+Regions uncovered(const Regions& inside, const SharedRegions& by, const LayerCover& cover) {
+  return by == cover.material ? Regions{} : difference(inside, *by);
 }
 
-/// Without slivers, and grown into what is beside it.
-Regions anchored(const Regions& regions, const Regions& inside, const SkinMeasures& measures) {
+/// Without slivers, and grown beyond its border: into what is beside it, and into the walls.
+Regions anchored(const Regions& regions, const SkinMeasures& measures) {
   Regions wide = opened(regions, measures.narrowest_mm);
   if (wide.empty() || measures.anchor_mm == 0.0) return wide;
-  return intersection(offset(wide, measures.anchor_mm), inside);
+  return offset(wide, measures.anchor_mm);
 }
 
 Regions withoutSmall(Regions regions, double least_mm2) {
@@ -60,17 +51,22 @@ SkinMeasures skinMeasures(const PlanSettings& settings, double pitch_mm) {
 
 SkinAreas skinAreas(const Regions& inside, const LayerCover& cover, const SkinMeasures& measures) {
   SkinAreas areas;
-  const Regions open = cover.isCovered() ? Regions{} : uncovered(inside, cover.whole);
-  const Regions skins = anchored(open, inside, measures);
-  areas.sparse = withoutSmall(skins.empty() ? inside : difference(inside, skins), measures.least_infill_mm2);
-  const Regions solid = areas.sparse.empty() ? inside : difference(inside, areas.sparse);
+  const Regions open = uncovered(inside, cover.whole, cover);
+  DividedArea found = divided(inside, anchored(open, measures));
+  const std::size_t parts = found.rest.size();
+  areas.sparse = withoutSmall(std::move(found.rest), measures.least_infill_mm2);
+  const Regions solid =
+      areas.sparse.size() == parts ? std::move(found.common) : difference(inside, areas.sparse);
   if (solid.empty()) return areas;
-  const Regions from_above = anchored(uncovered(open, cover.above), inside, measures);
-  areas.top_skin = from_above.empty() ? Regions{} : intersection(from_above, solid);
-  const Regions below_it = areas.top_skin.empty() ? solid : difference(solid, areas.top_skin);
-  const Regions from_below = anchored(uncovered(open, cover.below), inside, measures);
-  areas.bottom_skin = from_below.empty() ? Regions{} : intersection(from_below, below_it);
-  areas.skin = areas.bottom_skin.empty() ? below_it : difference(below_it, areas.bottom_skin);
+  const auto seen = [&](const SharedRegions& from) {
+    if (open.empty()) return Regions{};
+    return anchored(from == cover.whole ? open : uncovered(inside, from, cover), measures);
+  };
+  DividedArea by_top = divided(solid, seen(cover.above));
+  areas.top_skin = std::move(by_top.common);
+  DividedArea by_bottom = divided(by_top.rest, seen(cover.below));
+  areas.bottom_skin = std::move(by_bottom.common);
+  areas.skin = std::move(by_bottom.rest);
   return areas;
 }
 
