@@ -79,4 +79,26 @@ CorrectionMap toCore(const lamina_msgs::CorrectionMap& message) {
   return map;
 }
 
+lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
+                                         const std::string& digest) {
+  lamina_msgs::AppliedCorrection message;
+  message.toolpath_id = toolpath_id;
+  message.layer = static_cast<std::uint32_t>(missed.layer);
+  message.digest = digest;
+  message.waited = missed.waited_s;
+  message.reason = missed.reason;
+  if (!missed.held_from) return message;
+  message.from_path = static_cast<std::uint32_t>(missed.held_from->path);
+  message.from_along = toMetres(missed.held_from->along_mm);
+  return message;
+}
+
+std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message) {
+  MissedMap missed{message.layer, message.waited, message.reason, {}};
+  if (message.digest.empty()) return missed;
+  if (message.from_path == 0 && !(message.from_along > 0.0)) return std::nullopt;
+  missed.held_from = PlaceOnLayer{message.from_path, toMillimetres(message.from_along)};
+  return missed;
+}
+
 }  // namespace lamina

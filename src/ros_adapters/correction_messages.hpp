@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "lamina/control/correction_map.hpp"
+#include "lamina/control/run/missed_map.hpp"
 #include "messages.hpp"
 
 namespace lamina {
@@ -16,5 +20,13 @@ lamina_msgs::CorrectionMap toMessage(const CorrectionMap& map);
 /// @throws InvalidInput as `validate`; if a path has not as many speeds or heights as amounts, or the digest
 ///   is not that of the values
 CorrectionMap toCore(const lamina_msgs::CorrectionMap& message);
+
+/// What became of the map of a layer, with an empty header.
+/// @param digest  of the map that the layer is laid by, from `missed.held_from` on; empty where by none
+lamina_msgs::AppliedCorrection toMessage(const MissedMap& missed, const std::string& toolpath_id,
+                                         const std::string& digest);
+
+/// What the machine did not have of a layer's map; nothing if it had all of it.
+std::optional<MissedMap> missedOf(const lamina_msgs::AppliedCorrection& message);
 
 }  // namespace lamina

@@ -7,6 +7,7 @@
 // lamina/Toolpath and so on. Include this instead of <lamina/Toolpath.h>.
 
 #define lamina lamina_msgs
+#include <lamina/AppliedCorrection.h>
 #include <lamina/Bead.h>
 #include <lamina/ChangeJob.h>
 #include <lamina/ComputeStiffnessAction.h>

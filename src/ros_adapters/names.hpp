@@ -33,6 +33,7 @@ inline constexpr char kDepositedMarkers[] = "deposited_markers";  ///< visualiza
 inline constexpr char kDepositionState[] = "deposition_state";    ///< lamina/DepositionState, latched
 inline constexpr char kLayerHeight[] = "layer_height";            ///< lamina/LayerHeight
 inline constexpr char kCorrection[] = "correction";               ///< lamina/CorrectionMap, latched
+inline constexpr char kAppliedCorrection[] = "applied_correction";  ///< lamina/AppliedCorrection
 inline constexpr char kReplannedToolpath[] = "replanned_toolpath";  ///< lamina/Toolpath, latched
 inline constexpr char kLoopState[] = "loop_state";                  ///< lamina/LoopState, latched
 inline constexpr char kLoopFigures[] = "loop_figures";              ///< lamina/LoopFigures, latched

@@ -365,6 +365,11 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   MachineState::ConstPtr state;
   const ros::Subscriber states = node_.subscribe<MachineState>(
       "/corrected/machine_state", 100, [&](const MachineState::ConstPtr& message) { state = message; });
+  std::vector<lamina_msgs::AppliedCorrection> applied;
+  const ros::Subscriber uses = node_.subscribe<lamina_msgs::AppliedCorrection>(
+      "/corrected/applied_correction", 100,
+      [&](const lamina_msgs::AppliedCorrection::ConstPtr& message) { applied.push_back(*message); });
+  ASSERT_TRUE(waitUntil([&] { return uses.getNumPublishers() > 0; }));
   lamina_msgs::StreamProgramGoal goal;
   goal.toolpath_id = placed.id;
   client.sendGoal(goal);
@@ -381,6 +386,14 @@ TEST_F(GcodeStreamer, CorrectsLayersOnTheirWay) {
   std::ifstream file(folder_.file("corrections") + "/record.csv");
   const std::string record((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   EXPECT_NE(record.find("\n1,1," + toMessage(map).digest + "\n2,0,none\n"), std::string::npos) << record;
+  ASSERT_TRUE(waitUntil([&] { return applied.size() == 3; }));
+  const std::vector<std::string> digests = {"", toMessage(map).digest, ""};
+  for (std::size_t layer = 0; layer < 3; ++layer) {
+    EXPECT_EQ(applied[layer].toolpath_id, placed.id);
+    EXPECT_EQ(applied[layer].layer, layer);
+    EXPECT_EQ(applied[layer].digest, digests[layer]);
+    EXPECT_EQ(applied[layer].waited, layer == 2 ? 1.0 : 0.0);
+  }
 }
 
 TEST_F(GcodeStreamer, GoesOnWithTheJobOfANodeThatWasKilled) {

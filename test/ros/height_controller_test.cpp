@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -283,6 +284,44 @@ TEST(HeightController, CoastsWithinASecondWhenTheSensorIsStuck) {
 
 TEST(HeightController, CoastsWithinASecondWhenTfStops) {
   EXPECT_LT(reactionTime(slowlyScanned(), true, 6102), 0.1 + 1.5 + 1.0);
+}
+
+/// The machine waited for the map of the third layer in vain: 6116 comes within a second, the layer counts as
+/// coasted, and growth is learnt from what was laid.
+TEST(HeightController, TellsOfAMapThatTheMachineMissed) {
+  SensedWallCase wall = wallCase();
+  wall.layers = 4;
+  wall.length_mm = 20.0;
+  wall.misses_map = [](std::size_t layer) { return layer == 2; };
+  Controller controller({"_monitor/reorder_s:=0.1", "_arrival_hold_s:=0.1"});
+  ros::NodeHandle node;
+  auto applied = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 10);
+  LiveWall live(wall);
+  ASSERT_TRUE(waitUntil([&] { return applied.getNumSubscribers() > 0; }));
+  lamina_msgs::AppliedCorrection missed = toMessage({2, 2.0, {}, {}}, live.printed.part.toolpath_id, "");
+  lamina_msgs::AppliedCorrection of_another_print = missed;
+  of_another_print.toolpath_id = "another";
+  of_another_print.layer = 1;
+  live.say([&] { return controller.maps.size() == 3; });
+  applied.publish(of_another_print);
+  applied.publish(missed);
+  const auto isTold = [&] { return controller.states.back().alarm == 6116; };
+  live.say(isTold);
+  ASSERT_TRUE(waitUntil(isTold));
+  EXPECT_EQ(controller.states.back().reaction, StateMessage::COAST + 0);
+  EXPECT_NE(controller.states.back().reason.find("none came within 2 s"), std::string::npos)
+      << controller.states.back().reason;
+  live.say([&] { return controller.layers.size() == 4; });
+  ASSERT_TRUE(waitUntil([&] { return controller.layers.size() == 4; }));
+  const std::vector<std::uint8_t> states = {StateMessage::ACTIVE, StateMessage::ACTIVE,
+                                            StateMessage::COASTING, StateMessage::ACTIVE};
+  const test::WallTruth truth = test::wallTruth(wall);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(controller.layers[k].state, states[k]) << k;
+    EXPECT_NEAR(controller.layers[k].gain_mean, truth.gain[k], 0.01) << k;
+  }
+  const auto& alarms = controller.layers[2].alarms;
+  EXPECT_EQ(std::count(alarms.begin(), alarms.end(), 6116), 1);
 }
 
 lamina_msgs::SetLoop::Response setLoop(std::uint8_t request) {

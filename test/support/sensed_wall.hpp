@@ -58,6 +58,9 @@ struct SensedWallCase {
   bool follows_plans = false;  ///< goes on with a plan as soon as it is offered
   /// Whether the machine lays a layer as planned, having waited for its map in vain.
   std::function<bool(std::size_t layer)> misses_map = {};
+  /// Of such a layer the way that is laid before the map holds after all; none where it never does.
+  std::optional<double> missed_mm = {};
+  bool is_miss_told_early = false;  ///< while the layer before is laid
 };
 
 /// What was sent and what came of it. Heights lie 1 mm apart along the wall.
@@ -162,7 +165,8 @@ class SensedWallPrinter {
     printed_.heights_mm.push_back(surface_);
     const auto& paths = toolpath_.layers[k].paths;
     go(paths[0].points[0], paths[0].points[1], wall_.speed_mm_s, SensorDoes::KeepSilent);
-    if (misses(k)) run_->missMap(k, 2.5);
+    const std::size_t told = wall_.is_miss_told_early ? k + 1 : k;
+    if (misses(told)) run_->missMap(missed(told));
     if (wall_.operates) wall_.operates(k, *run_);
     const SensorDoes does = wall_.sensor ? wall_.sensor(laid_) : SensorDoes::Measure;
     const auto& scan = paths[1].points;
@@ -192,8 +196,14 @@ class SensedWallPrinter {
 
   bool misses(std::size_t layer) const { return wall_.misses_map && wall_.misses_map(layer); }
 
+  MissedMap missed(std::size_t layer) const {
+    MissedMap missed{layer, 2.5, {}, {}};
+    if (wall_.missed_mm) missed.held_from = PlaceOnLayer{0, *wall_.missed_mm};
+    return missed;
+  }
+
   double amountAt(std::size_t layer, std::size_t place) const {
-    if (misses(layer)) return 0.0;
+    if (misses(layer) && !(static_cast<double>(place) >= wall_.missed_mm.value_or(1e9))) return 0.0;
     const CorrectionMap* latest = nullptr;
     for (const CorrectionMap& map : printed_.maps)
       if (map.layer == layer && map.toolpath_id == toolpath_id_) latest = &map;

@@ -65,8 +65,10 @@ GcodeStreamer::GcodeStreamer(ros::NodeHandle node, const GcodeStreamerSettings& 
   const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
     onCorrection(*map);
   };
-  if (settings_.corrections.is_used)
+  if (settings_.corrections.is_used) {
+    applied_ = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100);
     correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
+  }
   updater_.setHardwareID(settings_.port.name);
   updater_.add("stream", this, &GcodeStreamer::diagnose);
   const boost::function<void(const ros::TimerEvent&)> update = [this](const ros::TimerEvent&) {
@@ -132,7 +134,7 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobB
     const std::lock_guard<std::mutex> lock(mutex_);
     if (corrector && first_layer_map_) corrector->hear(*first_layer_map_);
     corrector_ = corrector;
-    decisions_logged_ = 0;
+    decisions_told_ = 0;
   }
   const auto session = std::make_shared<StreamSession>(
       program, settings_.stream, settings_.port, [this](const StreamStatus& status) { onStatus(status); },
@@ -149,11 +151,11 @@ StreamStatus GcodeStreamer::streamProgram(const StreamableProgram& program, JobB
     action_.publishFeedback(toFeedback(status));
     onSteps(startup_.steps());
     publishState(status);
-    if (corrector) logDecisions(*corrector);
+    if (corrector) tellDecisions(*corrector);
     if (action_.isPreemptRequested()) session->abort({ErrorCode::Cancelled, "the goal was cancelled"});
     if (!ros::ok()) session->abort({ErrorCode::Cancelled, "the node was ended"});
   }
-  if (corrector) logDecisions(*corrector);
+  if (corrector) tellDecisions(*corrector);
   const std::lock_guard<std::mutex> lock(mutex_);
   session_.reset();
   return session->status();
@@ -221,20 +223,22 @@ void GcodeStreamer::onCorrection(const lamina_msgs::CorrectionMap& message) {
   }
 }
 
-void GcodeStreamer::logDecisions(const LayerCorrector& corrector) {
+void GcodeStreamer::tellDecisions(const LayerCorrector& corrector) {
   const std::vector<LayerDecision> decisions = corrector.decisions();
-  for (; decisions_logged_ < decisions.size(); ++decisions_logged_) {
-    const LayerDecision& each = decisions[decisions_logged_];
-    if (!each.digest.empty()) {
+  for (; decisions_told_ < decisions.size(); ++decisions_told_) {
+    const LayerDecision& each = decisions[decisions_told_];
+    lamina_msgs::AppliedCorrection message =
+        toMessage({each.layer, each.waited_s, each.refusal, {}}, corrector.plannedId(), each.digest);
+    message.header.stamp = ros::Time::now();
+    applied_.publish(message);
+    if (!each.digest.empty())
       ROS_INFO("layer %lu is laid by map %s", static_cast<unsigned long>(each.layer), each.digest.c_str());
-    } else if (!each.refusal.empty()) {
+    else if (!each.refusal.empty())
       ROS_WARN("layer %lu is laid as planned: %s", static_cast<unsigned long>(each.layer),
                each.refusal.c_str());
-    } else if (each.layer > 0) {
+    else if (each.layer > 0)
       ROS_WARN("%d: no map of layer %lu within %.1f s: it is laid as planned",
-               static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer),
-               settings_.corrections.loop.wait_s);
-    }
+               static_cast<int>(LoopAlarm::MapLate), static_cast<unsigned long>(each.layer), each.waited_s);
   }
   const std::string failure = corrector.recordFailure();
   if (!failure.empty()) ROS_WARN_ONCE("the corrections are not recorded: %s", failure.c_str());

@@ -49,7 +49,7 @@ class GcodeStreamer {
   /// What corrects the program on its way; null if programs are not corrected.
   std::shared_ptr<LayerCorrector> correctorFor(const StreamableProgram& program) const;
   void onCorrection(const lamina_msgs::CorrectionMap& message);
-  void logDecisions(const LayerCorrector& corrector);
+  void tellDecisions(const LayerCorrector& corrector);
 
   bool onPause(Trigger::Request& request, Trigger::Response& response);
   bool onResume(Trigger::Request& request, Trigger::Response& response);
@@ -70,6 +70,7 @@ class GcodeStreamer {
   Eigen::Affine3d bed_from_program_;
   ros::Publisher state_;
   ros::Publisher position_;
+  ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::ServiceServer pause_;
@@ -83,7 +84,7 @@ class GcodeStreamer {
   std::shared_ptr<StreamSession> session_;
   std::shared_ptr<LayerCorrector> corrector_;     ///< of the job under way
   std::optional<CorrectionMap> first_layer_map_;  ///< that came while there was no job
-  std::size_t decisions_logged_ = 0;              ///< of the job under way
+  std::size_t decisions_told_ = 0;                ///< of the job under way
   lamina_msgs::ToolpathConstPtr toolpath_;
   StreamStatus status_;
   std::string job_;

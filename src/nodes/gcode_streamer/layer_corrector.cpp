@@ -42,20 +42,19 @@ bool LayerCorrector::isKnown(std::int32_t layer) {
   if (!decisions_.empty() && number <= decisions_.back().layer) return true;
   const auto found = heard_.find(number);
   if (found == heard_.end() && number > 0) return false;
-  apply(number, found == heard_.end() ? nullptr : &found->second);
+  apply({number, 0, {}, {}, 0.0}, found == heard_.end() ? nullptr : &found->second);
   return true;
 }
 
 void LayerCorrector::decide(std::int32_t layer) {
   if (layer < 0 || isKnown(layer)) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  apply(static_cast<std::size_t>(layer), nullptr);
+  apply({static_cast<std::size_t>(layer), 0, {}, {}, settings_.loop.wait_s}, nullptr);
 }
 
 /// A map that cannot be applied leaves its layer as planned: the print goes on.
-void LayerCorrector::apply(std::size_t layer, const CorrectionMap* map) {
-  LayerDecision decision;
-  decision.layer = layer;
+void LayerCorrector::apply(LayerDecision decision, const CorrectionMap* map) {
+  const std::size_t layer = decision.layer;
   try {
     if (map != nullptr) {
       const ToolpathLayer& of_map = toolpath_.toolpath.layers[layer];
@@ -69,7 +68,7 @@ void LayerCorrector::apply(std::size_t layer, const CorrectionMap* map) {
     decision.refusal = error.what();
     map = nullptr;
   }
-  decisions_.push_back(decision);
+  decisions_.push_back(std::move(decision));
   keepRecord(map);
   heard_.erase(heard_.begin(), heard_.upper_bound(layer));
 }

@@ -22,8 +22,9 @@ namespace lamina {
 struct LayerDecision {
   std::size_t layer = 0;
   std::uint64_t sequence = 0;
-  std::string digest;   ///< of the map that was applied; empty if none was
-  std::string refusal;  ///< why a map that was there was not; empty if none was there in time
+  std::string digest;     ///< of the map that was applied; empty if none was
+  std::string refusal;    ///< why a map that was there was not; empty if none was there in time
+  double waited_s = 0.0;  ///< in vain
 };
 
 /// Corrects the program of a toolpath on its way, by the maps that come while it is printed. Above the first
@@ -45,13 +46,15 @@ class LayerCorrector final : public ProgramRevision {
   double waitTime() const override { return settings_.loop.wait_s; }
   std::string revised(std::string_view line, std::uint64_t number) override;
 
+  /// As maps name it.
+  const std::string& plannedId() const { return toolpath_.id; }
   /// Of the layers decided so far, in order.
   std::vector<LayerDecision> decisions() const;
   /// Why the record is not kept; empty while all is well.
   std::string recordFailure() const;
 
  private:
-  void apply(std::size_t layer, const CorrectionMap* map);
+  void apply(LayerDecision decision, const CorrectionMap* map);
   void keepRecord(const CorrectionMap* map);
 
   const ProgrammedToolpath toolpath_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "correction_messages.hpp"
 #include "lamina/base/atomic_file.hpp"
 #include "lamina/base/error.hpp"
 #include "lamina/control/report/loop_report.hpp"
@@ -51,6 +52,7 @@ void HeightController::subscribe(ros::NodeHandle& node) {
   const auto hints = ros::TransportHints().tcpNoDelay();
   toolpath_ = node.subscribe(names::kToolpath, 1, &HeightController::onToolpath, this);
   machine_state_ = node.subscribe(names::kMachineState, 100, &HeightController::onMachineState, this);
+  applied_ = node.subscribe(names::kAppliedCorrection, 100, &HeightController::onApplied, this);
   profile_ = node.subscribe(names::kProfile, kUnboundQueue, &HeightController::onCloud, this, hints);
   const boost::function<void(const TfEvent&)> on_tf = [this](const TfEvent& event) { onTransforms(event); };
   const boost::function<void(const TfEvent&)> on_fixed = [this](const TfEvent& event) {
@@ -156,6 +158,13 @@ void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& m
   memory_.forget();
   if (!was_resumed) return;
   beginPrint(*toolpath_told_);
+  publishNews();
+}
+
+/// The machine may be ahead of what tf has said of it so far.
+void HeightController::onApplied(const lamina_msgs::AppliedCorrectionConstPtr& message) {
+  if (feed_.run() == nullptr || message->toolpath_id != feed_.run()->part().toolpath_id) return;
+  if (const auto missed = missedOf(*message)) feed_.run()->missMap(*missed);
   publishNews();
 }
 

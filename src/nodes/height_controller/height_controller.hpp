@@ -27,7 +27,7 @@ namespace lamina {
 /// Changes what is laid next by what is measured.
 ///
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
-///             machine_state (lamina/MachineState), tf
+///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
 /// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), /diagnostics
 /// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger)
 /// Calls       pause (std_srvs/Trigger) where an alarm holds the print
@@ -47,6 +47,7 @@ class HeightController {
   void onTransforms(const TfEvent& event);
   void onFixedTransforms(const TfEvent& event);
   void onMachineState(const lamina_msgs::MachineStateConstPtr& message);
+  void onApplied(const lamina_msgs::AppliedCorrectionConstPtr& message);
   bool onReadCalibration(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onSetLoop(lamina_msgs::SetLoop::Request& request, lamina_msgs::SetLoop::Response& response);
   void onTimer();
@@ -83,6 +84,7 @@ class HeightController {
   ros::Subscriber tf_;
   ros::Subscriber tf_static_;
   ros::Subscriber machine_state_;
+  ros::Subscriber applied_;
   ros::ServiceServer set_loop_;
   ros::ServiceServer read_calibration_;
   ros::WallTimer timer_;

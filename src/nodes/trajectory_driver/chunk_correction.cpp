@@ -49,13 +49,40 @@ ChunkCorrection::ChunkCorrection(DrivenToolpath toolpath, const LoopSettings& se
       model_(model),
       part_from_bed_(driven_.bed_from_part.inverse()) {}
 
-std::string ChunkCorrection::hear(const CorrectionMap& map) {
+std::string ChunkCorrection::hear(const CorrectionMap& map, const std::string& digest) {
   if (map.toolpath_id != driven_.id)
     return "the map is of toolpath " + map.toolpath_id + "; driven is " + driven_.id;
   std::string defect = defectForDriving(map, driven_.toolpath);
-  if (!defect.empty()) return defect;
+  if (defect.empty() && handed_layer_ && map.layer < *handed_layer_)
+    defect = "the map of layer " + std::to_string(map.layer) + " comes when layer " +
+             std::to_string(*handed_layer_) + " is on its way";
+  if (!defect.empty()) {
+    miss(map.layer, defect);
+    return defect;
+  }
   maps_[map.layer] = ledMap(map, driven_.toolpath.layers[map.layer], feederOf(settings_), settings_);
+  if (!told_.insert(map.layer).second) return {};
+  MissedMap missed{map.layer, 0.0, {}, {}};
+  if (handed_layer_ == map.layer) missed.held_from = handed_;
+  layers_.push_back({digest, std::move(missed)});
   return {};
+}
+
+void ChunkCorrection::miss(std::size_t layer, const std::string& reason) {
+  if (told_.insert(layer).second) layers_.push_back({{}, {layer, 0.0, reason, {}}});
+}
+
+/// A layer that lies behind without a map will have none.
+void ChunkCorrection::noteHandedOver(const TrajectoryChunk& chunk) {
+  for (auto point = chunk.points.rbegin(); point != chunk.points.rend(); ++point) {
+    const WaypointIndex& at = point->heading_for;
+    if (driven_.toolpath.layers[at.layer].paths[at.path].role == PathRole::Travel) continue;
+    for (std::size_t layer = handed_layer_.value_or(at.layer); layer < at.layer; ++layer)
+      miss(layer, "none came before the layer had been handed over");
+    handed_layer_ = at.layer;
+    handed_ = {at.path, alongAt(*point)};
+    return;
+  }
 }
 
 const PathCorrection* ChunkCorrection::find(const WaypointIndex& heading_for) const {
@@ -148,6 +175,7 @@ double ChunkCorrection::follow(const JointState& state, double present_mm, doubl
 }
 
 TrajectoryChunk ChunkCorrection::corrected(TrajectoryChunk chunk) {
+  noteHandedOver(chunk);
   if (chunk.points.empty() || (maps_.empty() && heights_.empty())) return chunk;
   std::vector<std::pair<double, double>> heights;
   std::vector<JointValues> shifts;

@@ -161,9 +161,15 @@ bool DriveSession::awaitEnd(const ros::Time& now) {
   return true;
 }
 
-std::string DriveSession::correct(const CorrectionMap& map) {
+std::string DriveSession::correct(const CorrectionMap& map, const std::string& digest) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return motion_.correction ? motion_.correction->hear(map) : "the machine is on its way to the start";
+  return motion_.correction ? motion_.correction->hear(map, digest)
+                            : "the machine is on its way to the start";
+}
+
+std::vector<DrivenLayer> DriveSession::takeLayers() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return motion_.correction ? motion_.correction->takeLayers() : std::vector<DrivenLayer>();
 }
 
 void DriveSession::hear(const ControllerReport& report, const ros::Time& now) {

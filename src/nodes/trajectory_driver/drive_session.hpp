@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "chunk_correction.hpp"
 #include "controller_client.hpp"
@@ -65,7 +66,9 @@ class DriveSession {
 
   /// A map for what is not handed over yet.
   /// @return why it is not used, in words; empty if it is
-  std::string correct(const CorrectionMap& map);
+  std::string correct(const CorrectionMap& map, const std::string& digest);
+  /// What became of maps since the last call.
+  std::vector<DrivenLayer> takeLayers();
 
   /// @return why not; nothing if it is done
   std::optional<std::string> pause(const ros::Time& now);

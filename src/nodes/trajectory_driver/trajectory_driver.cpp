@@ -74,8 +74,10 @@ TrajectoryDriver::TrajectoryDriver(ros::NodeHandle node, const DriverSettings& s
   const boost::function<void(const lamina_msgs::CorrectionMapConstPtr&)> correct = [this](const auto& map) {
     onCorrection(*map);
   };
-  if (settings_.is_corrected)
+  if (settings_.is_corrected) {
+    applied_ = node.advertise<lamina_msgs::AppliedCorrection>(names::kAppliedCorrection, 100);
     correction_ = node.subscribe<lamina_msgs::CorrectionMap>(names::kCorrection, 100, correct);
+  }
   DriveStatus idle;
   idle.state = PackmlState::Idle;
   publishState(idle);
@@ -182,20 +184,30 @@ DriveStatus TrajectoryDriver::run(const DriveMotion& motion) {
       session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the goal was cancelled"});
     if (isStopRequested() || !ros::ok())
       session->abort(ros::Time::now(), {ErrorCode::Cancelled, "the node was ended"});
+    tell(session->takeLayers(), motion.toolpath_id);
     if ((ros::Time::now() - shown).toSec() >= kShowPeriod) {
       shown = ros::Time::now();
       show(session->status());
     }
     if (!ros::Duration(kStep).sleep()) break;
   }
+  tell(session->takeLayers(), motion.toolpath_id);
   return session->status();
+}
+
+void TrajectoryDriver::tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id) {
+  for (const DrivenLayer& layer : layers) {
+    lamina_msgs::AppliedCorrection message = toMessage(layer.missed, toolpath_id, layer.digest);
+    message.header.stamp = ros::Time::now();
+    applied_.publish(message);
+  }
 }
 
 void TrajectoryDriver::onCorrection(const lamina_msgs::CorrectionMap& message) {
   try {
     const CorrectionMap map = toCore(message);
     const auto job = session();
-    const std::string refusal = job ? job->correct(map) : "nothing is driven";
+    const std::string refusal = job ? job->correct(map, message.digest) : "nothing is driven";
     if (refusal.empty())
       ROS_INFO("layer %lu is corrected by map %s from here on", static_cast<unsigned long>(map.layer),
                message.digest.c_str());

@@ -46,6 +46,8 @@ class TrajectoryDriver {
   MachineToolpath toolpath(const std::string& id);
   DriveStatus run(const DriveMotion& motion);
   void onCorrection(const lamina_msgs::CorrectionMap& message);
+  /// On applied_correction.
+  void tell(const std::vector<DrivenLayer>& layers, const std::string& toolpath_id);
   void show(const DriveStatus& status);
   void publishState(const DriveStatus& status);
 
@@ -60,6 +62,7 @@ class TrajectoryDriver {
   ros::Publisher tracking_;
   ros::Publisher deposited_;
   ros::Publisher findings_;
+  ros::Publisher applied_;
   ros::Subscriber toolpath_subscriber_;
   ros::Subscriber correction_;
   ros::ServiceServer pause_;

@@ -210,6 +210,48 @@ TEST(SupervisedRun, LearnsFromALayerWhoseMapWasMissed) {
   EXPECT_TRUE(printed.maps[kFaultyLayer + 1].paths.size() == 1) << "the next one is corrected";
 }
 
+/// The machine may tell it before the loop has come to the layer.
+TEST(SupervisedRun, LearnsFromAMissThatIsToldBeforeTheLayer) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  missAMap(wall);
+  wall.is_miss_told_early = true;
+  const std::vector<double> gain = test::wallTruth(wall).gain;
+  const SensedWall printed = sensedWall(wall);
+  for (std::size_t k = 0; k < wall.layers; ++k)
+    EXPECT_NEAR(printed.layers[k].figures.gain_mean, gain[k], 0.003) << k;
+  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Coasting);
+  const auto late = std::count_if(printed.alarms.begin(), printed.alarms.end(),
+                                  [](const RaisedAlarm& alarm) { return alarm.alarm == LoopAlarm::MapLate; });
+  EXPECT_EQ(late, 1);
+}
+
+/// Twenty of sixty millimetres go to the machine before their map does: no alarm, and each cell is known by
+/// what it was laid with.
+TEST(SupervisedRun, LearnsFromALayerWhoseMapHeldFromAPlaceOn) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  missAMap(wall);
+  wall.missed_mm = 20.0;
+  const std::vector<double> gain = test::wallTruth(wall).gain;
+  const SensedWall printed = sensedWall(wall);
+  for (const RaisedAlarm& alarm : printed.alarms) EXPECT_NE(alarm.alarm, LoopAlarm::MapLate);
+  EXPECT_EQ(printed.layers[kFaultyLayer].state, LoopState::Active);
+  for (const CellOutcome& cell : printed.layers[kFaultyLayer].cells)
+    EXPECT_EQ(cell.amount == 0.0, cell.at.x() < 20.0) << cell.at.x();
+  EXPECT_NEAR(printed.layers[kFaultyLayer].figures.gain_mean, gain[kFaultyLayer], 0.003);
+}
+
+/// Nothing is missed where nothing was to be changed.
+TEST(SupervisedRun, TellsNothingOfAnEmptyMapThatWasNotWaitedFor) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  wall.operates = [](std::size_t layer, LoopRun& run) {
+    if (layer == 0) run.missMap({0, 0.0, {}, {}});
+  };
+  for (const RaisedAlarm& alarm : sensedWall(wall).alarms) EXPECT_NE(alarm.alarm, LoopAlarm::MapLate);
+}
+
 /// The same print without any mishap: whatever is told above is told of that alone.
 TEST(SupervisedRun, TellsNothingWhereNothingIsWrong) {
   for (const int scans : {1, 3}) {

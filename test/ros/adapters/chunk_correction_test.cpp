@@ -69,7 +69,7 @@ TEST_F(CorrectedChunks, WithoutMapsAreTheSame) {
 }
 
 TEST_F(CorrectedChunks, HaveTheFlowOfTheirPlaces) {
-  EXPECT_EQ(correction.hear(risingMap(0.0)), "");
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
   for (const JointState& point : correction.corrected(chunkOf(1.0, 1.2, *model)).points)
     EXPECT_NEAR(point.process.flow_mm3_s, 45.0 * (1.0 + 0.01 * kSpeed * point.time_s), 1e-6);
 }
@@ -77,7 +77,7 @@ TEST_F(CorrectedChunks, HaveTheFlowOfTheirPlaces) {
 TEST_F(CorrectedChunks, GoOverToTheirHeightWithoutAJump) {
   const TrajectoryChunk before = correction.corrected(chunkOf(0.0, 0.2, *model));
   EXPECT_NEAR(tipZ(before.points.back(), *model), 1.5, 1e-9);
-  EXPECT_EQ(correction.hear(risingMap(0.3)), "");
+  EXPECT_EQ(correction.hear(risingMap(0.3), "digest"), "");
   const TrajectoryChunk first = correction.corrected(chunkOf(0.2, 0.4, *model));
   const TrajectoryChunk second = correction.corrected(chunkOf(0.4, 0.6, *model));
   EXPECT_NEAR(tipZ(first.points.front(), *model), 1.5, 1e-9) << "where it joins what was handed over";
@@ -110,7 +110,7 @@ TEST(CorrectedArmChunks, GoBackAlongTheToolAxisExactly) {
   const Eigen::Matrix3d tilted =
       (Eigen::AngleAxisd(0.3, Point3::UnitX()) * Eigen::AngleAxisd(M_PI, Point3::UnitX())).toRotationMatrix();
   ChunkCorrection correction(driven(), LoopSettings(), *arm);
-  EXPECT_EQ(correction.hear(risingMap(1.2)), "");
+  EXPECT_EQ(correction.hear(risingMap(1.2), "digest"), "");
   const TrajectoryChunk planned = tiltedChunk(*arm, tilted);
   const TrajectoryChunk corrected = correction.corrected(planned);
   EXPECT_EQ(correction.takeRefusal(), "");
@@ -127,7 +127,7 @@ TEST(CorrectedArmChunks, GoBackAlongTheToolAxisExactly) {
 }
 
 TEST_F(CorrectedChunks, NameTheJointThatEndsAHeight) {
-  EXPECT_EQ(correction.hear(risingMap(1.5)), "");
+  EXPECT_EQ(correction.hear(risingMap(1.5), "digest"), "");
   TrajectoryChunk chunk = chunkOf(0.0, 0.4, *model);
   // The machine's highest is 1 mm above the bead.
   const auto z = static_cast<Eigen::Index>(2);
@@ -151,14 +151,65 @@ TEST_F(CorrectedChunks, NameTheJointThatEndsAHeight) {
 TEST_F(CorrectedChunks, DoNotTakeMapsThatCannotBeFollowed) {
   CorrectionMap other = risingMap(0.0);
   other.toolpath_id = "other";
-  EXPECT_NE(correction.hear(other).find("of toolpath other; driven is beads"), std::string::npos);
+  EXPECT_NE(correction.hear(other, "digest").find("of toolpath other; driven is beads"), std::string::npos);
   CorrectionMap beyond = risingMap(0.0);
   beyond.layer = 1;
-  EXPECT_NE(correction.hear(beyond).find("more layers than 1"), std::string::npos);
-  EXPECT_NE(correction.hear(risingMap(1.6)).find("moves the nozzle by 1.6"), std::string::npos);
+  EXPECT_NE(correction.hear(beyond, "digest").find("more layers than 1"), std::string::npos);
+  EXPECT_NE(correction.hear(risingMap(1.6), "digest").find("moves the nozzle by 1.6"), std::string::npos);
   CorrectionMap fast = risingMap(0.0);
   fast.paths[0].stations[3].speed = 0.1;
-  EXPECT_NE(correction.hear(fast).find("changes the speed by 0.1"), std::string::npos);
+  EXPECT_NE(correction.hear(fast, "digest").find("changes the speed by 0.1"), std::string::npos);
+}
+
+/// What was handed over before a map came is told with the place up to which it was.
+TEST_F(CorrectedChunks, TellFromWhereAMapHolds) {
+  correction.corrected(chunkOf(0.0, 1.2, *model));
+  EXPECT_TRUE(correction.takeLayers().empty()) << "its map may still come";
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  const std::vector<DrivenLayer> told = correction.takeLayers();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].digest, "digest");
+  EXPECT_EQ(told[0].missed.layer, 0U);
+  ASSERT_TRUE(told[0].missed.held_from);
+  EXPECT_EQ(told[0].missed.held_from->path, 0U);
+  EXPECT_NEAR(told[0].missed.held_from->along_mm, 1.2 * kSpeed, 1e-6);
+  EXPECT_EQ(correction.hear(risingMap(0.1), "later"), "");
+  EXPECT_TRUE(correction.takeLayers().empty()) << "once";
+}
+
+TEST_F(CorrectedChunks, TellThatAMapHoldsFromTheBeginning) {
+  EXPECT_EQ(correction.hear(risingMap(0.0), "digest"), "");
+  const std::vector<DrivenLayer> told = correction.takeLayers();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].digest, "digest");
+  EXPECT_FALSE(told[0].missed.held_from);
+}
+
+TEST_F(CorrectedChunks, TellThatAMapIsNotTaken) {
+  const std::string refusal = correction.hear(risingMap(1.6), "digest");
+  const std::vector<DrivenLayer> told = correction.takeLayers();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].digest, "");
+  EXPECT_EQ(told[0].missed.reason, refusal);
+}
+
+/// Of two layers the first is handed over without a map, which then comes too late.
+TEST(ChunkCorrection, TellsThatALayerWasHandedOverWithoutItsMap) {
+  const auto model = kinematicModelByName("cartesian_gantry");
+  DrivenToolpath two = driven();
+  two.toolpath.layers.push_back(two.toolpath.layers.front());
+  ChunkCorrection correction(two, LoopSettings(), *model);
+  TrajectoryChunk chunk = chunkOf(0.0, 0.2, *model);
+  correction.corrected(chunk);
+  for (JointState& point : chunk.points) point.heading_for.layer = 1;
+  correction.corrected(chunk);
+  const std::vector<DrivenLayer> told = correction.takeLayers();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].missed.layer, 0U);
+  EXPECT_NE(told[0].missed.reason.find("handed over"), std::string::npos) << told[0].missed.reason;
+  EXPECT_NE(correction.hear(risingMap(0.0), "digest").find("comes when layer 1 is on its way"),
+            std::string::npos);
+  EXPECT_TRUE(correction.takeLayers().empty()) << "once";
 }
 
 }  // namespace

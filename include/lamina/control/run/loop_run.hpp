@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -17,6 +18,7 @@
 #include "lamina/control/run/layer_progress.hpp"
 #include "lamina/control/run/loop_memory.hpp"
 #include "lamina/control/run/lump_watch.hpp"
+#include "lamina/control/run/missed_map.hpp"
 #include "lamina/control/run/offset_watch.hpp"
 #include "lamina/control/run/run_settings.hpp"
 #include "lamina/control/run/stuck_watch.hpp"
@@ -137,9 +139,10 @@ class LoopRun {
   void see(SensedCloud cloud);
   /// A cloud of that stamp has come, and no pose of the nozzle is known for it yet.
   void hear(std::int64_t stamp_ns);
-  /// The machine lays a layer as planned, as it had waited for its map for so long. Of the layer under way
-  /// the estimate takes that into account.
-  void missMap(std::size_t layer, double waited_s);
+  /// The machine lays a layer, or its beginning, as planned. The estimate of a layer that is under way, or
+  /// still to come, takes that into account; that of one that is done does not any more. 6116 is raised where
+  /// all of the layer is laid as planned that was to be laid otherwise, or was waited for.
+  void missMap(const MissedMap& missed);
 
   /// The machine goes on with the plan of that identity, from its first layer on: so does the loop, with what
   /// it has learnt. What waits is worked off before.
@@ -196,7 +199,9 @@ class LoopRun {
   std::string reasonToPlan(const LayerFigures& figures) const;
   void blockIfLump();
   LayerCorrection wanted() const;
-  void layAsPlanned();
+  void layAsPlanned(const std::string& reason);
+  void relayUpTo(std::size_t cell);
+  void takeMissed();
   void shiftNozzle();
   CellCorrections asLaid() const;
   LayerOutcome outcomeOf(const LayerFigures& figures);
@@ -226,11 +231,12 @@ class LoopRun {
   std::optional<std::size_t> layer_;  ///< under way; none before the first and after the last one with cells
   LoopState laid_in_ = LoopState::Off;
   LayerCorrection laid_;
-  std::vector<double> shift_mm_;     ///< of the nozzle, by cell
-  double mean_shift_mm_ = 0.0;       ///< of the layer
-  double last_amount_ = 0.0;         ///< where the layer before ended
-  bool is_catching_up_ = false;      ///< resumed, and the nozzle was not found yet
-  std::vector<CellEstimate> below_;  ///< of the layer before
+  std::vector<double> shift_mm_;             ///< of the nozzle, by cell
+  double mean_shift_mm_ = 0.0;               ///< of the layer
+  double last_amount_ = 0.0;                 ///< where the layer before ended
+  bool is_catching_up_ = false;              ///< resumed, and the nozzle was not found yet
+  std::map<std::size_t, MissedMap> missed_;  ///< of layers to come
+  std::vector<CellEstimate> below_;          ///< of the layer before
   std::size_t below_layer_ = 0;
 
   std::multiset<Event, Earlier> waiting_;

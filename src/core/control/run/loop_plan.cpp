@@ -15,6 +15,7 @@ bool LoopRun::follow(const std::string& toolpath_id) {
   passAll();
   if (!plan_ || plan_->part.toolpath_id != toolpath_id) return false;
   waiting_.clear();
+  missed_.clear();
   part_ = std::move(plan_->part);
   progress_ = LayerProgress(part_.toolpath, settings_.following);
   loop_ = std::move(plan_loop_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <utility>
 
 #include "control/run/cloud_order.hpp"
@@ -39,6 +40,13 @@ void requireSpeeds(const Toolpath& toolpath, const LoopRunSettings& settings) {
     const LayerCells cells = layerCells(toolpath.layers[layer], layer, settings.cell_mm);
     metalSplit(cells, std::vector<double>(cells.size(), 0.0), PowerSource::Fixed, settings.loop);
   }
+}
+
+std::string reasonOf(const MissedMap& missed) {
+  char waited[48];
+  std::snprintf(waited, sizeof waited, "%.3g", missed.waited_s);
+  return "layer " + std::to_string(missed.layer) + " is laid as planned, not by its map: " +
+         (missed.reason.empty() ? "none came within " + std::string(waited) + " s" : missed.reason);
 }
 
 /// Height of the highest cell that is known, above where what the layer is laid onto should be [mm].
@@ -182,17 +190,32 @@ void LoopRun::hear(std::int64_t stamp_ns) {
   watch(blind_s);
 }
 
-void LoopRun::missMap(std::size_t layer, double waited_s) {
-  SensorWatch late;
-  late.map_late_s = waited_s;
-  take(afterWatch(status_, late, settings_.loop));
-  if (!layer_ || layer != *layer_) return;
-  laid_.amount.assign(laid_.amount.size(), 0.0);
+void LoopRun::missMap(const MissedMap& missed) {
+  if (!layer_ || missed.layer < *layer_) return;
+  if (missed.layer > *layer_) {
+    missed_[missed.layer] = missed;
+    return;
+  }
+  const bool is_otherwise = !isAllZero(laid_.amount) || !isAllZero(shift_mm_);
+  if (missed.held_from)
+    return relayUpTo(cellsPassed(loop_->cells(), missed.held_from->path, missed.held_from->along_mm, 0.0));
+  if (is_otherwise || missed.waited_s > 0.0)
+    take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reasonOf(missed)}}});
+  if (!is_otherwise) return;
   laid_.limited_share = 0.0;
-  loop_->relay(laid_);
+  relayUpTo(loop_->cells().size());
   laid_in_ = LoopState::Coasting;
-  shift_mm_.assign(shift_mm_.size(), 0.0);
-  mean_shift_mm_ = last_amount_ = 0.0;
+}
+
+/// What went to the machine before its map was laid as planned.
+void LoopRun::relayUpTo(std::size_t cell) {
+  LayerCorrection laid = laid_;
+  std::fill_n(laid.amount.begin(), cell, 0.0);
+  std::fill_n(shift_mm_.begin(), cell, 0.0);
+  loop_->relay(laid);
+  laid_ = std::move(laid);
+  mean_shift_mm_ = meanOverCells(loop_->cells(), shift_mm_);
+  last_amount_ = laid_.amount.back();
 }
 
 /// The nozzle where the plan has it: what the loop shifts it by is off.
@@ -389,7 +412,10 @@ void LoopRun::beginLayer(std::size_t layer) {
   laid_in_ = status_.state;
   laid_ = wanted();
   shiftNozzle();
-  if (is_catching_up_) layAsPlanned();
+  if (is_catching_up_)
+    layAsPlanned("layer " + std::to_string(*layer_) +
+                 " was begun while nobody followed the print; expected its map before: it counts as laid as "
+                 "planned");
   std::vector<double> nozzle_error = shift_mm_;
   for (double& error : nozzle_error) error = -error;
   loop_->lay(laid_, nozzle_error);
@@ -398,20 +424,24 @@ void LoopRun::beginLayer(std::size_t layer) {
   atlas_.setLaid(layer, 0);
   atlas_.forgetBelow(below_.empty() ? layer : below_layer_);
   publishMap();
+  takeMissed();
 }
 
-/// Its map came too late for the machine.
-void LoopRun::layAsPlanned() {
+/// What the machine told of this layer before the loop came to it.
+void LoopRun::takeMissed() {
+  const auto told = missed_.find(*layer_);
+  if (told != missed_.end()) missMap(told->second);
+  missed_.erase(missed_.begin(), missed_.upper_bound(*layer_));
+}
+
+/// Its map comes too late for the machine.
+void LoopRun::layAsPlanned(const std::string& reason) {
   laid_.amount.assign(loop_->cells().size(), 0.0);
   laid_.limited_share = 0.0;
   shift_mm_.assign(loop_->cells().size(), 0.0);
   mean_shift_mm_ = 0.0;
   laid_in_ = LoopState::Coasting;
-  take({status_,
-        {{LoopAlarm::MapLate, LoopReaction::Coast,
-          "layer " + std::to_string(*layer_) +
-              " was begun while nobody followed the print; expected its map before: it counts as laid as "
-              "planned"}}});
+  take({status_, {{LoopAlarm::MapLate, LoopReaction::Coast, reason}}});
 }
 
 void LoopRun::blockIfLump() {
