@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "lamina/base/error.hpp"
 #include "lamina/deposition/growth_plant.hpp"
@@ -81,6 +82,35 @@ TEST(PartLearning, GetsBetterFromPartToPart) {
   }
   EXPECT_LT(rmse.back(), 0.5 * rmse.front());
   EXPECT_EQ(map.parts, 5U);
+}
+
+/// Cells that grow by a share of what they are told, over errors that the loop mends meanwhile.
+LaidLayer evenLayer(double gain, double amount) {
+  LaidLayer layer{wallCells(0), {}, {}};
+  layer.amount.assign(layer.cells.size(), amount);
+  layer.growth_error_mm.assign(layer.cells.size(), kLearntLayer * (1.0 - gain * (1.0 + amount)));
+  return layer;
+}
+
+/// Growth of 0.9 asks for 1 / 0.9 - 1 = 1 / 9, whatever was laid beyond the map to mend what lay below. Of
+/// the first part all of it is learnt, of the second a half of what is missing.
+TEST(PartLearning, LearnsWhatMakesACellGrowAsPlanned) {
+  for (const double mended : {0.0, 0.1, -0.2}) {
+    const PartMap first =
+        learntFromPart({}, kPart, {evenLayer(0.9, mended)}, PartEnd::Complete, LoopSettings());
+    for (const double amount : first.amount[0]) EXPECT_NEAR(amount, 1.0 / 9.0, 1e-12) << mended;
+    const PartMap second =
+        learntFromPart(first, kPart, {evenLayer(1.0, 0.1 + mended)}, PartEnd::Complete, LoopSettings());
+    for (const double amount : second.amount[0]) EXPECT_NEAR(amount, 1.0 / 18.0, 1e-12) << mended;
+  }
+}
+
+TEST(PartLearning, LearnsNothingOfCellsThatWereNotSeen) {
+  const PartMap first = learntFromPart({}, kPart, {evenLayer(0.9, 0.0)}, PartEnd::Complete, LoopSettings());
+  LaidLayer unseen = evenLayer(1.0, 0.1);
+  unseen.growth_error_mm.assign(unseen.cells.size(), std::numeric_limits<double>::quiet_NaN());
+  const PartMap second = learntFromPart(first, kPart, {unseen}, PartEnd::Complete, LoopSettings());
+  EXPECT_EQ(second.amount, first.amount);
 }
 
 TEST(PartLearning, LearnsNothingFromAnAbortedPart) {

@@ -28,6 +28,8 @@ struct LayerFigures {
   double gain_mean = 1.0;
   double gain_least = 1.0;
   double gain_greatest = 1.0;
+  double gain_ratio =
+      1.0;  ///< growth as measured over growth as then learnt, of what was measured; 1 of none
   /// Means of innovations squared over what was expected of them; 1 if there were none: of the first reading
   /// of each cell, which tells of growth, and of further ones, which tell of the sensor.
   double consistency = 1.0;
@@ -142,6 +144,7 @@ class HeightLoop {
   std::size_t layers_begun_ = 0;
   double spread_;
   double limited_share_ = 0.0;
+  double gain_ratio_ = 1.0;
   std::size_t clouds_ = 0;
   double surprise_ = 0.0;  ///< sum over readings used
   double excess_ = 0.0;    ///< of squared innovations over noise and prior, in squared growths

@@ -27,16 +27,20 @@ struct PartMap {
 /// How a layer of a part turned out.
 struct LaidLayer {
   LayerCells cells;
-  std::vector<double> amount;           ///< relative, as laid
-  std::vector<double> growth_error_mm;  ///< planned less actual growth of this layer alone
+  std::vector<double> amount;  ///< relative, as laid
+  /// Planned less actual growth of this layer alone; not finite where not seen.
+  std::vector<double> growth_error_mm;
 };
 
 /// How a part ended. One that was aborted teaches nothing.
 enum class PartEnd { Complete, Aborted };
 
-/// The map for the next part: u = Q (u + K F e / h) [Bristow2006], u what was laid, e the error of each
-/// layer's own growth, F and Q the loop's low-pass along the path, Q the mean of a layer and its two
-/// neighbours as well where their cells are as many. Within the limits of the loop.
+/// The map for the next part: u = Q (u + K F (1 / g - 1 - u)) [Bristow2006], u the map before, 0 for the
+/// first part, and g how much of what it was told each layer has grown by itself. What was laid beyond the
+/// map to mend layers below is not learnt. F is the loop's low-pass along the path, Q the mean of a layer and
+/// its two neighbours where their cells are as many. K is `part_learning`, and of the first parts, whose mean
+/// is taken, one over their number where that is more. Within the limits of the loop. Cells that were not
+/// seen keep what they had.
 /// @throws InvalidInput if the identities differ, naming what; or the part has other layers than the map
 PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
                        const std::vector<LaidLayer>& part, PartEnd end, const LoopSettings& settings);

@@ -143,6 +143,7 @@ void HeightLoop::beginLayer(LayerCells cells, std::vector<double> learnt) {
   clouds_below_ = clouds_;
   ++layers_begun_;
   clouds_ = surprises_ = repeats_ = 0;
+  gain_ratio_ = 1.0;
   surprise_ = repeat_surprise_ = excess_ = limited_share_ = 0.0;
 }
 
@@ -367,13 +368,18 @@ void HeightLoop::learn(const std::vector<MeasuredGain>& measured) {
   for (std::size_t i = 0; i < cells_.size(); ++i)
     if (measured[i].commanded_mm > 0.0) gains[i] = measured[i].gain;
   const std::vector<double> smooth = lowPassed(gains, cells_, settings_.low_pass_mm);
+  double grown_mm = 0.0;
+  double learnt_mm = 0.0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     if (measured[i].commanded_mm <= 0.0) continue;
     const double layers = std::max(1.0, measured[i].commanded_mm / cells_.height_mm[i]);
     const double gain = estimates_[i].gain();
     const double share = 1.0 - std::pow(1.0 - settings_.learning, layers);
     estimates_[i].setGain(gain + share * (smooth[i] - gain));
+    grown_mm += measured[i].gain * measured[i].commanded_mm;
+    learnt_mm += estimates_[i].gain() * measured[i].commanded_mm;
   }
+  if (learnt_mm > 0.0 && grown_mm > 0.0) gain_ratio_ = grown_mm / learnt_mm;
   learnSpread();
 }
 
@@ -397,6 +403,7 @@ LayerFigures HeightLoop::figures() const {
   double squares = 0.0;
   result.height_mm = meanOverCells(cells_, cells_.height_mm);
   result.mean_error_mm = meanOverCells(cells_, errorsOf(estimates_));
+  result.gain_ratio = gain_ratio_;
   result.gain_mean = meanOverCells(cells_, gainsOf(estimates_));
   result.gain_least = result.gain_greatest = estimates_.front().gain();
   for (std::size_t i = 0; i < cells_.size(); ++i) {

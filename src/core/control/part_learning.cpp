@@ -3,13 +3,17 @@
 #include "lamina/control/part_learning.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lamina/base/error.hpp"
+#include "lamina/control/cell_estimate.hpp"
 #include "lamina/control/path_low_pass.hpp"
 
 namespace lamina {
 namespace {
+
+constexpr double kLeastCommanded = 0.1;  // of a layer, below which growth tells no gain
 
 void requireOnePerCell(const LaidLayer& layer, std::size_t index) {
   const std::size_t cells = layer.cells.size();
@@ -17,6 +21,21 @@ void requireOnePerCell(const LaidLayer& layer, std::size_t index) {
     if (count != cells)
       throw InvalidInput("layer " + std::to_string(index) + " has " + std::to_string(count) +
                          " values for its " + std::to_string(cells) + " cells; expected one each");
+}
+
+/// What each cell lacks of the amount by which it would have grown as planned. What the loop laid beyond the
+/// map to mend the layers below is no part of that: it would be laid again on layers that lack nothing.
+std::vector<double> missingFrom(const std::vector<double>& amount, const LaidLayer& layer) {
+  std::vector<double> missing(amount.size(), 0.0);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const double planned_mm = layer.cells.height_mm[i];
+    const double commanded_mm = planned_mm * (1.0 + layer.amount[i]);
+    if (!std::isfinite(layer.growth_error_mm[i]) || !(commanded_mm > kLeastCommanded * planned_mm)) continue;
+    const double gain = (planned_mm - layer.growth_error_mm[i]) / commanded_mm;
+    missing[i] =
+        1.0 / std::clamp(gain, CellEstimate::kLeastGain, CellEstimate::kGreatestGain) - 1.0 - amount[i];
+  }
+  return missing;
 }
 
 std::string differsIn(const std::string& what, const std::string& is, const std::string& expected) {
@@ -58,11 +77,14 @@ PartMap learntFromPart(const PartMap& before, const PartIdentity& identity,
   if (end == PartEnd::Aborted) return before;
   for (std::size_t k = 0; k < part.size(); ++k) requireOnePerCell(part[k], k);
   PartMap learnt{identity, before.parts + 1, {}};
-  for (const LaidLayer& layer : part) {
-    const std::vector<double> error = lowPassed(layer.growth_error_mm, layer.cells, settings.low_pass_mm);
-    std::vector<double> amount(layer.amount);
-    for (std::size_t i = 0; i < amount.size(); ++i)
-      amount[i] += settings.part_learning * error[i] / layer.cells.height_mm[i];
+  // A mean of all parts so far, until a new one would count less than it should.
+  const double share = std::max(settings.part_learning, 1.0 / static_cast<double>(learnt.parts));
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const LaidLayer& layer = part[k];
+    std::vector<double> amount = is_first ? std::vector<double>(layer.cells.size(), 0.0) : before.amount[k];
+    const std::vector<double> missing =
+        lowPassed(missingFrom(amount, layer), layer.cells, settings.low_pass_mm);
+    for (std::size_t i = 0; i < amount.size(); ++i) amount[i] += share * missing[i];
     learnt.amount.push_back(std::move(amount));
   }
   learnt.amount = smoothAcrossLayers(learnt.amount);

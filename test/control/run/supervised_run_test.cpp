@@ -252,6 +252,40 @@ TEST(SupervisedRun, TellsNothingOfAnEmptyMapThatWasNotWaitedFor) {
   for (const RaisedAlarm& alarm : sensedWall(wall).alarms) EXPECT_NE(alarm.alarm, LoopAlarm::MapLate);
 }
 
+/// A wall that grows to 2.2 times as much from the faulty layer on, under a loop of that gain.
+SensedWall leapingWall(double gain, const std::function<void(std::size_t, LoopRun&)>& operates = {}) {
+  SensedWallCase wall;
+  wall.settings = calibratedLoop();
+  wall.settings.loop.gain = gain;
+  wall.settings.loop.alarm_layers = 10.0;
+  wall.layers = 12;
+  wall.grows = [](std::size_t layer, double) { return layer < kFaultyLayer ? 1.0 : 2.2; };
+  wall.operates = operates;
+  return sensedWall(wall);
+}
+
+/// 1.98 over a gain of 0.9 that goes to 1.22: the layer grew 1.6 times what is learnt, and a loop's gain of
+/// 1.4 is 2.3 of the growth that is left to learn. The bound is 2: a gain of 1.1 is below it.
+TEST(SupervisedRun, ChecksItsStabilityByWhatTheGrowthToldWhenTheGainHasChanged) {
+  const SensedWall blocked = leapingWall(1.4);
+  EXPECT_EQ(blocked.layers[kFaultyLayer].state, LoopState::Active);
+  EXPECT_EQ(blocked.layers[kFaultyLayer + 1].state, LoopState::Blocked) << alarmsOf(blocked);
+  EXPECT_NE(blocked.status.reason.find("times what is learnt by now"), std::string::npos)
+      << blocked.status.reason;
+  EXPECT_EQ(leapingWall(1.1).layers[kFaultyLayer + 1].state, LoopState::Active);
+}
+
+/// Once the growth is learnt an operator may let it go on.
+TEST(SupervisedRun, IsCheckedAnewWhenItIsAskedAfterItWasBlocked) {
+  std::vector<LoopState> asked;
+  leapingWall(1.4, [&](std::size_t layer, LoopRun& run) {
+    if (layer > kFaultyLayer) asked.push_back(run.request(LoopRequest::Active).state);
+  });
+  ASSERT_EQ(asked.size(), 6U);
+  EXPECT_EQ(asked.front(), LoopState::Blocked);
+  EXPECT_EQ(asked.back(), LoopState::Active);
+}
+
 /// The same print without any mishap: whatever is told above is told of that alone.
 TEST(SupervisedRun, TellsNothingWhereNothingIsWrong) {
   for (const int scans : {1, 3}) {

@@ -193,6 +193,7 @@ class LoopRun {
   LoopMemory memory(std::size_t layer) const;
   void beginLayer(std::size_t layer);
   void endLayer();
+  StabilityReport checkNow() const;
   void checkAgain(const LayerFigures& figures);
   void planAnew(const LayerFigures& figures);
   void offerPlan(const LayerFigures& figures, const std::string& reason);
@@ -222,6 +223,7 @@ class LoopRun {
   TaughtPart taught_;
   StabilityReport stability_;
   double gain_at_check_ = 1.0;
+  double gain_ratio_ = 1.0;  ///< growth as measured over growth as learnt, of the last layer
   std::optional<HeightLoop> loop_;
   CellAtlas atlas_;
   LoopStatus status_;

@@ -115,6 +115,7 @@ LoopMemory LoopRun::memory(std::size_t layer) const {
 }
 
 const LoopStatus& LoopRun::request(LoopRequest request) {
+  if (status_.state == LoopState::Blocked) stability_ = checkNow();
   status_ = afterRequest(request, stability_);
   offset_left_ = {};
   return status_;
@@ -123,7 +124,7 @@ const LoopStatus& LoopRun::request(LoopRequest request) {
 void LoopRun::recalibrate(const CellCalibration& known, LoopRequest request) {
   settings_.calibration = known;
   offset_left_ = {};
-  stability_ = checkStart(part_.toolpath, part_.machine, settings_);
+  stability_ = checkNow();
   if (stability_.may_start && stability_.low_pass_mm > settings_.loop.low_pass_mm) {
     stability_.may_start = false;
     stability_.reason += "; the low-pass of this print stays: it holds from the next one on";
@@ -533,11 +534,24 @@ LayerOutcome LoopRun::outcomeOf(const LayerFigures& figures) {
   return outcome;
 }
 
+/// By what was stated, and by what the last layer told: how far its growth was off what is learnt of it.
+StabilityReport LoopRun::checkNow() const {
+  const StabilityReport stated = checkStart(part_.toolpath, part_.machine, settings_);
+  if (!stated.may_start || gain_ratio_ == 1.0) return stated;
+  LoopRunSettings as_told = settings_;
+  as_told.calibration.gain_ratio *= gain_ratio_;
+  StabilityReport told = checkStart(part_.toolpath, part_.machine, as_told);
+  if (!told.may_start)
+    told.reason += "; the last layer grew " + std::to_string(gain_ratio_) + " times what is learnt by now";
+  return told;
+}
+
 /// The bounds once more when the gain has changed by a fifth.
 void LoopRun::checkAgain(const LayerFigures& figures) {
+  gain_ratio_ = figures.gain_ratio;
   if (!needsNewCheck(gain_at_check_, figures.gain_mean)) return;
   gain_at_check_ = figures.gain_mean;
-  stability_ = checkStart(part_.toolpath, part_.machine, settings_);
+  stability_ = checkNow();
   if (!stability_.may_start && status_.state != LoopState::Off)
     status_ = afterRequest(LoopRequest::Active, stability_);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lamina/control/run/taught_part.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "lamina/base/atomic_file.hpp"
@@ -9,6 +10,8 @@
 
 namespace lamina {
 namespace {
+
+constexpr float kNotSeen = std::numeric_limits<float>::quiet_NaN();
 
 LayerCells cellsAgain(const Toolpath& toolpath, std::size_t layer, double cell_mm) {
   return layerCells(toolpath.layers[layer], layer, cell_mm, normalOfLayers(toolpath));
@@ -53,7 +56,8 @@ void TaughtPart::end(const HeightLoop& loop, const std::vector<double>& amount) 
   for (std::size_t i = 0; i < loop.estimates().size(); ++i) {
     const CellEstimate& cell = loop.estimates()[i];
     layer.amount.push_back(static_cast<float>(amount[i]));
-    layer.growth_error_mm.push_back(cell.isSeen() ? static_cast<float>(cell.error() - error_mm_[i]) : 0.0F);
+    layer.growth_error_mm.push_back(cell.isSeen() ? static_cast<float>(cell.error() - error_mm_[i])
+                                                  : kNotSeen);
   }
   layers_.at(loop.cells().layer) = std::move(layer);
 }
