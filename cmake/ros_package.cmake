@@ -12,7 +12,7 @@ add_message_files(FILES
   ProcessTrajectory.msg ProcessValue.msg Setting.msg SliceSummary.msg StartupStep.msg Status.msg Toolpath.msg ToolpathEvent.msg
   ToolpathLayer.msg ToolpathPath.msg
   TrackingError.msg VoidCount.msg VoidFillingSummary.msg)
-add_service_files(FILES ChangeJob.srv FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv RunStartup.srv SetLoop.srv SliceMesh.srv)
+add_service_files(FILES CalibrateFeeder.srv CalibrateSensor.srv CalibrateTime.srv ChangeJob.srv FillVoids.srv FinishMeasuring.srv InclineGcode.srv LoadProgram.srv MachineRest.srv RunStartup.srv SetLoop.srv SliceMesh.srv)
 add_action_files(FILES ComputeStiffness.action DriveToolpath.action FollowJointTrajectory.action Incline.action Optimise.action SimulateDeposition.action Slice.action
   StreamProgram.action)
 generate_messages(DEPENDENCIES actionlib_msgs geometry_msgs std_msgs trajectory_msgs)

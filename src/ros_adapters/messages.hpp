@@ -9,6 +9,9 @@
 #define lamina lamina_msgs
 #include <lamina/AppliedCorrection.h>
 #include <lamina/Bead.h>
+#include <lamina/CalibrateFeeder.h>
+#include <lamina/CalibrateSensor.h>
+#include <lamina/CalibrateTime.h>
 #include <lamina/ChangeJob.h>
 #include <lamina/ComputeStiffnessAction.h>
 #include <lamina/CorrectionMap.h>

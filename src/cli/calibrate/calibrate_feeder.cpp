@@ -5,12 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "calibrate/calibrated_cell.hpp"
-#include "lamina/calibration/feeder_fit.hpp"
+#include "lamina/calibration/cell_findings.hpp"
 
 namespace lamina::cli {
 namespace {
 
-void printFeeder(const CalibrateArguments& arguments, const FeederFit& fit, OutputFormat format) {
+void printFeeder(const CalibrateArguments& arguments, const FoundFeeder& found, OutputFormat format) {
+  const FeederFit& fit = found.fit;
   if (format == OutputFormat::Json) {
     const nlohmann::ordered_json json = {{"dead_time_s", fit.dead_time_s},
                                          {"dead_time_spread_s", fit.dead_time_spread_s},
@@ -24,26 +25,19 @@ void printFeeder(const CalibrateArguments& arguments, const FeederFit& fit, Outp
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
-  std::printf("dead time   %.3f s, spread %.3f s\n", fit.dead_time_s, fit.dead_time_spread_s);
-  std::printf("lag         %.3f s, spread %.3f s\n", fit.lag_s, fit.lag_spread_s);
-  std::printf("sections    %zu, %.2f %% rms off; they follow the steps by %.3f\n", fit.sections,
-              100.0 * fit.rms, fit.gain);
-  std::printf("shift       %.3f mm of the scan against the program\n", fit.shift_mm);
+  for (const std::string& sentence : inWords(found)) std::printf("%s\n", sentence.c_str());
   if (!arguments.cell.empty()) std::printf("written to  %s\n", arguments.cell.c_str());
 }
 
 void calibrateFeeder(const CalibrateArguments& arguments, OutputFormat format) {
   const CalibrateSettings settings = calibrateSettingsFrom(arguments.settings);
   Calibration cell = cellSoFar(arguments, settings.machine);
-  const FeederSteps steps = feederSteps(settings.calibration);
-  const double time_offset_s = cell.time ? cell.time->offset_s : 0.0;
-  const auto beads = beadSections(recordingFrom(arguments.recording), knownSensorPose(cell, settings.machine),
-                                  time_offset_s, steps);
-  const FeederFit fit = fitFeeder(steps, beads, settings.calibration.feeder_mm_s);
-  cell.feeder = CalibratedFeeder{fit.dead_time_s, fit.dead_time_spread_s, fit.lag_s, fit.lag_spread_s,
-                                 foundNow("bead")};
+  const FoundFeeder found =
+      findFeeder(recordingFrom(arguments.recording), knownSensorPose(cell, settings.machine),
+                 timeOffsetOf(cell), settings.calibration, foundNow("bead").date);
+  cell.feeder = found.feeder;
   keepCell(arguments, cell);
-  printFeeder(arguments, fit, format);
+  printFeeder(arguments, found, format);
 }
 
 }  // namespace

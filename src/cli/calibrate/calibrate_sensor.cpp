@@ -6,9 +6,8 @@
 
 #include "calibrate/calibrated_cell.hpp"
 #include "lamina/base/atomic_file.hpp"
-#include "lamina/base/error.hpp"
+#include "lamina/calibration/cell_findings.hpp"
 #include "lamina/calibration/hand_eye.hpp"
-#include "lamina/calibration/sensor_pose.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -23,43 +22,6 @@ struct SensorArguments {
   std::vector<double> top_mm;         ///< z of the top, as touched; none or one
 };
 
-PyramidTarget pyramidFrom(const SensorArguments& arguments, const CalibrationSettings& settings) {
-  PyramidTarget target;
-  if (!arguments.pyramid_mm.empty()) {
-    target.base_mm = arguments.pyramid_mm[0];
-    target.top_mm = arguments.pyramid_mm[1];
-    target.height_mm = arguments.pyramid_mm[2];
-  }
-  if (!(target.base_mm > target.top_mm && target.top_mm > 0.0 && target.height_mm > 0.0))
-    throw InvalidConfig("the pyramid is " + std::to_string(target.base_mm) + " mm wide at its base, " +
-                        std::to_string(target.top_mm) + " mm at its top and " +
-                        std::to_string(target.height_mm) +
-                        " mm high; expected a base wider than the top, and all above 0");
-  Point3 at(settings.x_mm, settings.y_mm, 0.0);
-  target.is_place_known = !arguments.pyramid_at_mm.empty();
-  if (target.is_place_known) at.head<2>() = Point2(arguments.pyramid_at_mm[0], arguments.pyramid_at_mm[1]);
-  target.is_top_known = !arguments.top_mm.empty();
-  if (target.is_top_known) at.z() = arguments.top_mm[0] - target.height_mm;
-  target.bed_from_pyramid.translation() = at;
-  return target;
-}
-
-SensorTarget targetFrom(const SensorArguments& arguments, const CalibrationSettings& settings) {
-  if (arguments.method == "pyramid") return pyramidFrom(arguments, settings);
-  if (arguments.method == "cross")
-    return CrossTarget{crossBeads(settings), settings.bead_width_mm, settings.bead_height_mm};
-  return PlaneTarget{arguments.method == "bed"};
-}
-
-SensorPoseSettings poseSettings(const CalibrationSettings& settings, const Calibration& cell) {
-  SensorPoseSettings pose;
-  if (cell.time) pose.time_offset_s = cell.time->offset_s;
-  pose.max_sigma_mm = settings.max_sigma_mm;
-  pose.max_sigma_deg = settings.max_sigma_deg;
-  pose.noise_mm = settings.noise_mm;
-  return pose;
-}
-
 nlohmann::ordered_json directionsOf(const SensorPoseFit& fit) {
   nlohmann::ordered_json directions = nlohmann::json::array();
   for (const ObservedDirection& direction : fit.directions)
@@ -67,8 +29,9 @@ nlohmann::ordered_json directionsOf(const SensorPoseFit& fit) {
   return directions;
 }
 
-void printPose(const SensorArguments& arguments, const CalibratedPose& pose, OutputFormat format,
-               const nlohmann::ordered_json& figures, const std::vector<std::string>& sentences) {
+void printPose(const SensorArguments& arguments, const FoundPose& found, OutputFormat format,
+               const nlohmann::ordered_json& figures) {
+  const CalibratedPose& pose = found.pose;
   const Eigen::Vector3d at = pose.nozzle_from_sensor.translation();
   const Eigen::Quaterniond turn(pose.nozzle_from_sensor.linear());
   if (format == OutputFormat::Json) {
@@ -77,36 +40,31 @@ void printPose(const SensorArguments& arguments, const CalibratedPose& pose, Out
                                    {"quaternion_wxyz", {turn.w(), turn.x(), turn.y(), turn.z()}},
                                    {"spread", pose.spread},
                                    {"kept", pose.kept},
-                                   {"not_observable", sentences},
+                                   {"not_observable", found.not_observable},
                                    {"output", arguments.common.cell}};
     json.update(figures);
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
-  std::printf("sensor      at %.3f, %.3f, %.3f mm of the nozzle, by %s\n", at.x(), at.y(), at.z(),
-              arguments.method.c_str());
-  std::printf("spread      %.4f, %.4f, %.4f mm; %.4f, %.4f, %.4f deg\n", pose.spread[0], pose.spread[1],
-              pose.spread[2], pose.spread[3], pose.spread[4], pose.spread[5]);
-  std::printf("points      %.4f mm rms from their target\n", figures["rms_mm"].get<double>());
-  for (const std::string& sentence : sentences) std::printf("kept        %s\n", sentence.c_str());
+  for (const std::string& sentence : inWords(found)) std::printf("%s\n", sentence.c_str());
   if (!arguments.common.cell.empty()) std::printf("written to  %s\n", arguments.common.cell.c_str());
 }
 
 void calibrateByPairs(const SensorArguments& arguments, Calibration cell, OutputFormat format) {
   const std::string& path = arguments.common.recording;
   const HandEyeFit fit = fitHandEye(sightsFromCsv(readFile(path), path));
-  CalibratedPose pose;
-  pose.nozzle_from_sensor = fit.nozzle_from_sensor;
-  pose.spread = {fit.rms_mm, fit.rms_mm, fit.rms_mm, fit.rms_deg, fit.rms_deg, fit.rms_deg};
-  pose.source = foundNow(arguments.method);
-  cell.pose = pose;
+  FoundPose found;
+  found.pose.nozzle_from_sensor = fit.nozzle_from_sensor;
+  found.pose.spread = {fit.rms_mm, fit.rms_mm, fit.rms_mm, fit.rms_deg, fit.rms_deg, fit.rms_deg};
+  found.pose.source = foundNow(arguments.method);
+  found.fit.rms_mm = fit.rms_mm;
+  cell.pose = found.pose;
   keepCell(arguments.common, cell);
-  printPose(arguments, pose, format,
+  printPose(arguments, found, format,
             {{"rms_mm", fit.rms_mm},
              {"rms_deg", fit.rms_deg},
              {"turn_values", fit.turn_values},
-             {"place_values", fit.place_values}},
-            {});
+             {"place_values", fit.place_values}});
 }
 
 void calibrateSensor(const SensorArguments& arguments, OutputFormat format) {
@@ -114,20 +72,17 @@ void calibrateSensor(const SensorArguments& arguments, OutputFormat format) {
   Calibration cell = cellSoFar(arguments.common, settings.machine);
   if (arguments.method == "pairs") return calibrateByPairs(arguments, cell, format);
   std::vector<SensorView> views = {
-      {targetFrom(arguments, settings.calibration), recordingFrom(arguments.common.recording)}};
+      {sensorTarget(arguments.method, {arguments.pyramid_mm, arguments.pyramid_at_mm, arguments.top_mm},
+                    settings.calibration),
+       recordingFrom(arguments.common.recording)}};
   for (const std::string& plane : arguments.planes) views.push_back({PlaneTarget{}, recordingFrom(plane)});
-  const SensorPoseSettings how = poseSettings(settings.calibration, cell);
-  const SensorPoseFit fit = fitSensorPose(views, knownSensorPose(cell, settings.machine), how);
-  CalibratedPose pose;
-  pose.nozzle_from_sensor = fit.nozzle_from_sensor;
-  pose.spread.assign(fit.sigma.begin(), fit.sigma.end());
-  pose.kept = keptDirections(fit);
-  pose.source = foundNow(arguments.method);
-  cell.pose = pose;
+  const FoundPose found = findPose(views, knownSensorPose(cell, settings.machine), timeOffsetOf(cell),
+                                   settings.calibration, foundNow(arguments.method));
+  cell.pose = found.pose;
   keepCell(arguments.common, cell);
-  printPose(arguments, pose, format,
-            {{"rms_mm", fit.rms_mm}, {"points", fit.points}, {"directions", directionsOf(fit)}},
-            observability(fit, how));
+  printPose(
+      arguments, found, format,
+      {{"rms_mm", found.fit.rms_mm}, {"points", found.fit.points}, {"directions", directionsOf(found.fit)}});
 }
 
 void addTargetOptions(CLI::App& subcommand, SensorArguments& arguments) {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibrate/calibrated_cell.hpp"
-#include "lamina/calibration/time_offset.hpp"
+#include "lamina/calibration/cell_findings.hpp"
 
 namespace lamina::cli {
 namespace {
@@ -16,16 +16,8 @@ struct TimeArguments {
   std::string method = "bobbing";
 };
 
-TimeOffset offsetBy(const TimeArguments& arguments, const SensorRecording& recording, const Calibration& cell,
-                    const CalibrateSettings& settings) {
-  if (arguments.method == "bobbing") return offsetByBobbing(recording, settings.calibration.search_s);
-  PassComparison comparison;
-  comparison.search_s = settings.calibration.search_s;
-  comparison.nozzle_from_sensor = knownSensorPose(cell, settings.machine);
-  return offsetByPasses(recording, comparison);
-}
-
-void printTime(const TimeArguments& arguments, const TimeOffset& offset, OutputFormat format) {
+void printTime(const TimeArguments& arguments, const FoundTime& found, OutputFormat format) {
+  const TimeOffset& offset = found.fit;
   if (format == OutputFormat::Json) {
     const nlohmann::ordered_json json = {{"method", arguments.method},
                                          {"time_offset_s", offset.offset_s},
@@ -40,25 +32,21 @@ void printTime(const TimeArguments& arguments, const TimeOffset& offset, OutputF
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
-  std::printf("time offset %.3f ms by %s: true time is the stamp less that\n", offset.offset_s * 1e3,
-              arguments.method.c_str());
-  std::printf("spread      %.3f ms; %.3f ms from piece to piece of %zu; drift %.3f ms/min\n",
-              offset.spread_s * 1e3, offset.scatter_s * 1e3, offset.pieces_s.size(),
-              offset.drift_s_per_min * 1e3);
-  std::printf("agreement   %.4f over %zu profiles\n", offset.agreement, offset.profiles);
-  if (arguments.method == "overlap" && !offset.is_skew_known)
-    std::printf("caution     swaths lie to one side only: a turn of the sensor's line counts as time\n");
+  for (const std::string& sentence : inWords(found)) std::printf("%s\n", sentence.c_str());
   if (!arguments.common.cell.empty()) std::printf("written to  %s\n", arguments.common.cell.c_str());
 }
 
 void calibrateTime(const TimeArguments& arguments, OutputFormat format) {
   const CalibrateSettings settings = calibrateSettingsFrom(arguments.common.settings);
   Calibration cell = cellSoFar(arguments.common, settings.machine);
-  const TimeOffset offset = offsetBy(arguments, recordingFrom(arguments.common.recording), cell, settings);
-  cell.time = CalibratedTime{offset.offset_s, offset.spread_s, offset.scatter_s, offset.drift_s_per_min,
-                             foundNow(arguments.method)};
+  // Bobbing asks nothing of where the sensor sits, and does without a machine that says it.
+  const Eigen::Isometry3d about =
+      arguments.method == "bobbing" ? Eigen::Isometry3d::Identity() : knownSensorPose(cell, settings.machine);
+  const FoundTime found = findTime(recordingFrom(arguments.common.recording), arguments.method, about,
+                                   settings.calibration, foundNow(arguments.method).date);
+  cell.time = found.time;
   keepCell(arguments.common, cell);
-  printTime(arguments, offset, format);
+  printTime(arguments, found, format);
 }
 
 }  // namespace

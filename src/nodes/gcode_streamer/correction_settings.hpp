@@ -12,11 +12,12 @@ namespace lamina {
 /// How a program is corrected on its way.
 struct StreamCorrectionSettings {
   bool is_used = false;
-  std::string folder;  ///< for the record of what was applied; empty for none
-  LoopSettings loop;   ///< of which waiting and feeding count
+  std::string folder;       ///< for the record of what was applied; empty for none
+  LoopSettings loop;        ///< of which waiting and feeding count
+  std::string calibration;  ///< file of results; empty for none
 };
 
-/// Adds the keys corrections.*, loop.wait_s and those that `describeFeeding` adds.
+/// Adds the keys corrections.*, sensor.calibration, loop.wait_s and those that `describeFeeding` adds.
 void describe(SettingsSchema& schema, StreamCorrectionSettings& settings);
 
 }  // namespace lamina

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include "gcode_streamer.hpp"
+#include "lamina/control/run/run_calibration.hpp"
 #include "parameters.hpp"
 #include "shutdown.hpp"
 
@@ -13,7 +14,11 @@ int main(int argc, char** argv) {
     describe(schema, settings);
     lamina::applyParameters(schema, ros::NodeHandle("~"));
     validate(settings.stream);
+    const auto feeding = lamina::withFeederOf(settings.corrections.calibration, settings.corrections.loop,
+                                              buildSpaceOf(settings.machine).name);
+    settings.corrections.loop = feeding.loop;
     ROS_INFO_STREAM("settings:" << lamina::describeSettings(schema));
+    if (settings.corrections.is_used) ROS_INFO_STREAM(feeding.source);
     const lamina::GcodeStreamer streamer(ros::NodeHandle(), settings);
     ros::spin();
   });

@@ -11,6 +11,10 @@ void describe(SettingsSchema& schema, StreamCorrectionSettings& settings) {
               "Folder for the maps that were applied and the record of them; empty for none.");
   schema.number("loop.wait_s", settings.loop.wait_s, {0.0, 600.0},
                 "Time that the start of a layer waits for its corrections.");
+  schema.text(
+      "sensor.calibration", settings.calibration,
+      "File that `lamina calibrate` wrote, for the feeder's dead time and lag where they are not stated; "
+      "empty for none.");
   describeFeeding(schema, settings.loop);
 }
 

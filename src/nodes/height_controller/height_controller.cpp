@@ -35,7 +35,8 @@ HeightController::HeightController(ros::NodeHandle node, const HeightControllerS
       topics_(node),
       feed_(calibratedRun(settings), settings.queue_mb),
       hold_(settings.arrival_hold_s),
-      memory_(settings.memory_file) {
+      memory_(settings.memory_file),
+      calibrator_(node, settings.run.calibration.file, settings.queue_mb) {
   diagnostics_.setHardwareID("none");
   diagnostics_.add("height loop",
                    [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
@@ -84,6 +85,7 @@ void HeightController::onToolpath(const lamina_msgs::ToolpathConstPtr& message) 
   }
   const bool is_first = !toolpath_told_;
   toolpath_told_ = message;
+  calibrator_.setMachine(message->machine);
   beginPrint(*message);
   // What was kept is of the print that a node before this one was over.
   if (is_first && feed_.run() != nullptr) memory_.resume(*feed_.run());
@@ -126,20 +128,24 @@ void HeightController::onCloud(const sensor_msgs::PointCloud2ConstPtr& cloud) {
   last_arrival_s_ = clock_.now();
   is_quiet_ = false;
   feed_.add(cloud);
+  calibrator_.add(*cloud);
   hold_.add(last_arrival_s_, [this, stamp = cloud->header.stamp] { feed_.hear(stamp); });
 }
 
 void HeightController::onTransforms(const TfEvent& event) {
   last_arrival_s_ = clock_.now();
   is_quiet_ = false;
+  for (const auto& transform : event.getMessage()->transforms) calibrator_.add(transform);
   hold_.add(last_arrival_s_, [this, message = event.getMessage(), from = event.getPublisherName()] {
     for (const auto& transform : message->transforms) feed_.add(transform, from);
   });
 }
 
 void HeightController::onFixedTransforms(const TfEvent& event) {
-  for (const auto& transform : event.getMessage()->transforms)
+  for (const auto& transform : event.getMessage()->transforms) {
     feed_.addFixed(transform, event.getPublisherName());
+    calibrator_.addFixed(transform);
+  }
 }
 
 void HeightController::onMachineState(const lamina_msgs::MachineStateConstPtr& message) {
@@ -188,11 +194,15 @@ void HeightController::know(const LoopRunSettings& settings) {
   for (const std::string& source : known_) ROS_INFO_STREAM(source);
 }
 
+void HeightController::recalibrate() {
+  feed_.recalibrate(calibratedRun(settings_));
+  know(feed_.settings());
+}
+
 bool HeightController::onReadCalibration(std_srvs::Trigger::Request& /*request*/,
                                          std_srvs::Trigger::Response& response) {
   try {
-    feed_.recalibrate(calibratedRun(settings_));
-    know(feed_.settings());
+    recalibrate();
     response.success = 1U;
     for (const std::string& source : known_)
       response.message += (response.message.empty() ? "" : "; ") + source;
@@ -205,6 +215,13 @@ bool HeightController::onReadCalibration(std_srvs::Trigger::Request& /*request*/
 
 void HeightController::onTimer() {
   const double now = clock_.now();
+  if (calibrator_.takeWritten()) {
+    try {
+      recalibrate();
+    } catch (const Error& error) {
+      ROS_ERROR("the calibration is not gone by: %s", error.what());
+    }
+  }
   hold_.release(now);
   feed_.pass();
   // A machine that waits for its map reports nothing new, which would bring the stamps on.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "arrival_hold.hpp"
+#include "cell_calibrator.hpp"
 #include "controller_topics.hpp"
 #include "height_controller_settings.hpp"
 #include "lamina/base/clock.hpp"
@@ -29,7 +30,7 @@ namespace lamina {
 /// Subscribes  profile (sensor_msgs/PointCloud2), toolpath (lamina/Toolpath; a new one begins a new print),
 ///             machine_state (lamina/MachineState), applied_correction (lamina/AppliedCorrection), tf
 /// Publishes   correction, loop_state, loop_figures, loop_cells (see ControllerTopics), /diagnostics
-/// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger)
+/// Services    set_loop (lamina/SetLoop), read_calibration (std_srvs/Trigger), and those of CellCalibrator
 /// Calls       pause (std_srvs/Trigger) where an alarm holds the print
 /// Requires tf from `bed` to the frame of the clouds and to `nozzle`.
 class HeightController {
@@ -54,6 +55,7 @@ class HeightController {
   void beginPrint(const lamina_msgs::Toolpath& toolpath);
   void beginAgainIfOver(const lamina_msgs::MachineState& machine);
   void know(const LoopRunSettings& settings);
+  void recalibrate();
   void publishNews();
   void report(const PrintPlan& plan);
   void report(const RaisedAlarm& alarm);
@@ -70,6 +72,7 @@ class HeightController {
   ArrivalHold hold_;
   PrintHold print_hold_;
   PrintMemory memory_;
+  CellCalibrator calibrator_;
   lamina_msgs::ToolpathConstPtr toolpath_told_;  ///< the last one
   LoopRecord record_;
   std::map<std::size_t, std::string> digests_;  ///< of the maps published last, by layer

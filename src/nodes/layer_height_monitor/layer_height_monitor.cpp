@@ -31,13 +31,21 @@ void fillIntake(const IntakeCounts& counts, diagnostic_updater::DiagnosticStatus
   status.add("transforms passed on early", counts.transforms_forced);
 }
 
+CalibratedSensor sensorOf(const Calibration& calibration) {
+  CalibratedSensor sensor;
+  if (calibration.time) sensor.time_offset_s = calibration.time->offset_s;
+  if (calibration.pose) sensor.nozzle_from_sensor = calibration.pose->nozzle_from_sensor;
+  return sensor;
+}
+
 }  // namespace
 
 LayerHeightMonitor::LayerHeightMonitor(ros::NodeHandle node, const LayerHeightMonitorSettings& settings)
     : settings_(settings),
       topics_(node),
       silence_(settings.silence_s),
-      intake_(node, settings.queue_mb,
+      calibration_(settings.calibration.empty() ? Calibration() : readCalibration(settings.calibration)),
+      intake_(node, settings.queue_mb, sensorOf(calibration_),
               {[this](const PlacedProfile& profile) { onProfile(profile); },
                [this](const StampedNozzle& nozzle) { onNozzle(nozzle); }}) {
   diagnostics_.setHardwareID("none");
@@ -71,6 +79,7 @@ void LayerHeightMonitor::onToolpath(const lamina_msgs::ToolpathConstPtr& message
   is_saved_ = true;
   try {
     MachineToolpath placed = fromMessage(*message);
+    if (!settings_.calibration.empty()) requireCalibrationOf(calibration_, placed.machine);
     toolpath_id_ = placed.id;
     heights_ =
         std::make_unique<StampedHeights>(std::move(placed.toolpath), placed.bed_from_part, settings_.monitor);

@@ -13,6 +13,7 @@
 
 #include "height_topics.hpp"
 #include "lamina/base/clock.hpp"
+#include "lamina/calibration/calibration_file.hpp"
 #include "lamina/monitoring/stamped_heights.hpp"
 #include "messages.hpp"
 #include "monitor_settings.hpp"
@@ -64,6 +65,7 @@ class LayerHeightMonitor {
   bool is_saved_ = true;
   bool is_announced_ = false;  ///< that the toolpath is being measured
   bool is_finished_ = false;   ///< nothing more comes of the toolpath
+  Calibration calibration_;    ///< empty without a file
   ProfileIntake intake_;
   diagnostic_updater::Updater diagnostics_;
   ros::Subscriber toolpath_;

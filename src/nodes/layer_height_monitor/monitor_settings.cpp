@@ -8,6 +8,10 @@ void describe(SettingsSchema& schema, LayerHeightMonitorSettings& settings) {
   describe(schema, settings.monitor);
   schema.text("output_folder", settings.output_folder,
               "Where maps and heights are saved; empty saves nothing.");
+  schema.text(
+      "sensor.calibration", settings.calibration,
+      "File that `lamina calibrate` wrote, for when and from where the sensor sees; empty: stamps and tf "
+      "are as they are.");
   schema.number("silence_s", settings.silence_s, {0.0, 3600.0},
                 "A scan is given up when no profile has come for that long, in real time; 0: never.");
   schema.number("map_period_s", settings.map_period_s, {0.0, 3600.0, true},

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_intake.hpp"
 
+#include <boost/make_shared.hpp>
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "lamina/base/error.hpp"
@@ -24,8 +27,12 @@ std::uint64_t bytesOf(const sensor_msgs::PointCloud2& cloud) {
 
 }  // namespace
 
-ProfileIntake::ProfileIntake(ros::NodeHandle node, double queue_mb, Receivers receivers)
-    : transforms_(sequence_, node), queue_bytes_(queue_mb * kBytesPerMb), receivers_(std::move(receivers)) {
+ProfileIntake::ProfileIntake(ros::NodeHandle node, double queue_mb, CalibratedSensor sensor,
+                             Receivers receivers)
+    : transforms_(sequence_, node),
+      queue_bytes_(queue_mb * kBytesPerMb),
+      sensor_(std::move(sensor)),
+      receivers_(std::move(receivers)) {
   timer_ = node.createWallTimer(ros::WallDuration(kTurn), [this](const ros::WallTimerEvent&) { passDue(); });
   const boost::function<void(const CloudEvent&)> onMessage = [this](const CloudEvent& event) {
     onCloud(event);
@@ -40,10 +47,22 @@ void ProfileIntake::onCloud(const CloudEvent& event) {
   counts_.received.add(*cloud);
   last_cloud_ = std::max(last_cloud_, cloud->header.stamp);
   countLost(event);
-  if (cloud->header.frame_id.empty())
+  const Cloud known = cloud->header.frame_id.empty() ? nullptr : taken(cloud);
+  if (known == nullptr)
     counts_.without_frame.add(*cloud);
   else
-    wait(cloud);
+    wait(known);
+}
+
+/// The cloud at the time at which it was taken, in the frame that tf has to place; null without such a time.
+ProfileIntake::Cloud ProfileIntake::taken(const Cloud& cloud) const {
+  if (sensor_.time_offset_s == 0.0 && !sensor_.nozzle_from_sensor) return cloud;
+  const double time_s = cloud->header.stamp.toSec() - sensor_.time_offset_s;
+  if (!(time_s > 0.0) || time_s > std::numeric_limits<std::int32_t>::max()) return nullptr;
+  const auto known = boost::make_shared<sensor_msgs::PointCloud2>(*cloud);
+  known->header.stamp -= ros::Duration(sensor_.time_offset_s);
+  if (sensor_.nozzle_from_sensor) known->header.frame_id = names::kNozzleFrame;
+  return known;
 }
 
 void ProfileIntake::countLost(const CloudEvent& event) {
@@ -168,9 +187,10 @@ void ProfileIntake::addNozzles() {
 }
 
 void ProfileIntake::place(const sensor_msgs::PointCloud2& cloud) {
-  const auto bed_from_cloud =
+  auto bed_from_cloud =
       lookUp(sequence_.buffer(), names::kBedFrame, cloud.header.frame_id, cloud.header.stamp);
   if (!bed_from_cloud) return settle(cloud, counts_.without_transform);
+  if (sensor_.nozzle_from_sensor) *bed_from_cloud = *bed_from_cloud * *sensor_.nozzle_from_sensor;
   PlacedProfile profile;
   profile.stamp = cloud.header.stamp;
   try {

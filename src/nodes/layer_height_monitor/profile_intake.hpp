@@ -5,9 +5,11 @@
 #include <ros/ros.h>
 #include <sensor_msgs/PointCloud2.h>
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,6 +24,12 @@ namespace lamina {
 struct PlacedProfile {
   ros::Time stamp;
   std::vector<Point3> points;  ///< [mm, bed frame]
+};
+
+/// When and from where a sensor sees.
+struct CalibratedSensor {
+  double time_offset_s = 0.0;                           ///< true time is the stamp less this
+  std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< [mm]; none: as tf has it
 };
 
 /// A number of clouds and of their points.
@@ -67,7 +75,8 @@ class ProfileIntake {
 
   /// Subscribes to `profile` and to tf.
   /// @param queue_mb  memory of the clouds that may wait for tf [1e6 bytes]
-  ProfileIntake(ros::NodeHandle node, double queue_mb, Receivers receivers);
+  /// @param sensor    as calibrated; stamps that it takes before 1970 count as without frame
+  ProfileIntake(ros::NodeHandle node, double queue_mb, CalibratedSensor sensor, Receivers receivers);
 
   IntakeCounts counts() const;
   /// Whether somebody publishes profiles and somebody tf.
@@ -93,6 +102,7 @@ class ProfileIntake {
   using Clouds = std::multimap<ros::Time, Cloud>;
 
   void onCloud(const CloudEvent& event);
+  Cloud taken(const Cloud& cloud) const;
   bool isHeldUp(const ros::Time& until) const;
   void countLost(const CloudEvent& event);
   void wait(const Cloud& cloud);
@@ -109,6 +119,7 @@ class ProfileIntake {
   TransformSequence sequence_;
   TransformIntake transforms_;
   double queue_bytes_;
+  CalibratedSensor sensor_;
   Receivers receivers_;
   std::map<std::string, Clouds> waiting_;  ///< by frame
   IntakeCounts counts_;

@@ -22,6 +22,10 @@ void describe(SettingsSchema& schema, DriverSettings& settings) {
   describe(schema, settings.approach);
   schema.flag("corrections.use", settings.is_corrected,
               "Whether what is not handed over yet is corrected by the maps on the topic correction.");
+  schema.text(
+      "sensor.calibration", settings.calibration,
+      "File that `lamina calibrate` wrote, for the feeder's dead time and lag where they are not stated; "
+      "empty for none.");
   describeFeeding(schema, settings.loop);
   schema.number("start_delay_s", settings.start_delay_s, {0.0, 60.0},
                 "From the first chunk sent to the first motion.");

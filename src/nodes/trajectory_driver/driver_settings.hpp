@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "lamina/base/settings.hpp"
 #include "lamina/control/loop_settings.hpp"
@@ -35,6 +36,7 @@ struct DriverSettings {
   ApproachSettings approach;
   bool is_corrected = false;      ///< by the maps on the topic correction
   LoopSettings loop;              ///< of which `describeFeeding` counts
+  std::string calibration;        ///< file of results; empty for none
   double start_delay_s = 0.5;     ///< from the first chunk to its first point
   double lift_mm = 10.0;          ///< of the tool after an abort
   double lift_mm_s = 10.0;        ///< speed of that
@@ -42,8 +44,8 @@ struct DriverSettings {
 };
 
 /// Adds the keys machine.*, joints.*, motion.*, trajectory.*, process.*, feeder.*, clearance.*,
-/// tracking.*, approach.*, corrections.use, some of loop.*, check_clearance, start_delay_s, lift_mm,
-/// lift_mm_s and controller_wait_s.
+/// tracking.*, approach.*, corrections.use, sensor.calibration, some of loop.*, check_clearance,
+/// start_delay_s, lift_mm, lift_mm_s and controller_wait_s.
 void describe(SettingsSchema& schema, DriverSettings& settings);
 
 }  // namespace lamina

@@ -157,5 +157,32 @@ TEST(RunCalibration, OfAPrintUnderWayLetsItsLoopBegin) {
   EXPECT_NE(run.status().reason.find("next one"), std::string::npos) << run.status().reason;
 }
 
+TEST(FeederCalibration, LeadsAnExecutorUnlessItsDelayIsStated) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("cell.yaml");
+  Calibration cell;
+  cell.machine = "gantry";
+  cell.feeder = CalibratedFeeder{0.6, 0.01, 0.2, 0.02, {"bead", "2026-11-23T12:00:00Z"}};
+  writeCalibration(file, cell);
+  const CalibratedFeeding found = withFeederOf(file, {}, "gantry");
+  EXPECT_EQ(found.loop.dead_time_s, 0.6);
+  EXPECT_EQ(found.loop.lag_s, 0.2);
+  EXPECT_NE(found.source.find("600.000 ms"), std::string::npos) << found.source;
+  LoopSettings stated;
+  stated.lag_s = 0.1;
+  EXPECT_EQ(withFeederOf(file, stated, "gantry").loop.dead_time_s, 0.0);
+  EXPECT_EQ(withFeederOf(file, stated, "gantry").loop.lag_s, 0.1);
+  EXPECT_EQ(withFeederOf("", stated, "gantry").loop.lag_s, 0.1);
+  EXPECT_THROW(withFeederOf(folder.file("none.yaml"), {}, "gantry"), FileError);
+  try {
+    withFeederOf(file, {}, "robot");
+    FAIL() << "the calibration of another machine";
+  } catch (const InvalidConfig& error) {
+    const std::string said = error.what();
+    for (const char* word : {"cell.yaml", "gantry", "robot"})
+      EXPECT_NE(said.find(word), std::string::npos) << word << " in: " << said;
+  }
+}
+
 }  // namespace
 }  // namespace lamina

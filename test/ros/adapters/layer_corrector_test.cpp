@@ -151,7 +151,7 @@ TEST(LayerCorrector, ReadsItsSettings) {
   schema.set("loop.wait_s", "5");
   EXPECT_TRUE(settings.is_used);
   EXPECT_EQ(settings.folder, "here");
-  EXPECT_EQ(LayerCorrector(beadProgram(), programmed(), {true, "", settings.loop}).waitTime(), 5.0);
+  EXPECT_EQ(LayerCorrector(beadProgram(), programmed(), {true, "", settings.loop, ""}).waitTime(), 5.0);
 }
 
 }  // namespace

@@ -27,6 +27,23 @@ LoopRunSettings withCalibration(const LoopRunSettings& settings, const Calibrati
 /// @throws FileError, InvalidConfig as `readCalibration`
 LoopRunSettings withCalibrationFile(const LoopRunSettings& settings);
 
+/// What leads a feeder, and whence in words.
+struct CalibratedFeeding {
+  LoopSettings loop;
+  std::string source;
+};
+
+/// Dead time and lag of the file that `sensor.calibration` names, for a machine's executor, unless they are
+/// stated; as stated where it names none.
+/// @throws FileError, InvalidConfig as `readCalibration`; InvalidConfig with both names if it is that of
+/// another
+///   machine, or a value lies outside the bounds of its setting
+CalibratedFeeding withFeederOf(const std::string& file, const LoopSettings& loop, const std::string& machine);
+
+/// The calibration of a file that is that of a machine.
+/// @throws FileError, InvalidConfig as `readCalibration`; InvalidConfig naming the file and both machines
+Calibration readCalibrationOf(const std::string& file, const std::string& machine);
+
 /// `checkStability` of a loop over a print, which refuses the calibration of another machine, by both names.
 /// @param machine  that the toolpath is for
 StabilityReport checkStart(const Toolpath& toolpath, const std::string& machine,

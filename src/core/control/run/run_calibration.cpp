@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
+
+#include "lamina/base/error.hpp"
 
 namespace lamina {
 namespace {
@@ -116,6 +119,28 @@ LoopRunSettings withCalibration(const LoopRunSettings& settings, const Calibrati
 LoopRunSettings withCalibrationFile(const LoopRunSettings& settings) {
   const std::string& file = settings.calibration.file;
   return withCalibration(settings, file.empty() ? Calibration{} : readCalibration(file));
+}
+
+Calibration readCalibrationOf(const std::string& file, const std::string& machine) {
+  Calibration found = readCalibration(file);
+  if (found.machine != machine)
+    throw InvalidConfig("the calibration '" + file + "' is that of machine '" + found.machine +
+                        "'; expected that of '" + machine + "'");
+  return found;
+}
+
+CalibratedFeeding withFeederOf(const std::string& file, const LoopSettings& loop,
+                               const std::string& machine) {
+  LoopRunSettings run;
+  run.loop = loop;
+  run.calibration.file = file;
+  CalibratedFeeding feeding;
+  feeding.source = takeFeeder(run, file.empty() ? std::nullopt : readCalibrationOf(file, machine).feeder);
+  feeding.loop = run.loop;
+  SettingsSchema schema;
+  describeFeeding(schema, feeding.loop);
+  schema.validate();
+  return feeding;
 }
 
 /// A file of another machine says nothing of this one, so nothing of it may act.

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Lamina authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lamina/calibration/cell_findings.hpp"
+#include "loop/recording_gatherer.hpp"
+#include "messages.hpp"
+
+namespace lamina {
+
+/// Calibrates the cell by what its node hears while the machine moves: keeps poses and clouds between BEGIN
+/// and FINISH, evaluates them, and puts what was found into the file of the calibration. A recording that
+/// does not tell it goes on.
+///
+/// Services  calibrate_time (lamina/CalibrateTime), calibrate_sensor (lamina/CalibrateSensor),
+///           calibrate_feeder (lamina/CalibrateFeeder), answered on a thread of their own: a print goes on
+class CellCalibrator {
+ public:
+  /// @param file     of the calibration; empty: what is found is only told
+  /// @param most_mb  memory of what is kept [1e6 bytes]; with more, the recording is given up
+  CellCalibrator(const ros::NodeHandle& node, std::string file, double most_mb);
+  ~CellCalibrator();
+  CellCalibrator(const CellCalibrator&) = delete;
+  CellCalibrator& operator=(const CellCalibrator&) = delete;
+
+  void add(const sensor_msgs::PointCloud2& cloud);
+  void add(const geometry_msgs::TransformStamped& transform);
+  void addFixed(const geometry_msgs::TransformStamped& transform);
+  /// What the toolpath published last is for.
+  void setMachine(const std::string& machine);
+
+  /// Whether the file was written since the last call.
+  bool takeWritten() { return is_written_.exchange(false); }
+
+ private:
+  /// One recording under way.
+  struct Recording {
+    explicit Recording(std::string begun_by);
+
+    std::string service;  ///< that began it
+    RecordingGatherer gathered;
+    double bytes = 0.0;
+  };
+  /// What an evaluation begins with.
+  struct Evidence {
+    SensorRecording recording;
+    std::optional<Eigen::Isometry3d> nozzle_from_sensor;  ///< by tf
+    Calibration cell;                                     ///< so far
+    CalibrationSettings settings;
+    std::string date;
+  };
+
+  bool onTime(lamina_msgs::CalibrateTime::Request& request, lamina_msgs::CalibrateTime::Response& response);
+  bool onSensor(lamina_msgs::CalibrateSensor::Request& request,
+                lamina_msgs::CalibrateSensor::Response& response);
+  bool onFeeder(lamina_msgs::CalibrateFeeder::Request& request,
+                lamina_msgs::CalibrateFeeder::Response& response);
+  template <class Request, class Response>
+  bool answer(const std::string& service, const Request& request, Response& response,
+              const std::function<void(Evidence&)>& evaluate);
+  void begin(const std::string& service);
+  void requireBegun(const std::string& service) const;
+  void end(const std::string& service);
+  Calibration cellOf(const std::string& machine) const;
+  template <class Request>
+  Evidence evidence(const std::string& service, const Request& request);
+  std::string keep(const Calibration& cell);
+
+  const std::string file_;
+  const double most_bytes_;
+  mutable std::mutex mutex_;                                      ///< of what follows
+  std::map<std::string, geometry_msgs::TransformStamped> fixed_;  ///< by child frame
+  std::unique_ptr<Recording> recording_;
+  std::string machine_;
+  std::atomic<bool> is_written_{false};
+  ros::CallbackQueue queue_;
+  ros::AsyncSpinner spinner_;
+  std::vector<ros::ServiceServer> services_;
+};
+
+}  // namespace lamina
